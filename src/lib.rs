@@ -1,0 +1,8 @@
+//! flexframe: from one parameter file to a flexible, printable drone frame.
+
+#![warn(missing_docs)]
+
+pub mod params;
+pub mod parts;
+pub mod solid;
+pub mod units;

@@ -1,0 +1,114 @@
+//! Folding a part that was printed flat: the solid after its web has bent.
+
+use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
+
+use super::mesh_solid::MeshSolid;
+use crate::units::Angle;
+
+/// How a printed joint bends, in the axes of the flat part.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Bend {
+    /// A web that is bent about an axis across it: what lies beyond the pivot turns rigidly and the web's
+    /// section at the pivot is swept in between.
+    Web {
+        /// A point of the axis, mm.
+        pivot: Point3<f64>,
+        /// From the pivot towards the side that moves.
+        outward: Unit<Vector3<f64>>,
+        /// Where the moving side turns to.
+        towards: Unit<Vector3<f64>>,
+        /// How far.
+        angle: Angle,
+    },
+    /// Two necks along the axis that twist: the middle turns rigidly, the necks share the angle over their length.
+    Necks {
+        /// A point of the axis, midway between the necks, mm.
+        pivot: Point3<f64>,
+        /// Direction of the axis.
+        axis: Unit<Vector3<f64>>,
+        /// Distance along the axis within which everything turns fully, mm.
+        inner_mm: f64,
+        /// Distance along the axis beyond which nothing turns, mm.
+        outer_mm: f64,
+        /// How far, right-handed about `axis`.
+        angle: Angle,
+    },
+}
+
+/// Longest edge of the surface that follows the twist of a neck, mm.
+const TWIST_EDGE_MM: f64 = 1.2;
+
+/// Angle of one facet of a swept web.
+const FACET_DEG: f64 = 7.5;
+
+impl Bend {
+    /// The rigid motion of what lies beyond the hinge, in the axes of the flat part.
+    pub fn motion(&self) -> Isometry3<f64> {
+        match self {
+            Self::Web { pivot, outward, towards, angle } => {
+                about(*pivot, Unit::new_normalize(outward.cross(towards)), *angle)
+            }
+            Self::Necks { pivot, axis, angle, .. } => about(*pivot, *axis, *angle),
+        }
+    }
+
+    /// The folded solid.
+    pub fn apply(&self, flat: &MeshSolid) -> MeshSolid {
+        match self {
+            Self::Web { pivot, outward, towards, angle } => bent_web(flat, *pivot, *outward, *towards, *angle, &self.motion()),
+            Self::Necks { pivot, axis, inner_mm, outer_mm, angle } => flat.refined(TWIST_EDGE_MM).warped(|p| {
+                let along = (p - pivot).dot(axis).abs();
+                let share = ((outer_mm - along) / (outer_mm - inner_mm)).clamp(0.0, 1.0);
+                about(*pivot, *axis, Angle::rad(angle.to_rad() * share)) * p
+            }),
+        }
+    }
+}
+
+fn about(pivot: Point3<f64>, axis: Unit<Vector3<f64>>, angle: Angle) -> Isometry3<f64> {
+    let turn = UnitQuaternion::from_axis_angle(&axis, angle.to_rad());
+    Translation3::from(pivot.coords) * turn * Translation3::from(-pivot.coords)
+}
+
+fn bent_web(
+    flat: &MeshSolid,
+    pivot: Point3<f64>,
+    outward: Unit<Vector3<f64>>,
+    towards: Unit<Vector3<f64>>,
+    angle: Angle,
+    motion: &Isometry3<f64>,
+) -> MeshSolid {
+    let offset = outward.dot(&pivot.coords);
+    let still = flat.half(-outward.into_inner(), -offset);
+    let moved = flat.half(outward.into_inner(), offset).placed(motion);
+    still.union(&moved).union(&swept_web(flat, pivot, outward, towards, angle))
+}
+
+/// The web's section at the pivot (what lies on the far side of the axis from where the joint closes), turned
+/// about the hinge axis through the bend: the stretched outside of the fold.
+fn swept_web(flat: &MeshSolid, pivot: Point3<f64>, outward: Unit<Vector3<f64>>, towards: Unit<Vector3<f64>>, angle: Angle) -> MeshSolid {
+    // Section axes: r away from the closing side, z along the hinge axis, so that a revolve about z by the
+    // bend starts in the section's plane and turns the way the far side does.
+    let axis = outward.cross(&towards);
+    let away = -towards.into_inner();
+    let turn = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[away, outward.into_inner(), away.cross(&outward)]));
+    let section_pose = Isometry3::from_parts(Translation3::from(pivot.coords), UnitQuaternion::from_rotation_matrix(&turn));
+    let to_section = section_pose.inverse();
+    // The kernel slices at constant z: bring the section's plane (y = 0) there.
+    let lay = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
+    let laid = flat.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * to_section));
+    let contours: Vec<Vec<[f64; 2]>> =
+        laid.slice(-SECTION_INSET_MM).iter().map(|c| c.iter().map(|p| [p[0].max(0.0), -p[1]]).rev().collect()).collect();
+    let steps = (angle.to_deg() / FACET_DEG).ceil().max(1.0);
+    let segments = (360.0 / angle.to_deg() * steps).round() as u32;
+    let sector = MeshSolid::revolved(&contours, segments, angle.to_deg() + 2.0 * OVERLAP_DEG);
+    let start = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -Angle::deg(OVERLAP_DEG).to_rad());
+    debug_assert!(axis.norm() > 0.99, "the closing direction is square to the hinge's own");
+    sector.placed(&(section_pose * Isometry3::from_parts(Translation3::identity(), start)))
+}
+
+/// The section is taken this far on the still side of the pivot, where the web has its full form, mm.
+const SECTION_INSET_MM: f64 = 0.01;
+
+/// The sweep reaches this far into both sides so that the union has no faces in common.
+const OVERLAP_DEG: f64 = 0.5;

@@ -1,0 +1,165 @@
+//! The B-rep kernel: exact solids of the features that need no boolean.
+
+use nalgebra::{Isometry3, Point2};
+use truck_meshalgo::prelude::*;
+use truck_modeling::{Matrix4, Point3, Rad, Solid, Vector3, Wire, builder};
+
+use super::feature::Feature;
+use super::profile::{Contour, Profile, Segment};
+
+/// Chord error of the mesh from which a B-rep's volume is summed, mm.
+const VOLUME_CHORD_MM: f64 = 0.002;
+
+/// An exact solid.
+#[derive(Clone, Debug)]
+pub struct Brep(Solid);
+
+impl Brep {
+    /// The exact solid of a feature tree; `None` where a boolean, a hull or a mirror would be needed: this
+    /// kernel's booleans are not reliable enough to ship (see `docs/decisions/`).
+    pub fn build(feature: &Feature) -> Option<Self> {
+        build(feature).map(Self)
+    }
+
+    /// The solid in the kernel's own type.
+    pub fn solid(&self) -> &Solid {
+        &self.0
+    }
+
+    /// Volume, mm³, within the chord error of 0.002 mm.
+    pub fn volume_mm3(&self) -> f64 {
+        self.0.triangulation(VOLUME_CHORD_MM).to_polygon().volume()
+    }
+
+    /// Whether the boundary is one closed shell without a crack.
+    pub fn is_closed(&self) -> bool {
+        let mut mesh = self.0.triangulation(VOLUME_CHORD_MM).to_polygon();
+        mesh.put_together_same_attrs(1e-6);
+        mesh.shell_condition() == ShellCondition::Closed
+    }
+}
+
+fn build(feature: &Feature) -> Option<Solid> {
+    match feature {
+        Feature::Extrude { profile, height_mm } => extruded(profile, *height_mm),
+        Feature::Cylinder { radius_mm, height_mm } | Feature::Bore { radius_mm, height_mm } => {
+            extruded(&Profile::new(Contour::circle([0.0, 0.0], *radius_mm)), *height_mm)
+        }
+        Feature::Sphere { radius_mm } => Some(sphere(*radius_mm)),
+        Feature::Placed { pose, of } => build(of).map(|solid| builder::transformed(&solid, matrix(pose))),
+        Feature::Union(of) if of.len() == 1 => build(&of[0]),
+        Feature::Difference { base, cuts } if cuts.is_empty() => build(base),
+        _ => None,
+    }
+}
+
+fn extruded(profile: &Profile, height_mm: f64) -> Option<Solid> {
+    let outer = wire(&profile.outer, true);
+    let mut wires = vec![outer];
+    wires.extend(profile.holes.iter().map(|hole| wire(hole, false)));
+    let face = builder::try_attach_plane(&wires).ok()?;
+    // A sweep along the face's normal must leave the bottom face looking down.
+    Some(builder::tsweep(&face, Vector3::unit_z() * height_mm))
+}
+
+fn sphere(radius_mm: f64) -> Solid {
+    let top = builder::vertex(Point3::new(0.0, 0.0, radius_mm));
+    let bottom = builder::vertex(Point3::new(0.0, 0.0, -radius_mm));
+    let meridian: Wire = vec![builder::circle_arc(&top, &bottom, Point3::new(radius_mm, 0.0, 0.0))].into();
+    let shell = builder::cone(&meridian, Vector3::unit_z(), Rad(std::f64::consts::TAU));
+    Solid::new(vec![shell])
+}
+
+/// A contour as edges in the xy plane, counter-clockwise or clockwise.
+fn wire(contour: &Contour, counter_clockwise: bool) -> Wire {
+    let (start, segments) = as_path(contour);
+    let first = builder::vertex(at(start));
+    let mut edges = Vec::new();
+    let (mut from, mut from_vertex) = (start, first.clone());
+    for (i, segment) in segments.iter().enumerate() {
+        let (Segment::Line { to } | Segment::Arc { to, .. }) = segment;
+        let vertex = if i + 1 == segments.len() { first.clone() } else { builder::vertex(at(*to)) };
+        edges.push(match segment {
+            Segment::Line { .. } => builder::line(&from_vertex, &vertex),
+            Segment::Arc { centre, counter_clockwise, .. } => {
+                let half = 0.5 * super::profile::sweep_angle(from, *to, *centre, *counter_clockwise);
+                let (sin, cos) = libm::sincos(half);
+                let arm = from - centre;
+                let middle = centre + nalgebra::Vector2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+                builder::circle_arc(&from_vertex, &vertex, at(middle))
+            }
+        });
+        (from, from_vertex) = (*to, vertex);
+    }
+    let wire: Wire = edges.into();
+    if (signed_area(contour) > 0.0) == counter_clockwise { wire } else { wire.inverse() }
+}
+
+/// A circle as two half turns; a path as it is.
+fn as_path(contour: &Contour) -> (Point2<f64>, Vec<Segment>) {
+    match contour {
+        Contour::Path { start, segments } => (*start, segments.clone()),
+        Contour::Circle { centre, radius_mm, .. } => {
+            let (right, left) = (Point2::new(centre.x + radius_mm, centre.y), Point2::new(centre.x - radius_mm, centre.y));
+            let half = |to| Segment::Arc { to, centre: *centre, counter_clockwise: true };
+            (right, vec![half(left), half(right)])
+        }
+    }
+}
+
+fn signed_area(contour: &Contour) -> f64 {
+    let points = contour.points(48);
+    (0..points.len())
+        .map(|i| {
+            let (a, b) = (points[i], points[(i + 1) % points.len()]);
+            a.x * b.y - b.x * a.y
+        })
+        .sum()
+}
+
+fn at(p: Point2<f64>) -> Point3 {
+    Point3::new(p.x, p.y, 0.0)
+}
+
+fn matrix(pose: &Isometry3<f64>) -> Matrix4 {
+    let m = pose.to_homogeneous();
+    Matrix4::new(
+        m[(0, 0)], m[(1, 0)], m[(2, 0)], 0.0, m[(0, 1)], m[(1, 1)], m[(2, 1)], 0.0, m[(0, 2)], m[(1, 2)], m[(2, 2)], 0.0, m[(0, 3)],
+        m[(1, 3)], m[(2, 3)], 1.0,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid::MeshSolid;
+
+    fn plate() -> Feature {
+        let outline = Contour::rounded_rectangle([1.0, 2.0], [20.0, 12.0], 3.0);
+        let profile = Profile::new(outline).with_hole(Contour::circle([4.0, 2.0], 2.0)).with_hole(Contour::circle([-4.0, 2.0], 1.0));
+        Feature::extrude(profile, 2.5).turned_x(crate::units::Angle::deg(30.0)).at(3.0, 1.0, -2.0)
+    }
+
+    #[test]
+    fn analytic_plate_with_holes_is_closed_and_has_its_volume() {
+        let brep = Brep::build(&plate()).expect("no boolean in it");
+        let pi = std::f64::consts::PI;
+        let exact = 2.5 * (240.0 - (4.0 - pi) * 9.0 - 5.0 * pi);
+        assert!(brep.is_closed());
+        assert!((brep.volume_mm3() / exact - 1.0).abs() < 1e-3, "{} {exact}", brep.volume_mm3());
+    }
+
+    #[test]
+    fn analytic_the_two_kernels_agree_within_the_chord_error() {
+        for feature in [plate(), Feature::cylinder(1.5, 80.0), Feature::sphere(2.9)] {
+            let exact = Brep::build(&feature).expect("no boolean in it").volume_mm3();
+            let mesh = MeshSolid::build(&feature).volume_mm3();
+            assert!((mesh / exact - 1.0).abs() < 0.007, "{mesh} {exact}");
+        }
+    }
+
+    #[test]
+    fn analytic_a_boolean_is_declined() {
+        assert!(Brep::build(&plate().minus([Feature::sphere(1.0)])).is_none());
+    }
+}

@@ -1,0 +1,168 @@
+//! The export gate: what a mesh must be before it may be written.
+
+use std::collections::BTreeMap;
+
+use super::mesh::Mesh;
+use super::mesh_solid::MeshSolid;
+
+/// Why a mesh may not be written.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum GateError {
+    /// Nothing in it.
+    #[error("the mesh is empty: the features cancel each other")]
+    Empty,
+    /// An edge that is not shared by exactly two facets in opposite directions.
+    #[error("{count} edges are not closed (the first from corner {from} to {to})")]
+    OpenEdges {
+        /// How many directed edges lack their reverse, or occur twice.
+        count: usize,
+        /// First such edge: from this corner …
+        from: u32,
+        /// … to this one.
+        to: u32,
+    },
+    /// Facets without area.
+    #[error("{count} facets have no area")]
+    ZeroArea {
+        /// How many.
+        count: usize,
+    },
+    /// Inside out, or nothing.
+    #[error("the enclosed volume is {volume_mm3:.3} mm³, not positive")]
+    NotPositive {
+        /// The volume.
+        volume_mm3: f64,
+    },
+    /// More or fewer bodies than the part has.
+    #[error("the part falls into {found} separate bodies, it should be {expected}")]
+    Bodies {
+        /// Bodies in the mesh.
+        found: usize,
+        /// Bodies that the part has.
+        expected: usize,
+    },
+    /// Facets cross each other.
+    #[error("facets cross each other")]
+    SelfIntersecting,
+}
+
+/// What the gate saw in a mesh that passed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Topology {
+    /// Separate bodies.
+    pub bodies: usize,
+    /// Euler number V − E + F; 2 for a ball, 0 with one tunnel, −2 with two.
+    pub euler: i64,
+}
+
+/// Lets a mesh of one body pass, on the coordinates that will be written.
+///
+/// # Errors
+/// The first rule that is broken, see [`GateError`].
+pub fn pass(mesh: &Mesh) -> Result<Topology, GateError> {
+    if mesh.triangles.is_empty() {
+        return Err(GateError::Empty);
+    }
+    closed(mesh)?;
+    let flat = mesh.triangles.iter().filter(|t| area_mm2(mesh, t) <= 0.0).count();
+    if flat > 0 {
+        return Err(GateError::ZeroArea { count: flat });
+    }
+    let volume_mm3 = mesh.volume_mm3();
+    if volume_mm3 <= 0.0 {
+        return Err(GateError::NotPositive { volume_mm3 });
+    }
+    let bodies = count_bodies(mesh);
+    if bodies != 1 {
+        return Err(GateError::Bodies { found: bodies, expected: 1 });
+    }
+    if MeshSolid::from_mesh(mesh).is_none_or(|solid| solid.has_self_intersections()) {
+        return Err(GateError::SelfIntersecting);
+    }
+    let (v, f) = (mesh.vertices.len() as i64, mesh.triangles.len() as i64);
+    Ok(Topology { bodies, euler: v - f * 3 / 2 + f })
+}
+
+fn closed(mesh: &Mesh) -> Result<(), GateError> {
+    let mut edges: BTreeMap<(u32, u32), i32> = BTreeMap::new();
+    for t in &mesh.triangles {
+        for (from, to) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+            *edges.entry((from, to)).or_default() += 1;
+        }
+    }
+    let open: Vec<_> = edges.iter().filter(|((a, b), n)| **n != 1 || edges.get(&(*b, *a)) != Some(&1)).map(|(e, _)| *e).collect();
+    match open.first() {
+        None => Ok(()),
+        Some(&(from, to)) => Err(GateError::OpenEdges { count: open.len(), from, to }),
+    }
+}
+
+fn area_mm2(mesh: &Mesh, triangle: &[u32; 3]) -> f64 {
+    let [a, b, c] = mesh.corners(triangle);
+    0.5 * (b - a).cross(&(c - a)).norm()
+}
+
+fn count_bodies(mesh: &Mesh) -> usize {
+    let mut parent: Vec<u32> = (0..mesh.vertices.len() as u32).collect();
+    fn root(parent: &mut [u32], mut i: u32) -> u32 {
+        while parent[i as usize] != i {
+            parent[i as usize] = parent[parent[i as usize] as usize];
+            i = parent[i as usize];
+        }
+        i
+    }
+    for t in &mesh.triangles {
+        for pair in [(t[0], t[1]), (t[1], t[2])] {
+            let (a, b) = (root(&mut parent, pair.0), root(&mut parent, pair.1));
+            parent[a as usize] = b;
+        }
+    }
+    (0..parent.len() as u32).filter(|&i| root(&mut parent, i) == i).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid::Feature;
+
+    fn cube() -> Mesh {
+        MeshSolid::build(&Feature::cuboid([2.0, 2.0, 2.0])).to_mesh()
+    }
+
+    #[test]
+    fn analytic_a_cube_passes_with_the_euler_number_of_a_ball() {
+        assert_eq!(pass(&cube()), Ok(Topology { bodies: 1, euler: 2 }));
+    }
+
+    #[test]
+    fn planted_a_missing_facet_is_found() {
+        let mut mesh = cube();
+        mesh.triangles.pop();
+        assert!(matches!(pass(&mesh), Err(GateError::OpenEdges { count: 3, .. })));
+    }
+
+    #[test]
+    fn planted_an_inverted_mesh_is_found() {
+        let mut mesh = cube();
+        for t in &mut mesh.triangles {
+            t.swap(0, 1);
+        }
+        assert!(matches!(pass(&mesh), Err(GateError::NotPositive { .. })));
+    }
+
+    #[test]
+    fn planted_a_second_body_is_found() {
+        let two = Feature::union([Feature::cuboid([2.0, 2.0, 2.0]), Feature::sphere(1.0).at(5.0, 0.0, 0.0)]);
+        let mesh = MeshSolid::build(&two).to_mesh();
+        assert_eq!(pass(&mesh), Err(GateError::Bodies { found: 2, expected: 1 }));
+    }
+
+    #[test]
+    fn planted_crossing_facets_are_found() {
+        let mut mesh = cube();
+        let pushed = mesh.vertices.iter_mut().find(|v| **v == [1.0, 1.0, 1.0]);
+        *pushed.expect("a cube has this corner") = [-3.0, -3.0, 0.0];
+        let verdict = pass(&mesh);
+        assert!(matches!(verdict, Err(GateError::SelfIntersecting | GateError::NotPositive { .. })), "{verdict:?}");
+    }
+}

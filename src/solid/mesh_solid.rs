@@ -1,0 +1,200 @@
+//! The mesh kernel: features to closed triangle meshes, booleans, gaps.
+
+use manifold_rust::linalg::{Mat3x4, Vec2, Vec3};
+use manifold_rust::manifold::Manifold;
+use manifold_rust::types::{MeshGL64, OpType};
+use nalgebra::{Isometry3, Point3, Vector3};
+
+use super::feature::Feature;
+use super::mesh::Mesh;
+use super::profile::{Profile, circumscribed};
+
+/// Straight pieces that stand for a full circle: 0.3 % of its area is lost, 3 µm of a rod's radius.
+pub const SEGMENTS_PER_TURN: u32 = 48;
+
+/// Detail below this size (mm) is melted away before a mesh is written; a tenth of what a printer can place.
+const MELT_MM: f64 = 0.001;
+
+/// A closed solid in the mesh kernel, mm.
+#[derive(Clone)]
+pub struct MeshSolid(Manifold);
+
+impl MeshSolid {
+    /// Builds a feature tree; an impossible one (a negative height, an empty result) comes out empty.
+    pub fn build(feature: &Feature) -> Self {
+        Self(build(feature))
+    }
+
+    /// Takes a written mesh back into the kernel; `None` when it is not closed.
+    pub fn from_mesh(mesh: &Mesh) -> Option<Self> {
+        let gl = MeshGL64 {
+            num_prop: 3,
+            vert_properties: mesh.vertices.iter().flatten().map(|c| f64::from(*c)).collect(),
+            tri_verts: mesh.triangles.iter().flatten().map(|i| u64::from(*i)).collect(),
+            ..Default::default()
+        };
+        let solid = Manifold::from_mesh_gl64(&gl);
+        (!solid.is_empty()).then_some(Self(solid))
+    }
+
+    /// The mesh that is written, in canonical order.
+    pub fn to_mesh(&self) -> Mesh {
+        let gl = self.0.as_original().simplify(MELT_MM).get_mesh_gl64(-1);
+        let stride = gl.num_prop as usize;
+        let positions: Vec<Point3<f64>> = gl.vert_properties.chunks_exact(stride).map(|v| Point3::new(v[0], v[1], v[2])).collect();
+        let triangles: Vec<[u32; 3]> =
+            gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]).collect();
+        Mesh::canonical(&positions, &triangles)
+    }
+
+    /// Nothing in it.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Enclosed volume, mm³.
+    pub fn volume_mm3(&self) -> f64 {
+        self.0.volume()
+    }
+
+    /// Whether facets cross each other.
+    pub fn has_self_intersections(&self) -> bool {
+        self.0.has_self_intersections()
+    }
+
+    /// Lowest and highest corner of the bounding box, mm.
+    pub fn bounds_mm(&self) -> [[f64; 3]; 2] {
+        let b = self.0.bounding_box();
+        [[b.min.x, b.min.y, b.min.z], [b.max.x, b.max.y, b.max.z]]
+    }
+
+    /// Moved rigidly.
+    pub fn placed(&self, pose: &Isometry3<f64>) -> Self {
+        Self(self.0.transform(&matrix(pose)))
+    }
+
+    /// Both together.
+    pub fn union(&self, other: &Self) -> Self {
+        Self(self.0.union(&other.0))
+    }
+
+    /// This without the other.
+    pub fn minus(&self, other: &Self) -> Self {
+        Self(self.0.difference(&other.0))
+    }
+
+    /// What both share.
+    pub fn intersection(&self, other: &Self) -> Self {
+        Self(self.0.intersection(&other.0))
+    }
+
+    /// What lies on the side of the plane that the normal points to; the plane is `normal · p = offset`.
+    pub fn half(&self, normal: Vector3<f64>, offset_mm: f64) -> Self {
+        Self(self.0.trim_by_plane(vec3(&normal), offset_mm))
+    }
+
+    /// The shortest distance to the other solid, mm, at most `reach_mm`; 0 when they touch or overlap.
+    pub fn gap_mm(&self, other: &Self, reach_mm: f64) -> f64 {
+        self.0.min_gap(&other.0, reach_mm)
+    }
+
+    /// Contours of the cut at a height z, mm: outer ones counter-clockwise, holes clockwise.
+    pub fn slice(&self, z_mm: f64) -> Vec<Vec<[f64; 2]>> {
+        polygons(&self.0.slice(z_mm).to_polygons())
+    }
+
+    /// The same surface with every edge cut to at most this length, for a bend that follows.
+    pub fn refined(&self, length_mm: f64) -> Self {
+        Self(self.0.refine_to_length(length_mm))
+    }
+
+    /// Every point moved by the map, which must not fold the solid over itself.
+    pub fn warped(&self, map: impl Fn(Point3<f64>) -> Point3<f64>) -> Self {
+        Self(self.0.warp(|v| {
+            let p = map(Point3::new(v.x, v.y, v.z));
+            *v = Vec3::new(p.x, p.y, p.z);
+        }))
+    }
+
+    /// A solid from raw contours in (r, z), turned about z through an angle from the xz plane.
+    pub(super) fn revolved(contours: &[Vec<[f64; 2]>], segments: u32, degrees: f64) -> Self {
+        let outlines = contours.iter().map(|c| c.iter().map(|p| Vec2::new(p[0], p[1])).collect()).collect();
+        Self(Manifold::revolve(&outlines, segments as i32, degrees))
+    }
+}
+
+fn build(feature: &Feature) -> Manifold {
+    let n = SEGMENTS_PER_TURN as i32;
+    match feature {
+        Feature::Extrude { profile, height_mm } => {
+            Manifold::extrude(&outlines(profile), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0))
+        }
+        Feature::Cylinder { radius_mm, height_mm } => Manifold::cylinder(*height_mm, *radius_mm, *radius_mm, n),
+        Feature::Bore { radius_mm, height_mm } => {
+            let radius = circumscribed(*radius_mm, SEGMENTS_PER_TURN);
+            Manifold::cylinder(*height_mm, radius, radius, n)
+        }
+        Feature::Cone { bottom_radius_mm, top_radius_mm, height_mm } => {
+            Manifold::cylinder(*height_mm, *bottom_radius_mm, *top_radius_mm, n)
+        }
+        Feature::Sphere { radius_mm } => Manifold::sphere(*radius_mm, n),
+        Feature::Revolve { profile, turn } => Manifold::revolve(&outlines(profile), n, turn.to_deg()),
+        Feature::Hull(of) => Manifold::hull_manifolds(&built(of)),
+        Feature::Union(of) => together(built(of), OpType::Add),
+        Feature::Intersection(of) => together(built(of), OpType::Intersect),
+        Feature::Difference { base, cuts } => build(base).difference(&together(built(cuts), OpType::Add)),
+        Feature::Placed { pose, of } => build(of).transform(&matrix(pose)),
+        Feature::Mirrored { normal, of } => build(of).mirror(vec3(normal)),
+    }
+}
+
+fn built(features: &[Feature]) -> Vec<Manifold> {
+    features.iter().map(build).collect()
+}
+
+/// Joins neighbours pairwise until one is left, so that the operands stay small.
+fn together(mut solids: Vec<Manifold>, op: OpType) -> Manifold {
+    while solids.len() > 1 {
+        solids = solids
+            .chunks(2)
+            .map(|pair| match pair {
+                [a, b] => a.boolean(b, op),
+                _ => pair[0].clone(),
+            })
+            .collect();
+    }
+    solids.pop().unwrap_or_else(Manifold::empty)
+}
+
+/// Contours in the kernel's direction: outer counter-clockwise, holes clockwise.
+fn outlines(profile: &Profile) -> Vec<Vec<Vec2>> {
+    let oriented = |points: Vec<nalgebra::Point2<f64>>, ccw: bool| {
+        let mut outline: Vec<Vec2> = points.iter().map(|p| Vec2::new(p.x, p.y)).collect();
+        let twice_area: f64 = (0..outline.len())
+            .map(|i| {
+                let (a, b) = (outline[i], outline[(i + 1) % outline.len()]);
+                a.x * b.y - b.x * a.y
+            })
+            .sum();
+        if (twice_area > 0.0) != ccw {
+            outline.reverse();
+        }
+        outline
+    };
+    let holes = profile.holes.iter().map(|hole| oriented(hole.points(SEGMENTS_PER_TURN), false));
+    std::iter::once(oriented(profile.outer.points(SEGMENTS_PER_TURN), true)).chain(holes).collect()
+}
+
+fn polygons(contours: &[Vec<Vec2>]) -> Vec<Vec<[f64; 2]>> {
+    contours.iter().map(|c| c.iter().map(|p| [p.x, p.y]).collect()).collect()
+}
+
+fn vec3(v: &Vector3<f64>) -> Vec3 {
+    Vec3::new(v.x, v.y, v.z)
+}
+
+fn matrix(pose: &Isometry3<f64>) -> Mat3x4 {
+    let m = pose.rotation.to_rotation_matrix();
+    let column = |i: usize| Vec3::new(m[(0, i)], m[(1, i)], m[(2, i)]);
+    Mat3x4::from_cols(column(0), column(1), column(2), vec3(&pose.translation.vector))
+}

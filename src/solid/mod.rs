@@ -1,0 +1,18 @@
+//! Solids: one feature tree, two kernels, and the gate every written mesh passes.
+//!
+//! This folder alone knows the mesh kernel (a port of Manifold) and the B-rep kernel (truck).
+
+mod bend;
+mod brep;
+mod feature;
+pub mod gate;
+mod mesh;
+mod mesh_solid;
+mod profile;
+
+pub use bend::Bend;
+pub use brep::Brep;
+pub use feature::Feature;
+pub use mesh::Mesh;
+pub use mesh_solid::{MeshSolid, SEGMENTS_PER_TURN};
+pub use profile::{Contour, Profile, Segment};
