@@ -1,7 +1,7 @@
 //! Every number a frame is made of, table by table: key, bounds, meaning, and the parts it drives.
 
-use super::part_name::PartName;
 use super::parameter::parameters;
+use super::part_name::PartName;
 
 parameters! {
     /// Rod lengths and the rod itself.

@@ -45,9 +45,7 @@ impl Bend {
     /// The rigid motion of what lies beyond the hinge, in the axes of the flat part.
     pub fn motion(&self) -> Isometry3<f64> {
         match self {
-            Self::Web { pivot, outward, towards, angle } => {
-                about(*pivot, Unit::new_normalize(outward.cross(towards)), *angle)
-            }
+            Self::Web { pivot, outward, towards, angle } => about(*pivot, Unit::new_normalize(outward.cross(towards)), *angle),
             Self::Necks { pivot, axis, angle, .. } => about(*pivot, *axis, *angle),
         }
     }

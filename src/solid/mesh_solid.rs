@@ -42,8 +42,7 @@ impl MeshSolid {
         let gl = self.0.as_original().simplify(MELT_MM).get_mesh_gl64(-1);
         let stride = gl.num_prop as usize;
         let positions: Vec<Point3<f64>> = gl.vert_properties.chunks_exact(stride).map(|v| Point3::new(v[0], v[1], v[2])).collect();
-        let triangles: Vec<[u32; 3]> =
-            gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]).collect();
+        let triangles: Vec<[u32; 3]> = gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]).collect();
         Mesh::canonical(&positions, &triangles)
     }
 
@@ -126,9 +125,7 @@ impl MeshSolid {
 fn build(feature: &Feature) -> Manifold {
     let n = SEGMENTS_PER_TURN as i32;
     match feature {
-        Feature::Extrude { profile, height_mm } => {
-            Manifold::extrude(&outlines(profile), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0))
-        }
+        Feature::Extrude { profile, height_mm } => Manifold::extrude(&outlines(profile), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0)),
         Feature::Cylinder { radius_mm, height_mm } => Manifold::cylinder(*height_mm, *radius_mm, *radius_mm, n),
         Feature::Bore { radius_mm, height_mm } => {
             let radius = circumscribed(*radius_mm, SEGMENTS_PER_TURN);

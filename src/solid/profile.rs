@@ -64,9 +64,7 @@ impl Contour {
     pub fn rounded_polygon(corners: &[([f64; 2], f64)]) -> Self {
         let n = corners.len();
         let point = |i: usize| Point2::from(corners[i % n].0);
-        let wanted: Vec<f64> = (0..n)
-            .map(|i| tangent_length(point(i + n - 1), point(i), point(i + 1), corners[i].1))
-            .collect();
+        let wanted: Vec<f64> = (0..n).map(|i| tangent_length(point(i + n - 1), point(i), point(i + 1), corners[i].1)).collect();
         let fitting = |i: usize, neighbour: usize| {
             let free = (point(i) - point(neighbour)).norm();
             let both = wanted[i % n] + wanted[neighbour % n];
