@@ -208,8 +208,8 @@ fn flatten(
             continue;
         }
         let place = Place { source: Arc::clone(source), span: key.span().start..value.span().end };
-        let value = typed_value(value)
-            .map_err(|message| Refusal { reason: Box::new(Reason::Syntax { message }), place: Some(place.clone()) })?;
+        let value =
+            typed_value(value).map_err(|message| Refusal { reason: Box::new(Reason::Syntax { message }), place: Some(place.clone()) })?;
         entries.insert(dotted, Entry { value, place, depth });
     }
     Ok(())
