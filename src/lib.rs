@@ -4,5 +4,6 @@
 
 pub mod params;
 pub mod parts;
+pub mod skeleton;
 pub mod solid;
 pub mod units;
