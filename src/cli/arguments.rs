@@ -42,6 +42,12 @@ pub(super) enum Command {
     /// Write STL, GLB, bill of materials, manifest, report and pictures of a frame.
     #[command(after_help = "Examples:\n  flexframe build\n  flexframe build my-frame.toml -o frames --rigid pla")]
     Build(BuildOptions),
+    /// Hold a frame against its limits; exits 1 when one is violated.
+    #[command(after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json")]
+    Check(CheckOptions),
+    /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
+    #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
+    Render(RenderOptions),
     /// List every parameter with unit, default, bounds and what it drives.
     #[command(after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json")]
     Params(ParamsOptions),
@@ -72,6 +78,28 @@ pub(super) struct BuildOptions {
     #[command(flatten)]
     pub frame: FrameOption,
     /// Folder that takes the frame's folder.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+    /// Leave out the pictures.
+    #[arg(long)]
+    pub no_pictures: bool,
+}
+
+/// Options of `check`.
+#[derive(Debug, Args)]
+pub(super) struct CheckOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+}
+
+/// Options of `render`.
+#[derive(Debug, Args)]
+pub(super) struct RenderOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Folder that takes the folder `FRAME-pictures`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

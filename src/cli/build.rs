@@ -1,41 +1,80 @@
 //! `flexframe build`: a frame's folder.
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use super::arguments::{BuildOptions, Common};
 use super::output;
+use super::progress::Progress;
 use super::session::{self, Failure};
-use crate::assembly::mass;
-use crate::assembly::{Design, mass::MassTable};
+use crate::assembly::mass::{self, MassTable};
+use crate::assembly::{Design, Printed};
+use crate::checks::{self, Finding, Verdict};
 use crate::export::{bom, glb, manifest, stl};
+use crate::report::{scene, summary};
 
-/// Builds a frame and writes its folder.
+/// Builds a frame and writes its folder; a violated limit is a warning here, `check` gates.
 pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let working = Progress::of("building", common);
     let design = session::design(&options.frame)?;
     let masses = mass::table(&design);
-    let files = files(&design, &masses)?;
+    let findings = checks::check(&design, &masses);
+    let files = files(&design, &masses, &findings, !options.no_pictures)?;
+    drop(working);
     let place = output::write_folder(&options.output, &design.frame.name, &files)?;
-    if !common.quiet {
-        eprintln!("{}: {} files, {:.1} g", place.display(), files.len(), masses.total_g);
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
+        eprintln!("warning: {}", finding.message);
+    }
+    if common.json {
+        let (_, manifest) = files.last().map_or(("", &[][..]), |(path, bytes)| (path.as_str(), bytes.as_slice()));
+        print!("{}", String::from_utf8_lossy(manifest));
+    } else if !common.quiet {
+        print!("{}", table(&design, &masses, &place));
     }
     Ok(ExitCode::SUCCESS)
 }
 
 /// Every file of the folder, path and bytes; the manifest last.
-fn files(design: &Design, masses: &MassTable) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bool) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let failed = |what: String| move |error| Failure::Machine { what, error };
     let mut files = Vec::new();
     for part in &design.printed {
-        let bytes = stl::binary(&part.mesh).map_err(|error| Failure::Machine { what: format!("cannot make {}.stl", part.name), error })?;
+        let bytes = stl::binary(&part.mesh).map_err(failed(format!("cannot make {}.stl", part.name)))?;
         files.push((format!("parts/{}.stl", part.name), bytes));
     }
-    let frame = glb::frame(design, masses)
-        .map_err(|error| Failure::Machine { what: "cannot make frame.glb".into(), error: std::io::Error::other(error) })?;
+    let frame = glb::frame(design, masses).map_err(std::io::Error::other).map_err(failed("cannot make frame.glb".into()))?;
     files.push(("frame.glb".into(), frame));
     files.push(("bom.csv".into(), bom::csv(design, masses).into_bytes()));
+    if pictures {
+        files.extend(scene::pictures(design));
+    }
+    files.push(("report.md".into(), summary::markdown(design, masses, findings, pictures).into_bytes()));
     let manifest = manifest::manifest(design, masses, &files);
-    let mut text = serde_json::to_string_pretty(&manifest)
-        .map_err(|error| Failure::Machine { what: "cannot make manifest.json".into(), error: error.into() })?;
+    let mut text =
+        serde_json::to_string_pretty(&manifest).map_err(std::io::Error::from).map_err(failed("cannot make manifest.json".into()))?;
     text.push('\n');
     files.push(("manifest.json".into(), text.into_bytes()));
     Ok(files)
+}
+
+/// What was built, part by part.
+fn table(design: &Design, masses: &MassTable, place: &Path) -> String {
+    let mut text = format!("{:<24} {:>3}  {:<9} {:>9} {:>8}  size mm\n", "part", "pcs", "material", "mm3", "g each");
+    for part in &design.printed {
+        text += &row(part, masses);
+    }
+    for line in masses.lines.iter().filter(|line| line.kind == "rod") {
+        let name = line.name.trim_end_matches("_rod");
+        let length = design.skeleton.rods.iter().find(|rod| rod.role.slug() == name).map_or(0.0, |rod| rod.length_mm());
+        text += &format!("{:<24} {:>3}  {:<9} {:>9} {:>8.2}  {length:.2} long\n", line.name, line.quantity, line.material, "", line.each_g);
+    }
+    text + &format!("{}: {:.1} g in all, of which {:.1} g are estimates\n", place.display(), masses.total_g, masses.estimated_g)
+}
+
+fn row(part: &Printed, masses: &MassTable) -> String {
+    let [x, y, z] = part.mesh.size_mm();
+    let line = masses.lines.iter().find(|line| line.name == part.name.slug());
+    let (material, each) = line.map_or(("", 0.0), |line| (line.material.as_str(), line.each_g));
+    let (name, quantity, volume) = (part.name.slug(), part.name.quantity(), part.volume_mm3);
+    format!("{name:<24} {quantity:>3}  {material:<9} {volume:>9.0} {each:>8.2}  {x:.1} x {y:.1} x {z:.1}\n")
 }

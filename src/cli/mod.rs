@@ -2,9 +2,13 @@
 
 mod arguments;
 mod build;
+mod check;
 mod output;
 mod params;
+mod progress;
+mod render;
 mod session;
+mod table;
 
 use std::process::ExitCode;
 
@@ -38,6 +42,8 @@ pub fn run() -> ExitCode {
 fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
     match &arguments.command {
         Command::Build(options) => build::build(options, &arguments.common),
+        Command::Check(options) => check::check(options, &arguments.common),
+        Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),
         Command::Completions { shell } => {
             clap_complete::generate(*shell, &mut Arguments::command(), "flexframe", &mut std::io::stdout());

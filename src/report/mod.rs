@@ -1,1 +1,8 @@
-//! Words and pictures.
+//! What is written about a frame: words and pictures.
+
+mod camera;
+pub mod picture;
+mod raster;
+pub mod scene;
+pub mod summary;
+mod surface;

@@ -8,7 +8,7 @@ use super::feature::Feature;
 use super::profile::{Contour, Profile, Segment};
 
 /// Chord error of the mesh from which a B-rep's volume is summed, mm.
-const VOLUME_CHORD_MM: f64 = 0.002;
+const VOLUME_CHORD_MM: f64 = 0.01;
 
 /// An exact solid.
 #[derive(Clone, Debug)]
@@ -26,7 +26,7 @@ impl Brep {
         &self.0
     }
 
-    /// Volume, mm³, within the chord error of 0.002 mm.
+    /// Volume, mm³, within a chord error of 0.01 mm.
     pub fn volume_mm3(&self) -> f64 {
         self.0.triangulation(VOLUME_CHORD_MM).to_polygon().volume()
     }
