@@ -10,4 +10,5 @@ pub mod hub;
 mod outline;
 pub mod pi_carrier;
 
+pub use bought_solids::BoughtSolid;
 pub use centre::Centre;
