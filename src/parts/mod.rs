@@ -6,6 +6,8 @@ pub mod battery_sleeve;
 pub mod bought_solids;
 pub mod camera_connector;
 pub mod centre;
+#[cfg(test)]
+mod gauges;
 pub mod hub;
 mod outline;
 pub mod pi_carrier;
