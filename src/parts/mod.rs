@@ -14,3 +14,20 @@ pub mod pi_carrier;
 
 pub use bought_solids::BoughtSolid;
 pub use centre::Centre;
+pub mod bottom_corner;
+pub mod corner;
+pub mod fork;
+pub mod hub_joint;
+pub mod knee;
+mod knee_window;
+pub mod motor_mount;
+mod motor_outline;
+pub mod place;
+pub mod top_corner;
+
+pub use bottom_corner::BottomCorner;
+pub use fork::Fork;
+pub use hub_joint::HubJoint;
+pub use knee::Knee;
+pub use motor_mount::MotorMount;
+pub use top_corner::TopCorner;

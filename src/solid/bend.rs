@@ -17,6 +17,8 @@ pub enum Bend {
         outward: Unit<Vector3<f64>>,
         /// Where the moving side turns to.
         towards: Unit<Vector3<f64>>,
+        /// Half of the moving side's width along the axis at the pivot, mm: what is wider stays where it is.
+        half_width_mm: f64,
         /// How far.
         angle: Angle,
     },
@@ -45,7 +47,7 @@ impl Bend {
     /// The rigid motion of what lies beyond the hinge, in the axes of the flat part.
     pub fn motion(&self) -> Isometry3<f64> {
         match self {
-            Self::Web { pivot, outward, towards, angle } => about(*pivot, Unit::new_normalize(outward.cross(towards)), *angle),
+            Self::Web { pivot, outward, towards, angle, .. } => about(*pivot, Unit::new_normalize(outward.cross(towards)), *angle),
             Self::Necks { pivot, axis, angle, .. } => about(*pivot, *axis, *angle),
         }
     }
@@ -53,7 +55,10 @@ impl Bend {
     /// The folded solid.
     pub fn apply(&self, flat: &MeshSolid) -> MeshSolid {
         match self {
-            Self::Web { pivot, outward, towards, angle } => bent_web(flat, *pivot, *outward, *towards, *angle, &self.motion()),
+            Self::Web { pivot, outward, towards, half_width_mm, angle } => {
+                let hinge = Hinge { pivot: *pivot, outward: *outward, towards: *towards, half_width_mm: *half_width_mm };
+                hinge.bent(flat, *angle, &self.motion())
+            }
             Self::Necks { pivot, axis, inner_mm, outer_mm, angle } => flat.refined(TWIST_EDGE_MM).warped(|p| {
                 let along = (p - pivot).dot(axis).abs();
                 let share = ((outer_mm - along) / (outer_mm - inner_mm)).clamp(0.0, 1.0);
@@ -68,45 +73,60 @@ fn about(pivot: Point3<f64>, axis: Unit<Vector3<f64>>, angle: Angle) -> Isometry
     Translation3::from(pivot.coords) * turn * Translation3::from(-pivot.coords)
 }
 
-fn bent_web(
-    flat: &MeshSolid,
+/// Where a web bends.
+struct Hinge {
     pivot: Point3<f64>,
     outward: Unit<Vector3<f64>>,
     towards: Unit<Vector3<f64>>,
-    angle: Angle,
-    motion: &Isometry3<f64>,
-) -> MeshSolid {
-    let offset = outward.dot(&pivot.coords);
-    let still = flat.half(-outward.into_inner(), -offset);
-    let moved = flat.half(outward.into_inner(), offset).placed(motion);
-    still.union(&moved).union(&swept_web(flat, pivot, outward, towards, angle))
+    half_width_mm: f64,
 }
 
-/// The web's section at the pivot (what lies on the far side of the axis from where the joint closes), turned
-/// about the hinge axis through the bend: the stretched outside of the fold.
-fn swept_web(flat: &MeshSolid, pivot: Point3<f64>, outward: Unit<Vector3<f64>>, towards: Unit<Vector3<f64>>, angle: Angle) -> MeshSolid {
-    // Section axes: r away from the closing side, z along the hinge axis, so that a revolve about z by the
-    // bend starts in the section's plane and turns the way the far side does.
-    let axis = outward.cross(&towards);
-    let away = -towards.into_inner();
-    let turn = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[away, outward.into_inner(), away.cross(&outward)]));
-    let section_pose = Isometry3::from_parts(Translation3::from(pivot.coords), UnitQuaternion::from_rotation_matrix(&turn));
-    let to_section = section_pose.inverse();
-    // The kernel slices at constant z: bring the section's plane (y = 0) there.
-    let lay = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
-    let laid = flat.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * to_section));
-    let contours: Vec<Vec<[f64; 2]>> =
-        laid.slice(-SECTION_INSET_MM).iter().map(|c| c.iter().map(|p| [p[0].max(0.0), -p[1]]).rev().collect()).collect();
-    let steps = (angle.to_deg() / FACET_DEG).ceil().max(1.0);
-    let segments = (360.0 / angle.to_deg() * steps).round() as u32;
-    let sector = MeshSolid::revolved(&contours, segments, angle.to_deg() + 2.0 * OVERLAP_DEG);
-    let start = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -Angle::deg(OVERLAP_DEG).to_rad());
-    debug_assert!(axis.norm() > 0.99, "the closing direction is square to the hinge's own");
-    sector.placed(&(section_pose * Isometry3::from_parts(Translation3::identity(), start)))
+impl Hinge {
+    fn bent(&self, flat: &MeshSolid, angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
+        let moving = self.moving_side(flat);
+        let still = flat.minus(&moving);
+        still.union(&moving.placed(motion)).union(&self.swept_web(&moving, angle))
+    }
+
+    /// What lies beyond the pivot, between two planes that open outwards from the moving side's edges at the pivot:
+    /// other limbs of the part may reach beyond the pivot too, but not between these.
+    fn moving_side(&self, flat: &MeshSolid) -> MeshSolid {
+        let axis = self.outward.cross(&self.towards);
+        let beyond = flat.half(self.outward.into_inner(), self.outward.dot(&self.pivot.coords));
+        [axis, -axis].iter().fold(beyond, |side, across| {
+            let inward = self.outward.into_inner() * OPENING - across;
+            let edge = self.pivot + across * self.half_width_mm;
+            side.half(inward.normalize(), inward.normalize().dot(&edge.coords))
+        })
+    }
+
+    /// The web's section at the pivot (what lies on the far side of the axis from where the joint closes), turned
+    /// about the hinge axis through the bend: the stretched outside of the fold.
+    fn swept_web(&self, moving: &MeshSolid, angle: Angle) -> MeshSolid {
+        // Section axes: x away from the closing side, z along the hinge axis, so that a revolve about z by the
+        // bend starts in the section's plane and turns the way the moving side does.
+        let away = -self.towards.into_inner();
+        let axes = Matrix3::from_columns(&[away, self.outward.into_inner(), away.cross(&self.outward)]);
+        let turn = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+        let section_pose = Isometry3::from_parts(Translation3::from(self.pivot.coords), turn);
+        // The kernel slices at constant z: lay y (outward) down along -z; then (x, y) are (r, z) of the revolve.
+        let lay = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
+        let laid = moving.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * section_pose.inverse()));
+        let contours: Vec<Vec<[f64; 2]>> =
+            laid.slice(-SECTION_INSET_MM).iter().map(|c| c.iter().map(|p| [p[0].max(0.0), p[1]]).collect()).collect();
+        let steps = (angle.to_deg() / FACET_DEG).ceil().max(1.0);
+        let segments = (360.0 / angle.to_deg() * steps).round() as u32;
+        let sector = MeshSolid::revolved(&contours, segments, angle.to_deg() + 2.0 * OVERLAP_DEG);
+        let start = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -Angle::deg(OVERLAP_DEG).to_rad());
+        sector.placed(&(section_pose * Isometry3::from_parts(Translation3::identity(), start)))
+    }
 }
 
-/// The section is taken this far on the still side of the pivot, where the web has its full form, mm.
+/// The section is taken this far on the moving side of the pivot, where no other limb of the part is met, mm.
 const SECTION_INSET_MM: f64 = 0.01;
 
 /// The sweep reaches this far into both sides so that the union has no faces in common.
 const OVERLAP_DEG: f64 = 0.5;
+
+/// How fast the planes beside the moving side open: halfway to a limb at 45° to it.
+const OPENING: f64 = 0.4;
