@@ -166,7 +166,7 @@ impl<'a> Lid<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bought_solids::BoughtSolid;
+    use super::super::bought_solids::BoughtPart;
     use super::super::gauges::{Gauged, v8};
     use super::super::{battery_bracket, battery_sleeve, hub};
     use super::*;
@@ -185,8 +185,8 @@ mod tests {
     #[test]
     fn measured_magnet_faces_keep_their_gap() {
         let (frame, centre) = v8();
-        let solid = |part: BoughtSolid| MeshSolid::build(&part.feature(&frame, &centre));
-        let gap = solid(BoughtSolid::MagnetBracket).gap_mm(&solid(BoughtSolid::MagnetLid), 5.0);
+        let solid = |part: BoughtPart| MeshSolid::build(&part.feature(&frame, &centre));
+        let gap = solid(BoughtPart::MagnetBracket).gap_mm(&solid(BoughtPart::MagnetLid), 5.0);
         assert!((gap - 0.29).abs() < 1e-6, "{gap}");
         let lid = Gauged::new(&feature(&frame, &centre).placed(centre.pose(PartName::BatteryLid)));
         let y = -centre.bracket_half_mm - 0.29;
@@ -204,7 +204,7 @@ mod tests {
             let stays = of(battery_bracket::feature(&frame, &centre), PartName::BatteryBracket)
                 .union(&of(hub::feature(&frame, &centre), PartName::Hub))
                 .union(&of(battery_sleeve::feature(&frame, &centre), PartName::BatterySleeve));
-            let carried = BoughtSolid::ALL.iter().filter(|part| part.slides_with_battery());
+            let carried = BoughtPart::ALL.iter().filter(|part| part.slides_with_battery());
             let slides = carried.fold(of(feature(&frame, &centre), PartName::BatteryLid), |solid, part| {
                 solid.union(&MeshSolid::build(&part.feature(&frame, &centre)))
             });

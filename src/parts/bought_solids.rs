@@ -8,7 +8,7 @@ use crate::solid::{Contour, Feature, Profile};
 
 /// A bought part of the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum BoughtSolid {
+pub enum BoughtPart {
     /// The battery.
     Battery,
     /// The computer's board.
@@ -47,7 +47,7 @@ const CAMERA_MM: [f64; 4] = [25.0, 8.25, 15.75, 1.1];
 /// Lens: half its width, middle above that of the holes, depth, mm.
 const LENS_MM: [f64; 3] = [4.25, 3.25, 5.0];
 
-impl BoughtSolid {
+impl BoughtPart {
     /// All of them.
     pub const ALL: [Self; 9] = [
         Self::Battery,

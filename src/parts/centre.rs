@@ -191,7 +191,7 @@ impl BracketStack {
 #[cfg(test)]
 mod tests {
     use super::super::gauges::{Gauged, v8};
-    use super::super::{BoughtSolid, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub, pi_carrier};
+    use super::super::{BoughtPart, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub, pi_carrier};
     use super::*;
     use crate::solid::Feature;
 
@@ -206,7 +206,7 @@ mod tests {
             (PartName::CameraConnectorRight, camera_connector::right(frame, centre)),
         ];
         let printed = parts.into_iter().map(|(part, feature)| (part.to_string(), feature.placed(centre.pose(part))));
-        printed.chain(BoughtSolid::ALL.map(|part| (part.slug().to_string(), part.feature(frame, centre)))).collect()
+        printed.chain(BoughtPart::ALL.map(|part| (part.slug().to_string(), part.feature(frame, centre)))).collect()
     }
 
     #[test]

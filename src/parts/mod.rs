@@ -12,7 +12,7 @@ pub mod hub;
 mod outline;
 pub mod pi_carrier;
 
-pub use bought_solids::BoughtSolid;
+pub use bought_solids::BoughtPart;
 pub use centre::Centre;
 pub mod bottom_corner;
 pub mod corner;
