@@ -98,3 +98,49 @@ fn tie(bracket: &BracketParameters, tie_radius_mm: f64, half: f64, side: f64) ->
     let tie = Feature::union([bore(0.0, tie_radius_mm, bracket.tie_hole_diameter_mm, [-depth, 1.0]), slot]);
     if side > 0.0 { tie } else { tie.mirrored(Vector3::y()) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauges::{Gauged, v8};
+    use super::*;
+
+    fn bracket() -> Gauged {
+        let (frame, centre) = v8();
+        Gauged::new(&feature(&frame, &centre))
+    }
+
+    #[test]
+    fn measured_bracket_is_like_the_real_one() {
+        bracket().like_the_real_one([13.21, 57.824, 21.5], 3699.7, 2.0, 11);
+    }
+
+    #[test]
+    fn measured_electronics_bay_is_clear() {
+        let (window, side) = (0.5 * 43.824, 6.6);
+        bracket().pocket([-side, 1.0 - window, -15.9], [side, window, 0.0], "Y");
+        bracket().pocket([-side, -window, -15.9], [side, window, 0.0], "yY");
+        bracket().pocket([5.6, -10.0, -18.5], [side, 10.0, 0.0], "z");
+    }
+
+    #[test]
+    fn measured_connector_and_magnet_fit_the_rear_upright() {
+        let bracket = bracket();
+        bracket.pocket([-5.1, -29.5, -13.2], [5.1, -28.912 + 3.0, -8.0], "xXYzZ");
+        bracket.pocket([-3.5, -29.5, -20.65], [5.275 - 0.7, -21.0, -15.1], "zZ");
+        bracket.pocket([-5.275, -29.5, -19.0], [5.275, -21.0, -17.0], "xX");
+    }
+
+    #[test]
+    fn measured_ties_and_wire_holes_are_in_place() {
+        let bracket = bracket();
+        for y in [25.41, -25.41] {
+            bracket.hole([0.0, y, -5.9], [0.0, y, 1.0], 4.0);
+        }
+        for x in [2.5, -2.5] {
+            for row in [0.0, 1.0, 2.0] {
+                let z = -10.6 - 4.25 * row;
+                bracket.hole([x, 25.0, z], [x, 30.0, z], 3.0);
+            }
+        }
+    }
+}

@@ -147,3 +147,43 @@ impl Sleeve<'_> {
         [0.5, -0.5].map(|side| bore(side * s.sensor_hole_pitch_mm, self.sensor_y_mm(), s.sensor_hole_diameter_mm, [low - 1.0, high + 1.0]))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauges::{Gauged, v8};
+    use super::*;
+
+    fn sleeve() -> Gauged {
+        let (frame, centre) = v8();
+        Gauged::new(&feature(&frame, &centre))
+    }
+
+    #[test]
+    fn measured_sleeve_is_like_the_real_one() {
+        sleeve().like_the_real_one([37.0, 58.5, 20.5], 6849.5, 2.0, 4);
+    }
+
+    #[test]
+    fn measured_battery_and_bracket_fit() {
+        let sleeve = sleeve();
+        sleeve.pocket([-16.0, 1.0, -8.1], [16.0, 46.0, 8.1], "xXzZ");
+        sleeve.pocket([-6.705, -1.0, 9.5], [6.705, 46.0, 12.0], "xXz");
+    }
+
+    #[test]
+    fn measured_sensor_holes_have_their_pitch() {
+        for x in [15.25, -15.25] {
+            sleeve().hole([x, 55.75, 8.0], [x, 55.75, 11.0], 3.0);
+        }
+    }
+
+    #[test]
+    fn analytic_sleeve_follows_a_larger_battery() {
+        let (mut frame, _) = v8();
+        (frame.battery.battery_length_mm, frame.battery.battery_width_mm, frame.battery.battery_height_mm) = (70.0, 35.0, 18.0);
+        let centre = Centre::new(&frame);
+        let sleeve = Gauged::new(&feature(&frame, &centre));
+        sleeve.pocket([-18.0, 1.0, -9.1], [18.0, 60.0, 9.1], "xXzZ");
+        assert!(crate::solid::gate::pass(&sleeve.0.to_mesh()).is_ok());
+    }
+}

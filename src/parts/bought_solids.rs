@@ -42,10 +42,10 @@ const CONNECTOR_PLAY_MM: f64 = 0.175;
 const CONNECTOR_DEEP_MM: [f64; 2] = [3.0, 6.0];
 /// Flow sensor (Matek 3901-L0X, from pictures): width, depth behind and before its holes, height, mm.
 const SENSOR_MM: [f64; 4] = [36.5, 9.5, 3.0, 3.0];
-/// Camera board: width, height below and above the middle of its holes, thickness, mm.
-const CAMERA_MM: [f64; 4] = [25.0, 8.25, 15.75, 1.1];
-/// Lens: half its width, middle above that of the holes, depth, mm.
-const LENS_MM: [f64; 3] = [4.25, 3.25, 5.0];
+/// Camera board, hung by its upper edge: width, height below and above the middle of its holes, thickness, mm.
+const CAMERA_MM: [f64; 4] = [25.0, 15.75, 8.25, 1.1];
+/// Lens, at the height of the lower holes: half its width, middle above that of the holes, depth, mm.
+const LENS_MM: [f64; 3] = [4.25, -6.25, 5.0];
 
 impl BoughtPart {
     /// All of them.

@@ -161,3 +161,22 @@ impl<'a> Connector<'a> {
         cuts
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauges::{Gauged, v8};
+    use super::*;
+
+    #[test]
+    fn measured_connectors_are_like_the_real_ones() {
+        let (frame, centre) = v8();
+        for (feature, side) in [(left(&frame, &centre), 1.0), (right(&frame, &centre), -1.0)] {
+            let connector = Gauged::new(&feature);
+            connector.like_the_real_one([6.0, 21.55, 16.9], 510.1, 2.0, 3);
+            connector.hole([0.0, 0.0, -1.0], [0.0, 0.0, 5.0], 2.0);
+            for z in [1.923, 14.423] {
+                connector.hole([-side, 15.0, z], [-side, 20.0, z], 2.0);
+            }
+        }
+    }
+}

@@ -187,3 +187,57 @@ impl BracketStack {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauges::{Gauged, v8};
+    use super::super::{BoughtPart, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub, pi_carrier};
+    use super::*;
+    use crate::solid::Feature;
+
+    fn all(frame: &Frame, centre: &Centre) -> Vec<(String, Feature)> {
+        let parts = [
+            (PartName::Hub, hub::feature(frame, centre)),
+            (PartName::PiCarrier, pi_carrier::feature(frame, centre)),
+            (PartName::BatteryBracket, battery_bracket::feature(frame, centre)),
+            (PartName::BatterySleeve, battery_sleeve::feature(frame, centre)),
+            (PartName::BatteryLid, battery_lid::feature(frame, centre)),
+            (PartName::CameraConnectorLeft, camera_connector::left(frame, centre)),
+            (PartName::CameraConnectorRight, camera_connector::right(frame, centre)),
+        ];
+        let printed = parts.into_iter().map(|(part, feature)| (part.to_string(), feature.placed(centre.pose(part))));
+        printed.chain(BoughtPart::ALL.map(|part| (part.slug().to_string(), part.feature(frame, centre)))).collect()
+    }
+
+    #[test]
+    fn analytic_nothing_in_the_centre_overlaps() {
+        let (mut frame, _) = v8();
+        for (connector, magnet) in [([10.55, 5.55], 3.0), ([16.4, 8.6], 2.0)] {
+            [frame.bracket.connector_width_mm, frame.bracket.connector_height_mm] = connector;
+            frame.bracket.magnet_thickness_mm = magnet;
+            let centre = Centre::new(&frame);
+            let solids: Vec<_> = all(&frame, &centre).into_iter().map(|(name, feature)| (name, Gauged::new(&feature).0)).collect();
+            for (i, (name, solid)) in solids.iter().enumerate() {
+                for (other_name, other) in &solids[i + 1..] {
+                    let overlap = solid.intersection(other).volume_mm3();
+                    assert!(overlap < 0.001, "{name} and {other_name} share {overlap} mm³");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn measured_heights_are_those_of_the_assembly() {
+        let (frame, centre) = v8();
+        let named = |name: &str| all(&frame, &centre).into_iter().find(|(n, _)| n == name).map(|(_, f)| Gauged::new(&f).0.bounds_mm());
+        let z = |name: &str| named(name).map(|[low, high]| [low[2], high[2]]).unwrap_or_default();
+        let close = |name: &str, low: f64, high: f64| {
+            let [l, h] = z(name);
+            assert!((l - low).abs() < 0.05 && (h - high).abs() < 0.05, "{name}: {l} to {h}");
+        };
+        close("hub", -4.6, 4.6);
+        close("pi_carrier", 4.6, 6.6);
+        close("battery_bracket", -26.3, -4.8);
+        close("battery_sleeve", -45.3, -24.8);
+    }
+}

@@ -163,3 +163,55 @@ impl Hub<'_> {
 fn quarter(feature: Feature, degrees: f64) -> Feature {
     feature.turned_z(Angle::deg(degrees))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauges::{Gauged, v8};
+    use super::*;
+
+    fn hub() -> (Frame, Centre, Gauged) {
+        let (frame, centre) = v8();
+        let gauged = Gauged::new(&feature(&frame, &centre));
+        (frame, centre, gauged)
+    }
+
+    #[test]
+    fn measured_hub_is_like_the_real_one() {
+        hub().2.like_the_real_one([64.535, 64.535, 9.2], 10_252.9, 2.0, 8);
+    }
+
+    #[test]
+    fn measured_hub_bores_have_place_width_and_depth() {
+        let hub = Gauged::new(&{
+            let (frame, centre) = v8();
+            quarter(feature(&frame, &centre), -45.0)
+        });
+        for t in [-12.665, 12.665] {
+            hub.hole([27.664 - 8.99, t, 0.0], [28.0, t, 0.0], 6.8);
+            hub.pocket([27.664 - 9.0, t - 1.0, -1.0], [28.0, t + 1.0, 1.0], "x");
+        }
+    }
+
+    #[test]
+    fn measured_hub_holes_lie_on_their_patterns() {
+        let (_, centre, hub) = hub();
+        assert!((centre.tie_radius_mm - 25.41).abs() < 0.05);
+        for (x, y) in [(25.41, 0.0), (0.0, 25.41), (-25.41, 0.0), (0.0, -25.41)] {
+            hub.hole([x, y, -5.0], [x, y, 5.0], 3.0);
+        }
+        for (x, y) in [(10.0, 10.0), (-10.0, 10.0), (-10.0, -10.0), (10.0, -10.0)] {
+            hub.hole([x, y, -5.0], [x, y, 5.0], 1.9);
+            hub.hole([x, y, -0.6 - 1.88], [x, y, 5.0], 4.2);
+        }
+    }
+
+    #[test]
+    fn analytic_wide_stack_pushes_the_plate_out_and_leaves_eight_tunnels() {
+        let (mut frame, _) = v8();
+        frame.hub.stack_pattern_mm = 30.5;
+        let centre = Centre::new(&frame);
+        let mesh = Gauged::new(&feature(&frame, &centre)).0.to_mesh();
+        assert!(centre.plate_edge_mm > 30.5 * std::f64::consts::FRAC_1_SQRT_2 + 2.1);
+        assert_eq!(crate::solid::gate::pass(&mesh).map(|seen| seen.euler), Ok(-14));
+    }
+}

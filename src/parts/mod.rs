@@ -6,10 +6,13 @@ pub mod battery_sleeve;
 pub mod bought_solids;
 pub mod camera_connector;
 pub mod centre;
+#[cfg(test)]
+mod gauges;
 pub mod hub;
 mod outline;
 pub mod pi_carrier;
 
+pub use bought_solids::BoughtPart;
 pub use centre::Centre;
 pub mod bottom_corner;
 pub mod corner;

@@ -184,3 +184,45 @@ enum Step {
 fn seen(p: Point2<f64>, along: f64, across: f64) -> Point2<f64> {
     Point2::new(across * p.y, along * p.x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauges::{Gauged, v8};
+    use super::*;
+    use crate::solid::Brep;
+
+    #[test]
+    fn measured_carrier_is_like_the_real_one() {
+        let (frame, centre) = v8();
+        let carrier = Gauged::new(&feature(&frame, &centre));
+        carrier.like_the_real_one([57.824, 63.0, 2.0], 1651.2, 2.0, 13);
+        for (x, y) in [(11.5, 29.0), (-11.5, 29.0), (-11.5, -29.0), (11.5, -29.0)] {
+            carrier.hole([x, y, -1.0], [x, y, 3.0], 2.75);
+        }
+        for (x, y) in [(25.41, 0.0), (0.0, 25.41), (-25.41, 0.0), (0.0, -25.41)] {
+            carrier.hole([x, y, -1.0], [x, y, 3.0], 4.0);
+        }
+    }
+
+    #[test]
+    fn analytic_carrier_is_exact_in_the_other_kernel_too() {
+        let (frame, centre) = v8();
+        let exact = profile(&frame, &centre).map(|p| p.area_mm2() * 2.0).expect("the board fits");
+        let brep = Brep::build(&feature(&frame, &centre)).expect("one extrusion");
+        let mesh = Gauged::new(&feature(&frame, &centre)).0.volume_mm3();
+        assert!(brep.is_closed());
+        assert!((brep.volume_mm3() / exact - 1.0).abs() < 1e-3, "{} {exact}", brep.volume_mm3());
+        assert!((mesh / exact - 1.0).abs() < 2e-3, "{mesh} {exact}");
+    }
+
+    #[test]
+    fn analytic_wide_board_fits_and_a_small_one_is_declined() {
+        let (mut frame, centre) = v8();
+        frame.pi_carrier.pi_pattern_across_mm = 49.0;
+        assert!(Brep::build(&feature(&frame, &centre)).is_some());
+        let mesh = Gauged::new(&feature(&frame, &centre)).0.to_mesh();
+        assert_eq!(crate::solid::gate::pass(&mesh).map(|seen| seen.euler), Ok(-24));
+        (frame.pi_carrier.pi_pattern_across_mm, frame.pi_carrier.pi_pattern_along_mm) = (20.0, 20.0);
+        assert_eq!(profile(&frame, &centre), None);
+    }
+}

@@ -10,6 +10,9 @@ use super::profile::{Contour, Profile, Segment};
 /// Chord error of the mesh from which a B-rep's volume is summed, mm.
 const VOLUME_CHORD_MM: f64 = 0.01;
 
+/// Chord error of the mesh whose edges are matched, mm; edges match or not at any chord, and matching takes long.
+const CLOSED_CHORD_MM: f64 = 0.05;
+
 /// An exact solid.
 #[derive(Clone, Debug)]
 pub struct Brep(Solid);
@@ -33,7 +36,7 @@ impl Brep {
 
     /// Whether the boundary is one closed shell without a crack.
     pub fn is_closed(&self) -> bool {
-        let mut mesh = self.0.triangulation(VOLUME_CHORD_MM).to_polygon();
+        let mut mesh = self.0.triangulation(CLOSED_CHORD_MM).to_polygon();
         mesh.put_together_same_attrs(1e-6);
         mesh.shell_condition() == ShellCondition::Closed
     }
