@@ -84,7 +84,7 @@ struct Hinge {
 impl Hinge {
     fn bent(&self, flat: &MeshSolid, angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
         let moving = self.moving_side(flat);
-        let still = flat.minus(&moving);
+        let still = flat.minus(&moving).largest_body();
         still.union(&moving.placed(motion)).union(&self.swept_web(&moving, angle))
     }
 
@@ -93,11 +93,12 @@ impl Hinge {
     fn moving_side(&self, flat: &MeshSolid) -> MeshSolid {
         let axis = self.outward.cross(&self.towards);
         let beyond = flat.half(self.outward.into_inner(), self.outward.dot(&self.pivot.coords));
-        [axis, -axis].iter().fold(beyond, |side, across| {
+        let between = [axis, -axis].iter().fold(beyond, |side, across| {
             let inward = self.outward.into_inner() * OPENING - across;
-            let edge = self.pivot + across * self.half_width_mm;
+            let edge = self.pivot + across * (self.half_width_mm + OFF_EDGE_MM);
             side.half(inward.normalize(), inward.normalize().dot(&edge.coords))
-        })
+        });
+        between.largest_body()
     }
 
     /// The web's section at the pivot (what lies on the far side of the axis from where the joint closes), turned
@@ -127,6 +128,9 @@ const SECTION_INSET_MM: f64 = 0.01;
 
 /// The sweep reaches this far into both sides so that the union has no faces in common.
 const OVERLAP_DEG: f64 = 0.5;
+
+/// The planes beside the moving side start this far off its edges, so that they do not graze them, mm.
+const OFF_EDGE_MM: f64 = 0.02;
 
 /// How fast the planes beside the moving side open: halfway to a limb at 45° to it.
 const OPENING: f64 = 0.4;
