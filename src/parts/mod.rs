@@ -6,6 +6,8 @@ pub mod fork;
 pub mod hub_joint;
 pub mod knee;
 mod knee_window;
+#[cfg(test)]
+mod measure;
 pub mod motor_mount;
 mod motor_outline;
 pub mod place;
