@@ -1,8 +1,21 @@
 //! flexframe: from one parameter file to a flexible, printable drone frame.
+//!
+//! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be; [`skeleton`] closes the
+//! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
+//! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
+//! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
+//! Only the command line in `cli` prints and writes files.
+//!
+//! Units are millimetres, grams and degrees, in the names of the fields. Axes: X right, Y front, Z up, origin where
+//! the hub's axis crosses the plane of the arms.
 
-#![warn(missing_docs)]
-
+pub mod assembly;
+pub mod checks;
+pub mod cli;
+pub mod export;
 pub mod params;
 pub mod parts;
+pub mod report;
+pub mod skeleton;
 pub mod solid;
 pub mod units;

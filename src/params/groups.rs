@@ -176,6 +176,8 @@ parameters! {
         motor_riser_mm: 0.0..=12.0 => [MotorMount],
         /// Height of the plate's top above the rods' axes without riser.
         motor_ledge_mm: 2.5..=6.0 => [MotorMount],
+        /// Diameter of the propellers; the bought propeller's unless stated.
+        propeller_diameter_mm: 30.0..=160.0 => [],
         /// From the plate's top to the propeller's mid plane.
         propeller_height_mm: 6.0..=30.0 => [MotorMount],
     }
@@ -252,6 +254,8 @@ parameters! {
         battery_clearance_across_mm: 0.3..=1.5 => [BatterySleeve, BatteryLid],
         /// Sleeve height minus battery height.
         battery_clearance_up_mm: 0.2..=1.5 => [BatterySleeve, BatteryLid],
+        /// Mass of the battery; the bought battery's unless stated.
+        battery_mass_g: 0.0..=1000.0 => [],
     }
 }
 
@@ -424,8 +428,6 @@ parameters! {
         socket_engagement_mm: 0.0..=20.0 => [],
         /// Elongation at break over the largest strain allowed in a fold hinge.
         hinge_strain_factor: 1.0..=20.0 => [],
-        /// Thinnest wall, in nozzle widths.
-        wall_extrusions: 1.0..=6.0 => [],
         /// Largest distance of the centre of mass from the motors' centre, in plan.
         centre_of_mass_offset_mm: 0.0..=60.0 => [],
     }

@@ -1,9 +1,15 @@
 //! Parameters: a frame file as typed, the frame as meant, and every refusal in between.
 
+pub mod catalogue;
 pub mod frame;
+pub mod frame_file;
 pub mod groups;
 pub mod parameter;
 pub mod part_name;
+pub mod preset;
+pub mod refusal;
+mod relation;
 
-pub use frame::Frame;
+pub use frame::{Frame, catalogue as parameters};
+pub use frame_file::{FrameFile, LoadError};
 pub use part_name::PartName;

@@ -1,5 +1,16 @@
 //! Printed parts: one file a part, each a plain struct and a pure function to features.
 
+pub mod battery_bracket;
+pub mod battery_lid;
+pub mod battery_sleeve;
+pub mod bought_solids;
+pub mod camera_connector;
+pub mod centre;
+pub mod hub;
+mod outline;
+pub mod pi_carrier;
+
+pub use centre::Centre;
 pub mod bottom_corner;
 pub mod corner;
 pub mod fork;

@@ -165,10 +165,11 @@ mod tests {
 
     #[test]
     fn analytic_the_two_kernels_agree_within_the_chord_error() {
-        for feature in [plate(), Feature::cylinder(1.5, 80.0), Feature::sphere(2.9)] {
+        // A circle of 48 pieces lacks 0.29 % of its area; on a ball the chords of both directions add up to 0.86 %.
+        for (feature, chord_error) in [(plate(), 0.003), (Feature::cylinder(1.5, 80.0), 0.003), (Feature::sphere(2.9), 0.009)] {
             let exact = Brep::build(&feature).expect("no boolean in it").volume_mm3();
             let mesh = MeshSolid::build(&feature).volume_mm3();
-            assert!((mesh / exact - 1.0).abs() < 0.007, "{mesh} {exact}");
+            assert!((mesh / exact - 1.0).abs() < chord_error, "{mesh} {exact}");
         }
     }
 

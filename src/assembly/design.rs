@@ -1,0 +1,210 @@
+//! A frame, designed: skeleton, printed parts, and the bodies of the assembly.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+
+use super::body::{Body, Kind, Shape};
+use super::printed::Printed;
+use crate::params::{Frame, PartName};
+use crate::parts::Centre;
+use crate::parts::bought_solids::BoughtPart;
+use crate::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for, placements};
+use crate::solid::gate::GateError;
+use crate::solid::{Feature, MeshSolid};
+use crate::units::Angle;
+
+/// Why a frame cannot be designed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DesignError {
+    /// The rods do not close.
+    #[error(transparent)]
+    Closure(#[from] ClosureError),
+    /// A part's parameters contradict each other.
+    #[error("{part} cannot be made: {error}")]
+    Part {
+        /// Which.
+        part: PartName,
+        /// What is wrong with its mesh.
+        error: GateError,
+    },
+    /// The wanted size needs a rod that no rod can be.
+    #[error("the target size needs {key} = {value:.2} mm, outside {min} to {max} mm")]
+    Target {
+        /// Which rod.
+        key: &'static str,
+        /// Its length.
+        value: f64,
+        /// Shortest.
+        min: f64,
+        /// Longest.
+        max: f64,
+    },
+}
+
+/// A frame with everything that follows from it.
+pub struct Design {
+    /// The parameters; rod lengths are solved when a target size was given.
+    pub frame: Frame,
+    /// Nodes and rods.
+    pub skeleton: Skeleton,
+    /// Derived dimensions of the rigid centre.
+    pub centre: Centre,
+    /// Printed parts, in the order of [`PartName::ALL`].
+    pub printed: Vec<Printed>,
+    /// Shapes of the assembly.
+    pub shapes: Vec<Shape>,
+    /// Bodies of the assembly.
+    pub bodies: Vec<Body>,
+}
+
+impl Design {
+    /// Designs a frame.
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn new(mut frame: Frame) -> Result<Self, DesignError> {
+        solve_target(&mut frame)?;
+        let skeleton = Skeleton::new(&frame)?;
+        let centre = Centre::new(&frame);
+        let make = |name: &PartName| {
+            Printed::make(*name, &frame, &skeleton, &centre).map_err(|error| DesignError::Part { part: *name, error })
+        };
+        let made: Vec<Result<Printed, DesignError>> = PartName::ALL.par_iter().map(make).collect();
+        let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
+        design.place_printed();
+        design.place_rods();
+        design.place_motors();
+        design.place_bought();
+        Ok(design)
+    }
+
+    /// A printed part by name.
+    pub fn part(&self, name: PartName) -> Option<&Printed> {
+        self.printed.iter().find(|part| part.name == name)
+    }
+
+    /// The shape of a body.
+    pub fn shape(&self, body: &Body) -> &Shape {
+        &self.shapes[body.shape]
+    }
+
+    /// A body's solid where it sits.
+    pub fn placed(&self, body: &Body) -> MeshSolid {
+        self.shape(body).solid.placed(&body.pose)
+    }
+
+    fn add_shape(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], solid: MeshSolid) -> usize {
+        let mesh = solid.to_mesh();
+        self.shapes.push(Shape { name: name.into(), kind, material: material.into(), colour, solid, mesh });
+        self.shapes.len() - 1
+    }
+
+    fn place_printed(&mut self) {
+        for index in 0..self.printed.len() {
+            let part = &self.printed[index];
+            let (name, solid) = (part.name, part.folded.clone());
+            let material = if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid };
+            let (material, colour) = (material.name.clone(), material.material.colour);
+            let shape = self.add_shape(name.slug(), Kind::Printed(name), &material, colour, solid);
+            let poses = placements(name, &self.frame, &self.skeleton);
+            if poses.is_empty() {
+                let pose = self.centre.pose(name);
+                self.bodies.push(Body { name: name.slug().into(), shape, module: None, pose });
+            }
+            for (module, pose) in poses.into_iter().enumerate() {
+                let name = format!("{name}_{}", MODULE_NAMES[module]);
+                self.bodies.push(Body { name, shape, module: Some(module), pose });
+            }
+        }
+    }
+
+    fn place_rods(&mut self) {
+        let material = self.frame.rod_material.clone();
+        let radius = 0.5 * self.frame.rods.rod_diameter_mm;
+        for role in RodRole::ALL {
+            let length = self.skeleton.length_mm(role);
+            let solid = MeshSolid::build(&Feature::cylinder(radius, length));
+            let name = format!("{}_rod", role.slug());
+            let shape = self.add_shape(&name, Kind::Rod(role), &material.name, material.material.colour, solid);
+            let bodies: Vec<Body> = self
+                .skeleton
+                .rods_of(role)
+                .map(|rod| {
+                    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &(rod.end - rod.start))
+                        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+                    let pose = Isometry3::from_parts(Translation3::from(rod.start.coords), turn);
+                    Body { name: rod.name.clone(), shape, module: Some(rod.sockets[0].module), pose }
+                })
+                .collect();
+            self.bodies.extend(bodies);
+        }
+    }
+
+    /// Motors on their mounts, and the discs that the propellers sweep.
+    fn place_motors(&mut self) {
+        let [motor, propeller] = ["motor", "propeller"].map(|role| self.frame.bought.get(role).cloned());
+        let mount = self.frame.motor_mount.clone();
+        if let Some(motor) = motor {
+            let diameter = motor.part.body_diameter_mm.unwrap_or(motor.part.size_mm[0]);
+            let height = motor.part.height_mm.unwrap_or(motor.part.size_mm[2]);
+            let solid = MeshSolid::build(&Feature::cylinder(0.5 * diameter, height));
+            let shape = self.add_shape("motor", Kind::Motor, &motor.name, [0.12, 0.12, 0.13, 1.0], solid);
+            self.on_motor_axes("motor", shape, 0.0);
+        }
+        if let Some(propeller) = propeller {
+            let height = propeller.part.hub_height_mm.unwrap_or(propeller.part.size_mm[2]);
+            let solid = MeshSolid::build(&Feature::cylinder(0.5 * mount.propeller_diameter_mm, height));
+            let shape = self.add_shape("propeller", Kind::Propeller, &propeller.name, [0.9, 0.62, 0.05, 0.35], solid);
+            self.on_motor_axes("propeller", shape, mount.propeller_height_mm - 0.5 * height);
+        }
+    }
+
+    fn on_motor_axes(&mut self, name: &str, shape: usize, above_seat_mm: f64) {
+        for (module, quadrant) in MODULE_NAMES.iter().enumerate() {
+            let Some(seat) = self.skeleton.node(&format!("M_{quadrant}")) else { continue };
+            let pose = Isometry3::translation(seat.x, seat.y, seat.z + above_seat_mm);
+            self.bodies.push(Body { name: format!("{name}_{quadrant}"), shape, module: Some(module), pose });
+        }
+    }
+
+    fn place_bought(&mut self) {
+        for part in BoughtPart::ALL {
+            let Some((material, colour)) = bought_look(&self.frame, part) else { continue };
+            let solid = MeshSolid::build(&part.feature(&self.frame, &self.centre));
+            let shape = self.add_shape(part.slug(), Kind::Bought(part.slug()), &material, colour, solid);
+            self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
+        }
+    }
+}
+
+/// Catalogue name and colour of a bought part in the centre; `None` when the frame has none.
+fn bought_look(frame: &Frame, part: BoughtPart) -> Option<(String, [f32; 4])> {
+    let (role, colour) = match part {
+        BoughtPart::Battery => ("battery", [0.35, 0.36, 0.45, 1.0]),
+        BoughtPart::Computer => ("computer", [0.01, 0.25, 0.06, 1.0]),
+        BoughtPart::Stack => ("flight_controller", [0.05, 0.06, 0.1, 1.0]),
+        BoughtPart::ConnectorBracket | BoughtPart::ConnectorLid => ("connector", [0.85, 0.6, 0.02, 1.0]),
+        BoughtPart::MagnetBracket | BoughtPart::MagnetLid => ("magnet", [0.5, 0.5, 0.52, 1.0]),
+        BoughtPart::FlowSensor => ("flow_sensor", [0.01, 0.08, 0.35, 1.0]),
+        BoughtPart::Camera => ("camera", [0.01, 0.22, 0.05, 1.0]),
+    };
+    frame.bought.get(role).map(|item| (item.name.clone(), colour))
+}
+
+/// Replaces the rod lengths by those that give the target size.
+fn solve_target(frame: &mut Frame) -> Result<(), DesignError> {
+    let Some(target) = frame.target else { return Ok(()) };
+    let envelope =
+        Envelope { width_mm: target.width_mm, height_mm: target.height_mm, strut_tilt: Angle::deg(target.strut_tilt_deg) };
+    let lengths = lengths_for(&envelope, frame);
+    for (value, key) in lengths.into_iter().zip(["cage_rod_length_mm", "arm_rod_length_mm", "strut_rod_length_mm"]) {
+        let bounds = crate::params::groups::RodParameters::CATALOGUE.iter().find(|p| p.key == key);
+        let (min, max) = bounds.map_or((0.0, f64::INFINITY), |p| (p.min, p.max));
+        if !(min..=max).contains(&value) {
+            return Err(DesignError::Target { key, value, min, max });
+        }
+    }
+    [frame.rods.cage_rod_length_mm, frame.rods.arm_rod_length_mm, frame.rods.strut_rod_length_mm] = lengths;
+    Ok(())
+}

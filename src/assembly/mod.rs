@@ -1,0 +1,10 @@
+//! The assembled frame: every part made once, flat and folded, and put where the skeleton says.
+
+mod body;
+mod design;
+pub mod mass;
+mod printed;
+
+pub use body::{Body, Kind, Shape};
+pub use design::{Design, DesignError};
+pub use printed::Printed;

@@ -1,0 +1,92 @@
+//! A printed part: flat as printed, folded as assembled.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+
+use crate::params::{Frame, PartName};
+use crate::parts::{
+    BottomCorner, Centre, Fork, HubJoint, Knee, MotorMount, TopCorner, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub,
+    pi_carrier,
+};
+use crate::skeleton::Skeleton;
+use crate::solid::gate::{self, GateError, Topology};
+use crate::solid::{Bend, Brep, Feature, Mesh, MeshSolid};
+
+/// A printed part, made.
+#[derive(Clone)]
+pub struct Printed {
+    /// Which.
+    pub name: PartName,
+    /// What it is made of, in its own axes.
+    pub feature: Feature,
+    /// How it bends when the frame is assembled.
+    pub bends: Vec<Bend>,
+    /// The flat solid, in its own axes.
+    pub flat: MeshSolid,
+    /// The solid after its bends, in its own axes; the flat one when it has none.
+    pub folded: MeshSolid,
+    /// The mesh that is printed: flat, in print orientation, resting on z = 0.
+    pub mesh: Mesh,
+    /// What the export gate saw.
+    pub topology: Topology,
+    /// Volume of the printed mesh, mm³.
+    pub volume_mm3: f64,
+    /// Volume by the B-rep kernel, mm³, for parts that it builds without booleans.
+    pub exact_volume_mm3: Option<f64>,
+}
+
+impl Printed {
+    /// Makes a part.
+    ///
+    /// # Errors
+    /// When its mesh does not pass the export gate: its parameters contradict each other.
+    pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
+        let Recipe { feature, bends, print_turn } = recipe(name, frame, skeleton, centre);
+        let flat = MeshSolid::build(&feature);
+        let turned = flat.placed(&Isometry3::from_parts(Translation3::identity(), print_turn));
+        if turned.is_empty() {
+            return Err(GateError::Empty);
+        }
+        let low = turned.bounds_mm()[0];
+        let mesh = turned.placed(&Isometry3::translation(0.0, 0.0, -low[2])).to_mesh();
+        let topology = gate::pass(&mesh)?;
+        let folded = bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid));
+        let exact_volume_mm3 = Brep::build(&feature).map(|brep| brep.volume_mm3());
+        Ok(Self { name, volume_mm3: mesh.volume_mm3(), feature, bends, flat, folded, mesh, topology, exact_volume_mm3 })
+    }
+}
+
+/// A part before it is made.
+struct Recipe {
+    feature: Feature,
+    bends: Vec<Bend>,
+    print_turn: UnitQuaternion<f64>,
+}
+
+fn recipe(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Recipe {
+    let closure = &skeleton.closure;
+    let rigid = |feature, print_turn| Recipe { feature, bends: Vec::new(), print_turn };
+    match name {
+        PartName::TopCorner => {
+            let part = TopCorner::from_frame(frame, closure.strut_tilt);
+            Recipe { feature: part.feature(), bends: part.bends(), print_turn: TopCorner::print_turn() }
+        }
+        PartName::BottomCorner => {
+            let part = BottomCorner::from_frame(frame, closure.strut_tilt);
+            Recipe { feature: part.feature(), bends: part.bends(closure.leg_tilt), print_turn: BottomCorner::print_turn() }
+        }
+        PartName::HubJoint => {
+            let part = HubJoint::from_frame(frame);
+            Recipe { feature: part.feature(), bends: part.bends(closure.leg_tilt), print_turn: HubJoint::print_turn() }
+        }
+        PartName::Knee => rigid(Knee::from_frame(frame, closure.strut_tilt).feature(), Knee::print_turn()),
+        PartName::Fork => rigid(Fork::from_frame(frame).feature(), Fork::print_turn()),
+        PartName::MotorMount => rigid(MotorMount::from_frame(frame).feature(), MotorMount::print_turn()),
+        PartName::Hub => rigid(hub::feature(frame, centre), hub::print_turn()),
+        PartName::PiCarrier => rigid(pi_carrier::feature(frame, centre), pi_carrier::print_turn()),
+        PartName::BatteryBracket => rigid(battery_bracket::feature(frame, centre), battery_bracket::print_turn()),
+        PartName::BatterySleeve => rigid(battery_sleeve::feature(frame, centre), battery_sleeve::print_turn()),
+        PartName::BatteryLid => rigid(battery_lid::feature(frame, centre), battery_lid::print_turn()),
+        PartName::CameraConnectorLeft => rigid(camera_connector::left(frame, centre), camera_connector::print_turn_left()),
+        PartName::CameraConnectorRight => rigid(camera_connector::right(frame, centre), camera_connector::print_turn_right()),
+    }
+}

@@ -1,0 +1,1 @@
+//! The rules that a frame is held to.

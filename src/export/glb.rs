@@ -1,0 +1,233 @@
+//! The assembly as binary glTF 2.0: metres, Y up, one node a body.
+
+use std::collections::BTreeMap;
+
+use gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, Type};
+use gltf::json::buffer::{Buffer, Target, View};
+use gltf::json::material::{AlphaMode, Material, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
+use gltf::json::mesh::{Mode, Primitive, Semantic};
+use gltf::json::scene::{Node, Scene, UnitQuaternion};
+use gltf::json::validation::{Checked, USize64};
+use gltf::json::{Asset, Index, Mesh as GltfMesh, Root};
+use serde_json::{json, value::RawValue};
+
+use crate::assembly::mass::MassTable;
+use crate::assembly::{Body, Design, Kind, Shape};
+
+/// The file could not be put together.
+#[derive(Debug, thiserror::Error)]
+pub enum GlbError {
+    /// The JSON part.
+    #[error("the glTF header could not be written: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+/// Millimetres in a metre.
+const MM_PER_M: f64 = 1000.0;
+
+/// The assembled frame.
+///
+/// # Errors
+/// When the header cannot be written as JSON.
+pub fn frame(design: &Design, masses: &MassTable) -> Result<Vec<u8>, GlbError> {
+    let mut file = GlbFile::new();
+    file.root.asset.extras = Some(raw(&json!({
+        "frame": design.frame.name,
+        "description": design.frame.description,
+        "units": "metre; the frame's own axes, X right, Y front, Z up, hang below the node `frame`",
+        "total_mass_g": rounded(masses.total_g),
+    }))?);
+    for shape in &design.shapes {
+        file.add_shape(shape)?;
+    }
+    let children = design.bodies.iter().map(|body| file.add_body(design, body, masses)).collect::<Result<Vec<_>, _>>()?;
+    file.add_frame_node(&design.frame.name, children);
+    file.into_bytes()
+}
+
+/// A header and its binary chunk while they grow together.
+struct GlbFile {
+    root: Root,
+    binary: Vec<u8>,
+}
+
+impl GlbFile {
+    fn new() -> Self {
+        let asset = Asset { generator: Some(format!("flexframe {}", env!("CARGO_PKG_VERSION"))), ..Asset::default() };
+        Self { root: Root { asset, ..Root::default() }, binary: Vec::new() }
+    }
+
+    /// Adds a shape's material and mesh; both have the shape's index.
+    fn add_shape(&mut self, shape: &Shape) -> Result<(), GlbError> {
+        let material = material(shape);
+        let material = self.root.push(material);
+        let positions = self.positions(shape);
+        let indices = self.indices(shape);
+        let primitive = Primitive {
+            attributes: BTreeMap::from([(Checked::Valid(Semantic::Positions), positions)]),
+            extensions: None,
+            extras: None,
+            indices: Some(indices),
+            material: Some(material),
+            mode: Checked::Valid(Mode::Triangles),
+            targets: None,
+        };
+        let name = Some(shape.name.clone());
+        self.root.push(GltfMesh { extensions: None, extras: None, name, primitives: vec![primitive], weights: None });
+        Ok(())
+    }
+
+    fn positions(&mut self, shape: &Shape) -> Index<Accessor> {
+        let metres = |v: f32| (f64::from(v) / MM_PER_M) as f32;
+        let offset = self.binary.len();
+        let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
+        for vertex in &shape.mesh.vertices {
+            for axis in 0..3 {
+                let value = metres(vertex[axis]);
+                low[axis] = low[axis].min(value);
+                high[axis] = high[axis].max(value);
+                self.binary.extend_from_slice(&value.to_le_bytes());
+            }
+        }
+        let view = self.view(offset, Target::ArrayBuffer);
+        let count = shape.mesh.vertices.len();
+        let mut accessor = accessor(view, count, ComponentType::F32, Type::Vec3);
+        accessor.min = Some(json!(low));
+        accessor.max = Some(json!(high));
+        self.root.push(accessor)
+    }
+
+    fn indices(&mut self, shape: &Shape) -> Index<Accessor> {
+        let offset = self.binary.len();
+        for index in shape.mesh.triangles.iter().flatten() {
+            self.binary.extend_from_slice(&index.to_le_bytes());
+        }
+        let view = self.view(offset, Target::ElementArrayBuffer);
+        self.root.push(accessor(view, 3 * shape.mesh.triangles.len(), ComponentType::U32, Type::Scalar))
+    }
+
+    fn view(&mut self, offset: usize, target: Target) -> Index<View> {
+        self.root.push(View {
+            buffer: Index::new(0),
+            byte_length: USize64::from(self.binary.len() - offset),
+            byte_offset: Some(USize64::from(offset)),
+            byte_stride: None,
+            name: None,
+            target: Some(Checked::Valid(target)),
+            extensions: None,
+            extras: None,
+        })
+    }
+
+    fn add_body(&mut self, design: &Design, body: &Body, masses: &MassTable) -> Result<Index<Node>, GlbError> {
+        let turn = body.pose.rotation.coords;
+        let at = body.pose.translation.vector;
+        let extras = raw(&body_facts(design, body, masses))?;
+        Ok(self.root.push(Node {
+            mesh: Some(Index::new(body.shape as u32)),
+            name: Some(body.name.clone()),
+            rotation: Some(UnitQuaternion([turn.x as f32, turn.y as f32, turn.z as f32, turn.w as f32])),
+            translation: Some([(at.x / MM_PER_M) as f32, (at.y / MM_PER_M) as f32, (at.z / MM_PER_M) as f32]),
+            extras: Some(extras),
+            ..Node::default()
+        }))
+    }
+
+    /// The node that turns the frame's Z up to glTF's Y up.
+    fn add_frame_node(&mut self, name: &str, children: Vec<Index<Node>>) {
+        let half = std::f32::consts::FRAC_1_SQRT_2;
+        let node = Node {
+            children: Some(children),
+            name: Some("frame".into()),
+            rotation: Some(UnitQuaternion([-half, 0.0, 0.0, half])),
+            ..Node::default()
+        };
+        let node = self.root.push(node);
+        let scene = Scene { extensions: None, extras: None, name: Some(name.into()), nodes: vec![node] };
+        self.root.scene = Some(self.root.push(scene));
+    }
+
+    fn into_bytes(mut self) -> Result<Vec<u8>, GlbError> {
+        let byte_length = USize64::from(self.binary.len());
+        self.root.push(Buffer { byte_length, name: None, uri: None, extensions: None, extras: None });
+        let mut header = self.root.to_vec()?;
+        header.resize(header.len().next_multiple_of(4), b' ');
+        self.binary.resize(self.binary.len().next_multiple_of(4), 0);
+        let total = 12 + 8 + header.len() + 8 + self.binary.len();
+        let mut bytes = Vec::with_capacity(total);
+        for word in [0x4654_6C67, 2, total as u32, header.len() as u32, 0x4E4F_534A] {
+            bytes.extend_from_slice(&u32::to_le_bytes(word));
+        }
+        bytes.extend_from_slice(&header);
+        for word in [self.binary.len() as u32, 0x004E_4942] {
+            bytes.extend_from_slice(&u32::to_le_bytes(word));
+        }
+        bytes.extend_from_slice(&self.binary);
+        Ok(bytes)
+    }
+}
+
+fn accessor(view: Index<View>, count: usize, component: ComponentType, type_: Type) -> Accessor {
+    Accessor {
+        buffer_view: Some(view),
+        byte_offset: None,
+        count: USize64::from(count),
+        component_type: Checked::Valid(GenericComponentType(component)),
+        extensions: None,
+        extras: None,
+        type_: Checked::Valid(type_),
+        min: None,
+        max: None,
+        name: None,
+        normalized: false,
+        sparse: None,
+    }
+}
+
+fn material(shape: &Shape) -> Material {
+    let flexible = matches!(shape.kind, Kind::Printed(name) if name.is_flexible());
+    let metal = matches!(shape.kind, Kind::Motor) || shape.name.starts_with("magnet");
+    Material {
+        name: Some(format!("{} ({})", shape.name, shape.material)),
+        alpha_mode: Checked::Valid(if shape.colour[3] < 1.0 { AlphaMode::Blend } else { AlphaMode::Opaque }),
+        pbr_metallic_roughness: PbrMetallicRoughness {
+            base_color_factor: PbrBaseColorFactor(shape.colour),
+            metallic_factor: StrengthFactor(if metal { 0.6 } else { 0.0 }),
+            roughness_factor: StrengthFactor(if flexible { 0.8 } else { 0.55 }),
+            ..PbrMetallicRoughness::default()
+        },
+        ..Material::default()
+    }
+}
+
+/// What a viewer can tell of a body.
+fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::Value {
+    let shape = design.shape(body);
+    let (kind, quantity) = match shape.kind {
+        Kind::Printed(_) => ("printed", bodies_of(design, body.shape)),
+        Kind::Rod(_) => ("rod", bodies_of(design, body.shape)),
+        Kind::Motor | Kind::Propeller | Kind::Bought(_) => ("bought", bodies_of(design, body.shape)),
+    };
+    let mass = masses.lines.iter().find(|line| line.name == shape.name);
+    json!({
+        "part": shape.name,
+        "kind": kind,
+        "material": shape.material,
+        "quantity": quantity,
+        "mass_each_g": mass.map(|line| rounded(line.each_g)),
+        "module": body.module.map(|module| crate::skeleton::MODULE_NAMES[module]),
+    })
+}
+
+fn bodies_of(design: &Design, shape: usize) -> usize {
+    design.bodies.iter().filter(|body| body.shape == shape).count()
+}
+
+/// To a thousandth, so that the last bits of a sum do not reach a file.
+fn rounded(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}
+
+fn raw(value: &serde_json::Value) -> Result<Box<RawValue>, serde_json::Error> {
+    RawValue::from_string(value.to_string())
+}

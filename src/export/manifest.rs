@@ -1,0 +1,177 @@
+//! `manifest.json`: every file with its hash, every printed part with its numbers.
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use crate::assembly::Design;
+use crate::assembly::mass::MassTable;
+use crate::params::catalogue::MassBasis;
+use crate::skeleton::RodRole;
+
+/// Version of the manifest's form; raised when a key changes its meaning or goes.
+pub const SCHEMA_VERSION: u32 = 1;
+
+/// The manifest.
+#[derive(Debug, Serialize)]
+pub struct Manifest {
+    /// See [`SCHEMA_VERSION`].
+    pub schema_version: u32,
+    /// Program and version that wrote it.
+    pub generator: String,
+    /// Name of the frame.
+    pub frame: String,
+    /// One line about it.
+    pub description: String,
+    /// Total mass, g.
+    pub total_mass_g: f64,
+    /// Printed parts.
+    pub parts: Vec<PartEntry>,
+    /// Rods by role.
+    pub rods: Vec<RodEntry>,
+    /// Bought parts by role.
+    pub bought: Vec<BoughtEntry>,
+    /// Every other file of the folder.
+    pub files: Vec<FileEntry>,
+}
+
+/// A printed part.
+#[derive(Debug, Serialize)]
+pub struct PartEntry {
+    /// Name.
+    pub name: String,
+    /// How many to print.
+    pub quantity: u32,
+    /// Name of the material.
+    pub material: String,
+    /// Volume of the mesh, mm³.
+    pub volume_mm3: f64,
+    /// Mass of one, g.
+    pub mass_g: f64,
+    /// Edge lengths of the bounding box as printed, mm.
+    pub bbox_mm: [f64; 3],
+    /// Facets of the mesh.
+    pub triangles: usize,
+    /// Euler number of the surface.
+    pub euler: i64,
+    /// Volume by the B-rep kernel, mm³, where it builds the part.
+    pub exact_volume_mm3: Option<f64>,
+    /// Its files.
+    pub files: Vec<String>,
+}
+
+/// Rods of a role.
+#[derive(Debug, Serialize)]
+pub struct RodEntry {
+    /// Role.
+    pub name: String,
+    /// How many.
+    pub quantity: u32,
+    /// Material.
+    pub material: String,
+    /// Length to cut, mm.
+    pub length_mm: f64,
+    /// Diameter, mm.
+    pub diameter_mm: f64,
+    /// Mass of one, g.
+    pub mass_g: f64,
+}
+
+/// Something bought.
+#[derive(Debug, Serialize)]
+pub struct BoughtEntry {
+    /// What for.
+    pub role: String,
+    /// Name in the catalogue.
+    pub name: String,
+    /// How many.
+    pub quantity: u32,
+    /// Mass of one, g.
+    pub mass_g: f64,
+    /// How the mass is known.
+    pub mass_basis: MassBasis,
+    /// Where size and mass come from.
+    pub source: String,
+}
+
+/// A file and its hash.
+#[derive(Debug, Serialize)]
+pub struct FileEntry {
+    /// Path in the folder, with `/`.
+    pub path: String,
+    /// Its SHA-256 in hexadecimal.
+    pub sha256: String,
+}
+
+/// The manifest of a design and the files written for it.
+pub fn manifest(design: &Design, masses: &MassTable, files: &[(String, Vec<u8>)]) -> Manifest {
+    let frame = &design.frame;
+    Manifest {
+        schema_version: SCHEMA_VERSION,
+        generator: format!("flexframe {}", env!("CARGO_PKG_VERSION")),
+        frame: frame.name.clone(),
+        description: frame.description.clone(),
+        total_mass_g: rounded(masses.total_g),
+        parts: part_entries(design, masses),
+        rods: rod_entries(design, masses),
+        bought: frame
+            .bought
+            .iter()
+            .filter(|(role, _)| *role != "rod")
+            .map(|(role, item)| BoughtEntry {
+                role: role.clone(),
+                name: item.name.clone(),
+                quantity: item.quantity,
+                mass_g: if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g },
+                mass_basis: item.part.mass_basis,
+                source: item.part.source.clone(),
+            })
+            .collect(),
+        files: files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hex(&Sha256::digest(bytes)) }).collect(),
+    }
+}
+
+fn part_entries(design: &Design, masses: &MassTable) -> Vec<PartEntry> {
+    design
+        .printed
+        .iter()
+        .map(|part| PartEntry {
+            name: part.name.to_string(),
+            quantity: part.name.quantity(),
+            material: if part.name.is_flexible() { design.frame.flexible.name.clone() } else { design.frame.rigid.name.clone() },
+            volume_mm3: rounded(part.volume_mm3),
+            mass_g: rounded(mass_of(masses, part.name.slug())),
+            bbox_mm: part.mesh.size_mm().map(rounded),
+            triangles: part.mesh.triangles.len(),
+            euler: part.topology.euler,
+            exact_volume_mm3: part.exact_volume_mm3.map(rounded),
+            files: vec![format!("parts/{}.stl", part.name)],
+        })
+        .collect()
+}
+
+fn rod_entries(design: &Design, masses: &MassTable) -> Vec<RodEntry> {
+    RodRole::ALL
+        .iter()
+        .map(|role| RodEntry {
+            name: role.slug().into(),
+            quantity: design.skeleton.rods_of(*role).count() as u32,
+            material: design.frame.rod_material.name.clone(),
+            length_mm: rounded(design.skeleton.length_mm(*role)),
+            diameter_mm: design.frame.rods.rod_diameter_mm,
+            mass_g: rounded(mass_of(masses, &format!("{}_rod", role.slug()))),
+        })
+        .collect()
+}
+
+fn mass_of(masses: &MassTable, name: &str) -> f64 {
+    masses.lines.iter().find(|line| line.name == name).map_or(0.0, |line| line.each_g)
+}
+
+/// To a thousandth.
+fn rounded(value: f64) -> f64 {
+    (value * 1000.0).round() / 1000.0
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

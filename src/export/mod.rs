@@ -1,0 +1,6 @@
+//! A design as bytes: one file a format, value in, bytes out; nothing here opens a file.
+
+pub mod bom;
+pub mod glb;
+pub mod manifest;
+pub mod stl;

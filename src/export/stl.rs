@@ -1,0 +1,45 @@
+//! Binary STL, mm.
+
+use std::io;
+
+use stl_io::{Normal, Triangle, Vertex};
+
+use crate::solid::Mesh;
+
+/// A mesh as binary STL: facets in the mesh's order, with their outward unit normals.
+///
+/// # Errors
+/// Only those of writing to memory.
+pub fn binary(mesh: &Mesh) -> io::Result<Vec<u8>> {
+    let facets: Vec<Triangle> = mesh
+        .triangles
+        .iter()
+        .map(|triangle| {
+            let [a, b, c] = mesh.corners(triangle);
+            let normal = (b - a).cross(&(c - a)).normalize();
+            Triangle {
+                normal: Normal::new([normal.x as f32, normal.y as f32, normal.z as f32]),
+                vertices: triangle.map(|corner| Vertex::new(mesh.vertices[corner as usize])),
+            }
+        })
+        .collect();
+    let mut bytes = Vec::with_capacity(84 + 50 * facets.len());
+    stl_io::write_stl(&mut bytes, facets.iter())?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid::{Feature, MeshSolid};
+
+    #[test]
+    fn analytic_a_cube_comes_back_with_its_volume() {
+        let mesh = MeshSolid::build(&Feature::cuboid([2.0, 3.0, 4.0])).to_mesh();
+        let bytes = binary(&mesh).expect("memory takes it");
+        assert_eq!(bytes.len(), 84 + 50 * 12);
+        let back = stl_io::read_stl(&mut io::Cursor::new(bytes)).expect("it is an STL");
+        back.validate().expect("closed, with outward normals");
+        assert_eq!(back.faces.len(), 12);
+    }
+}

@@ -1,0 +1,232 @@
+//! The frame as typed: a TOML file on its chain of bases, every value with the place it was typed at.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::preset;
+use super::refusal::{Place, Reason, Refusal, Source, nearest};
+
+/// Longest chain of bases.
+const LONGEST_CHAIN: usize = 16;
+
+/// Largest parameter file read, bytes.
+const LARGEST_FILE: u64 = 1 << 20;
+
+/// A frame file could not be read at all.
+#[derive(Debug, thiserror::Error)]
+pub enum LoadError {
+    /// What it says is refused.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    /// No file, no preset.
+    #[error("there is no frame `{name}`: neither a file nor a preset ({presets})")]
+    NoSuchFrame {
+        /// What was asked for.
+        name: String,
+        /// The presets there are.
+        presets: String,
+    },
+    /// The file cannot be read.
+    #[error("cannot read {path}: {error}")]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        error: std::io::Error,
+    },
+    /// The file is too large to be a frame.
+    #[error("{path} has {bytes} bytes; a frame file has at most {LARGEST_FILE}")]
+    TooLarge {
+        /// The file.
+        path: PathBuf,
+        /// Its size.
+        bytes: u64,
+    },
+}
+
+/// A value as typed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A number.
+    Number(f64),
+    /// A string.
+    Text(String),
+    /// Anything else, in TOML's own form.
+    Other(toml::Value),
+}
+
+impl Value {
+    /// In TOML's own form.
+    pub fn to_toml(&self) -> toml::Value {
+        match self {
+            Self::Number(number) => toml::Value::Float(*number),
+            Self::Text(text) => toml::Value::String(text.clone()),
+            Self::Other(value) => value.clone(),
+        }
+    }
+
+    /// What it is, for a message.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Number(_) => "a number",
+            Self::Text(_) => "a string",
+            Self::Other(toml::Value::Boolean(_)) => "true or false",
+            Self::Other(toml::Value::Array(_)) => "an array",
+            Self::Other(_) => "something else",
+        }
+    }
+}
+
+/// A value and where it was typed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// What was typed.
+    pub value: Value,
+    /// Where.
+    pub place: Place,
+    /// How many bases lie between the frame file and the file it was typed in; 0 is the frame file.
+    pub depth: usize,
+}
+
+/// All entries of a frame file and its bases, by dotted key; the nearer file wins.
+#[derive(Clone, Debug)]
+pub struct FrameFile {
+    /// Name of the frame: the file's, unless it states one.
+    pub name: String,
+    /// The entries.
+    pub entries: BTreeMap<String, Entry>,
+}
+
+impl FrameFile {
+    /// Reads a frame: a path to a TOML file, or the name of a preset.
+    ///
+    /// # Errors
+    /// When there is none, when it cannot be read, or when it is not TOML.
+    pub fn load(frame: &str) -> Result<Self, LoadError> {
+        let (name, source, folder) = open(frame, None)?;
+        let mut file = Self { name, entries: BTreeMap::new() };
+        file.stack(source, folder, &mut vec![frame.to_string()])?;
+        if let Some(Entry { value: Value::Text(name), .. }) = file.entries.get("name") {
+            let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !name.starts_with('.');
+            if !plain {
+                let reason = Reason::Impossible {
+                    message: format!("the name {name:?} cannot be a folder's name"),
+                    remedy: "use letters, digits, '-', '_' and '.' only, and do not begin with '.'".into(),
+                };
+                return Err(file.refuse("name", reason).into());
+            }
+            file.name = name.clone();
+        }
+        Ok(file)
+    }
+
+    /// Adds a file's entries where no nearer file has them, then its base's.
+    fn stack(&mut self, source: Arc<Source>, folder: Option<PathBuf>, chain: &mut Vec<String>) -> Result<(), LoadError> {
+        let table = DeTable::parse(&source.text).map_err(|error| {
+            let end = source.text.len();
+            let span = error.span().unwrap_or(0..end.min(1));
+            let place = Place { source: Arc::clone(&source), span: span.start.min(end)..span.end.min(end) };
+            Refusal { reason: Box::new(Reason::Syntax { message: error.message().to_string() }), place: Some(place) }
+        })?;
+        let depth = chain.len() - 1;
+        let mut typed = BTreeMap::new();
+        flatten("", table.get_ref(), &source, depth, &mut typed)?;
+        let base = typed.remove("base");
+        if depth > 0 {
+            typed.remove("name");
+            typed.remove("description");
+        }
+        for (key, entry) in typed {
+            self.entries.entry(key).or_insert(entry);
+        }
+        let Some(base) = base else { return Ok(()) };
+        let Value::Text(base_name) = &base.value else {
+            let reason = Reason::WrongType { key: "base".into(), found: base.value.kind().into(), expected: "the name of a frame".into() };
+            return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
+        };
+        let seen = chain.contains(base_name);
+        chain.push(base_name.clone());
+        if seen || chain.len() > LONGEST_CHAIN {
+            let reason = Reason::BaseChain { chain: chain.join(" -> ") };
+            return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
+        }
+        let (_, source, folder) = open(base_name, folder.as_deref()).map_err(|error| match error {
+            LoadError::NoSuchFrame { .. } => {
+                let reason =
+                    Reason::UnknownName { kind: "base".into(), name: base_name.clone(), nearest: nearest(base_name, preset::names()) };
+                Refusal { reason: Box::new(reason), place: Some(base.place.clone()) }.into()
+            }
+            other => other,
+        })?;
+        self.stack(source, folder, chain)
+    }
+
+    /// A refusal that points at a key, or at nothing when no file states it.
+    pub fn refuse(&self, key: &str, reason: Reason) -> Refusal {
+        Refusal { reason: Box::new(reason), place: self.entries.get(key).map(|entry| entry.place.clone()) }
+    }
+}
+
+/// Finds a frame by path or preset name: its name, its text, and the folder of its bases.
+fn open(frame: &str, folder: Option<&Path>) -> Result<(String, Arc<Source>, Option<PathBuf>), LoadError> {
+    let beside = folder.map(|folder| folder.join(format!("{frame}.toml"))).filter(|path| path.is_file());
+    let path = beside.or_else(|| frame.ends_with(".toml").then(|| PathBuf::from(frame)));
+    if let Some(path) = path {
+        let bytes = std::fs::metadata(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?.len();
+        if bytes > LARGEST_FILE {
+            return Err(LoadError::TooLarge { path, bytes });
+        }
+        let text = std::fs::read_to_string(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?;
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let parent = path.parent().map(Path::to_path_buf);
+        return Ok((stem, Arc::new(Source { name: path.display().to_string(), text }), parent));
+    }
+    match preset::text(frame) {
+        Some(text) => {
+            let source = Source { name: format!("params/frames/{frame}.toml"), text: text.to_string() };
+            Ok((frame.to_string(), Arc::new(source), None))
+        }
+        None => Err(LoadError::NoSuchFrame { name: frame.into(), presets: preset::names().collect::<Vec<_>>().join(", ") }),
+    }
+}
+
+fn flatten(
+    prefix: &str,
+    table: &DeTable<'_>,
+    source: &Arc<Source>,
+    depth: usize,
+    entries: &mut BTreeMap<String, Entry>,
+) -> Result<(), Refusal> {
+    for (key, value) in table {
+        let dotted = if prefix.is_empty() { key.get_ref().to_string() } else { format!("{prefix}.{}", key.get_ref()) };
+        if let DeValue::Table(inner) = value.get_ref() {
+            flatten(&dotted, inner, source, depth, entries)?;
+            continue;
+        }
+        let place = Place { source: Arc::clone(source), span: key.span().start..value.span().end };
+        let value =
+            typed_value(value).map_err(|message| Refusal { reason: Box::new(Reason::Syntax { message }), place: Some(place.clone()) })?;
+        entries.insert(dotted, Entry { value, place, depth });
+    }
+    Ok(())
+}
+
+fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
+    match value.get_ref() {
+        DeValue::Integer(integer) => i64::from_str_radix(&integer.as_str().replace('_', ""), integer.radix())
+            .map(|number| Value::Number(number as f64))
+            .map_err(|error| error.to_string()),
+        DeValue::Float(float) => float.as_str().replace('_', "").parse().map(Value::Number).map_err(|e| format!("{e}")),
+        DeValue::String(text) => Ok(Value::Text(text.to_string())),
+        DeValue::Boolean(flag) => Ok(Value::Other(toml::Value::Boolean(*flag))),
+        DeValue::Array(items) => {
+            let items: Result<Vec<_>, _> = items.iter().map(|item| typed_value(item).map(|v| v.to_toml())).collect();
+            items.map(|items| Value::Other(toml::Value::Array(items)))
+        }
+        other => Err(format!("a {} has no place in a frame file", other.type_str())),
+    }
+}

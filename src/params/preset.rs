@@ -1,0 +1,39 @@
+//! Frames that come with the program.
+
+/// Name and text of each preset; the first is the default.
+const PRESETS: [(&str, &str); 6] = [
+    ("cognifly", include_str!("../../params/frames/cognifly.toml")),
+    ("cognifly-v8", include_str!("../../params/frames/cognifly-v8.toml")),
+    ("cognifly-1106", include_str!("../../params/frames/cognifly-1106.toml")),
+    ("cognifly-bamboo", include_str!("../../params/frames/cognifly-bamboo.toml")),
+    ("cognifly-mini", include_str!("../../params/frames/cognifly-mini.toml")),
+    ("cognifly-2s2000", include_str!("../../params/frames/cognifly-2s2000.toml")),
+];
+
+/// Bought parts that come with the program.
+pub(super) const BOUGHT: &str = include_str!("../../params/bought.toml");
+
+/// Materials that come with the program.
+pub(super) const MATERIALS: &str = include_str!("../../params/materials.toml");
+
+/// Name and text of each printer.
+pub(super) const PRINTERS: [(&str, &str); 8] = [
+    ("generic-0.4", include_str!("../../params/printers/generic-0.4.toml")),
+    ("prusa-mk4", include_str!("../../params/printers/prusa-mk4.toml")),
+    ("prusa-mini", include_str!("../../params/printers/prusa-mini.toml")),
+    ("bambu-a1-mini", include_str!("../../params/printers/bambu-a1-mini.toml")),
+    ("bambu-p1s", include_str!("../../params/printers/bambu-p1s.toml")),
+    ("ender-3", include_str!("../../params/printers/ender-3.toml")),
+    ("ultimaker-2-plus", include_str!("../../params/printers/ultimaker-2-plus.toml")),
+    ("flsun-qqs-pro", include_str!("../../params/printers/flsun-qqs-pro.toml")),
+];
+
+/// The presets' names, the default first.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    PRESETS.iter().map(|(name, _)| *name)
+}
+
+/// The text of a preset.
+pub fn text(name: &str) -> Option<&'static str> {
+    PRESETS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+}

@@ -1,0 +1,168 @@
+//! Why a frame file is refused: what, where, the value, the limit and the remedy.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report, Severity};
+
+/// A parameter file as read.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Source {
+    /// What to call it in messages.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+}
+
+/// A place in a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The file.
+    pub source: Arc<Source>,
+    /// Bytes of the text.
+    pub span: Range<usize>,
+}
+
+/// What is wrong with a frame file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Reason {
+    /// Not TOML.
+    #[error("this is not TOML: {message}")]
+    Syntax {
+        /// What the parser says.
+        message: String,
+    },
+    /// A key or table that no frame has.
+    #[error("unknown key `{key}`")]
+    UnknownKey {
+        /// The key with its table.
+        key: String,
+        /// The nearest known ones.
+        nearest: Vec<String>,
+    },
+    /// A value of the wrong type.
+    #[error("`{key}` is {found}, it must be {expected}")]
+    WrongType {
+        /// The key with its table.
+        key: String,
+        /// What was found.
+        found: String,
+        /// What is wanted.
+        expected: String,
+    },
+    /// A number outside its bounds, or not a number.
+    #[error("`{key}` = {value} is out of bounds: {min} to {max} {unit}")]
+    OutOfBounds {
+        /// The key.
+        key: String,
+        /// The value.
+        value: f64,
+        /// Lowest allowed.
+        min: f64,
+        /// Highest allowed.
+        max: f64,
+        /// Unit.
+        unit: String,
+    },
+    /// Neither this file nor its bases state it.
+    #[error("`{key}` is stated nowhere")]
+    Missing {
+        /// The key.
+        key: String,
+    },
+    /// A name that its catalogue does not hold.
+    #[error("there is no {kind} called `{name}`")]
+    UnknownName {
+        /// Of what kind.
+        kind: String,
+        /// The name.
+        name: String,
+        /// The nearest known ones.
+        nearest: Vec<String>,
+    },
+    /// Bases that name each other, or too long a chain.
+    #[error("the chain of bases does not end: {chain}")]
+    BaseChain {
+        /// The names in order.
+        chain: String,
+    },
+    /// An entry of a catalogue that does not read.
+    #[error("the {kind} `{name}` does not read: {message}")]
+    BadEntry {
+        /// Of what kind.
+        kind: String,
+        /// The name.
+        name: String,
+        /// What the reader says.
+        message: String,
+    },
+    /// Numbers that are each allowed but cannot be together.
+    #[error("{message}")]
+    Impossible {
+        /// What cannot be, with its numbers.
+        message: String,
+        /// What to change.
+        remedy: String,
+    },
+}
+
+impl Reason {
+    /// What to change.
+    pub fn remedy(&self) -> String {
+        let nearest = |names: &[String]| match names {
+            [] => "`flexframe params` lists every key".to_string(),
+            names => format!("did you mean {}?", names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(" or ")),
+        };
+        match self {
+            Self::Syntax { .. } => "mend the line; https://toml.io shows the form".into(),
+            Self::UnknownKey { nearest: n, .. } | Self::UnknownName { nearest: n, .. } => nearest(n),
+            Self::WrongType { expected, .. } => format!("give {expected}"),
+            Self::OutOfBounds { value, min, max, unit, .. } if value.is_finite() => {
+                let limit = if value < min { min } else { max };
+                format!("the nearest allowed value is {limit} {unit}")
+            }
+            Self::OutOfBounds { .. } => "give a finite number".into(),
+            Self::Missing { key } => format!("state `{key}`, or name a base that does: base = \"cognifly\""),
+            Self::BaseChain { .. } => "let one file of the chain stand without a base".into(),
+            Self::BadEntry { .. } => "complete the entry; params/bought.toml shows the keys".into(),
+            Self::Impossible { remedy, .. } => remedy.clone(),
+        }
+    }
+}
+
+/// A refused frame file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{reason}")]
+pub struct Refusal {
+    /// What is wrong.
+    pub reason: Box<Reason>,
+    /// Where; `None` when it lies in no file.
+    pub place: Option<Place>,
+}
+
+impl Refusal {
+    /// The diagnostic a person reads: file, line, column, the text, and the remedy. Plain text.
+    pub fn render(&self) -> String {
+        let mut diagnostic = MietteDiagnostic::new(self.to_string()).with_severity(Severity::Error).with_help(self.reason.remedy());
+        if let Some(place) = &self.place {
+            diagnostic = diagnostic.with_label(LabeledSpan::new_with_span(Some("here".into()), place.span.clone()));
+        }
+        let mut report = Report::new(diagnostic);
+        if let Some(place) = &self.place {
+            report = report.with_source_code(NamedSource::new(&place.source.name, place.source.text.clone()));
+        }
+        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_width(110);
+        let mut text = String::new();
+        match handler.render_report(&mut text, report.as_ref()) {
+            Ok(()) => text,
+            Err(_) => format!("{self}\nhelp: {}\n", self.reason.remedy()),
+        }
+    }
+}
+
+/// The known names nearest to a mistyped one, best first, two at the most.
+pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let mut scored: Vec<(f64, &str)> = known.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name)).collect();
+    scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
+    scored.into_iter().take(2).filter(|(score, _)| *score > 0.8).map(|(_, name)| name.to_string()).collect()
+}

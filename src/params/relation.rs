@@ -1,0 +1,119 @@
+//! Numbers that are each allowed but cannot be together: walls that would vanish, parts that would collide.
+
+use super::frame::Frame;
+use super::refusal::Reason;
+
+/// A relation that does not hold.
+pub(super) struct Broken {
+    /// The parameter to change.
+    pub key: &'static str,
+    /// What is wrong.
+    pub reason: Reason,
+}
+
+/// Thinnest wall that any part can be made with, mm: below, it is no wall to a slicer with the smallest common nozzle.
+const THINNEST_MM: f64 = 0.4;
+
+/// Checks every relation.
+pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
+    let slide = frame.rods.rod_diameter_mm + frame.fit.slide_clearance_mm;
+    let joint = &frame.hub_joint;
+    let mount = &frame.motor_mount;
+    let fork = &frame.fork;
+    let at_least = |value: f64, least: f64, key: &'static str, what: &str, remedy: &str| {
+        if value >= least {
+            return Ok(());
+        }
+        let message = format!("{what} would be {value:.2} mm, it must be at least {least:.2} mm");
+        Err(Broken { key, reason: Reason::Impossible { message, remedy: remedy.into() } })
+    };
+    at_least(
+        0.5 * (joint.hub_joint_diameter_mm - slide),
+        THINNEST_MM,
+        "hub_joint.hub_joint_diameter_mm",
+        "the wall of the hub joint's sockets",
+        "raise hub_joint_diameter_mm or lower rod_diameter_mm",
+    )?;
+    at_least(
+        0.5 * (mount.motor_ring_diameter_mm - slide),
+        THINNEST_MM,
+        "motor_mount.motor_ring_diameter_mm",
+        "the wall of the motor mount's rings",
+        "raise motor_ring_diameter_mm or lower rod_diameter_mm",
+    )?;
+    at_least(
+        0.5 * joint.arm_pitch_mm - joint.hub_joint_diameter_mm,
+        2.0,
+        "hub_joint.arm_pitch_mm",
+        "the gap between arm sockets and leg socket",
+        "raise arm_pitch_mm or lower hub_joint_diameter_mm: the necks need the room",
+    )?;
+    at_least(
+        joint.hub_joint_diameter_mm - joint.neck_thickness_mm,
+        0.4,
+        "hub_joint.neck_thickness_mm",
+        "the waist of the necks",
+        "lower neck_thickness_mm or raise hub_joint_diameter_mm",
+    )?;
+    at_least(
+        mount.motor_plate_diameter_mm - mount.motor_hole_circle_mm - mount.motor_hole_diameter_mm,
+        2.0 * mount.motor_skirt_wall_mm,
+        "motor_mount.motor_plate_diameter_mm",
+        "the rim outside the motor's screw holes, both sides together,",
+        "raise motor_plate_diameter_mm or lower motor_hole_circle_mm",
+    )?;
+    at_least(
+        mount.motor_hole_circle_mm - mount.motor_hole_diameter_mm - mount.motor_shaft_hole_mm,
+        2.0 * THINNEST_MM,
+        "motor_mount.motor_hole_circle_mm",
+        "the ring between shaft hole and screw holes, both sides together,",
+        "raise motor_hole_circle_mm or lower motor_shaft_hole_mm",
+    )?;
+    at_least(
+        joint.arm_pitch_mm - mount.motor_plate_diameter_mm,
+        slide + 1.0,
+        "motor_mount.motor_plate_diameter_mm",
+        "the room beside the motor plate",
+        "raise arm_pitch_mm or lower motor_plate_diameter_mm",
+    )?;
+    let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
+    let last = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm
+        - fork.fork_socket_depth_mm
+        - 0.5 * mount.motor_ring_width_mm;
+    at_least(
+        mount.motor_position_mm,
+        first,
+        "motor_mount.motor_position_mm",
+        "the motor's distance from the hub axis",
+        "raise motor_position_mm: the mount's rings would run into the hub joint",
+    )?;
+    at_least(
+        last - mount.motor_position_mm,
+        0.0,
+        "motor_mount.motor_position_mm",
+        "the way left between motor mount and fork",
+        "lower motor_position_mm or raise arm_rod_length_mm: the mount's rings would run into the fork",
+    )?;
+    at_least(
+        0.5 * (fork.fork_bar_height_mm - frame.rods.rod_diameter_mm - frame.fit.grip_clearance_mm),
+        THINNEST_MM,
+        "fork.fork_bar_height_mm",
+        "the wall above the fork's bores",
+        "raise fork_bar_height_mm or lower rod_diameter_mm",
+    )?;
+    at_least(
+        frame.fork.fork_socket_depth_mm - frame.rods.arm_rod_slack_mm,
+        2.0,
+        "fork.fork_socket_depth_mm",
+        "the arm rod's hold in the fork",
+        "raise fork_socket_depth_mm or lower arm_rod_slack_mm",
+    )?;
+    at_least(
+        frame.corner.corner_wall_mm + 0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + 0.6
+            - frame.corner.corner_hinge_thickness_mm,
+        0.0,
+        "corner.corner_hinge_thickness_mm",
+        "the notch above the hinge's web",
+        "lower corner_hinge_thickness_mm: the web would fill the socket's height",
+    )
+}

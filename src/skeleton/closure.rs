@@ -1,0 +1,188 @@
+//! Closing the frame: strut tilt, heights and the leg from the rods and joints, in the plane of one diagonal.
+//!
+//! In that plane s is the distance from the hub's axis and z the height. The arm fixes the knee's node; the strut leaves
+//! it towards the ring and must end on the corner's strut pivot, whose s the cage rods fix: the tilt follows from the
+//! strut's length. The leg joins the corner's leg pivot and the hub joint's.
+
+use crate::params::Frame;
+use crate::units::Angle;
+
+/// The dimensions that close the frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closure {
+    /// Half the side of the square through the ring nodes, mm.
+    pub ring_half_side_mm: f64,
+    /// Height of the ring nodes above and below the arms, mm.
+    pub ring_half_height_mm: f64,
+    /// Radius of the corners' sockets, mm.
+    pub corner_radius_mm: f64,
+    /// From a ring node outward along the diagonal to the strut's pivot, mm.
+    pub strut_pivot_mm: f64,
+    /// From a ring node inward along the diagonal to the leg's pivot, mm.
+    pub leg_pivot_mm: f64,
+    /// Mouth of the arm rods' end in the fork: where their bores end, s in mm.
+    pub fork_bottom_s_mm: f64,
+    /// Nominal centre of the fork's bar, s in mm.
+    pub bar_s_mm: f64,
+    /// Crossing of the strut axes, s in mm.
+    pub knee_s_mm: f64,
+    /// Axis about which the hub joint's leg folds, s in mm.
+    pub hub_leg_pivot_s_mm: f64,
+    /// Tilt of the struts against the vertical.
+    pub strut_tilt: Angle,
+    /// Slope of the legs against the horizontal, and fold of both their ends.
+    pub leg_tilt: Angle,
+    /// Length of the leg rods, mm.
+    pub leg_rod_length_mm: f64,
+}
+
+/// Why no frame closes.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ClosureError {
+    /// The ring lies further out than the strut reaches, or further in.
+    #[error(
+        "the frame cannot close: the strut's pivot lies {offset_mm:.2} mm outside the knee, but knee, strut rod and corner together are only {reach_mm:.2} mm long"
+    )]
+    StrutTooShort {
+        /// Horizontal distance to bridge, mm.
+        offset_mm: f64,
+        /// What there is, mm.
+        reach_mm: f64,
+    },
+    /// The strut leaves the tilt that a knee can be made for.
+    #[error("the struts would tilt by {tilt_deg:.1}°, a knee can be made for {min_deg:.0}° to {max_deg:.0}°")]
+    Tilt {
+        /// Tilt, degrees; negative leans inward.
+        tilt_deg: f64,
+        /// Least.
+        min_deg: f64,
+        /// Most.
+        max_deg: f64,
+    },
+    /// The leg would have no length.
+    #[error("no room for the leg rod: {length_mm:.2} mm between its two sockets")]
+    LegTooShort {
+        /// What is left, mm.
+        length_mm: f64,
+    },
+}
+
+impl ClosureError {
+    /// The parameter to change.
+    pub fn key(&self) -> &'static str {
+        match self {
+            Self::StrutTooShort { .. } | Self::Tilt { .. } => "rods.strut_rod_length_mm",
+            Self::LegTooShort { .. } => "rods.arm_rod_length_mm",
+        }
+    }
+
+    /// What to change.
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::StrutTooShort { offset_mm, reach_mm } => format!(
+                "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm: {:.1} mm are missing",
+                offset_mm - reach_mm
+            ),
+            Self::Tilt { tilt_deg, max_deg, .. } if tilt_deg > max_deg => {
+                "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm".into()
+            }
+            Self::Tilt { .. } => "shorten arm_rod_length_mm or lengthen cage_rod_length_mm".into(),
+            Self::LegTooShort { .. } => "lengthen cage_rod_length_mm and arm_rod_length_mm".into(),
+        }
+    }
+}
+
+/// Tilts a knee can be made for: below, its bores meet the window; above, the plate no longer covers them.
+const TILT_DEG: (f64, f64) = (10.0, 35.0);
+
+/// Shortest leg rod that is a rod, mm.
+const SHORTEST_LEG_MM: f64 = 20.0;
+
+impl Closure {
+    /// Closes a frame.
+    ///
+    /// # Errors
+    /// When its rods cannot close, see [`ClosureError`].
+    pub fn solve(frame: &Frame) -> Result<Self, ClosureError> {
+        let root2 = std::f64::consts::SQRT_2;
+        let corner_radius_mm = corner_radius_mm(frame);
+        // The notch's apex: where the mitres of the cage sockets' outlines meet the strut (22.5° and 67.5° are half the
+        // angles between cage sockets and strut, and cage sockets and leg, in the flat part).
+        let strut_pivot_mm = corner_radius_mm * Angle::deg(22.5).tan();
+        let leg_pivot_mm = corner_radius_mm * Angle::deg(67.5).tan();
+        let ring_half_side_mm = 0.5 * frame.rods.cage_rod_length_mm + frame.corner.corner_node_to_bottom_mm;
+        let fork_bottom_s_mm = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm;
+        let bar_s_mm = fork_bottom_s_mm + frame.fork.fork_reach_mm;
+        let knee_s_mm = bar_s_mm - frame.knee.knee_node_offset_mm;
+        let reach_mm = strut_reach_mm(frame, strut_pivot_mm);
+        let offset_mm = ring_half_side_mm * root2 + strut_pivot_mm - knee_s_mm;
+        if offset_mm.abs() >= reach_mm {
+            return Err(ClosureError::StrutTooShort { offset_mm, reach_mm });
+        }
+        let strut_tilt = Angle::rad(libm::asin(offset_mm / reach_mm));
+        let (min_deg, max_deg) = TILT_DEG;
+        if !(min_deg..=max_deg).contains(&strut_tilt.to_deg()) {
+            return Err(ClosureError::Tilt { tilt_deg: strut_tilt.to_deg(), min_deg, max_deg });
+        }
+        let ring_half_height_mm = reach_mm * strut_tilt.cos();
+        let joint = &frame.hub_joint;
+        let hub_leg_bottom_s = frame.hub.hub_mouth_mm + joint.hub_leg_mouth_mm - joint.hub_leg_socket_depth_mm;
+        let hub_leg_pivot_s_mm = hub_leg_bottom_s - joint.hub_leg_pivot_mm;
+        let run = ring_half_side_mm * root2 - leg_pivot_mm - hub_leg_pivot_s_mm;
+        let corner_leg = frame.corner.corner_leg_bottom_mm - leg_pivot_mm;
+        let leg_rod_length_mm = libm::hypot(run, ring_half_height_mm) - joint.hub_leg_pivot_mm - corner_leg;
+        if leg_rod_length_mm < SHORTEST_LEG_MM || run <= 0.0 {
+            return Err(ClosureError::LegTooShort { length_mm: leg_rod_length_mm });
+        }
+        Ok(Self {
+            ring_half_side_mm,
+            ring_half_height_mm,
+            corner_radius_mm,
+            strut_pivot_mm,
+            leg_pivot_mm,
+            fork_bottom_s_mm,
+            bar_s_mm,
+            knee_s_mm,
+            hub_leg_pivot_s_mm,
+            strut_tilt,
+            leg_tilt: Angle::rad(libm::atan2(ring_half_height_mm, run)),
+            leg_rod_length_mm,
+        })
+    }
+}
+
+/// Outer radius of a corner's socket, mm.
+fn corner_radius_mm(frame: &Frame) -> f64 {
+    0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + frame.corner.corner_wall_mm
+}
+
+/// From the knee's node to the corner's strut pivot, mm.
+fn strut_reach_mm(frame: &Frame, strut_pivot_mm: f64) -> f64 {
+    frame.knee.knee_node_to_bottom_mm + frame.rods.strut_rod_length_mm + frame.corner.corner_node_to_bottom_mm - strut_pivot_mm
+}
+
+/// A wanted size of the whole frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Envelope {
+    /// Width and depth, mm.
+    pub width_mm: f64,
+    /// Height, mm.
+    pub height_mm: f64,
+    /// Tilt of the struts.
+    pub strut_tilt: Angle,
+}
+
+/// Cage, arm and strut rod lengths (mm) that give a frame of this size and tilt: the inverse of [`Closure::solve`].
+pub fn lengths_for(envelope: &Envelope, frame: &Frame) -> [f64; 3] {
+    let radius = corner_radius_mm(frame);
+    let strut_pivot = radius * Angle::deg(22.5).tan();
+    let root2 = std::f64::consts::SQRT_2;
+    let half_side = 0.5 * envelope.width_mm - radius - strut_pivot / root2;
+    let half_height = 0.5 * envelope.height_mm - radius;
+    let cage = 2.0 * (half_side - frame.corner.corner_node_to_bottom_mm);
+    let strut = half_height / envelope.strut_tilt.cos() - strut_reach_mm(frame, strut_pivot) + frame.rods.strut_rod_length_mm;
+    let knee_s = half_side * root2 + strut_pivot - half_height * envelope.strut_tilt.tan();
+    let arm_end = knee_s + frame.knee.knee_node_offset_mm - frame.fork.fork_reach_mm;
+    let arm = arm_end - frame.rods.arm_rod_slack_mm - frame.hub.hub_mouth_mm;
+    [cage, arm, strut]
+}

@@ -1,0 +1,228 @@
+#!/usr/bin/env bash
+# Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
+# outside, its files read by other people's software (admesh, the Khronos glTF validator, PrusaSlicer,
+# trimesh and manifold3d).
+#
+# What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
+# named and counted as skipped. With CI=true a skip is a failure, except that of the reference records,
+# which carry no licence and are not part of the repository (FLEXFRAME_DATA, default ../shared/data).
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+target=${CARGO_TARGET_DIR:-target}
+work=$PWD/$target/external
+binary=$target/release/flexframe
+jobs=$(nproc)
+export FLEXFRAME_DATA=${FLEXFRAME_DATA:-../shared/data}
+
+mkdir -p "$work"
+results=$work/results.txt
+: >"$results"
+
+# --- one line a result: "ok NAME", "FAILED NAME: WHY", "skipped NAME: WHY" ---------------------------------
+
+ok()      { echo "ok $1" | tee -a "$results"; }
+failed()  { echo "FAILED $1: $2" | tee -a "$results"; }
+skipped() {
+    if [[ ${CI:-} == true ]]; then failed "$1" "skipped ($2)"; else excepted "$1" "$2"; fi
+}
+excepted() { echo "skipped $1: $2" | tee -a "$results"; }
+
+heading() { printf '\n== %s\n' "$1"; }
+
+# step NAME COMMAND...: the command's exit code decides; its output is shown.
+step() {
+    local name=$1
+    shift
+    heading "$name"
+    if "$@"; then ok "$name"; else failed "$name" "exit code $?"; fi
+}
+
+# --- tools -------------------------------------------------------------------------------------------------
+
+as_root() {
+    if [[ $(id -u) == 0 ]]; then "$@"; else sudo -n "$@"; fi
+}
+
+# from_debian COMMAND PACKAGE...: true if the command is there, or could be installed.
+from_debian() {
+    local command=$1
+    shift
+    command -v "$command" >/dev/null && return
+    command -v apt-get >/dev/null || return
+    echo "installing $*"
+    local quiet=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
+    { as_root "${quiet[@]}" install --no-install-recommends -y "$@" ||
+        { as_root "${quiet[@]}" update && as_root "${quiet[@]}" install --no-install-recommends -y "$@"; }
+    } >"$work/apt.log" 2>&1 || true
+    command -v "$command" >/dev/null
+}
+
+gltf_validator=$work/node/node_modules/gltf-validator
+gltf_validator_version=2.0.0-dev.3.10
+
+from_npm() {
+    [[ -f $gltf_validator/package.json ]] && return
+    from_debian node nodejs && from_debian npm npm || return
+    echo "installing gltf-validator $gltf_validator_version"
+    mkdir -p "$work/node"
+    npm install --silent --no-save --no-audit --no-fund --prefix "$work/node" \
+        "gltf-validator@$gltf_validator_version" >"$work/npm.log" 2>&1 || true
+    [[ -f $gltf_validator/package.json ]]
+}
+
+python=$work/venv/bin/python
+
+from_pypi() {
+    local imports='import trimesh, numpy, manifold3d'
+    [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
+    from_debian python3 python3 || return
+    echo "installing trimesh, numpy, manifold3d"
+    python3 -m venv "$work/venv" >"$work/venv.log" 2>&1 ||
+        { as_root apt-get -qq install -y python3-venv >>"$work/venv.log" 2>&1 &&
+            python3 -m venv "$work/venv" >>"$work/venv.log" 2>&1; } || return
+    "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d \
+        >"$work/pip.log" 2>&1 || true
+    "$python" -c "$imports" 2>/dev/null
+}
+
+# --- Rust --------------------------------------------------------------------------------------------------
+
+# Counts what cargo counted, one result a test.
+cargo_tests() {
+    heading "cargo test"
+    local log=$work/cargo-test.log code=0
+    cargo test --release 2>&1 | tee "$log" || code=$?
+    awk '/^test .* \.\.\. ok$/          { print "ok " $2 }
+         /^test .* \.\.\. ignored/      { print "ignored " $2 }
+         /^test .* \.\.\. FAILED$/      { print "FAILED " $2 ": see above" }' "$log" >"$work/cargo-results.txt"
+    grep -v '^ignored ' "$work/cargo-results.txt" >>"$results" || true
+    while read -r _ name; do skipped "$name" "ignored"; done \
+        < <(grep '^ignored ' "$work/cargo-results.txt" || true)
+    if [[ $code != 0 ]] && ! grep -q '^FAILED ' "$work/cargo-results.txt"; then
+        failed "cargo test" "exit code $code"
+    fi
+}
+
+reference_records() {
+    if [[ -d $FLEXFRAME_DATA ]]; then
+        ok "reference records are in $FLEXFRAME_DATA"
+    else
+        excepted "comparison with the reference records" "no folder $FLEXFRAME_DATA; set FLEXFRAME_DATA"
+    fi
+}
+
+# --- the program from outside ------------------------------------------------------------------------------
+
+built=$work/out
+
+# Builds every preset; a broken limit is a warning, so the exit code has to be 0 all the same.
+build_presets() {
+    heading "build every preset"
+    rm -rf "$built"
+    local frame name
+    for frame in params/frames/*.toml; do
+        name=$(basename "$frame" .toml)
+        if "$binary" build "$frame" -q -o "$built" && [[ -s $built/$name/manifest.json ]]; then
+            ok "build $name"
+        else
+            failed "build $name" "no result in $built/$name"
+        fi
+    done
+}
+
+# The same input gives the same bytes: again, and on one thread and on two.
+same_bytes() {
+    heading "the same bytes again"
+    local once=$work/same/once threads
+    rm -rf "$work/same"
+    "$binary" build -q -o "$once" || { failed "same bytes" "build failed"; return; }
+    for threads in 1 2; do
+        if RAYON_NUM_THREADS=$threads "$binary" build -q -o "$work/same/$threads" &&
+            diff -r "$once" "$work/same/$threads"; then
+            ok "same bytes on $threads thread(s)"
+        else
+            failed "same bytes on $threads thread(s)" "$once and $work/same/$threads differ"
+        fi
+    done
+}
+
+# Lists "SHA256 FILE" of each STL in $built once: presets share most of their parts.
+different_stls() {
+    find "$built" -path '*/parts/*.stl' -print0 | sort -z | xargs -0 -r sha256sum | sort -u -k1,1
+}
+
+# each_stl SCRIPT: runs the script on every different STL, several at once.
+each_stl() {
+    different_stls | xargs -r -P "$jobs" -L 1 bash "$1" "$built" "$work" | tee -a "$results"
+}
+
+admesh_reads_stls() {
+    heading "admesh reads every STL"
+    if from_debian admesh admesh; then
+        each_stl tests/external/check_stl.sh
+    else
+        skipped "admesh" "not installed"
+    fi
+}
+
+slicer_slices_stls() {
+    heading "PrusaSlicer slices every part"
+    if from_debian prusa-slicer prusa-slicer; then
+        each_stl tests/external/slice.sh
+    else
+        skipped "PrusaSlicer" "not installed"
+    fi
+}
+
+khronos_validates_glbs() {
+    heading "the Khronos validator reads every GLB"
+    if from_npm; then
+        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/frame.glb | tee -a "$results" || true
+    else
+        skipped "Khronos glTF validator" "not installed"
+    fi
+}
+
+python_agrees_with_manifests() {
+    heading "trimesh and manifold3d agree with every manifest"
+    if from_pypi; then
+        "$python" tests/external/check_manifest.py "$built"/*/manifest.json | tee -a "$results" || true
+    else
+        skipped "trimesh and manifold3d" "not installed"
+    fi
+}
+
+outside() {
+    if ! cargo build --release; then
+        failed "cargo build" "the program does not build; nothing was tested from outside"
+        return
+    fi
+    build_presets
+    same_bytes
+    admesh_reads_stls
+    khronos_validates_glbs
+    python_agrees_with_manifests
+    slicer_slices_stls
+}
+
+# --- all of it ---------------------------------------------------------------------------------------------
+
+summary() {
+    local passes failures skips
+    passes=$(grep -c '^ok ' "$results" || true)
+    failures=$(grep -c '^FAILED ' "$results" || true)
+    skips=$(grep -c '^skipped ' "$results" || true)
+    heading "summary"
+    grep -E '^(FAILED|skipped) ' "$results" || true
+    echo "$passes passed, $failures failed, $skips skipped"
+    [[ $failures == 0 ]]
+}
+
+step "cargo fmt" cargo fmt --check
+step "cargo clippy" cargo clippy --all-targets -- -D warnings
+step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
+cargo_tests
+reference_records
+outside
+summary
