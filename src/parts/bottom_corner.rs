@@ -118,19 +118,12 @@ impl BottomCorner {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::corner::tests::{assert_socket, v8, web_mm};
-    use crate::parts::measure::{assert_close, assert_like, pin_mm, printed};
+    use crate::parts::corner::tests::{assert_socket, web_mm};
+    use crate::parts::measure::{assert_close, assert_like, pin_mm, printed, v8};
     use crate::solid::{MeshSolid, gate};
 
     fn part() -> BottomCorner {
-        BottomCorner {
-            sockets: v8(),
-            leg_bottom_mm: 11.0,
-            leg_pivot_mm: 2.9 * Angle::deg(67.5).tan(),
-            leg_lean: Angle::deg(10.0),
-            pocket_round_mm: 3.0,
-            strut_tilt: Angle::deg(25.0),
-        }
+        BottomCorner::from_frame(&v8(), Angle::deg(25.0))
     }
 
     #[test]

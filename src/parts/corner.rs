@@ -139,19 +139,6 @@ pub(super) mod tests {
     use crate::parts::measure::{ahead, assert_close, hits, pin_mm};
     use crate::solid::Mesh;
 
-    /// The sockets as measured on the eighth version's corners.
-    pub fn v8() -> CornerSockets {
-        CornerSockets {
-            bore_mm: 2.7,
-            wall_mm: 1.55,
-            depth_mm: 7.5,
-            bottom_mm: 5.0,
-            strut_pivot_mm: 2.9 * Angle::deg(22.5).tan(),
-            hinge_mm: 2.9,
-            notch_lean: Angle::deg(45.0),
-        }
-    }
-
     /// Bore, depth, wall and mouth of one socket.
     pub fn assert_socket(mesh: &Mesh, direction: Vector3<f64>, bottom_mm: f64) {
         let inside: [f64; 3] = (direction * (bottom_mm + 4.0)).into();

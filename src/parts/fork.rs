@@ -159,21 +159,10 @@ impl Fork {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed};
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
 
     fn part() -> Fork {
-        Fork {
-            bore_mm: 2.7,
-            wall_mm: 1.55,
-            depth_mm: 7.5,
-            arm_pitch_mm: 25.33,
-            reach_mm: 12.506,
-            bar: ForkBar { size_x_mm: 3.2, size_z_mm: 5.6, round_mm: 1.0, offset_mm: 0.3 },
-            cheek_gap_mm: 6.13,
-            finger_length_mm: 4.5,
-            finger_width_mm: 2.0,
-            leg_slope: Angle::deg(65.0),
-        }
+        Fork::from_frame(&v8())
     }
 
     #[test]

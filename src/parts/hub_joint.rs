@@ -176,23 +176,11 @@ impl HubJoint {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed};
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
     use crate::solid::{MeshSolid, gate};
 
     fn part() -> HubJoint {
-        HubJoint {
-            outer_diameter_mm: 6.8,
-            bore_mm: 3.2,
-            arm_pitch_mm: 25.33,
-            arm_depth_mm: 9.5,
-            plug_length_mm: 9.0,
-            leg_depth_mm: 7.5,
-            leg_mouth_mm: 21.38,
-            leg_pivot_mm: 3.83,
-            leg_root_mm: 7.5,
-            arch_width_mm: 5.0,
-            neck_mm: 2.8,
-        }
+        HubJoint::from_frame(&v8())
     }
 
     #[test]

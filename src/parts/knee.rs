@@ -170,21 +170,10 @@ impl Knee {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed};
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
 
     fn part() -> Knee {
-        Knee {
-            bore_mm: 2.7,
-            depth_mm: 7.53,
-            bottom_mm: 5.0,
-            side_wall_mm: 1.7,
-            back_wall_mm: 1.48,
-            strut_tilt: Angle::deg(25.0),
-            window: KneeWindow { centre_mm: 3.076, size_x_mm: 3.3, size_z_mm: 5.8, round_mm: 1.0, flare_mm: 1.0 },
-            rib_mm: 3.2,
-            plate: KneePlate { thickness_mm: 3.68, width_mm: 12.0, round_mm: 3.0 },
-            edge_round_mm: 2.0,
-        }
+        Knee::from_frame(&v8(), Angle::deg(25.0))
     }
 
     #[test]

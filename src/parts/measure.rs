@@ -2,10 +2,16 @@
 
 use nalgebra::{Point3, Vector3};
 
+use crate::params::Frame;
 use crate::solid::{Feature, Mesh, MeshSolid, gate};
 
 /// Dimensions are held to this, mm.
 pub const CLOSE_MM: f64 = 0.05;
+
+/// The frame that the parts were measured on.
+pub fn v8() -> Frame {
+    Frame::load("cognifly-v8").expect("the preset is valid").0
+}
 
 /// The mesh of a feature; it must pass the export gate with this many tunnels.
 pub fn printed(feature: &Feature, tunnels: i64) -> Mesh {

@@ -182,24 +182,12 @@ impl MotorMount {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed};
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
 
     fn part(riser_mm: f64) -> MotorMount {
-        MotorMount {
-            arm_pitch_mm: 25.33,
-            bore_mm: 3.2,
-            ring_diameter_mm: 6.6,
-            ring_width_mm: 6.26,
-            waist_mm: 6.0,
-            waist_round_mm: 3.0,
-            plate_diameter_mm: 15.0,
-            plate_mm: 2.5,
-            skirt_wall_mm: 0.8,
-            skirt_depth_mm: 3.0,
-            edge_round_mm: 1.5,
-            top_mm: 3.3 + riser_mm,
-            holes: MotorHoles { screw_mm: 2.0, circle_mm: 9.0, shaft_mm: 4.1 },
-        }
+        let mut frame = v8();
+        frame.motor_mount.motor_riser_mm = riser_mm;
+        MotorMount::from_frame(&frame)
     }
 
     #[test]

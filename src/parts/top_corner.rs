@@ -99,12 +99,12 @@ fn fillet_outline(socket_mm: f64, fillet_mm: f64) -> Contour {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parts::corner::tests::{assert_socket, v8, web_mm};
-    use crate::parts::measure::{assert_close, assert_like, printed};
+    use crate::parts::corner::tests::{assert_socket, web_mm};
+    use crate::parts::measure::{assert_close, assert_like, printed, v8};
     use crate::solid::{MeshSolid, gate};
 
     fn part() -> TopCorner {
-        TopCorner { sockets: v8(), web_fillet_mm: 1.0, strut_tilt: Angle::deg(25.0) }
+        TopCorner::from_frame(&v8(), Angle::deg(25.0))
     }
 
     #[test]
