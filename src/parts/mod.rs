@@ -53,8 +53,13 @@ mod tests {
             let flat = MeshSolid::build(&feature);
             let topology = gate::pass(&flat.to_mesh()).unwrap_or_else(|error| panic!("{what}, {part}: {error}"));
             assert_eq!(topology.euler, 2 - 2 * tunnels, "{what}, {part}");
+            let flat_mm3 = flat.volume_mm3();
             let folded = bends.iter().fold(flat, |solid, bend| bend.apply(&solid));
-            gate::pass(&folded.to_mesh()).unwrap_or_else(|error| panic!("{what}, {part}, folded: {error}"));
+            assert!(!folded.has_self_intersections(), "{what}, {part}, folded");
+            let rest_mm3 = folded.volume_mm3() - folded.largest_body().volume_mm3();
+            assert!(rest_mm3.abs() < 1e-6, "{what}, {part}, folded: {rest_mm3} mm³ apart");
+            let change = folded.volume_mm3() / flat_mm3 - 1.0;
+            assert!(change.abs() < 0.1, "{what}, {part}, folded: {:.1} % more", 100.0 * change);
         }
     }
 
@@ -68,22 +73,20 @@ mod tests {
 
     #[test]
     fn analytic_flexible_parts_are_sound_over_rods_and_pitches() {
-        for rod_mm in [2.0, 2.5, 3.5, 4.0] {
-            for (pitch_mm, hinge_off_mm) in [(22.0, -0.6), (30.0, 0.3)] {
-                let mut frame = measure::v8();
-                frame.rods.rod_diameter_mm = rod_mm;
-                frame.hub_joint.arm_pitch_mm = pitch_mm;
-                frame.hub_joint.hub_joint_diameter_mm += rod_mm - 3.0;
-                frame.motor_mount.motor_ring_diameter_mm += rod_mm - 3.0;
-                frame.motor_mount.motor_plate_diameter_mm = pitch_mm - 10.0;
-                frame.motor_mount.motor_hole_circle_mm = 6.6;
-                frame.corner.corner_hinge_thickness_mm += 0.5 * (rod_mm - 3.0) + hinge_off_mm;
-                frame.corner.corner_node_to_bottom_mm += 0.5 * (rod_mm - 3.0);
-                frame.fork.fork_cheek_gap_mm += rod_mm - 3.0;
-                for (tilt, leg) in [(15.0, 15.0), (30.0, 40.0)] {
-                    assert_sound(&format!("rods {rod_mm} mm, pitch {pitch_mm} mm"), &frame, Angle::deg(tilt), Angle::deg(leg));
-                }
-            }
+        for (rod_mm, pitch_mm, hinge_off_mm, tilt, leg) in
+            [(2.0, 22.0, -0.6, 15.0, 40.0), (2.5, 30.0, 0.3, 30.0, 15.0), (4.0, 30.0, -0.6, 30.0, 40.0)]
+        {
+            let mut frame = measure::v8();
+            frame.rods.rod_diameter_mm = rod_mm;
+            frame.hub_joint.arm_pitch_mm = pitch_mm;
+            frame.hub_joint.hub_joint_diameter_mm += rod_mm - 3.0;
+            frame.motor_mount.motor_ring_diameter_mm += rod_mm - 3.0;
+            frame.motor_mount.motor_plate_diameter_mm = pitch_mm - 10.0;
+            frame.motor_mount.motor_hole_circle_mm = 6.6;
+            frame.corner.corner_hinge_thickness_mm += 0.5 * (rod_mm - 3.0) + hinge_off_mm;
+            frame.corner.corner_node_to_bottom_mm += 0.5 * (rod_mm - 3.0);
+            frame.fork.fork_cheek_gap_mm += rod_mm - 3.0;
+            assert_sound(&format!("rods {rod_mm} mm, pitch {pitch_mm} mm"), &frame, Angle::deg(tilt), Angle::deg(leg));
         }
     }
 }

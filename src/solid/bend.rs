@@ -114,12 +114,15 @@ impl Hinge {
         // bend starts in the section's plane and turns the way the moving side does.
         let away = -self.towards.into_inner();
         let axes = Matrix3::from_columns(&[away, self.outward.into_inner(), away.cross(&self.outward)]);
-        let section_pose = posed(self.pivot, axes);
+        let section_pose = posed(self.pivot + self.towards.into_inner() * LIFT_MM, axes);
         // The kernel slices at constant z: lay y (outward) down along -z; then (x, y) are (r, z) of the revolve.
         let lay = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
         let laid = moving.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * section_pose.inverse()));
-        let contours: Vec<Vec<[f64; 2]>> =
-            laid.slice(-SECTION_INSET_MM).iter().map(|c| c.iter().map(|p| [p[0].max(0.0), p[1]]).collect()).collect();
+        let within = |p: &[f64; 2]| {
+            let r = if p[0] < LIFT_MM + WITHIN_MM { 0.0 } else { p[0] - WITHIN_MM };
+            [r, p[1] * (1.0 - WITHIN_MM / self.half_width_mm)]
+        };
+        let contours: Vec<Vec<[f64; 2]>> = laid.slice(-SECTION_INSET_MM).iter().map(|c| c.iter().map(within).collect()).collect();
         let steps = (angle.to_deg() / FACET_DEG).ceil().max(1.0);
         let segments = (360.0 / angle.to_deg() * steps).round() as u32;
         let sector = MeshSolid::revolved(&contours, segments, angle.to_deg() + 2.0 * OVERLAP_DEG);
@@ -133,6 +136,13 @@ const SECTION_INSET_MM: f64 = 0.01;
 
 /// The sweep reaches this far into both sides so that the union has no faces in common.
 const OVERLAP_DEG: f64 = 0.5;
+
+/// The swept section is this much smaller than the web's, so that the two surfaces do not graze each other, mm.
+const WITHIN_MM: f64 = 0.02;
+
+/// The sweep turns about an axis this far on the closing side, so that its inner edge is not the one in which both
+/// sides of the hinge meet, mm.
+const LIFT_MM: f64 = 0.01;
 
 /// How far the moving region reaches, mm: further than any limb.
 const REACH_MM: f64 = 60.0;
