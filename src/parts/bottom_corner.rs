@@ -114,3 +114,40 @@ impl BottomCorner {
         ])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::corner::tests::{assert_socket, web_mm};
+    use crate::parts::measure::{assert_close, assert_like, pin_mm, printed, v8};
+    use crate::solid::{MeshSolid, gate};
+
+    fn part() -> BottomCorner {
+        BottomCorner::from_frame(&v8(), Angle::deg(25.0))
+    }
+
+    #[test]
+    fn measured_bottom_corner_is_like_the_original() {
+        let mesh = printed(&part().feature(), 0);
+        assert_like(&mesh, [26.01, 26.01, 5.80], 1003.6, 0.03);
+        for direction in [Vector3::x(), Vector3::y(), strut_direction()] {
+            assert_socket(&mesh, direction, 5.0);
+        }
+        assert_socket(&mesh, -strut_direction(), 11.0);
+        assert_close("web at the strut", web_mm(&mesh, strut_direction(), 1.19), 2.9);
+        assert_close("web at the leg", web_mm(&mesh, -strut_direction(), 6.98), 2.9);
+    }
+
+    #[test]
+    fn analytic_both_folds_keep_one_body_and_open_bores() {
+        let part = part();
+        let flat = MeshSolid::build(&part.feature());
+        let bends = part.bends(Angle::deg(28.1));
+        let folded = bends.iter().fold(flat, |solid, bend| bend.apply(&solid)).to_mesh();
+        gate::pass(&folded).expect("the folded part is one closed body");
+        for (bend, direction, bottom) in [(bends[0], strut_direction(), 5.0), (bends[1], -strut_direction(), 11.0)] {
+            let inside = bend.motion() * Point3::from(direction * (bottom + 4.0));
+            assert_close("bore", pin_mm(&folded, inside.coords.into(), bend.motion() * direction), 2.7);
+        }
+    }
+}

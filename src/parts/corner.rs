@@ -132,3 +132,28 @@ impl CornerSockets {
         }
     }
 }
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use crate::parts::measure::{ahead, assert_close, hits, pin_mm};
+    use crate::solid::Mesh;
+
+    /// Bore, depth, wall and mouth of one socket.
+    pub fn assert_socket(mesh: &Mesh, direction: Vector3<f64>, bottom_mm: f64) {
+        let inside: [f64; 3] = (direction * (bottom_mm + 4.0)).into();
+        assert_close("bore", pin_mm(mesh, inside, direction), 2.7);
+        assert_close("depth to the bottom", ahead(mesh, inside, -direction), 4.0);
+        let across = hits(mesh, inside, Vector3::z());
+        assert_close("wall", across[1] - across[0], 1.55);
+        let in_wall: [f64; 3] = (direction * (bottom_mm + 4.0) - Vector3::z() * 2.1).into();
+        assert_close("mouth", ahead(mesh, in_wall, direction), 3.5);
+    }
+
+    /// Thickness of the web at a distance from the node.
+    pub fn web_mm(mesh: &Mesh, direction: Vector3<f64>, distance_mm: f64) -> f64 {
+        let below = direction * distance_mm - Vector3::z() * 9.0 + Vector3::new(0.003, 0.001, 0.0);
+        let through = hits(mesh, below.into(), Vector3::z());
+        through[1] - through[0]
+    }
+}

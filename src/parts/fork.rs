@@ -155,3 +155,31 @@ impl Fork {
         vec![bore(y), bore(-y)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
+
+    fn part() -> Fork {
+        Fork::from_frame(&v8())
+    }
+
+    #[test]
+    fn measured_fork_is_like_the_original() {
+        let mesh = printed(&part().feature(), 0);
+        assert_like(&mesh, [21.90, 31.13, 5.60], 1341.6, 0.03);
+        for y in [12.665, -12.665] {
+            assert_close("bore", pin_mm(&mesh, [-16.0, y, 0.0], Vector3::x()), 2.7);
+            assert_close("bottom", ahead(&mesh, [-16.0, y, 0.0], Vector3::x()), 16.0 - 12.506);
+            assert_close("mouth", ahead(&mesh, [-16.0, y, 2.1], -Vector3::x()), 4.006);
+        }
+        let bar = hits(&mesh, [-30.0, 0.1, 0.01], Vector3::x());
+        assert_close("bar along the arms", bar[1] - bar[0], 3.2);
+        assert_close("bar's centre", 0.5 * (bar[0] + bar[1]) - 30.0, 0.3);
+        assert_close("gap", 2.0 * ahead(&mesh, [-4.0, 0.0, 0.01], Vector3::y()), 6.13);
+        let finger = hits(&mesh, [-30.0, 4.0, 0.01], Vector3::x());
+        assert_close("finger", bar[0] - finger[0], 4.5);
+        assert_close("thickness", mesh.size_mm()[2], 5.6);
+    }
+}

@@ -172,3 +172,49 @@ impl HubJoint {
         vec![from_to(0.0, self.arm_depth_mm, y), from_to(0.0, self.arm_depth_mm, -y), from_to(self.leg_bottom_mm(), self.leg_mouth_mm, 0.0)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
+    use crate::solid::{MeshSolid, gate};
+
+    fn part() -> HubJoint {
+        HubJoint::from_frame(&v8())
+    }
+
+    #[test]
+    fn measured_hub_joint_is_like_the_original() {
+        let mesh = printed(&part().feature(), 0);
+        assert_like(&mesh, [32.13, 6.80, 30.38], 2098.1, 0.03);
+        for y in [12.665, -12.665] {
+            assert_close("arm bore", pin_mm(&mesh, [5.0, y, 0.0], Vector3::x()), 3.2);
+            assert_close("arm bottom", ahead(&mesh, [5.0, y, 0.0], -Vector3::x()), 5.0);
+            assert_close("arm mouth", ahead(&mesh, [5.0, y, 2.5], Vector3::x()), 4.5);
+            assert_close("plug", ahead(&mesh, [-4.0, y, 0.0], -Vector3::x()), 5.0);
+            let plug = hits(&mesh, [-4.0, y, -9.0], Vector3::z());
+            assert_close("plug diameter", plug[1] - plug[0], 6.8);
+            let neck = hits(&mesh, [7.8, 0.5 * y, -9.0], Vector3::z());
+            assert_close("neck", neck[1] - neck[0], 2.8);
+        }
+        assert_close("leg bore", pin_mm(&mesh, [17.0, 0.0, 0.0], Vector3::x()), 3.2);
+        assert_close("leg bottom", ahead(&mesh, [17.0, 0.0, 0.0], -Vector3::x()), 3.12);
+        assert_close("leg mouth", ahead(&mesh, [17.0, 0.0, 2.5], Vector3::x()), 4.38);
+    }
+
+    #[test]
+    fn analytic_the_necks_twist_and_the_rest_stays_rigid() {
+        let part = part();
+        let bend = part.bends(Angle::deg(28.1))[0];
+        let flat = MeshSolid::build(&part.feature());
+        let folded = bend.apply(&flat);
+        let mesh = folded.to_mesh();
+        gate::pass(&mesh).expect("the folded part is one closed body");
+        let axis = bend.motion() * Vector3::x();
+        assert!(axis.z < -0.4, "the leg points down: {axis}");
+        let inside = bend.motion() * Point3::new(17.0, 0.0, 0.0);
+        assert_close("leg bore", pin_mm(&mesh, inside.coords.into(), axis), 3.2);
+        assert_close("arm bore", pin_mm(&mesh, [5.0, 12.665, 0.0], Vector3::x()), 3.2);
+        assert!((folded.volume_mm3() / flat.volume_mm3() - 1.0).abs() < 0.01);
+    }
+}

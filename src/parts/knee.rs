@@ -166,3 +166,41 @@ impl Knee {
         Feature::intersection([plate(tee, -60.0, 60.0), along_x(outline, face - 0.85 * fillet, front)])
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
+
+    fn part() -> Knee {
+        Knee::from_frame(&v8(), Angle::deg(25.0))
+    }
+
+    #[test]
+    fn measured_knee_is_like_the_original() {
+        let mesh = printed(&part().feature(), 1);
+        assert_like(&mesh, [10.18, 12.0, 25.11], 1310.9, 0.03);
+        for up in [1.0, -1.0] {
+            let strut = Vector3::new(part().strut().x, 0.0, up * part().strut().z);
+            let inside: [f64; 3] = (strut * 8.0).into();
+            assert_close("bore", pin_mm(&mesh, inside, strut), 2.7);
+            assert_close("bottom", ahead(&mesh, inside, -strut), 3.0);
+            let beside: [f64; 3] = (strut * 8.0 + Vector3::y() * 2.0).into();
+            assert_close("mouth", ahead(&mesh, beside, strut), 12.53 - 8.0);
+        }
+        let through = hits(&mesh, [-30.0, 0.001, 0.01], Vector3::x());
+        let expected = [30.0 - 1.774, 30.0 + 1.426, 30.0 + 4.726, 30.0 + 8.406];
+        for (found, nominal) in through.iter().zip(expected) {
+            assert_close("rib, window, plate", *found, nominal);
+        }
+        assert_close("window up", ahead(&mesh, [3.076, 0.0, 0.01], Vector3::z()), 2.9);
+        assert_close("rib's width", 2.0 * ahead(&mesh, [0.2, 0.0, 0.01], Vector3::y()), 6.1);
+    }
+
+    #[test]
+    fn analytic_printed_it_stands_on_its_plate() {
+        let mesh = printed(&part().feature(), 1);
+        let turned = mesh.placed(&nalgebra::Isometry3::from_parts(nalgebra::Translation3::identity(), Knee::print_turn()));
+        assert_close("plate below", turned.bounds_mm()[0][2], -8.406);
+    }
+}

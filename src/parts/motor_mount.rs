@@ -178,3 +178,43 @@ impl MotorMount {
         holes
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::measure::{ahead, assert_close, assert_like, hits, pin_mm, printed, v8};
+
+    fn part(riser_mm: f64) -> MotorMount {
+        let mut frame = v8();
+        frame.motor_mount.motor_riser_mm = riser_mm;
+        MotorMount::from_frame(&frame)
+    }
+
+    #[test]
+    fn measured_motor_mount_is_like_the_original() {
+        let mesh = printed(&part(0.0).feature(), 7);
+        assert_like(&mesh, [15.0, 31.93, 6.6], 906.1, 0.03);
+        for y in [12.665, -12.665] {
+            assert_close("ring bore", pin_mm(&mesh, [0.5, y, 0.0], Vector3::x()), 3.2);
+            let ring = hits(&mesh, [-9.0, y, 2.5], Vector3::x());
+            assert_close("ring width", ring[1] - ring[0], 6.26);
+        }
+        let plate = hits(&mesh, [5.5, 0.1, -9.0], Vector3::z());
+        assert_close("plate", plate[1] - plate[0], 2.5);
+        assert_close("top", plate[1] - 9.0, 3.3);
+        assert_close("skirt", ahead(&mesh, [7.1, 0.1, -9.0], Vector3::z()), 9.0 - 2.2);
+        let side = hits(&mesh, [-9.0, 0.1, -1.0], Vector3::x());
+        assert_close("skirt wall", side[1] - side[0], 0.8);
+        for i in 0..4 {
+            let angle = Angle::deg(45.0 + 90.0 * f64::from(i));
+            assert_close("screw hole", pin_mm(&mesh, [4.5 * angle.cos(), 4.5 * angle.sin(), 2.0], Vector3::z()), 2.0);
+        }
+        assert_close("shaft hole", pin_mm(&mesh, [0.0, 0.0, 2.0], Vector3::z()), 4.1);
+    }
+
+    #[test]
+    fn measured_raised_mounts_are_like_the_originals() {
+        assert_like(&printed(&part(5.0).feature(), 7), [15.0, 31.93, 11.6], 1110.0, 0.03);
+        assert_like(&printed(&part(10.0).feature(), 7), [15.0, 31.93, 16.6], 1418.7, 0.10);
+    }
+}

@@ -95,3 +95,47 @@ fn fillet_outline(socket_mm: f64, fillet_mm: f64) -> Contour {
         ],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parts::corner::tests::{assert_socket, web_mm};
+    use crate::parts::measure::{assert_close, assert_like, printed, v8};
+    use crate::solid::{MeshSolid, gate};
+
+    fn part() -> TopCorner {
+        TopCorner::from_frame(&v8(), Angle::deg(25.0))
+    }
+
+    #[test]
+    fn measured_top_corner_is_like_the_original() {
+        let mesh = printed(&part().feature(), 0);
+        assert_like(&mesh, [23.39, 23.39, 5.80], 884.8, 0.03);
+        for direction in [Vector3::x(), Vector3::y(), strut_direction()] {
+            assert_socket(&mesh, direction, 5.0);
+        }
+        assert_close("web", web_mm(&mesh, strut_direction(), 1.2), 2.9);
+    }
+
+    #[test]
+    fn analytic_a_thinner_hinge_thins_the_web() {
+        let mut thin = part();
+        thin.sockets.hinge_mm = 2.0;
+        let mesh = printed(&thin.feature(), 0);
+        assert_close("web", web_mm(&mesh, strut_direction(), 1.18), 2.0);
+    }
+
+    #[test]
+    fn analytic_folding_turns_the_socket_and_keeps_one_body() {
+        let part = part();
+        let bend = part.bends()[0];
+        let folded = bend.apply(&MeshSolid::build(&part.feature())).to_mesh();
+        gate::pass(&folded).expect("the folded part is one closed body");
+        let axis = bend.motion() * strut_direction();
+        let expected = Vector3::new(libm::sin(0.436_332_313), 0.0, libm::cos(0.436_332_313));
+        assert!((axis.z - expected.z).abs() < 1e-6, "{axis}");
+        assert!((axis.x - expected.x * std::f64::consts::FRAC_1_SQRT_2).abs() < 1e-6, "{axis}");
+        let bottom = bend.motion() * Point3::from(strut_direction() * 9.0);
+        assert_close("bore", crate::parts::measure::pin_mm(&folded, bottom.coords.into(), axis), 2.7);
+    }
+}

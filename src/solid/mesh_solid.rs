@@ -92,6 +92,12 @@ impl MeshSolid {
         Self(self.0.trim_by_plane(vec3(&normal), offset_mm))
     }
 
+    /// Its largest body alone: what is left when a cut has grazed a surface.
+    pub fn largest_body(&self) -> Self {
+        let bodies = self.0.decompose();
+        Self(bodies.into_iter().max_by(|a, b| a.volume().total_cmp(&b.volume())).unwrap_or_else(Manifold::empty))
+    }
+
     /// The shortest distance to the other solid, mm, at most `reach_mm`; 0 when they touch or overlap.
     pub fn gap_mm(&self, other: &Self, reach_mm: f64) -> f64 {
         self.0.min_gap(&other.0, reach_mm)
