@@ -66,9 +66,8 @@ impl Design {
         solve_target(&mut frame)?;
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
-        let make = |name: &PartName| {
-            Printed::make(*name, &frame, &skeleton, &centre).map_err(|error| DesignError::Part { part: *name, error })
-        };
+        let make =
+            |name: &PartName| Printed::make(*name, &frame, &skeleton, &centre).map_err(|error| DesignError::Part { part: *name, error });
         let made: Vec<Result<Printed, DesignError>> = PartName::ALL.par_iter().map(make).collect();
         let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
@@ -195,8 +194,7 @@ fn bought_look(frame: &Frame, part: BoughtPart) -> Option<(String, [f32; 4])> {
 /// Replaces the rod lengths by those that give the target size.
 fn solve_target(frame: &mut Frame) -> Result<(), DesignError> {
     let Some(target) = frame.target else { return Ok(()) };
-    let envelope =
-        Envelope { width_mm: target.width_mm, height_mm: target.height_mm, strut_tilt: Angle::deg(target.strut_tilt_deg) };
+    let envelope = Envelope { width_mm: target.width_mm, height_mm: target.height_mm, strut_tilt: Angle::deg(target.strut_tilt_deg) };
     let lengths = lengths_for(&envelope, frame);
     for (value, key) in lengths.into_iter().zip(["cage_rod_length_mm", "arm_rod_length_mm", "strut_rod_length_mm"]) {
         let bounds = crate::params::groups::RodParameters::CATALOGUE.iter().find(|p| p.key == key);

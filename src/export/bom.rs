@@ -55,7 +55,8 @@ pub fn cutting_plan(design: &Design, stock_mm: f64) -> Result<Vec<Stock>, TooLon
 pub fn csv(design: &Design, masses: &MassTable) -> String {
     let mut rows = vec!["kind,name,quantity,material,length_mm,mass_each_g,mass_total_g,mass_basis,source".to_string()];
     for line in &masses.lines {
-        let length = RodRole::ALL.iter().find(|role| line.name == format!("{}_rod", role.slug())).map(|role| design.skeleton.length_mm(*role));
+        let length =
+            RodRole::ALL.iter().find(|role| line.name == format!("{}_rod", role.slug())).map(|role| design.skeleton.length_mm(*role));
         let source = design.frame.bought.get(&line.name).map(|item| item.part.source.clone());
         let source = source.or_else(|| design.frame.extras.get(&line.name).map(|extra| extra.source.clone())).unwrap_or_default();
         rows.push(format!(
@@ -89,7 +90,9 @@ fn cut_rows(design: &Design) -> Vec<String> {
                 format!("stock,{}-{},1,{},{stock_mm:.2},,,,{}", rod.name, index + 1, design.frame.rod_material.name, quoted(&how))
             })
             .collect(),
-        Err(error) => vec![format!("stock,{},0,{},{stock_mm:.2},,,,{}", rod.name, design.frame.rod_material.name, quoted(&error.to_string()))],
+        Err(error) => {
+            vec![format!("stock,{},0,{},{stock_mm:.2},,,,{}", rod.name, design.frame.rod_material.name, quoted(&error.to_string()))]
+        }
     }
 }
 

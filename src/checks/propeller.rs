@@ -1,0 +1,80 @@
+//! The discs that the propellers sweep stay clear of rods, printed parts, boards, and each other.
+//!
+//! A propeller bends and the flexible arms swing, so the limit is a distance of the resting frame. The propeller's own
+//! motor and motor mount do not count: they are what it stands on.
+
+use super::finding::{Finding, Measure};
+use super::scene::{Placed, Scene};
+use crate::assembly::Kind;
+
+/// Distances beyond this are not measured, mm.
+const REACH_MM: f64 = 30.0;
+
+/// The nearest thing of a kind to a propeller's disc.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PropellerClearance {
+    /// What kind of thing.
+    pub of: &'static str,
+    /// The disc and the body, when one is in reach.
+    pub pair: Option<[String; 2]>,
+    /// Distance, mm; the reach of the search when nothing is nearer.
+    pub gap_mm: f64,
+    /// Least distance, mm.
+    pub limit_mm: f64,
+}
+
+impl PropellerClearance {
+    fn finding(&self) -> Finding {
+        let Self { of, gap_mm, limit_mm, .. } = *self;
+        let parameter = if of == "propeller" { "motor_mount.motor_position_mm" } else { "motor_mount.propeller_height_mm" };
+        let measure = Measure { rule: "propeller_clearance", value: gap_mm, limit: limit_mm, unit: "mm", parameter };
+        let message = match &self.pair {
+            Some([disc, other]) => format!("{disc} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"),
+            None => format!("no {of} is within {gap_mm:.0} mm of a propeller, {limit_mm:.2} mm are needed"),
+        };
+        measure.at_least(format!("propeller to {of}"), message)
+    }
+}
+
+fn group(other: &Placed) -> &'static str {
+    match other.shape.kind {
+        Kind::Printed(_) => "printed part",
+        Kind::Rod(_) => "rod",
+        Kind::Motor => "motor",
+        Kind::Propeller => "propeller",
+        Kind::Bought(_) => "board or battery",
+    }
+}
+
+/// What a propeller stands on.
+fn carries(other: &Placed, propeller: &Placed) -> bool {
+    let under = other.shape.kind == Kind::Motor || other.is_part(crate::params::PartName::MotorMount);
+    under && other.body.module == propeller.body.module
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let limit_mm = scene.design.frame.limits.propeller_clearance_mm;
+    let mut pairs: Vec<_> = scene
+        .pairs()
+        .into_iter()
+        .filter_map(|(a, b)| match (a.is_propeller(), b.is_propeller()) {
+            (true, _) => Some((a, b)),
+            (false, true) => Some((b, a)),
+            _ => None,
+        })
+        .filter(|(disc, other)| !carries(other, disc))
+        .map(|(disc, other)| (disc.bounds.distance_mm(&other.bounds), disc, other))
+        .collect();
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let nearest = |of: &'static str| {
+        let mut best = PropellerClearance { of, pair: None, gap_mm: REACH_MM.max(2.0 * limit_mm), limit_mm };
+        for (_, disc, other) in pairs.iter().filter(|(.., other)| group(other) == of) {
+            let gap_mm = disc.gap_mm(other, best.gap_mm);
+            if gap_mm < best.gap_mm {
+                best = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..best };
+            }
+        }
+        best.finding()
+    };
+    ["rod", "printed part", "board or battery", "motor", "propeller"].map(nearest).into()
+}
