@@ -1,1 +1,7 @@
-fn main() {}
+//! The `flexframe` program.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    flexframe::cli::run()
+}

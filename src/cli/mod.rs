@@ -1,1 +1,52 @@
-//! The command line.
+//! The command line: the only place that prints, and that opens files for writing.
+
+mod arguments;
+mod build;
+mod output;
+mod params;
+mod session;
+
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use arguments::{Arguments, Command};
+pub use session::Failure;
+
+/// Runs the program: parses the command line, does the work, prints, and tells the shell how it went.
+///
+/// Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed.
+pub fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let code = if error.use_stderr() { 2 } else { 0 };
+            // A closed pipe while printing help is nobody's failure.
+            let _ = error.print();
+            return ExitCode::from(code);
+        }
+    };
+    match perform(&arguments) {
+        Ok(code) => code,
+        Err(failure) => {
+            eprint!("{}", failure.render());
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    match &arguments.command {
+        Command::Build(options) => build::build(options, &arguments.common),
+        Command::Params(options) => params::list(options, &arguments.common),
+        Command::Completions { shell } => {
+            clap_complete::generate(*shell, &mut Arguments::command(), "flexframe", &mut std::io::stdout());
+            Ok(ExitCode::SUCCESS)
+        }
+        Command::Man => {
+            let page = clap_mangen::Man::new(Arguments::command());
+            page.render(&mut std::io::stdout()).map_err(|error| Failure::Machine { what: "cannot print the manual page".into(), error })?;
+            Ok(ExitCode::SUCCESS)
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! What may stand on the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Flexible, printable drone frames from one parameter file.
+#[derive(Debug, Parser)]
+#[command(name = "flexframe", version, about, arg_required_else_help = true, after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+    /// How to talk about it.
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Options of every command.
+#[derive(Debug, Args)]
+pub(super) struct Common {
+    /// Say nothing but errors.
+    #[arg(short, long, global = true)]
+    pub quiet: bool,
+    /// Print the result as JSON.
+    #[arg(long, global = true)]
+    pub json: bool,
+}
+
+const EXAMPLES: &str = "Examples:
+  flexframe build                                  the default frame into out/cognifly
+  flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
+  flexframe check cognifly-v8                      exits 1: it is 1.93 mm too wide
+  flexframe render cognifly
+  flexframe params --filter arm
+
+Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// Write STL, GLB, bill of materials, manifest, report and pictures of a frame.
+    #[command(after_help = "Examples:\n  flexframe build\n  flexframe build my-frame.toml -o frames --rigid pla")]
+    Build(BuildOptions),
+    /// List every parameter with unit, default, bounds and what it drives.
+    #[command(after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json")]
+    Params(ParamsOptions),
+    /// Print a shell's completion script.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page (roff).
+    Man,
+}
+
+/// Which frame.
+#[derive(Debug, Args)]
+pub(super) struct FrameOption {
+    /// A preset's name or a TOML file.
+    #[arg(default_value = "cognifly")]
+    pub frame: String,
+    /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
+    #[arg(long, value_name = "MATERIAL")]
+    pub rigid: Option<String>,
+}
+
+/// Options of `build`.
+#[derive(Debug, Args)]
+pub(super) struct BuildOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Folder that takes the frame's folder.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Options of `params`.
+#[derive(Debug, Args)]
+pub(super) struct ParamsOptions {
+    /// Which frame's values to show.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Only keys that contain this.
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+}

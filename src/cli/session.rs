@@ -1,0 +1,98 @@
+//! From a frame's name to its design, and what can go wrong on the way.
+
+use std::io;
+
+use super::arguments::FrameOption;
+use crate::assembly::{Design, DesignError};
+use crate::params::frame_file::{Entry, Value};
+use crate::params::refusal::{Place, Reason, Refusal, Source};
+use crate::params::{Frame, FrameFile, LoadError, parameters};
+
+/// Why a command did not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// Input or usage is wrong.
+    #[error(transparent)]
+    Input(#[from] LoadError),
+    /// A value on the command line is wrong.
+    #[error("{message}")]
+    Usage {
+        /// What, and what to do.
+        message: String,
+    },
+    /// The machine failed: a disk, a permission.
+    #[error("{what}: {error}")]
+    Machine {
+        /// What was being done.
+        what: String,
+        /// What the system said.
+        error: io::Error,
+    },
+}
+
+impl Failure {
+    /// The exit code that tells a shell of it.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Input(_) | Self::Usage { .. } => 2,
+            Self::Machine { .. } => 3,
+        }
+    }
+
+    /// What a person reads.
+    pub fn render(&self) -> String {
+        match self {
+            Self::Input(LoadError::Refused(refusal)) => refusal.render(),
+            other => format!("error: {other}\n"),
+        }
+    }
+}
+
+/// Loads, resolves and designs a frame; every refusal points into the file.
+pub(super) fn design(option: &FrameOption) -> Result<Design, Failure> {
+    let (frame, file) = load(option)?;
+    Ok(Design::new(frame).map_err(|error| LoadError::Refused(refusal(&file, &error)))?)
+}
+
+/// Loads and resolves a frame with the command line's changes on top.
+pub(super) fn load(option: &FrameOption) -> Result<(Frame, FrameFile), Failure> {
+    let mut file = FrameFile::load(&option.frame)?;
+    if let Some(rigid) = &option.rigid {
+        let text = format!("--rigid {rigid}");
+        let span = 0..text.len();
+        let source = std::sync::Arc::new(Source { name: "command line".into(), text });
+        let entry = Entry { value: Value::Text(rigid.clone()), place: Place { source, span }, depth: 0 };
+        file.entries.insert("materials.rigid".into(), entry);
+    }
+    let frame = Frame::resolve(&file).map_err(LoadError::Refused)?;
+    Ok((frame, file))
+}
+
+/// A design error as a refusal of the file that caused it.
+fn refusal(file: &FrameFile, error: &DesignError) -> Refusal {
+    let message = error.to_string();
+    match error {
+        DesignError::Closure(closure) => file.refuse(closure.key(), Reason::Impossible { message, remedy: closure.remedy() }),
+        DesignError::Target { .. } => {
+            let remedy = "choose another width, height or strut_tilt_deg".into();
+            file.refuse("target.width_mm", Reason::Impossible { message, remedy })
+        }
+        DesignError::Part { part, .. } => {
+            let mut drivers: Vec<(usize, String)> = parameters()
+                .filter(|p| p.drives.contains(part))
+                .filter_map(|p| {
+                    let key = format!("{}.{}", p.table, p.key);
+                    file.entries.get(&key).map(|entry| (entry.depth, key))
+                })
+                .collect();
+            drivers.sort();
+            let nearest = drivers.first().map_or(String::new(), |(_, key)| key.clone());
+            let own: Vec<&str> = drivers.iter().filter(|(depth, _)| *depth == 0).map(|(_, key)| key.as_str()).collect();
+            let remedy = match own[..] {
+                [] => format!("its parameters contradict each other; `flexframe params` lists those that drive {part}"),
+                _ => format!("change one of those that this file sets for it: {}", own.join(", ")),
+            };
+            file.refuse(&nearest, Reason::Impossible { message, remedy })
+        }
+    }
+}
