@@ -2,6 +2,7 @@
 
 use nalgebra::{Isometry3, Matrix3, Point3, Rotation3, Translation3, Unit, UnitQuaternion, Vector3};
 
+use super::feature::Feature;
 use super::mesh_solid::MeshSolid;
 use crate::units::Angle;
 
@@ -83,16 +84,19 @@ struct Hinge {
 
 impl Hinge {
     fn bent(&self, flat: &MeshSolid, angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
-        let moving = self.moving_side(flat);
-        let still = flat.minus(&moving);
+        let region = self.moving_region(flat);
+        let (moving, still) = (flat.intersection(&region), flat.minus(&region));
         still.union(&moving.placed(motion)).union(&self.swept_web(&moving, angle))
     }
 
-    /// What lies beyond the pivot, between two planes that open outwards from the moving side's edges at the pivot:
-    /// other limbs of the part may reach beyond the pivot too, but not between these.
-    fn moving_side(&self, flat: &MeshSolid) -> MeshSolid {
+    /// The room beyond the pivot, between two planes that open outwards from the moving side's edges at the pivot:
+    /// other limbs of the part may reach beyond the pivot too, but not between these. Both sides are cut by this room:
+    /// to subtract the moving side itself, all of whose other faces are the part's, leaves films of no volume.
+    fn moving_region(&self, flat: &MeshSolid) -> MeshSolid {
         let axis = self.outward.cross(&self.towards);
-        let beyond = flat.half(self.outward.into_inner(), self.outward.dot(&self.pivot.coords));
+        let [low, high] = flat.bounds_mm();
+        let room = Feature::cuboid_between(low.map(|c| c - AROUND_MM), high.map(|c| c + AROUND_MM));
+        let beyond = MeshSolid::build(&room).half(self.outward.into_inner(), self.outward.dot(&self.pivot.coords));
         [axis, -axis].iter().fold(beyond, |side, across| {
             let inward = self.outward.into_inner() * OPENING - across;
             let edge = self.pivot + across * self.half_width_mm;
@@ -121,6 +125,9 @@ impl Hinge {
         sector.placed(&(section_pose * Isometry3::from_parts(Translation3::identity(), start)))
     }
 }
+
+/// The room that is cut out reaches this far around the part, mm.
+const AROUND_MM: f64 = 10.0;
 
 /// The section is taken this far on the moving side of the pivot, where no other limb of the part is met, mm.
 const SECTION_INSET_MM: f64 = 0.01;
