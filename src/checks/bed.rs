@@ -58,3 +58,24 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let printer = &scene.design.frame.printer;
     scene.design.printed.iter().map(|part| BedUse::of(part, printer).finding()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+    use crate::params::PartName;
+
+    #[test]
+    fn planted_beds_too_small_and_too_low() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        let hub = frame.design.part(PartName::Hub).expect("has a hub").mesh.size_mm();
+        frame.design.frame.printer.size_mm = [hub[0] - 1.0, 300.0];
+        assert_eq!(violated(&frame.found(check)).iter().map(|f| f.subject.as_str()).collect::<Vec<_>>(), ["hub"]);
+        frame.design.frame.printer.size_mm = [hub[0] + 1.0, hub[0] + 1.0];
+        frame.design.frame.printer.bed = Bed::Round;
+        assert!(violated(&frame.found(check)).iter().any(|f| f.subject == "hub"));
+        frame.design.frame.printer.height_mm = 1.0;
+        assert_eq!(violated(&frame.found(check)).len(), frame.design.printed.len());
+    }
+}

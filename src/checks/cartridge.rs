@@ -150,3 +150,37 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(meetings(scene));
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_sensor_behind_the_sleeve() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.move_body("flow_sensor", [0.0, -110.0, -5.0]);
+        let found = frame.found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "battery past flow_sensor"), "{found:?}");
+        assert!(violated(&found).iter().any(|f| f.subject == "battery_lid past flow_sensor"), "{found:?}");
+    }
+
+    #[test]
+    fn planted_a_lid_that_stays_open() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("battery_lid", [0.0, -0.5, 0.0]);
+        frame.move_body("magnet_lid", [0.0, -0.5, 0.0]);
+        let found = frame.found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["end stop: the rims of lid and sleeve", "end stop: the magnets"]);
+    }
+
+    #[test]
+    fn planted_a_lid_caught_by_the_bracket() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("battery_bracket", [0.0, 0.0, -1.0]);
+        let found = frame.found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "battery_lid past battery_bracket"), "{found:?}");
+    }
+}

@@ -33,3 +33,18 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limit_mm = scene.design.frame.limits.centre_of_mass_offset_mm;
     vec![CentreOffset { offset_mm: [x - middle[0], y - middle[1]], limit_mm }.finding()]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_centre_of_mass_at_the_front() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.masses.centre_of_mass_mm = [0.0, 8.0, 0.0];
+        let found = frame.found(check);
+        assert!(violated(&found).len() == 1 && (found[0].margin + 2.0).abs() < 1e-9, "{found:?}");
+    }
+}

@@ -75,3 +75,25 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     }
     nearest.values().map(RodClearance::finding).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_limit_that_the_fork_breaks() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+        let found = Planted::frame(|frame| frame.limits.part_clearance_mm = 1.5).found(check);
+        let broken = violated(&found);
+        assert!(broken.len() == 1 && broken[0].subject.starts_with("strut_FR") && broken[0].subject.ends_with("to fork_FR"), "{broken:?}");
+    }
+
+    #[test]
+    fn planted_a_knee_on_a_leg() {
+        let mut frame = Planted::frame(|frame| frame.limits.part_clearance_mm = 0.2);
+        let leg = frame.design.bodies.iter().position(|b| b.name == "leg_FR").expect("has legs");
+        frame.design.bodies[leg].pose.translation.vector += nalgebra::Vector3::new(30.0, 30.0, 20.0);
+        assert!(!violated(&frame.found(check)).is_empty());
+    }
+}

@@ -43,3 +43,28 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn measured_the_real_frame_is_too_wide_by_1_93_mm() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        let broken = violated(&found);
+        assert_eq!(broken.iter().map(|f| f.subject.as_str()).collect::<Vec<_>>(), ["width without propellers", "depth without propellers"]);
+        assert!(broken.iter().all(|f| (f.value - 211.93).abs() < 0.02 && (f.margin + 1.93).abs() < 0.02), "{broken:?}");
+    }
+
+    #[test]
+    fn regress_the_default_frame_fits() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+    }
+
+    #[test]
+    fn planted_a_frame_that_is_too_high() {
+        let found = Planted::frame(|frame| frame.limits.envelope_height_mm = 100.0).found(check);
+        assert_eq!(violated(&found)[0].subject, "height without propellers");
+    }
+}

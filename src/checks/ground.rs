@@ -34,3 +34,21 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limit_mm = scene.design.frame.limits.ground_clearance_mm;
     vec![GroundClearance { lowest: lowest.body.name.clone(), clearance_mm, limit_mm }.finding()]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn measured_the_real_frame_keeps_10_9_mm() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        assert!((found[0].value - 10.9).abs() < 0.05 && found[0].margin > 0.0, "{found:?}");
+    }
+
+    #[test]
+    fn planted_a_higher_bay() {
+        let found = Planted::frame(|frame| frame.bracket.bay_height_mm += 8.0).found(check);
+        assert_eq!(violated(&found).len(), 1, "{found:?}");
+    }
+}

@@ -115,3 +115,29 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     ];
     hinges.iter().map(HingeStrain::finding).chain([notch.finding()]).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn analytic_a_web_as_thick_as_the_socket_is_strained_by_half_the_fold() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        assert!((found[0].value - 50.0 * Angle::deg(115.0).to_rad()).abs() < 0.1, "{found:?}");
+        assert_eq!(violated(&found), []);
+    }
+
+    #[test]
+    fn analytic_torsion_of_a_square_bar() {
+        // Timoshenko: largest stress T / (0.208 a^3), stiffness 0.1406 a^4: 0.1406 / 0.208 = 0.676.
+        assert!((torsion_factor(1.0, 1.0) - 0.676).abs() < 0.01, "{}", torsion_factor(1.0, 1.0));
+    }
+
+    #[test]
+    fn planted_a_thin_web() {
+        let found = Planted::frame(|frame| frame.corner.corner_hinge_thickness_mm = 1.6).found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["top corner strut", "bottom corner strut"]);
+    }
+}

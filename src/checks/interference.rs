@@ -103,3 +103,36 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.push(SharedVolume { pair, volume_mm3: most, limit_mm3: TOUCH_MM3, parameter: "limits.part_clearance_mm" }.finding());
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_motor_in_its_mount() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.move_body("motor_FR", [0.0, 0.0, -0.5]);
+        let found = frame.found(check);
+        let broken = violated(&found);
+        assert!(broken.len() == 1 && broken[0].subject == "motor_mount_FR and motor_FR" && broken[0].value > 10.0, "{broken:?}");
+    }
+
+    #[test]
+    fn planted_a_rod_pushed_too_deep() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("cage_FR_top", [-1.0, 0.0, 0.0]);
+        assert!(violated(&frame.found(check)).iter().any(|f| f.subject.contains("cage_FR_top")));
+    }
+
+    #[test]
+    fn analytic_the_hub_turns_with_the_modules() {
+        let frame = Planted::preset("cognifly");
+        let hub = &frame.design.part(PartName::Hub).expect("has a hub").folded;
+        let turn = nalgebra::UnitQuaternion::from_axis_angle(&nalgebra::Vector3::z_axis(), std::f64::consts::FRAC_PI_2);
+        let turned = hub.placed(&nalgebra::Isometry3::from_parts(Default::default(), turn));
+        // Some of its faces are sunk by hundredths of a millimetre to keep them apart, not the same ones on all sides.
+        assert!(hub.minus(&turned).volume_mm3() < 1e-3 * hub.volume_mm3(), "{}", hub.minus(&turned).volume_mm3());
+    }
+}

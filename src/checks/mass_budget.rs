@@ -29,3 +29,16 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (total_g, estimated_g) = (scene.masses.total_g, scene.masses.estimated_g);
     vec![TakeOffMass { total_g, estimated_g, limit_g: scene.design.frame.limits.mass_budget_g }.finding()]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_heavy_battery() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+        let found = Planted::frame(|frame| frame.battery.battery_mass_g += 100.0).found(check);
+        assert_eq!(violated(&found).len(), 1, "{found:?}");
+    }
+}

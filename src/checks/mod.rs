@@ -65,4 +65,6 @@ pub fn check(design: &Design, masses: &MassTable) -> Vec<Finding> {
 }
 
 #[cfg(test)]
+mod planted;
+#[cfg(test)]
 mod tests;

@@ -78,3 +78,24 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     };
     ["rod", "printed part", "board or battery", "motor", "propeller"].map(nearest).into()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn analytic_neighbours_pass_at_the_difference_of_pitch_and_diameter() {
+        let found = Planted::preset("cognifly").found(check);
+        let mount = &Planted::preset("cognifly").design.frame.motor_mount;
+        let expected = mount.motor_position_mm * std::f64::consts::SQRT_2 - mount.propeller_diameter_mm;
+        let neighbour = found.iter().find(|f| f.subject == "propeller to propeller").expect("is measured");
+        assert!((neighbour.value - expected).abs() < 0.1 && neighbour.margin > 0.0, "{neighbour:?}");
+    }
+
+    #[test]
+    fn planted_propellers_that_overlap() {
+        let found = Planted::frame(|frame| frame.motor_mount.motor_position_mm = 52.0).found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "propeller to propeller" && f.value == 0.0), "{found:?}");
+    }
+}

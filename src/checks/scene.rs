@@ -1,13 +1,15 @@
 //! The assembly as the rules see it: every body in its place, with its box.
 
-use nalgebra::Isometry3;
+use std::borrow::Cow;
+
+use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
 
 use super::bounds::Bounds;
 use crate::assembly::mass::MassTable;
 use crate::assembly::{Body, Design, Kind, Shape};
 use crate::params::PartName;
-use crate::solid::MeshSolid;
+use crate::solid::{Feature, MeshSolid};
 
 /// A body in its place.
 pub(super) struct Placed<'a> {
@@ -33,20 +35,49 @@ impl Placed<'_> {
 
     /// Shortest distance to another body, mm, at most the reach.
     pub fn gap_mm(&self, other: &Placed, reach_mm: f64) -> f64 {
-        if self.bounds.distance_mm(&other.bounds) >= reach_mm {
-            return reach_mm;
-        }
-        self.solid.gap_mm(&other.solid, reach_mm)
+        self.both_near(other, reach_mm).map_or(reach_mm, |(a, b)| a.gap_mm(&b, reach_mm))
     }
 
     /// Volume in common, mm³.
     pub fn shared_mm3(&self, other: &Placed) -> f64 {
-        if self.bounds.distance_mm(&other.bounds) > 0.0 {
-            return 0.0;
+        self.both_near(other, 0.0).map_or(0.0, |(a, b)| a.intersection(&b).volume_mm3())
+    }
+
+    /// Both bodies, as far as they can be within reach of each other, in axes along which long facets lie: the boxes by
+    /// which the kernel sorts facets are then small. Distances and volumes are the same in all axes.
+    fn both_near(&self, other: &Placed, reach_mm: f64) -> Option<(MeshSolid, MeshSolid)> {
+        if self.bounds.distance_mm(&other.bounds) > reach_mm {
+            return None;
         }
-        self.solid.intersection(&other.solid).volume_mm3()
+        let leading = [self, other].into_iter().min_by_key(|p| p.rank()).filter(|p| p.body.module.is_some());
+        let axes = leading.map_or_else(Isometry3::identity, |p| p.body.pose.inverse());
+        Some((self.near(other, reach_mm)?.placed(&(axes * self.body.pose)), other.near(self, reach_mm)?.placed(&(axes * other.body.pose))))
+    }
+
+    /// Whose axes two bodies are compared in: the smaller's.
+    fn rank(&self) -> u8 {
+        match (&self.shape.kind, self.body.module) {
+            (Kind::Rod(_), _) => 0,
+            (Kind::Printed(_), Some(_)) => 1,
+            _ => 2,
+        }
+    }
+
+    /// What of this can be within reach of the other's box, in its own axes: of a rod only that length.
+    fn near(&self, other: &Placed, reach_mm: f64) -> Option<Cow<'_, MeshSolid>> {
+        if !matches!(self.shape.kind, Kind::Rod(_)) {
+            return Some(Cow::Borrowed(&self.shape.solid));
+        }
+        let [_, [radius, _, length]] = self.shape.solid.bounds_mm();
+        let [start, end] = [0.0, length].map(|z| self.body.pose * Point3::new(0.0, 0.0, z));
+        let [from, to] = other.bounds.crossed_by(&start, &end, reach_mm + radius)?;
+        let (from, to) = ((from * length - END_MM).max(0.0), (to * length + END_MM).min(length));
+        Some(Cow::Owned(MeshSolid::build(&Feature::cylinder(radius, to - from).at(0.0, 0.0, from))))
     }
 }
+
+/// A rod's piece is longer by this at both ends than it must be, mm.
+const END_MM: f64 = 0.5;
 
 /// Everything the rules read.
 pub(super) struct Scene<'a> {
@@ -76,13 +107,14 @@ impl<'a> Scene<'a> {
     }
 
     /// Pairs of bodies that stand for all pairs: the four modules are one, turned, so of two modules' bodies one may
-    /// be taken from the first; the centre is not symmetric and is paired with everything.
+    /// be taken from the first. The hub turns with the modules; the rest of the centre is paired with everything.
     pub fn pairs(&self) -> Vec<(&Placed<'a>, &Placed<'a>)> {
         let mut pairs = Vec::new();
         for (i, a) in self.placed.iter().enumerate() {
             for b in &self.placed[i + 1..] {
                 let modules = [a.body.module, b.body.module];
-                if modules.contains(&None) || modules.contains(&Some(0)) {
+                let apart = [a, b].iter().any(|p| p.body.module.is_none() && !p.is_part(PartName::Hub)) || modules == [None, None];
+                if apart || modules.contains(&Some(0)) {
                     pairs.push((a, b));
                 }
             }

@@ -93,12 +93,13 @@ impl SocketGeometry {
         let along = (other - end).normalize();
         let length = socket.engagement_mm(end) - 2.0 * END_MM;
         let start = end + along * END_MM;
-        let pin = |diameter: f64| placed_pin(start, along, 0.5 * diameter, length);
-        let met = |diameter: f64| pin(diameter).intersection(&part.solid).volume_mm3();
-        let wide = socket.bore_mm + WIDER_MM;
-        let ring = pin(wide).volume_mm3() - pin(socket.bore_mm).volume_mm3();
-        let wall_share = met(wide) / ring.max(f64::MIN_POSITIVE);
-        Some(Self { pair: [rod.name.clone(), part.body.name.clone()], met_mm3: met(socket.bore_mm - THINNER_MM), wall_share })
+        let pin = |diameter: f64| MeshSolid::build(&Feature::cylinder(0.5 * diameter, length));
+        let (wide, thin) = (pin(socket.bore_mm + WIDER_MM), pin(socket.bore_mm - THINNER_MM));
+        let ring = wide.volume_mm3() - pin(socket.bore_mm).volume_mm3();
+        let wall = wide.intersection(&part.shape.solid.placed(&(pin_pose(start, along).inverse() * part.body.pose)));
+        let met_mm3 = thin.intersection(&wall).volume_mm3();
+        let wall_share = wall.volume_mm3() / ring.max(f64::MIN_POSITIVE);
+        Some(Self { pair: [rod.name.clone(), part.body.name.clone()], met_mm3, wall_share })
     }
 
     fn findings(&self, parameter: &'static str) -> [Finding; 2] {
@@ -122,11 +123,11 @@ fn ends(rod: &Rod, at: usize) -> (&Socket, &Point3<f64>, &Point3<f64>) {
     if at == 0 { (&rod.sockets[0], &rod.start, &rod.end) } else { (&rod.sockets[1], &rod.end, &rod.start) }
 }
 
-fn placed_pin(start: Point3<f64>, along: Vector3<f64>, radius_mm: f64, length_mm: f64) -> MeshSolid {
+/// From the pin's axes, z along the rod, to the frame's.
+fn pin_pose(start: Point3<f64>, along: Vector3<f64>) -> Isometry3<f64> {
     let turn = UnitQuaternion::rotation_between(&Vector3::z(), &along)
         .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-    let pose = Isometry3::from_parts(Translation3::from(start.coords), turn);
-    MeshSolid::build(&Feature::cylinder(radius_mm, length_mm)).placed(&pose)
+    Isometry3::from_parts(Translation3::from(start.coords), turn)
 }
 
 /// The key of a socket's depth.
@@ -155,4 +156,40 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     };
     let found: Vec<Vec<Finding>> = all.par_iter().map(per_end).collect();
     found.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_an_arm_that_hardly_reaches_the_fork() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+        let found = Planted::frame(|frame| frame.rods.arm_rod_slack_mm = 4.0).found(check);
+        let broken = violated(&found);
+        assert_eq!(broken.len(), 8, "{broken:?}");
+        assert!(broken.iter().all(|f| f.subject.ends_with("fork: engagement") && (f.value - 3.5).abs() < 1e-9), "{broken:?}");
+    }
+
+    #[test]
+    fn planted_a_knee_off_its_place() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("knee_FR", [0.2, -0.2, 0.0]);
+        let found = frame.found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["strut_FR_top in knee_FR: bore", "strut_FR_bottom in knee_FR: bore"]);
+    }
+
+    #[test]
+    fn planted_a_rod_at_an_angle_and_through_the_bottom() {
+        let frame = Planted::preset("cognifly");
+        let mut rod = frame.design.skeleton.rods[0].clone();
+        let axis = rod.sockets[0].axis.into_inner();
+        rod.start -= axis * 0.3;
+        rod.end += axis.cross(&Vector3::z()) * (0.005 * rod.length_mm());
+        let broken = SeatedEnd::of(&rod, 0, 4.0).findings("rods.cage_rod_length_mm").map(|f| f.verdict);
+        use crate::checks::Verdict::{Holds, Violated};
+        assert_eq!(broken, [Holds, Violated, Violated]);
+    }
 }

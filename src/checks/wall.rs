@@ -122,3 +122,21 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
     scene.design.printed.par_iter().map(|part| ThinnestWall::of(part, limit_mm).finding()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn measured_the_real_frame_has_two_walls_too_thin() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| (f.subject.clone(), (100.0 * f.value).round())).collect();
+        assert_eq!(broken, [("motor_mount".to_string(), 80.0), ("battery_bracket".to_string(), 85.0)]);
+    }
+
+    #[test]
+    fn regress_the_default_frame_has_none() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+    }
+}
