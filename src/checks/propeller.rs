@@ -1,7 +1,8 @@
 //! The discs that the propellers sweep stay clear of rods, printed parts, boards, and each other.
 //!
 //! A propeller bends and the flexible arms swing, so the limit is a distance of the resting frame. The propeller's own
-//! motor and motor mount do not count: they are what it stands on.
+//! motor and motor mount do not count: they are what it stands on. Of each kind the nearest is reported, or all that are
+//! too near; what the four modules repeat is reported once.
 
 use super::finding::{Finding, Measure};
 use super::scene::{Placed, Scene};
@@ -10,7 +11,7 @@ use crate::assembly::Kind;
 /// Distances beyond this are not measured, mm.
 const REACH_MM: f64 = 30.0;
 
-/// The nearest thing of a kind to a propeller's disc.
+/// The nearest thing of a kind to, or one that is too near to, a propeller's disc.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PropellerClearance {
     /// What kind of thing.
@@ -32,7 +33,11 @@ impl PropellerClearance {
             Some([disc, other]) => format!("{disc} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"),
             None => format!("no {of} is within {gap_mm:.0} mm of a propeller, {limit_mm:.2} mm are needed"),
         };
-        measure.at_least(format!("propeller to {of}"), message)
+        let subject = match &self.pair {
+            Some([disc, other]) if gap_mm < limit_mm => format!("{disc} to {other}"),
+            _ => format!("propeller to {of}"),
+        };
+        measure.at_least(subject, message)
     }
 }
 
@@ -66,17 +71,22 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         .map(|(disc, other)| (disc.bounds.distance_mm(&other.bounds), disc, other))
         .collect();
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let nearest = |of: &'static str| {
-        let mut best = PropellerClearance { of, pair: None, gap_mm: REACH_MM.max(2.0 * limit_mm), limit_mm };
+    let by_group = |of: &'static str| {
+        let nothing = PropellerClearance { of, pair: None, gap_mm: REACH_MM.max(2.0 * limit_mm), limit_mm };
+        let (mut nearest, mut broken) = (nothing.clone(), Vec::new());
         for (_, disc, other) in pairs.iter().filter(|(.., other)| group(other) == of) {
-            let gap_mm = disc.gap_mm(other, best.gap_mm);
-            if gap_mm < best.gap_mm {
-                best = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..best };
+            let gap_mm = disc.gap_mm(other, nearest.gap_mm.max(limit_mm));
+            let found = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..nothing };
+            if gap_mm < limit_mm {
+                broken.push(found.finding());
+            }
+            if gap_mm < nearest.gap_mm {
+                nearest = found;
             }
         }
-        best.finding()
+        if broken.is_empty() { vec![nearest.finding()] } else { broken }
     };
-    ["rod", "printed part", "board or battery", "motor", "propeller"].map(nearest).into()
+    ["rod", "printed part", "board or battery", "motor", "propeller"].into_iter().flat_map(by_group).collect()
 }
 
 #[cfg(test)]
@@ -96,6 +106,6 @@ mod tests {
     #[test]
     fn planted_propellers_that_overlap() {
         let found = Planted::frame(|frame| frame.motor_mount.motor_position_mm = 52.0).found(check);
-        assert!(violated(&found).iter().any(|f| f.subject == "propeller to propeller" && f.value == 0.0), "{found:?}");
+        assert!(violated(&found).iter().any(|f| f.subject == "propeller_FR to propeller_FL" && f.value == 0.0), "{found:?}");
     }
 }
