@@ -1,1 +1,70 @@
-//! The rules that a frame is held to.
+//! The frame against its limits: one rule a file, each a struct that holds the numbers of what it found.
+//!
+//! Rules measure the assembled bodies, not the parameters that made them. What holds is reported too, with its margin.
+
+mod bed;
+mod bounds;
+mod cartridge;
+mod centre_of_mass;
+mod clearance;
+mod envelope;
+mod finding;
+mod ground;
+mod hinge;
+mod interference;
+mod mass_budget;
+mod propeller;
+mod scene;
+mod seating;
+mod wall;
+
+pub use bed::BedUse;
+pub use cartridge::{CartridgeMeeting, CartridgePassage};
+pub use centre_of_mass::CentreOffset;
+pub use clearance::RodClearance;
+pub use envelope::Extent;
+pub use finding::{Finding, Verdict};
+pub use ground::GroundClearance;
+pub use hinge::{HingeStrain, NotchPreload};
+pub use interference::SharedVolume;
+pub use mass_budget::TakeOffMass;
+pub use propeller::PropellerClearance;
+pub use seating::{SeatedEnd, SocketGeometry};
+pub use wall::ThinnestWall;
+
+use rayon::prelude::*;
+
+use crate::assembly::Design;
+use crate::assembly::mass::MassTable;
+use scene::Scene;
+
+/// A rule: what it finds in a frame.
+type Rule = fn(&Scene) -> Vec<Finding>;
+
+/// Every rule, in the order of the report.
+const RULES: [Rule; 12] = [
+    envelope::check,
+    mass_budget::check,
+    centre_of_mass::check,
+    propeller::check,
+    clearance::check,
+    seating::check,
+    interference::check,
+    ground::check,
+    hinge::check,
+    wall::check,
+    cartridge::check,
+    bed::check,
+];
+
+/// Holds a design against its limits. The order of the findings depends on the design only.
+pub fn check(design: &Design, masses: &MassTable) -> Vec<Finding> {
+    let scene = Scene::new(design, masses);
+    let found: Vec<Vec<Finding>> = RULES.par_iter().map(|rule| rule(&scene)).collect();
+    found.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod planted;
+#[cfg(test)]
+mod tests;

@@ -52,7 +52,7 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
         println!("{text}");
         return Ok(ExitCode::SUCCESS);
     }
-    println!("{:<48} {:>9} {:>9}  {:<18} {}", "key", "value", "default", "bounds", "what it is; what it drives");
+    println!("{:<48} {:>9} {:>9}  {:<18} what it is; what it drives", "key", "value", "default", "bounds");
     for row in &rows {
         let number = |value: Option<f64>| value.map_or("bought".into(), |value| format!("{value}"));
         let bounds = format!("{} to {} {}", row.min, row.max, row.unit);

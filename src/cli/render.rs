@@ -12,10 +12,8 @@ use crate::report::scene;
 pub(super) fn render(options: &RenderOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("drawing", common);
     let design = session::design(&options.frame)?;
-    let files: Vec<(String, Vec<u8>)> = scene::pictures(&design)
-        .into_iter()
-        .map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes))
-        .collect();
+    let files: Vec<(String, Vec<u8>)> =
+        scene::pictures(&design).into_iter().map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes)).collect();
     drop(working);
     let place = output::write_folder(&options.output, &format!("{}-pictures", design.frame.name), &files)?;
     if common.json {

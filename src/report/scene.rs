@@ -17,15 +17,10 @@ const ROOM_MM: f64 = 4.0;
 
 /// Every picture, path and PNG bytes.
 pub fn pictures(design: &Design) -> Vec<(String, Vec<u8>)> {
-    let mut jobs: Vec<Job> = [
-        ("front", View::Front),
-        ("right", View::Right),
-        ("top", View::Top),
-        ("perspective", View::Perspective),
-    ]
-    .into_iter()
-    .map(|(name, view)| Job::Assembled(name, view))
-    .collect();
+    let mut jobs: Vec<Job> = [("front", View::Front), ("right", View::Right), ("top", View::Top), ("perspective", View::Perspective)]
+        .into_iter()
+        .map(|(name, view)| Job::Assembled(name, view))
+        .collect();
     jobs.push(Job::Bed);
     jobs.extend(design.printed.iter().map(Job::Part));
     jobs.par_iter().map(|job| job.draw(design)).collect()

@@ -25,7 +25,9 @@ pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], pictu
     limits(&mut page, findings);
     if pictures {
         page.push_str("## Pictures\n\n| front | right | top |\n|---|---|---|\n");
-        page.push_str("| ![front](pictures/assembled_front.png) | ![right](pictures/assembled_right.png) | ![top](pictures/assembled_top.png) |\n\n");
+        page.push_str(
+            "| ![front](pictures/assembled_front.png) | ![right](pictures/assembled_right.png) | ![top](pictures/assembled_top.png) |\n\n",
+        );
         page.push_str("All parts as they are printed:\n\n![flat](pictures/flat_on_bed.png)\n");
     }
     page
@@ -53,7 +55,12 @@ fn geometry(page: &mut String, design: &Design, masses: &MassTable) {
     let i = masses.inertia_g_mm2;
     let _ = writeln!(page, "| inertia about it, Ixx, Iyy, Izz | {:.0}, {:.0}, {:.0} g mm² |", i[0][0], i[1][1], i[2][2]);
     let _ = writeln!(page, "| strut tilt, leg slope | {:.1}°, {:.1}° |", c.strut_tilt.to_deg(), c.leg_tilt.to_deg());
-    let _ = writeln!(page, "| folds: struts at the corners, legs at both ends | {:.1}°, {:.1}° |", 90.0 + c.strut_tilt.to_deg(), c.leg_tilt.to_deg());
+    let _ = writeln!(
+        page,
+        "| folds: struts at the corners, legs at both ends | {:.1}°, {:.1}° |",
+        90.0 + c.strut_tilt.to_deg(),
+        c.leg_tilt.to_deg()
+    );
     page.push('\n');
 }
 
@@ -96,7 +103,11 @@ fn rods(page: &mut String, design: &Design) {
 fn weights(page: &mut String, masses: &MassTable) {
     page.push_str("## Mass\n\n| what | pieces | g each | g | how it is known |\n|---|---|---|---|---|\n");
     for line in &masses.lines {
-        let _ = writeln!(page, "| {} {} | {} | {:.2} | {:.2} | {} |", line.name, line.material, line.quantity, line.each_g, line.total_g, line.basis);
+        let _ = writeln!(
+            page,
+            "| {} {} | {} | {:.2} | {:.2} | {} |",
+            line.name, line.material, line.quantity, line.each_g, line.total_g, line.basis
+        );
     }
     let _ = writeln!(page, "| **total** | | | **{:.1}** | |\n", masses.total_g);
 }

@@ -18,7 +18,7 @@ impl Mesh {
     /// corners and triangles in an order that depends on the shape only.
     pub fn canonical(positions: &[Point3<f64>], triangles: &[[u32; 3]]) -> Self {
         let rounded: Vec<[f32; 3]> = positions.iter().map(|p| [clean(p.x), clean(p.y), clean(p.z)]).collect();
-        let key = |p: &[f32; 3]| p.map(|c| ordered_bits(c));
+        let key = |p: &[f32; 3]| p.map(ordered_bits);
         let mut order: BTreeMap<[u32; 3], [f32; 3]> = BTreeMap::new();
         for triangle in triangles {
             for &corner in triangle {

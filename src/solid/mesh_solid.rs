@@ -19,6 +19,15 @@ const MELT_MM: f64 = 0.001;
 #[derive(Clone)]
 pub struct MeshSolid(Manifold);
 
+/// Where a line meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The point, mm.
+    pub at: Point3<f64>,
+    /// The surface's direction there, outwards.
+    pub normal: Vector3<f64>,
+}
+
 impl MeshSolid {
     /// Builds a feature tree; an impossible one (a negative height, an empty result) comes out empty.
     pub fn build(feature: &Feature) -> Self {
@@ -101,6 +110,18 @@ impl MeshSolid {
     /// The shortest distance to the other solid, mm, at most `reach_mm`; 0 when they touch or overlap.
     pub fn gap_mm(&self, other: &Self, reach_mm: f64) -> f64 {
         self.0.min_gap(&other.0, reach_mm)
+    }
+
+    /// Where a straight line first meets the surface.
+    pub fn first_hit(&self, from: Point3<f64>, to: Point3<f64>) -> Option<Hit> {
+        let point = |v: Vec3| Vector3::new(v.x, v.y, v.z);
+        let hits = self.0.ray_cast(vec3(&from.coords), vec3(&to.coords));
+        hits.first().map(|hit| Hit { at: point(hit.position).into(), normal: point(hit.normal) })
+    }
+
+    /// The smallest convex solid around this and the other.
+    pub fn hull_with(&self, other: &Self) -> Self {
+        Self(Manifold::hull_manifolds(&[self.0.clone(), other.0.clone()]))
     }
 
     /// Contours of the cut at a height z, mm: outer ones counter-clockwise, holes clockwise.

@@ -14,5 +14,5 @@ pub use bend::Bend;
 pub use brep::Brep;
 pub use feature::Feature;
 pub use mesh::Mesh;
-pub use mesh_solid::{MeshSolid, SEGMENTS_PER_TURN};
+pub use mesh_solid::{Hit, MeshSolid, SEGMENTS_PER_TURN};
 pub use profile::{Contour, Profile, Segment};

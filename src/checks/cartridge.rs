@@ -1,0 +1,186 @@
+//! The battery changes quickly: lid, battery, plug and magnet slide out of the sleeve to the rear in one piece, in the
+//! assembled frame, and pushed in again they meet what they belong to.
+//!
+//! The way out is tested in two steps. Until the lid has left the bracket the cartridge is moved in small steps and cut
+//! with what its path touches; after that each piece's convex hull, swept on to the end of the way, is (which is more
+//! than the piece sweeps, so it errs to the safe side). The battery, a convex body, is swept over the whole way.
+
+use rayon::prelude::*;
+
+use super::finding::{Finding, Measure};
+use super::scene::{Placed, Scene};
+use crate::assembly::Kind;
+use crate::params::PartName;
+use crate::solid::MeshSolid;
+
+/// What slides: by kind.
+const CARTRIDGE: [&str; 3] = ["battery", "connector_lid", "magnet_lid"];
+/// Step while the lid is at the bracket, mm.
+const STEP_MM: f64 = 2.0;
+/// First step, that frees faces in contact, mm.
+const FIRST_MM: f64 = 0.05;
+/// Volume that sliding faces may share by rounding, mm³.
+const TOUCH_MM3: f64 = 0.05;
+/// Faces nearer than this meet, mm.
+const MEET_MM: f64 = 0.1;
+
+/// What is in the cartridge's way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CartridgePassage {
+    /// Its piece and what that meets, when something is in the way.
+    pub pair: Option<[String; 2]>,
+    /// The volume that they share, mm³.
+    pub shared_mm3: f64,
+    /// Length of the way out, mm.
+    pub way_mm: f64,
+}
+
+impl CartridgePassage {
+    fn finding(&self) -> Finding {
+        let Self { pair, shared_mm3, way_mm } = self;
+        let parameter = "battery.battery_clearance_across_mm";
+        let measure = Measure { rule: "battery_slide", value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", parameter };
+        let (subject, message) = match pair {
+            Some([piece, other]) => (
+                format!("{piece} past {other}"),
+                format!("{piece} meets {other} on its way out of the sleeve: {shared_mm3:.2} mm3 in common"),
+            ),
+            None => ("way out".into(), format!("the cartridge slides {way_mm:.0} mm to the rear and meets nothing")),
+        };
+        measure.at_most(subject, message)
+    }
+}
+
+/// How two faces meet when the cartridge is home.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CartridgeMeeting {
+    /// What meets.
+    pub what: &'static str,
+    /// Distance, mm.
+    pub gap_mm: f64,
+    /// What it should be, mm.
+    pub meant_mm: f64,
+    /// How far it may be off, mm.
+    pub tolerance_mm: f64,
+    /// The key that drives it.
+    pub parameter: &'static str,
+}
+
+impl CartridgeMeeting {
+    fn finding(&self) -> Finding {
+        let Self { what, gap_mm, meant_mm, tolerance_mm, parameter } = *self;
+        let value = (gap_mm - meant_mm).abs();
+        let measure = Measure { rule: "battery_slide", value, limit: tolerance_mm, unit: "mm", parameter };
+        measure.at_most(
+            format!("end stop: {what}"),
+            format!("{what} are {gap_mm:.2} mm apart when the cartridge is home, {meant_mm:.2} mm are meant"),
+        )
+    }
+}
+
+fn slides(body: &Placed) -> bool {
+    body.is_part(PartName::BatteryLid) || matches!(body.shape.kind, Kind::Bought(name) if CARTRIDGE.contains(&name))
+}
+
+/// The volume that a piece shares with another body on its way, mm³.
+fn met_mm3(piece: &Placed, other: &Placed, free_mm: f64, way_mm: f64) -> f64 {
+    let touched = |from: f64, to: f64| piece.bounds.shifted_y(-from).around(&piece.bounds.shifted_y(-to)).distance_mm(&other.bounds) <= 0.0;
+    let cut = |solid: &MeshSolid| solid.intersection(&other.solid).volume_mm3();
+    let convex = piece.shape.kind == Kind::Bought("battery") || piece.shape.kind == Kind::Bought("magnet_lid");
+    let near = if convex { FIRST_MM } else { free_mm };
+    let steps = if convex { 1 } else { (free_mm / STEP_MM).ceil() as u32 + 1 };
+    let mut most: f64 = 0.0;
+    for step in 0..steps {
+        let at = (f64::from(step) * STEP_MM).clamp(FIRST_MM, near);
+        if touched(at, at) {
+            most = most.max(cut(&piece.shifted_y(-at)));
+        }
+    }
+    if touched(near, way_mm) {
+        most = most.max(cut(&piece.shifted_y(-near).hull_with(&piece.shifted_y(-way_mm))));
+    }
+    most
+}
+
+fn passage(scene: &Scene) -> Vec<Finding> {
+    let Some(lid) = scene.part(PartName::BatteryLid, None) else { return Vec::new() };
+    let lowest = scene.placed.iter().map(|p| p.bounds.low[1]).fold(f64::INFINITY, f64::min);
+    let (pieces, rest): (Vec<&Placed>, Vec<&Placed>) = scene.placed.iter().partition(|p| slides(p));
+    let front = pieces.iter().map(|p| p.bounds.high[1]).fold(f64::NEG_INFINITY, f64::max);
+    let way_mm = front - lowest;
+    let free_mm = scene.design.frame.lid.lid_reach_mm + (lid.bounds.high[1] - scene.design.centre.rim_y_mm).max(0.0);
+    let pairs: Vec<(&Placed, &Placed)> = pieces.iter().flat_map(|piece| rest.iter().map(|other| (*piece, *other))).collect();
+    let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(piece, other, free_mm, way_mm)).collect();
+    let names = |piece: &Placed, other: &Placed| Some([piece.body.name.clone(), other.body.name.clone()]);
+    let in_the_way: Vec<Finding> = pairs
+        .iter()
+        .zip(&met)
+        .filter(|(_, met)| **met > TOUCH_MM3)
+        .map(|((piece, other), met)| CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm }.finding())
+        .collect();
+    if in_the_way.is_empty() {
+        let shared_mm3 = met.iter().copied().fold(0.0, f64::max);
+        return vec![CartridgePassage { pair: None, shared_mm3, way_mm }.finding()];
+    }
+    in_the_way
+}
+
+fn meetings(scene: &Scene) -> Vec<Finding> {
+    let rims = [PartName::BatteryLid, PartName::BatterySleeve].map(|name| scene.part(name, None));
+    let magnets = ["magnet_lid", "magnet_bracket"].map(|name| scene.bought(name));
+    let plugs = ["connector_lid", "connector_bracket"].map(|name| scene.bought(name));
+    let magnet_gap = scene.design.frame.bracket.magnet_gap_mm;
+    let expected = [
+        ("the rims of lid and sleeve", rims, 0.0, 0.01, "lid.lid_reach_mm"),
+        ("the magnets", magnets, magnet_gap, 0.01, "bracket.magnet_gap_mm"),
+        ("the connector's halves", plugs, 0.0, MEET_MM, "bracket.connector_width_mm"),
+    ];
+    expected
+        .into_iter()
+        .filter_map(|(what, pair, meant_mm, tolerance_mm, parameter)| {
+            let [Some(a), Some(b)] = pair else { return None };
+            let gap_mm = a.gap_mm(b, meant_mm + 5.0);
+            Some(CartridgeMeeting { what, gap_mm, meant_mm, tolerance_mm, parameter }.finding())
+        })
+        .collect()
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let mut found = passage(scene);
+    found.extend(meetings(scene));
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_sensor_behind_the_sleeve() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.move_body("flow_sensor", [0.0, -110.0, -5.0]);
+        let found = frame.found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "battery past flow_sensor"), "{found:?}");
+        assert!(violated(&found).iter().any(|f| f.subject == "battery_lid past flow_sensor"), "{found:?}");
+    }
+
+    #[test]
+    fn planted_a_lid_that_stays_open() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("battery_lid", [0.0, -0.5, 0.0]);
+        frame.move_body("magnet_lid", [0.0, -0.5, 0.0]);
+        let found = frame.found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["end stop: the rims of lid and sleeve", "end stop: the magnets"]);
+    }
+
+    #[test]
+    fn planted_a_lid_caught_by_the_bracket() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("battery_bracket", [0.0, 0.0, -1.0]);
+        let found = frame.found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "battery_lid past battery_bracket"), "{found:?}");
+    }
+}

@@ -1,0 +1,50 @@
+//! The centre of mass lies near the motors' centre in plan, so that no motor has to carry much more than its share.
+
+use super::finding::{Finding, Measure};
+use super::scene::Scene;
+use crate::skeleton::MODULE_NAMES;
+
+/// Where the centre of mass lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CentreOffset {
+    /// From the motors' centre to the centre of mass, to the right and to the front, mm.
+    pub offset_mm: [f64; 2],
+    /// Largest distance, mm.
+    pub limit_mm: f64,
+}
+
+impl CentreOffset {
+    fn finding(&self) -> Finding {
+        let [x, y] = self.offset_mm;
+        let (value, limit) = (libm::hypot(x, y), self.limit_mm);
+        let measure = Measure { rule: "centre_of_mass", value, limit, unit: "mm", parameter: "limits.centre_of_mass_offset_mm" };
+        let message = format!(
+            "the centre of mass lies {value:.2} mm from the motors' centre in plan ({x:+.2} right, {y:+.2} front), {limit:.2} mm are allowed"
+        );
+        measure.at_most("centre of mass".into(), message)
+    }
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let motors: Vec<_> = MODULE_NAMES.iter().filter_map(|module| scene.design.skeleton.node(&format!("M_{module}"))).collect();
+    let [x, y, _] = scene.masses.centre_of_mass_mm;
+    let count = motors.len().max(1) as f64;
+    let middle = [motors.iter().map(|m| m.x).sum::<f64>() / count, motors.iter().map(|m| m.y).sum::<f64>() / count];
+    let limit_mm = scene.design.frame.limits.centre_of_mass_offset_mm;
+    vec![CentreOffset { offset_mm: [x - middle[0], y - middle[1]], limit_mm }.finding()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_centre_of_mass_at_the_front() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.masses.centre_of_mass_mm = [0.0, 8.0, 0.0];
+        let found = frame.found(check);
+        assert!(violated(&found).len() == 1 && (found[0].margin + 2.0).abs() < 1e-9, "{found:?}");
+    }
+}

@@ -1,0 +1,105 @@
+//! Rods stay clear of each other and of every part that does not hold them: a rod that rubs wears, and a joint that
+//! folds onto a rod no longer folds. Of each kind of pair the nearest is reported, and all that are too near; what the
+//! four modules repeat is reported once.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::finding::{Finding, Measure};
+use super::scene::{Placed, Scene};
+use crate::assembly::Kind;
+use crate::params::PartName;
+use crate::skeleton::{Rod, RodRole};
+
+/// Pairs further apart than this beyond the limit are not listed, mm.
+const REACH_MM: f64 = 2.0;
+
+/// The nearest pair of a rod of one role and a kind of body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RodClearance {
+    /// The rod and the other body.
+    pub pair: [String; 2],
+    /// Distance, mm; 0 when they touch or overlap.
+    pub gap_mm: f64,
+    /// Least distance, mm.
+    pub limit_mm: f64,
+}
+
+impl RodClearance {
+    fn finding(&self) -> Finding {
+        let Self { gap_mm, limit_mm, .. } = *self;
+        let [rod, other] = &self.pair;
+        let parameter = "limits.part_clearance_mm";
+        let measure = Measure { rule: "part_clearance", value: gap_mm, limit: limit_mm, unit: "mm", parameter };
+        measure.at_least(format!("{rod} to {other}"), format!("{rod} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"))
+    }
+}
+
+/// Whether a body holds a rod.
+fn holds(other: &Placed, rod: &Rod) -> bool {
+    let Kind::Printed(part) = other.shape.kind else { return false };
+    let in_socket = rod.sockets.iter().any(|socket| socket.part == part && other.body.module == Some(socket.module));
+    let slides = part == PartName::MotorMount && rod.role == RodRole::Arm && other.body.module == Some(rod.sockets[0].module);
+    in_socket || slides
+}
+
+fn is_rod(body: &Placed) -> bool {
+    matches!(body.shape.kind, Kind::Rod(_))
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let limit_mm = scene.design.frame.limits.part_clearance_mm;
+    let reach = limit_mm + REACH_MM;
+    let rods = &scene.design.skeleton.rods;
+    let pairs: Vec<_> = scene
+        .pairs()
+        .into_iter()
+        .map(|(a, b)| if is_rod(a) { (a, b) } else { (b, a) })
+        .filter(|(a, b)| is_rod(a) && !b.is_propeller() && a.bounds.distance_mm(&b.bounds) < reach)
+        .filter(|(a, b)| !rods.iter().any(|rod| rod.name == a.body.name && holds(b, rod)))
+        .collect();
+    let gaps: Vec<f64> = pairs.par_iter().map(|(rod, other)| rod.gap_mm(other, reach)).collect();
+    let mut broken = Vec::new();
+    let mut nearest: BTreeMap<[String; 2], RodClearance> = BTreeMap::new();
+    for ((rod, other), gap_mm) in pairs.iter().zip(gaps).filter(|(_, gap)| *gap < reach) {
+        let pair = [rod.body.name.clone(), other.body.name.clone()];
+        let kinds = [rod.shape.name.clone(), other.shape.name.clone()];
+        let found = RodClearance { pair, gap_mm, limit_mm };
+        if gap_mm < limit_mm {
+            broken.push(found.finding());
+        }
+        let best = nearest.entry(kinds).or_insert_with(|| found.clone());
+        if gap_mm < best.gap_mm {
+            *best = found;
+        }
+    }
+    if nearest.is_empty() {
+        let all = RodClearance { pair: ["every rod".into(), "what does not hold it".into()], gap_mm: reach, limit_mm };
+        return vec![all.finding()];
+    }
+    broken.extend(nearest.values().filter(|found| found.gap_mm >= limit_mm).map(RodClearance::finding));
+    broken
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_limit_that_the_fork_breaks() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+        let found = Planted::frame(|frame| frame.limits.part_clearance_mm = 1.5).found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["strut_FR_top to fork_FR", "strut_FR_bottom to fork_FR"]);
+    }
+
+    #[test]
+    fn planted_a_knee_on_a_leg() {
+        let mut frame = Planted::frame(|frame| frame.limits.part_clearance_mm = 0.2);
+        let leg = frame.design.bodies.iter().position(|b| b.name == "leg_FR").expect("has legs");
+        frame.design.bodies[leg].pose.translation.vector += nalgebra::Vector3::new(30.0, 30.0, 20.0);
+        assert!(!violated(&frame.found(check)).is_empty());
+    }
+}

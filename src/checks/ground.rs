@@ -1,0 +1,54 @@
+//! What hangs under the hub stays clear of the ground when the frame stands on its lower corners: the legs give on
+//! landing, and the battery must not take the blow.
+
+use super::finding::{Finding, Measure};
+use super::scene::{Scene, bounds_of};
+use crate::params::PartName;
+
+/// Room under the centre.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GroundClearance {
+    /// What hangs lowest.
+    pub lowest: String,
+    /// From the lowest point of the corners up to it, mm.
+    pub clearance_mm: f64,
+    /// Least, mm.
+    pub limit_mm: f64,
+}
+
+impl GroundClearance {
+    fn finding(&self) -> Finding {
+        let Self { lowest, clearance_mm: value, limit_mm: limit } = self;
+        let parameter = "bracket.bay_height_mm";
+        let measure = Measure { rule: "ground_clearance", value: *value, limit: *limit, unit: "mm", parameter };
+        measure.at_least(lowest.clone(), format!("{lowest} hangs {value:.2} mm above the ground, {limit:.2} mm are needed"))
+    }
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let ground = bounds_of(scene.placed.iter().filter(|p| p.is_part(PartName::BottomCorner))).map(|b| b.low[2]);
+    let centre = scene.placed.iter().filter(|p| p.body.module.is_none());
+    let lowest = centre.min_by(|a, b| a.bounds.low[2].total_cmp(&b.bounds.low[2]));
+    let (Some(ground), Some(lowest)) = (ground, lowest) else { return Vec::new() };
+    let clearance_mm = lowest.bounds.low[2] - ground;
+    let limit_mm = scene.design.frame.limits.ground_clearance_mm;
+    vec![GroundClearance { lowest: lowest.body.name.clone(), clearance_mm, limit_mm }.finding()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn measured_the_real_frame_keeps_10_9_mm() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        assert!((found[0].value - 10.9).abs() < 0.05 && found[0].margin > 0.0, "{found:?}");
+    }
+
+    #[test]
+    fn planted_a_higher_bay() {
+        let found = Planted::frame(|frame| frame.bracket.bay_height_mm += 8.0).found(check);
+        assert_eq!(violated(&found).len(), 1, "{found:?}");
+    }
+}

@@ -1,0 +1,143 @@
+//! Each hinge that folds on assembly is stretched by no more than a stated part of what its material bears.
+//!
+//! **Webs** (corner to strut, corner to leg). The rods fix the fold: the web turns by θ about the crossing of the rods'
+//! axes, so its outer face, a socket's radius r below them, grows by r θ. The stretch starts at the notch's apex and
+//! spreads at 45° to both sides into the web's thickness t: its length on the outer face is what the notch leaves open
+//! on its floor (nothing, in a V) and 2 t. Strain = r θ / (2 t); θ / 2 where the web is as thick as the socket's radius.
+//! Beam bending about the web's own middle, over half a thickness to both sides, gives the same θ / 2.
+//!
+//! **Necks** (hub joint). The leg's slope twists both necks: torsion of a rectangular bar, thickness t by arch width b,
+//! over half the scallop's chord, for the scallop makes it thin only in the middle. Largest shear γ = c t θ / L with c
+//! from Roark's formulas for a solid rectangle (Table 10.1, case 4); its principal stretch is γ/2 + √(1 + γ²/4). The
+//! bending that comes with the arch's distance from the axis is left out.
+//!
+//! Both are small-strain formulas used beyond small strains, to compare frames; the factor on the elongation at break
+//! covers that, creep, and the layers. The elongation is a data sheet's, its source is in the catalogue.
+
+use super::finding::{Finding, Measure};
+use super::scene::Scene;
+use crate::params::Frame;
+use crate::units::Angle;
+
+/// The strain of a folded hinge.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HingeStrain {
+    /// Which.
+    pub hinge: &'static str,
+    /// Fold.
+    pub fold: Angle,
+    /// Length that takes the strain, mm.
+    pub length_mm: f64,
+    /// Largest strain, %.
+    pub strain_percent: f64,
+    /// Elongation at break over the factor, %.
+    pub limit_percent: f64,
+    /// The key of the hinge's thickness.
+    pub parameter: &'static str,
+}
+
+impl HingeStrain {
+    fn web(hinge: &'static str, frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
+        let bore = frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm;
+        let radius = 0.5 * bore + frame.corner.corner_wall_mm;
+        let length_mm = 2.0 * frame.corner.corner_hinge_thickness_mm;
+        let strain_percent = 100.0 * radius * fold.to_rad() / length_mm;
+        Self { hinge, fold, length_mm, strain_percent, limit_percent, parameter: "corner.corner_hinge_thickness_mm" }
+    }
+
+    fn neck(frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
+        let joint = &frame.hub_joint;
+        let chord = 0.5 * joint.arm_pitch_mm - joint.hub_joint_diameter_mm;
+        let length_mm = 0.5 * chord;
+        let shear = torsion_factor(joint.neck_thickness_mm, joint.arch_width_mm) * joint.neck_thickness_mm * fold.to_rad() / length_mm;
+        let stretch = 0.5 * shear + libm::sqrt(1.0 + 0.25 * shear * shear);
+        let strain_percent = 100.0 * (stretch - 1.0);
+        Self { hinge: "hub joint necks", fold, length_mm, strain_percent, limit_percent, parameter: "hub_joint.neck_thickness_mm" }
+    }
+
+    fn finding(&self) -> Finding {
+        let Self { hinge, fold, length_mm, strain_percent: value, limit_percent: limit, parameter } = self;
+        let measure = Measure { rule: "hinge_strain", value: *value, limit: *limit, unit: "%", parameter };
+        let message = format!(
+            "{hinge}: a fold of {:.1} deg over {length_mm:.2} mm strains the material by {value:.0} %, {limit:.0} % are allowed",
+            fold.to_deg()
+        );
+        measure.at_most((*hinge).into(), message)
+    }
+}
+
+/// Largest shear of a twisted rectangular bar over thickness and twist per length.
+fn torsion_factor(thickness_mm: f64, width_mm: f64) -> f64 {
+    let q = thickness_mm.min(width_mm) / thickness_mm.max(width_mm);
+    let stiffness = 16.0 / 3.0 - 3.36 * q * (1.0 - libm::pow(q, 4.0) / 12.0);
+    let stress = 0.375 * (1.0 + q * (0.6095 + q * (0.8865 + q * (-1.8023 + q * 0.91))));
+    0.5 * stiffness * stress
+}
+
+/// How far a strut folds beyond the closing of its notch.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NotchPreload {
+    /// Fold of the strut.
+    pub fold: Angle,
+    /// Fold at which the notch's faces meet.
+    pub closing: Angle,
+}
+
+impl NotchPreload {
+    fn finding(&self) -> Finding {
+        let [value, limit] = [self.fold.to_deg(), self.closing.to_deg()];
+        let measure = Measure { rule: "hinge_strain", value, limit, unit: "deg", parameter: "corner.notch_half_angle_deg" };
+        let beyond = value - limit;
+        let message = if beyond > 0.0 {
+            format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces press by {beyond:.1} deg")
+        } else {
+            format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: {:.1} deg stay open", -beyond)
+        };
+        measure.note("corner notch".into(), message)
+    }
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let (frame, closure) = (&scene.design.frame, &scene.design.skeleton.closure);
+    let strut = Angle::deg(90.0 + closure.strut_tilt.to_deg());
+    let notch = NotchPreload { fold: strut, closing: Angle::deg(2.0 * frame.corner.notch_half_angle_deg) };
+    let Some(elongation) = frame.flexible.material.elongation_at_break_percent else {
+        let measure = Measure { rule: "hinge_strain", value: 0.0, limit: 0.0, unit: "%", parameter: "materials.flexible" };
+        let message = format!("the elongation at break of {} is not known: hinges are not checked", frame.flexible.name);
+        return vec![measure.note("hinges".into(), message), notch.finding()];
+    };
+    let limit = elongation / frame.limits.hinge_strain_factor;
+    let hinges = [
+        HingeStrain::web("top corner strut", frame, strut, limit),
+        HingeStrain::web("bottom corner strut", frame, strut, limit),
+        HingeStrain::web("bottom corner leg", frame, closure.leg_tilt, limit),
+        HingeStrain::neck(frame, closure.leg_tilt, limit),
+    ];
+    hinges.iter().map(HingeStrain::finding).chain([notch.finding()]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn analytic_a_web_as_thick_as_the_socket_is_strained_by_half_the_fold() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        assert!((found[0].value - 50.0 * Angle::deg(115.0).to_rad()).abs() < 0.1, "{found:?}");
+        assert_eq!(violated(&found), []);
+    }
+
+    #[test]
+    fn analytic_torsion_of_a_square_bar() {
+        // Timoshenko: largest stress T / (0.208 a^3), stiffness 0.1406 a^4: 0.1406 / 0.208 = 0.676.
+        assert!((torsion_factor(1.0, 1.0) - 0.676).abs() < 0.01, "{}", torsion_factor(1.0, 1.0));
+    }
+
+    #[test]
+    fn planted_a_thin_web() {
+        let found = Planted::frame(|frame| frame.corner.corner_hinge_thickness_mm = 1.6).found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["top corner strut", "bottom corner strut"]);
+    }
+}

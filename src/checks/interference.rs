@@ -1,0 +1,138 @@
+//! No two bodies share volume beyond the press fits that are meant.
+//!
+//! Measured by the kernel's boolean intersection. Meant are: a rod in a bore smaller than itself (the ring between the
+//! two circles over the engaged length) and a plug in a hub bore smaller than itself. The polygons that stand for
+//! circles change those rings by some percent, which [`ROUNDING`] allows; everything else is held to [`TOUCH_MM3`].
+//! Swept discs are the propeller rule's.
+
+use std::f64::consts::FRAC_PI_4;
+
+use rayon::prelude::*;
+
+use super::finding::{Finding, Measure};
+use super::scene::{Placed, Scene};
+use crate::assembly::Kind;
+use crate::params::{Frame, PartName};
+use crate::skeleton::Rod;
+
+/// Volume that faces in contact may share by rounding, mm³.
+const TOUCH_MM3: f64 = 0.05;
+/// What the polygons may add to a press fit.
+const ROUNDING: f64 = 1.03;
+
+/// What two bodies share.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SharedVolume {
+    /// The two.
+    pub pair: [String; 2],
+    /// Shared, mm³.
+    pub volume_mm3: f64,
+    /// What is meant, and rounding, mm³.
+    pub limit_mm3: f64,
+    /// What drives the fit.
+    pub parameter: &'static str,
+}
+
+impl SharedVolume {
+    fn finding(&self) -> Finding {
+        let Self { pair: [a, b], volume_mm3: value, limit_mm3: limit, parameter } = self;
+        let measure = Measure { rule: "interference", value: *value, limit: *limit, unit: "mm3", parameter };
+        measure.at_most(format!("{a} and {b}"), format!("{a} and {b} share {value:.3} mm3, {limit:.3} mm3 are meant"))
+    }
+
+    fn is_press_fit(&self) -> bool {
+        self.limit_mm3 > TOUCH_MM3
+    }
+}
+
+/// Volume of the ring between two diameters over a length, mm³; 0 when the inner one is larger.
+fn ring_mm3(outer_mm: f64, inner_mm: f64, length_mm: f64) -> f64 {
+    (FRAC_PI_4 * (outer_mm * outer_mm - inner_mm * inner_mm) * length_mm).max(0.0)
+}
+
+/// What the ends of a rod in a part are meant to share with it, mm³.
+fn gripped_mm3(rod: &Rod, diameter_mm: f64, part: PartName, module: Option<usize>) -> f64 {
+    let ends = rod.sockets.iter().zip([&rod.start, &rod.end]);
+    ends.filter(|(socket, _)| socket.part == part && Some(socket.module) == module)
+        .map(|(socket, end)| ring_mm3(diameter_mm, socket.bore_mm, socket.engagement_mm(end)))
+        .sum()
+}
+
+/// What a hub joint's two plugs are meant to share with the hub, mm³.
+fn plugs_mm3(frame: &Frame) -> f64 {
+    let plug = frame.hub_joint.hub_joint_diameter_mm;
+    2.0 * ring_mm3(plug, plug + frame.fit.plug_clearance_mm, frame.hub_joint.plug_length_mm)
+}
+
+fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static str) {
+    let frame = &scene.design.frame;
+    for (rod, part) in [(a, b), (b, a)] {
+        let (Kind::Rod(_), Kind::Printed(name)) = (&rod.shape.kind, &part.shape.kind) else { continue };
+        let rods = scene.design.skeleton.rods.iter().filter(|r| r.name == rod.body.name);
+        let ring: f64 = rods.map(|r| gripped_mm3(r, frame.rods.rod_diameter_mm, *name, part.body.module)).sum();
+        return (ring * ROUNDING, "fit.grip_clearance_mm");
+    }
+    let is = |name| a.is_part(name) || b.is_part(name);
+    match () {
+        () if is(PartName::Hub) && is(PartName::HubJoint) => (plugs_mm3(frame) * ROUNDING, "fit.plug_clearance_mm"),
+        () if is(PartName::Knee) && is(PartName::Fork) => (0.0, "knee.knee_window_clearance_height_mm"),
+        () if is(PartName::BatterySleeve) => (0.0, "battery.battery_clearance_across_mm"),
+        () => (0.0, "limits.part_clearance_mm"),
+    }
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let near: Vec<_> = scene
+        .pairs()
+        .into_iter()
+        .filter(|(a, b)| !a.is_propeller() && !b.is_propeller() && a.bounds.distance_mm(&b.bounds) <= 0.0)
+        .collect();
+    let shared: Vec<SharedVolume> = near
+        .par_iter()
+        .map(|(a, b)| {
+            let (press_fit, parameter) = meant(scene, a, b);
+            let pair = [a.body.name.clone(), b.body.name.clone()];
+            SharedVolume { pair, volume_mm3: a.shared_mm3(b), limit_mm3: press_fit + TOUCH_MM3, parameter }
+        })
+        .collect();
+    let (fits, rest): (Vec<_>, Vec<_>) = shared.into_iter().partition(SharedVolume::is_press_fit);
+    let (clear, broken): (Vec<_>, Vec<_>) = rest.into_iter().partition(|s| s.volume_mm3 <= s.limit_mm3);
+    let mut found: Vec<Finding> = broken.iter().chain(&fits).map(SharedVolume::finding).collect();
+    let most = clear.iter().map(|s| s.volume_mm3).fold(0.0, f64::max);
+    let pair = [format!("the other {} touching pairs", clear.len()), "each other".into()];
+    found.push(SharedVolume { pair, volume_mm3: most, limit_mm3: TOUCH_MM3, parameter: "limits.part_clearance_mm" }.finding());
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_motor_in_its_mount() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        frame.move_body("motor_FR", [0.0, 0.0, -0.5]);
+        let found = frame.found(check);
+        let broken = violated(&found);
+        assert!(broken.len() == 1 && broken[0].subject == "motor_mount_FR and motor_FR" && broken[0].value > 10.0, "{broken:?}");
+    }
+
+    #[test]
+    fn planted_a_rod_pushed_too_deep() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("cage_FR_top", [-1.0, 0.0, 0.0]);
+        assert!(violated(&frame.found(check)).iter().any(|f| f.subject.contains("cage_FR_top")));
+    }
+
+    #[test]
+    fn analytic_the_hub_turns_with_the_modules() {
+        let frame = Planted::preset("cognifly");
+        let hub = &frame.design.part(PartName::Hub).expect("has a hub").folded;
+        let turn = nalgebra::UnitQuaternion::from_axis_angle(&nalgebra::Vector3::z_axis(), std::f64::consts::FRAC_PI_2);
+        let turned = hub.placed(&nalgebra::Isometry3::from_parts(Default::default(), turn));
+        // Some of its faces are sunk by hundredths of a millimetre to keep them apart, not the same ones on all sides.
+        assert!(hub.minus(&turned).volume_mm3() < 1e-3 * hub.volume_mm3(), "{}", hub.minus(&turned).volume_mm3());
+    }
+}

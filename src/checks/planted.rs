@@ -1,0 +1,44 @@
+//! Frames for the tests of the rules: sound ones, and ones with one thing broken.
+
+use super::finding::{Finding, Verdict};
+use super::scene::Scene;
+use crate::assembly::Design;
+use crate::assembly::mass::{self, MassTable};
+use crate::params::Frame;
+
+/// A frame to be tested, to be broken by hand.
+pub struct Planted {
+    pub design: Design,
+    pub masses: MassTable,
+}
+
+impl Planted {
+    pub fn preset(name: &str) -> Self {
+        Self::designed(Frame::load(name).expect("a preset").0)
+    }
+
+    /// The default frame with something changed in its parameters.
+    pub fn frame(change: impl FnOnce(&mut Frame)) -> Self {
+        let (mut frame, _) = Frame::load("cognifly").expect("a preset");
+        change(&mut frame);
+        Self::designed(frame)
+    }
+
+    fn designed(frame: Frame) -> Self {
+        let design = Design::new(frame).expect("closes");
+        Self { masses: mass::table(&design), design }
+    }
+
+    pub fn move_body(&mut self, name: &str, by_mm: [f64; 3]) {
+        let body = self.design.bodies.iter_mut().find(|body| body.name == name).expect("a body of the frame");
+        body.pose.translation.vector += nalgebra::Vector3::from(by_mm);
+    }
+
+    pub fn found(&self, rule: fn(&Scene) -> Vec<Finding>) -> Vec<Finding> {
+        rule(&Scene::new(&self.design, &self.masses))
+    }
+}
+
+pub fn violated(found: &[Finding]) -> Vec<Finding> {
+    found.iter().filter(|finding| finding.verdict == Verdict::Violated).cloned().collect()
+}

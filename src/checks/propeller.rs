@@ -1,0 +1,111 @@
+//! The discs that the propellers sweep stay clear of rods, printed parts, boards, and each other.
+//!
+//! A propeller bends and the flexible arms swing, so the limit is a distance of the resting frame. The propeller's own
+//! motor and motor mount do not count: they are what it stands on. Of each kind the nearest is reported, or all that are
+//! too near; what the four modules repeat is reported once.
+
+use super::finding::{Finding, Measure};
+use super::scene::{Placed, Scene};
+use crate::assembly::Kind;
+
+/// Distances beyond this are not measured, mm.
+const REACH_MM: f64 = 30.0;
+
+/// The nearest thing of a kind to, or one that is too near to, a propeller's disc.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PropellerClearance {
+    /// What kind of thing.
+    pub of: &'static str,
+    /// The disc and the body, when one is in reach.
+    pub pair: Option<[String; 2]>,
+    /// Distance, mm; the reach of the search when nothing is nearer.
+    pub gap_mm: f64,
+    /// Least distance, mm.
+    pub limit_mm: f64,
+}
+
+impl PropellerClearance {
+    fn finding(&self) -> Finding {
+        let Self { of, gap_mm, limit_mm, .. } = *self;
+        let parameter = if of == "propeller" { "motor_mount.motor_position_mm" } else { "motor_mount.propeller_height_mm" };
+        let measure = Measure { rule: "propeller_clearance", value: gap_mm, limit: limit_mm, unit: "mm", parameter };
+        let message = match &self.pair {
+            Some([disc, other]) => format!("{disc} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"),
+            None => format!("no {of} is within {gap_mm:.0} mm of a propeller, {limit_mm:.2} mm are needed"),
+        };
+        let subject = match &self.pair {
+            Some([disc, other]) if gap_mm < limit_mm => format!("{disc} to {other}"),
+            _ => format!("propeller to {of}"),
+        };
+        measure.at_least(subject, message)
+    }
+}
+
+fn group(other: &Placed) -> &'static str {
+    match other.shape.kind {
+        Kind::Printed(_) => "printed part",
+        Kind::Rod(_) => "rod",
+        Kind::Motor => "motor",
+        Kind::Propeller => "propeller",
+        Kind::Bought(_) => "board or battery",
+    }
+}
+
+/// What a propeller stands on.
+fn carries(other: &Placed, propeller: &Placed) -> bool {
+    let under = other.shape.kind == Kind::Motor || other.is_part(crate::params::PartName::MotorMount);
+    under && other.body.module == propeller.body.module
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let limit_mm = scene.design.frame.limits.propeller_clearance_mm;
+    let mut pairs: Vec<_> = scene
+        .pairs()
+        .into_iter()
+        .filter_map(|(a, b)| match (a.is_propeller(), b.is_propeller()) {
+            (true, _) => Some((a, b)),
+            (false, true) => Some((b, a)),
+            _ => None,
+        })
+        .filter(|(disc, other)| !carries(other, disc))
+        .map(|(disc, other)| (disc.bounds.distance_mm(&other.bounds), disc, other))
+        .collect();
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let by_group = |of: &'static str| {
+        let nothing = PropellerClearance { of, pair: None, gap_mm: REACH_MM.max(2.0 * limit_mm), limit_mm };
+        let (mut nearest, mut broken) = (nothing.clone(), Vec::new());
+        for (_, disc, other) in pairs.iter().filter(|(.., other)| group(other) == of) {
+            let gap_mm = disc.gap_mm(other, nearest.gap_mm.max(limit_mm));
+            let found = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..nothing };
+            if gap_mm < limit_mm {
+                broken.push(found.finding());
+            }
+            if gap_mm < nearest.gap_mm {
+                nearest = found;
+            }
+        }
+        if broken.is_empty() { vec![nearest.finding()] } else { broken }
+    };
+    ["rod", "printed part", "board or battery", "motor", "propeller"].into_iter().flat_map(by_group).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn analytic_neighbours_pass_at_the_difference_of_pitch_and_diameter() {
+        let found = Planted::preset("cognifly").found(check);
+        let mount = &Planted::preset("cognifly").design.frame.motor_mount;
+        let expected = mount.motor_position_mm * std::f64::consts::SQRT_2 - mount.propeller_diameter_mm;
+        let neighbour = found.iter().find(|f| f.subject == "propeller to propeller").expect("is measured");
+        assert!((neighbour.value - expected).abs() < 0.1 && neighbour.margin > 0.0, "{neighbour:?}");
+    }
+
+    #[test]
+    fn planted_propellers_that_overlap() {
+        let found = Planted::frame(|frame| frame.motor_mount.motor_position_mm = 52.0).found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "propeller_FR to propeller_FL" && f.value == 0.0), "{found:?}");
+    }
+}

@@ -1,0 +1,195 @@
+//! Every rod end sits in its socket: deep enough, along the socket's axis, not through its bottom; and the folded part,
+//! in its place, really has its bore there.
+//!
+//! The first is read from the skeleton. The second is measured on the solid: a pin a little thinner than the bore, laid
+//! where the rod is, must meet nothing, and one a little wider must meet the wall all around.
+
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+
+use super::finding::{Finding, Measure};
+use super::scene::Scene;
+use crate::skeleton::{Rod, RodRole, Socket};
+use crate::solid::{Feature, MeshSolid};
+use crate::units::Angle;
+
+/// Largest angle between rod and socket.
+const AXIS_DEG: f64 = 0.1;
+/// How much thinner than the bore the pin is that must pass, in diameter, mm.
+const THINNER_MM: f64 = 0.02;
+/// How much wider the one is that must meet the wall, in diameter, mm.
+const WIDER_MM: f64 = 0.8;
+/// The pin's ends stay this far from the bore's bottom and mouth, mm.
+const END_MM: f64 = 0.05;
+/// What the passing pin may meet, mm³: a 0.1° tilt is about this much.
+const PASSING_MM3: f64 = 0.1;
+/// Least share of the ring around the bore that must be wall.
+const WALL_SHARE: f64 = 0.8;
+
+/// A rod's end in its socket, from the skeleton.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeatedEnd {
+    /// The rod and the part.
+    pub pair: [String; 2],
+    /// Length of the rod inside the bore, mm.
+    pub engagement_mm: f64,
+    /// Least, mm.
+    pub limit_mm: f64,
+    /// From the bore's bottom to the rod's end, mm; negative when it goes through.
+    pub above_bottom_mm: f64,
+    /// Angle between rod and socket, degrees.
+    pub off_axis_deg: f64,
+}
+
+impl SeatedEnd {
+    fn of(rod: &Rod, at: usize, limit_mm: f64) -> Self {
+        let (socket, end, other) = ends(rod, at);
+        let along = (other - end).normalize();
+        let off_axis = libm::atan2(along.cross(&socket.axis).norm(), along.dot(&socket.axis));
+        Self {
+            pair: [rod.name.clone(), socket.part.slug().into()],
+            engagement_mm: socket.engagement_mm(end),
+            limit_mm,
+            above_bottom_mm: socket.axis.dot(&(end - socket.bottom)),
+            off_axis_deg: Angle::rad(off_axis).to_deg(),
+        }
+    }
+
+    fn findings(&self, parameter: &'static str) -> [Finding; 3] {
+        let Self { pair: [rod, part], engagement_mm, limit_mm, above_bottom_mm, off_axis_deg } = self;
+        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, parameter };
+        [
+            measure(*engagement_mm, *limit_mm, "mm").at_least(
+                format!("{rod} in {part}: engagement"),
+                format!("{rod} sits {engagement_mm:.2} mm deep in {part}, {limit_mm:.2} mm are needed"),
+            ),
+            measure(*above_bottom_mm, -1e-6, "mm").at_least(
+                format!("{rod} in {part}: bottom"),
+                format!("{rod} ends {above_bottom_mm:.2} mm above the bottom of its bore in {part}"),
+            ),
+            measure(*off_axis_deg, AXIS_DEG, "deg").at_most(
+                format!("{rod} in {part}: axis"),
+                format!("{rod} is {off_axis_deg:.3} deg off the axis of its bore in {part}, {AXIS_DEG} deg are allowed"),
+            ),
+        ]
+    }
+}
+
+/// The bore of the folded part around a rod's end, from the solid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SocketGeometry {
+    /// The rod and the part.
+    pub pair: [String; 2],
+    /// What the thinner pin meets of the part, mm³.
+    pub met_mm3: f64,
+    /// Share of the ring around the bore that is wall.
+    pub wall_share: f64,
+}
+
+impl SocketGeometry {
+    fn of(scene: &Scene, rod: &Rod, at: usize) -> Option<Self> {
+        let (socket, end, other) = ends(rod, at);
+        let part = scene.part(socket.part, Some(socket.module))?;
+        let along = (other - end).normalize();
+        let length = socket.engagement_mm(end) - 2.0 * END_MM;
+        let start = end + along * END_MM;
+        let pin = |diameter: f64| MeshSolid::build(&Feature::cylinder(0.5 * diameter, length));
+        let (wide, thin) = (pin(socket.bore_mm + WIDER_MM), pin(socket.bore_mm - THINNER_MM));
+        let ring = wide.volume_mm3() - pin(socket.bore_mm).volume_mm3();
+        let wall = wide.intersection(&part.shape.solid.placed(&(pin_pose(start, along).inverse() * part.body.pose)));
+        let met_mm3 = thin.intersection(&wall).volume_mm3();
+        let wall_share = wall.volume_mm3() / ring.max(f64::MIN_POSITIVE);
+        Some(Self { pair: [rod.name.clone(), part.body.name.clone()], met_mm3, wall_share })
+    }
+
+    fn findings(&self, parameter: &'static str) -> [Finding; 2] {
+        let Self { pair: [rod, part], met_mm3, wall_share } = self;
+        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, parameter };
+        [
+            measure(*met_mm3, PASSING_MM3, "mm3").at_most(
+                format!("{rod} in {part}: bore"),
+                format!("a pin {THINNER_MM} mm thinner than the bore meets {met_mm3:.3} mm3 of {part} where {rod} is"),
+            ),
+            measure(*wall_share, WALL_SHARE, "1").at_least(
+                format!("{rod} in {part}: wall"),
+                format!("{:.0} % of the ring around {rod} in {part} is wall, {:.0} % are needed", 100.0 * wall_share, 100.0 * WALL_SHARE),
+            ),
+        ]
+    }
+}
+
+/// A rod's socket, its end there, and its other end.
+fn ends(rod: &Rod, at: usize) -> (&Socket, &Point3<f64>, &Point3<f64>) {
+    if at == 0 { (&rod.sockets[0], &rod.start, &rod.end) } else { (&rod.sockets[1], &rod.end, &rod.start) }
+}
+
+/// From the pin's axes, z along the rod, to the frame's.
+fn pin_pose(start: Point3<f64>, along: Vector3<f64>) -> Isometry3<f64> {
+    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &along)
+        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+    Isometry3::from_parts(Translation3::from(start.coords), turn)
+}
+
+/// The key of a socket's depth.
+fn depth_key(role: RodRole, at: usize) -> &'static str {
+    match (role, at) {
+        (RodRole::Cage, _) | (RodRole::Strut | RodRole::Leg, 1) => "corner.corner_socket_depth_mm",
+        (RodRole::Strut, _) => "knee.knee_socket_depth_mm",
+        (RodRole::Arm, 0) => "hub_joint.hub_arm_socket_depth_mm",
+        (RodRole::Arm, _) => "fork.fork_socket_depth_mm",
+        (RodRole::Leg, _) => "hub_joint.hub_leg_socket_depth_mm",
+    }
+}
+
+/// Every end by the skeleton; the geometry of the first module's, which the other modules repeat.
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let skeleton = &scene.design.skeleton;
+    let limit_mm = scene.design.frame.limits.socket_engagement_mm;
+    let all: Vec<(&Rod, usize)> = skeleton.rods.iter().flat_map(|rod| [(rod, 0), (rod, 1)]).collect();
+    let per_end = |(rod, at): &(&Rod, usize)| {
+        let key = depth_key(rod.role, *at);
+        let mut found: Vec<Finding> = SeatedEnd::of(rod, *at, limit_mm).findings(key).into();
+        if rod.sockets[0].module == 0 {
+            found.extend(SocketGeometry::of(scene, rod, *at).iter().flat_map(|geometry| geometry.findings(key)));
+        }
+        found
+    };
+    let found: Vec<Vec<Finding>> = all.par_iter().map(per_end).collect();
+    found.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_an_arm_that_hardly_reaches_the_fork() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+        let found = Planted::frame(|frame| frame.rods.arm_rod_slack_mm = 4.0).found(check);
+        let broken = violated(&found);
+        assert_eq!(broken.len(), 8, "{broken:?}");
+        assert!(broken.iter().all(|f| f.subject.ends_with("fork: engagement") && (f.value - 3.5).abs() < 1e-9), "{broken:?}");
+    }
+
+    #[test]
+    fn planted_a_knee_off_its_place() {
+        let mut frame = Planted::preset("cognifly");
+        frame.move_body("knee_FR", [0.2, -0.2, 0.0]);
+        let found = frame.found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["strut_FR_top in knee_FR: bore", "strut_FR_bottom in knee_FR: bore"]);
+    }
+
+    #[test]
+    fn planted_a_rod_at_an_angle_and_through_the_bottom() {
+        let frame = Planted::preset("cognifly");
+        let mut rod = frame.design.skeleton.rods[0].clone();
+        let axis = rod.sockets[0].axis.into_inner();
+        rod.start -= axis * 0.3;
+        rod.end += axis.cross(&Vector3::z()) * (0.005 * rod.length_mm());
+        let broken = SeatedEnd::of(&rod, 0, 4.0).findings("rods.cage_rod_length_mm").map(|f| f.verdict);
+        use crate::checks::Verdict::{Holds, Violated};
+        assert_eq!(broken, [Holds, Violated, Violated]);
+    }
+}
