@@ -9,7 +9,7 @@ use super::scene::{Placed, Scene};
 use crate::assembly::Kind;
 
 /// Distances beyond this are not measured, mm.
-const REACH_MM: f64 = 30.0;
+const REACH_MM: f64 = 100.0;
 
 /// The nearest thing of a kind to, or one that is too near to, a propeller's disc.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub struct PropellerClearance {
 impl PropellerClearance {
     fn finding(&self) -> Finding {
         let Self { of, gap_mm, limit_mm, .. } = *self;
-        let parameter = if of == "propeller" { "motor_mount.motor_position_mm" } else { "motor_mount.propeller_height_mm" };
+        let parameter = if of == "rod" { "motor_mount.propeller_height_mm" } else { "motor_mount.motor_position_mm" };
         let measure = Measure { rule: "propeller_clearance", value: gap_mm, limit: limit_mm, unit: "mm", parameter };
         let message = match &self.pair {
             Some([disc, other]) => format!("{disc} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"),

@@ -200,7 +200,7 @@ mod tests {
     fn analytic_nearer_box_hides_the_farther() {
         let cube = cuboid([10.0, 10.0, 10.0]);
         for (view, towards) in
-            VIEWS.iter().zip([[0.0, -30.0, 0.0], [30.0, 0.0, 0.0], [0.0, 0.0, 30.0], [0.0, 0.0, -30.0], [-25.5, 30.0, 24.6]])
+            VIEWS.iter().zip([[0.0, 30.0, 0.0], [30.0, 0.0, 0.0], [0.0, 0.0, 30.0], [0.0, 0.0, -30.0], [-25.5, 30.0, 24.6]])
         {
             for order in [[0, 1], [1, 0]] {
                 let items = [at(&cube, towards, RED), at(&cube, [0.0; 3], BLUE)];

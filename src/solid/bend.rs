@@ -138,7 +138,7 @@ const SECTION_INSET_MM: f64 = 0.01;
 const OVERLAP_DEG: f64 = 0.5;
 
 /// The swept section is this much smaller than the web's, so that the two surfaces do not graze each other, mm.
-const WITHIN_MM: f64 = 0.02;
+const WITHIN_MM: f64 = 0.003;
 
 /// The sweep turns about an axis this far on the closing side, so that its inner edge is not the one in which both
 /// sides of the hinge meet, mm.
