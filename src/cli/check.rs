@@ -7,9 +7,9 @@ use super::progress::Progress;
 use super::session::{self, Failure};
 use super::table;
 use crate::assembly::mass;
-use crate::checks::{self, Verdict};
+use crate::checks::{self, Tightest, Verdict};
 
-/// Prints every finding; exits 1 when a limit is violated.
+/// Prints the findings; exits 1 when a limit is violated.
 pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("checking", common);
     let design = session::design(&options.frame)?;
@@ -29,8 +29,9 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
             .map_err(|error| Failure::Machine { what: "cannot print the findings".into(), error: error.into() })?;
         println!("{text}");
     } else if !common.quiet {
-        print!("{}", table::findings(&findings));
-        println!("{}: {:.1} g; {} of {} rules' findings violate a limit", design.frame.name, masses.total_g, violated, findings.len());
+        let every = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
+        print!("{}", table::findings(&if options.all { every } else { checks::tightest(&findings) }));
+        println!("{}: {:.1} g; {violated} of {} findings violate a limit", design.frame.name, masses.total_g, findings.len());
     }
     if common.quiet && !common.json {
         for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
