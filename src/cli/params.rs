@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::arguments::{Common, ParamsOptions};
 use super::session::{self, Failure};
+use super::terminal;
 use crate::params::{Frame, follows, parameters};
 
 /// A parameter as listed.
@@ -48,12 +49,10 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
         return Err(Failure::Usage { message: "no key contains that text; `flexframe params` lists them all".into() });
     }
     if common.json {
-        let text = serde_json::to_string_pretty(&rows)
-            .map_err(|error| Failure::Machine { what: "cannot print the parameters".into(), error: error.into() })?;
-        println!("{text}");
-        return Ok(ExitCode::SUCCESS);
+        terminal::print_json(&rows)?;
+    } else {
+        terminal::print(&table(&rows))?;
     }
-    print!("{}", table(&rows));
     Ok(ExitCode::SUCCESS)
 }
 

@@ -380,17 +380,23 @@ impl Catalogues {
         let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(shipped(text)))).collect();
         let mut all = Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers };
         for (key, entry) in file.entries.iter().filter(|(key, _)| key.starts_with("override.")) {
-            let mut steps = key.splitn(4, '.').skip(1);
-            let place = (steps.next(), steps.next(), steps.next());
-            let (catalogue, name, field) = match place {
-                (Some("parts"), Some(name), Some(field)) => (&mut all.parts, name, field),
-                (Some("materials"), Some(name), Some(field)) => (&mut all.materials, name, field),
-                (Some("printers"), Some(name), Some(field)) => (&mut all.printers, name, field),
+            // A name may have dots in it, as in [override.printers."generic-0.4"]; a table's and a field's have none.
+            let table = key.split('.').nth(1).unwrap_or_default();
+            let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
+            let (catalogue, name, field) = match (table, place) {
+                ("parts", Some((name, field))) => (&mut all.parts, name, field),
+                ("materials", Some((name, field))) => (&mut all.materials, name, field),
+                ("printers", Some((name, field))) => (&mut all.printers, name, field),
                 _ => {
                     let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
                     return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
                 }
             };
+            let named = file.entries.values().any(|entry| matches!(&entry.value, Value::Text(text) if text == name));
+            if !catalogue.contains_key(name) && !named {
+                let nearest = nearest(name, catalogue.keys().map(String::as_str));
+                return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
+            }
             let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
             if let Some(own) = own.as_table_mut() {
                 own.insert(field.into(), entry.value.to_toml());
