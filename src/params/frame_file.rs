@@ -108,8 +108,21 @@ impl FrameFile {
     /// When there is none, when it cannot be read, or when it is not TOML.
     pub fn load(frame: &str) -> Result<Self, LoadError> {
         let (name, source, folder) = open(frame, None)?;
+        Self::read(name, source, folder, frame)
+    }
+
+    /// Reads a frame from text; its base, if it has one, is a preset or a file of the working directory.
+    ///
+    /// # Errors
+    /// When it is not TOML or a base cannot be read.
+    pub fn parse(name: &str, text: &str) -> Result<Self, LoadError> {
+        let source = Arc::new(Source { name: name.into(), text: text.into() });
+        Self::read(name.into(), source, None, name)
+    }
+
+    fn read(name: String, source: Arc<Source>, folder: Option<PathBuf>, called: &str) -> Result<Self, LoadError> {
         let mut file = Self { name, entries: BTreeMap::new() };
-        file.stack(source, folder, &mut vec![frame.to_string()])?;
+        file.stack(source, folder, &mut vec![called.to_string()])?;
         if let Some(Entry { value: Value::Text(name), .. }) = file.entries.get("name") {
             let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !name.starts_with('.');
             if !plain {

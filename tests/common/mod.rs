@@ -1,0 +1,19 @@
+//! Frames for the tests: the default frame with numbers changed.
+
+use flexframe::params::{Frame, FrameFile, LoadError};
+
+/// A frame file's text with these keys ("table.key") on top of a preset.
+pub fn toml(base: &str, changes: &[(String, f64)]) -> String {
+    let mut text = format!("base = \"{base}\"\n");
+    for (key, value) in changes {
+        // TOML writes a whole number with a point, too, where a float is meant; both are read.
+        text += &format!("{key} = {value:?}\n");
+    }
+    text
+}
+
+/// The frame that the text describes.
+pub fn resolve(text: &str) -> Result<Frame, LoadError> {
+    let file = FrameFile::parse("random", text)?;
+    Ok(Frame::resolve(&file)?)
+}
