@@ -90,9 +90,12 @@ impl Samples {
 
     fn draw(&mut self, fill: &Fill) {
         let Some(shape) = Shape::new(&fill.corners) else { return };
+        let rows = shape.rows(&self.rows);
+        if rows.is_empty() || shape.misses_columns() {
+            return;
+        }
         let near = shape.plane(fill.corners.map(|c| c[2]));
         let light = shape.plane(fill.light.map(f64::from));
-        let rows = shape.rows(&self.rows);
         let mut walk = Walk::new(&shape, rows.start);
         for row in rows {
             let columns = walk.next_row(self.width);
@@ -169,6 +172,13 @@ impl Shape {
         let low = self.corners.iter().map(|c| c[1]).fold(i64::MAX, i64::min);
         let high = self.corners.iter().map(|c| c[1]).fold(i64::MIN, i64::max);
         clamped(div_ceil(low - STEPS / 2, STEPS), (high - STEPS / 2).div_euclid(STEPS) + 1, given)
+    }
+
+    /// Whether it lies between two columns of samples.
+    fn misses_columns(&self) -> bool {
+        let low = self.corners.iter().map(|c| c[0]).fold(i64::MAX, i64::min);
+        let high = self.corners.iter().map(|c| c[0]).fold(i64::MIN, i64::max);
+        div_ceil(low - STEPS / 2, STEPS) > (high - STEPS / 2).div_euclid(STEPS)
     }
 
     /// The linear function of the picture that has these values at the corners.
