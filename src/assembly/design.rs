@@ -94,7 +94,7 @@ impl Design {
     }
 
     fn add_shape(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], solid: MeshSolid) -> usize {
-        let mesh = solid.to_mesh();
+        let mesh = solid.mesh();
         self.shapes.push(Shape { name: name.into(), kind, material: material.into(), colour, solid, mesh });
         self.shapes.len() - 1
     }
@@ -170,7 +170,7 @@ impl Design {
     fn place_bought(&mut self) {
         for part in BoughtPart::ALL {
             let Some((material, colour)) = bought_look(&self.frame, part) else { continue };
-            let solid = MeshSolid::build(&part.feature(&self.frame, &self.centre));
+            let solid = MeshSolid::build(&part.feature(&self.frame, &self.centre)).melted();
             let shape = self.add_shape(part.slug(), Kind::Bought(part.slug()), &material, colour, solid);
             self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
         }

@@ -24,7 +24,9 @@ pub struct Printed {
     pub flat: MeshSolid,
     /// The solid after its bends, in its own axes; the flat one when it has none.
     pub folded: MeshSolid,
-    /// The mesh that is printed: flat, in print orientation, resting on z = 0.
+    /// The flat solid in print orientation, resting on z = 0.
+    pub printed: MeshSolid,
+    /// The mesh of it that is written.
     pub mesh: Mesh,
     /// What the export gate saw.
     pub topology: Topology,
@@ -41,17 +43,19 @@ impl Printed {
     /// When its mesh does not pass the export gate: its parameters contradict each other.
     pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
         let Recipe { feature, bends, print_turn } = recipe(name, frame, skeleton, centre);
-        let flat = MeshSolid::build(&feature);
+        let flat = MeshSolid::build(&feature).melted();
         let turned = flat.placed(&Isometry3::from_parts(Translation3::identity(), print_turn));
         if turned.is_empty() {
             return Err(GateError::Empty);
         }
         let low = turned.bounds_mm()[0];
-        let mesh = turned.placed(&Isometry3::translation(0.0, 0.0, -low[2])).to_mesh();
+        let printed = turned.placed(&Isometry3::translation(0.0, 0.0, -low[2]));
+        let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
-        let folded = bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid));
+        let folded =
+            if bends.is_empty() { flat.clone() } else { bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)).melted() };
         let exact_volume_mm3 = Brep::build(&feature).map(|brep| brep.volume_mm3());
-        Ok(Self { name, volume_mm3: mesh.volume_mm3(), feature, bends, flat, folded, mesh, topology, exact_volume_mm3 })
+        Ok(Self { name, volume_mm3: mesh.volume_mm3(), feature, bends, flat, folded, printed, mesh, topology, exact_volume_mm3 })
     }
 }
 

@@ -4,9 +4,13 @@
 //! motor and motor mount do not count: they are what it stands on. Of each kind the nearest is reported, or all that are
 //! too near; what the four modules repeat is reported once.
 
+use nalgebra::Point3;
+
+use super::bounds::Bounds;
 use super::finding::{Finding, Measure};
 use super::scene::{Placed, Scene};
 use crate::assembly::Kind;
+use crate::solid::SEGMENTS_PER_TURN;
 
 /// Distances beyond this are not measured, mm.
 const REACH_MM: f64 = 100.0;
@@ -57,6 +61,21 @@ fn carries(other: &Placed, propeller: &Placed) -> bool {
     under && other.body.module == propeller.body.module
 }
 
+/// A distance that the gap of a disc to another body does not exceed, mm: that of the body's nearest corner to the
+/// cylinder within the disc's prism. It spares the kernel the search in all that is farther away.
+fn no_farther_mm(disc: &Placed, other: &Placed) -> f64 {
+    let Bounds { low, high } = disc.bounds;
+    let inner = 0.5 * (high[0] - low[0]) * libm::cos(std::f64::consts::PI / f64::from(SEGMENTS_PER_TURN));
+    let centre = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+    let distance = |corner: &[f32; 3]| {
+        let p = other.body.pose * Point3::from(corner.map(f64::from));
+        let aside = libm::hypot(p.x - centre[0], p.y - centre[1]) - inner;
+        libm::hypot(aside.max(0.0), (low[2] - p.z).max(p.z - high[2]).max(0.0))
+    };
+    // Corners of the mesh are rounded, and the kernel's distance ends where its search does.
+    other.shape.mesh.vertices.iter().map(distance).fold(f64::INFINITY, f64::min) + 0.001
+}
+
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limit_mm = scene.design.frame.limits.propeller_clearance_mm;
     let mut pairs: Vec<_> = scene
@@ -75,7 +94,8 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         let nothing = PropellerClearance { of, pair: None, gap_mm: REACH_MM.max(2.0 * limit_mm), limit_mm };
         let (mut nearest, mut broken) = (nothing.clone(), Vec::new());
         for (_, disc, other) in pairs.iter().filter(|(.., other)| group(other) == of) {
-            let gap_mm = disc.gap_mm(other, nearest.gap_mm.max(limit_mm));
+            let reach_mm = nearest.gap_mm.max(limit_mm).min(no_farther_mm(disc, other));
+            let gap_mm = disc.gap_mm(other, reach_mm);
             let found = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..nothing };
             if gap_mm < limit_mm {
                 broken.push(found.finding());

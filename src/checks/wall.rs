@@ -42,9 +42,10 @@ impl ThinnestWall {
     fn of(part: &Printed, limit_mm: f64) -> Self {
         let reach = REACH * limit_mm;
         let mut found = Self { part: part.name, thickness_mm: reach, at_mm: [0.0; 3], limit_mm };
-        let Some(solid) = MeshSolid::from_mesh(&part.mesh) else { return found };
-        let mut walls: Vec<(f64, f64, Point3<f64>)> =
-            facets(part).into_iter().filter_map(|facet| facet.wall_mm(&solid, reach).map(|t| (t, facet.area_mm2, facet.middle))).collect();
+        let mut walls: Vec<(f64, f64, Point3<f64>)> = facets(part)
+            .into_iter()
+            .filter_map(|facet| facet.wall_mm(&part.printed, reach).map(|t| (t, facet.area_mm2, facet.middle)))
+            .collect();
         walls.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut area = 0.0;
         for (thickness_mm, area_mm2, middle) in walls {

@@ -32,15 +32,16 @@ impl Hub<'_> {
     /// The whole hub.
     ///
     /// Bosses, plate and ears stand 0.01 to 0.04 mm beyond top and underside and are cut to height together,
-    /// so that no two of their faces coincide.
+    /// so that no two of their faces coincide. Drawn with the arms along x and y and turned when it is whole: the
+    /// mesh kernel sorts facets by axis-parallel boxes, and those of long facets are thin only along the axes.
     pub fn feature(&self) -> Feature {
         let h = self.centre.hub_half_height_mm;
         let wide = 2.0 * self.frame.hub.hub_mouth_mm;
-        let arms = Feature::union((0..4).map(|i| quarter(self.pair(h + f64::from(1 + i % 2) * SINK_MM), 45.0 + 90.0 * f64::from(i))))
-            .minus([self.dish()]);
+        let arms = Feature::union((0..4).map(|i| quarter(self.pair(h + f64::from(1 + i % 2) * SINK_MM), 90.0 * f64::from(i))))
+            .minus([quarter(self.dish(), -45.0)]);
         let body = [arms, self.plate()].into_iter().chain(self.corner_fillets()).chain(self.ears());
         let slab = Feature::cuboid_between([-wide, -wide, -h], [wide, wide, h]);
-        Feature::intersection([Feature::union(body), slab]).minus(self.holes())
+        quarter(Feature::intersection([Feature::union(body), slab]).minus(self.holes()), 45.0)
     }
 
     /// The two bosses of a diagonal, drawn along x, with the fillets to the plate.
@@ -95,7 +96,7 @@ impl Hub<'_> {
         let side = |low: f64, high: f64| face(&[([-edge, low], re), ([edge, low], re), sharp(edge, high), sharp(-edge, high)]);
         let low = -self.centre.hub_half_height_mm - 3.0 * SINK_MM;
         let reach = [-edge - 5.0, edge + 5.0];
-        quarter(Feature::intersection([along_y(side(low, zt), reach), along_x(side(low - SINK_MM, zt + 1.0), reach)]), 45.0)
+        Feature::intersection([along_y(side(low, zt), reach), along_x(side(low - SINK_MM, zt + 1.0), reach)])
     }
 
     /// Fillets in the plan outline between the plate's edge and the bosses.
@@ -109,7 +110,7 @@ impl Hub<'_> {
         outline.extend([sharp(s + FILLET_MM, t + 0.4), sharp(s - 0.5, t + 0.4)]);
         let one = upright(face(&outline), [0.6 * self.edge_mm() - self.centre.hub_half_height_mm, self.centre.plate_top_mm - 0.05]);
         let two = Feature::union([one.clone(), one.mirrored(Vector3::y())]);
-        (0..4).map(|i| quarter(two.clone(), 45.0 + 90.0 * f64::from(i))).collect()
+        (0..4).map(|i| quarter(two.clone(), 90.0 * f64::from(i))).collect()
     }
 
     fn ears(&self) -> Vec<Feature> {
@@ -117,7 +118,7 @@ impl Hub<'_> {
         let ear = Feature::revolve(face(&[sharp(0.0, -h), ([r, -h], re), ([r, h], re), sharp(0.0, h)]))
             .turned_z(Angle::deg(180.0 / f64::from(SEGMENTS_PER_TURN)))
             .at(self.centre.tie_radius_mm, 0.0, 0.0);
-        (0..4).map(|i| quarter(ear.clone(), 90.0 * f64::from(i))).collect()
+        (0..4).map(|i| quarter(ear.clone(), 90.0 * f64::from(i) - 45.0)).collect()
     }
 
     fn holes(&self) -> Vec<Feature> {
@@ -129,21 +130,18 @@ impl Hub<'_> {
         };
         let mut holes = Vec::new();
         for i in 0..4 {
-            let diagonal = 45.0 + 90.0 * f64::from(i);
+            let diagonal = 90.0 * f64::from(i);
             holes.extend([-0.5, 0.5].map(|side| quarter(plug(side * self.frame.hub_joint.arm_pitch_mm), diagonal)));
             holes.push(quarter(
                 bore(self.centre.tie_radius_mm, 0.0, self.frame.hub.hub_tie_hole_diameter_mm, [-h - 1.0, h + 1.0]),
-                90.0 * f64::from(i),
+                diagonal - 45.0,
             ));
         }
         for (x, y) in [(half, half), (-half, half), (-half, -half), (half, -half)] {
-            holes.push(bore(x, y, self.frame.hub.stack_pilot_diameter_mm, [-h - 1.0, zt + 1.0]));
-            holes.push(bore(
-                x,
-                y,
-                self.frame.hub.stack_counterbore_diameter_mm,
-                [zt - self.frame.hub.stack_counterbore_depth_mm, zt + 2.0 * h],
-            ));
+            let hub = &self.frame.hub;
+            let pilot = bore(x, y, hub.stack_pilot_diameter_mm, [-h - 1.0, zt + 1.0]);
+            let counterbore = bore(x, y, hub.stack_counterbore_diameter_mm, [zt - hub.stack_counterbore_depth_mm, zt + 2.0 * h]);
+            holes.extend([pilot, counterbore].map(|hole| quarter(hole, -45.0)));
         }
         holes
     }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 const SAMPLES: usize = 3;
 
 /// Rows of pixels to a band.
-const BAND_ROWS: usize = 32;
+const BAND_ROWS: usize = 16;
 
 /// Steps to a sample.
 const STEPS: i64 = 256;
@@ -77,23 +77,33 @@ struct Samples {
     rows: Range<usize>,
     near: Vec<f32>,
     colour: Vec<[f32; 3]>,
+    /// Samples of each row between which anything was drawn.
+    touched: Vec<Range<usize>>,
 }
 
 impl Samples {
     fn white(width: usize, rows: Range<usize>) -> Self {
         let count = width * rows.len();
-        Self { width, rows, near: vec![f32::MIN; count], colour: vec![[1.0; 3]; count] }
+        let touched = vec![width..0; rows.len()];
+        Self { width, rows, near: vec![f32::MIN; count], colour: vec![[1.0; 3]; count], touched }
     }
 
     fn draw(&mut self, fill: &Fill) {
         let Some(shape) = Shape::new(&fill.corners) else { return };
+        let rows = shape.rows(&self.rows);
+        if rows.is_empty() || shape.misses_columns() {
+            return;
+        }
         let near = shape.plane(fill.corners.map(|c| c[2]));
         let light = shape.plane(fill.light.map(f64::from));
-        for row in shape.rows(&self.rows) {
-            let columns = shape.columns(row, self.width);
+        let mut walk = Walk::new(&shape, rows.start);
+        for row in rows {
+            let columns = walk.next_row(self.width);
             if columns.is_empty() {
                 continue;
             }
+            let touched = &mut self.touched[row - self.rows.start];
+            *touched = touched.start.min(columns.start)..touched.end.max(columns.end);
             let start = (row - self.rows.start) * self.width;
             let (near, light) = (near.along(row), light.along(row));
             let span = start + columns.start..start + columns.end;
@@ -114,16 +124,21 @@ impl Samples {
 
     /// The pixels of the band: the mean of their samples, as display values.
     fn averaged(&self, table: &[u8]) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(self.colour.len() / (SAMPLES * SAMPLES) * 3);
-        for row in (0..self.rows.len()).step_by(SAMPLES) {
-            for column in (0..self.width).step_by(SAMPLES) {
+        let mut bytes = vec![u8::MAX; self.colour.len() / (SAMPLES * SAMPLES) * 3];
+        for (row, line) in (0..self.rows.len()).step_by(SAMPLES).zip(bytes.chunks_exact_mut(self.width / SAMPLES * 3)) {
+            let touched = &self.touched[row..row + SAMPLES];
+            let low = touched.iter().map(|t| t.start).fold(self.width, usize::min) / SAMPLES;
+            let high = touched.iter().map(|t| t.end).fold(0, usize::max).div_ceil(SAMPLES);
+            for pixel in low..high {
+                let column = pixel * SAMPLES;
                 let mut sum = [0.0_f32; 3];
-                for line in row..row + SAMPLES {
-                    for colour in &self.colour[line * self.width + column..][..SAMPLES] {
+                for samples in row..row + SAMPLES {
+                    for colour in &self.colour[samples * self.width + column..][..SAMPLES] {
                         (0..3).for_each(|i| sum[i] += colour[i].clamp(0.0, 1.0));
                     }
                 }
-                bytes.extend(sum.map(|s| table[((s / (SAMPLES * SAMPLES) as f32 * TABLE as f32 + 0.5) as usize).min(TABLE)]));
+                let shown = sum.map(|s| table[((s / (SAMPLES * SAMPLES) as f32 * TABLE as f32 + 0.5) as usize).min(TABLE)]);
+                line[pixel * 3..][..3].copy_from_slice(&shown);
             }
         }
         bytes
@@ -159,26 +174,11 @@ impl Shape {
         clamped(div_ceil(low - STEPS / 2, STEPS), (high - STEPS / 2).div_euclid(STEPS) + 1, given)
     }
 
-    /// Samples of a row that it covers; a sample on an edge belongs to the triangle below or right of it.
-    fn columns(&self, row: usize, width: usize) -> Range<usize> {
-        let y = row as i64 * STEPS + STEPS / 2;
-        let (mut low, mut high) = (i64::MIN, i64::MAX);
-        for i in 0..3 {
-            let ([px, py], [qx, qy]) = (self.corners[i], self.corners[(i + 1) % 3]);
-            let (dx, dy) = (qx - px, qy - py);
-            let owned = dy < 0 || (dy == 0 && dx > 0);
-            let rest = dx * (y - py) - i64::from(!owned);
-            match dy.signum() {
-                1 => high = high.min(px + rest.div_euclid(dy)),
-                -1 => low = low.max(px + div_ceil(-rest, -dy)),
-                _ if rest < 0 => return 0..0,
-                _ => {}
-            }
-        }
-        if low == i64::MIN || high == i64::MAX {
-            return 0..0;
-        }
-        clamped(div_ceil(low - STEPS / 2, STEPS), (high - STEPS / 2).div_euclid(STEPS) + 1, &(0..width))
+    /// Whether it lies between two columns of samples.
+    fn misses_columns(&self) -> bool {
+        let low = self.corners.iter().map(|c| c[0]).fold(i64::MAX, i64::min);
+        let high = self.corners.iter().map(|c| c[0]).fold(i64::MIN, i64::max);
+        div_ceil(low - STEPS / 2, STEPS) > (high - STEPS / 2).div_euclid(STEPS)
     }
 
     /// The linear function of the picture that has these values at the corners.
@@ -189,6 +189,76 @@ impl Shape {
         let (du, dv) = (vb - va, vc - va);
         let slope = [(du * (c[1] - a[1]) - dv * (b[1] - a[1])) * scale, (dv * (b[0] - a[0]) - du * (c[0] - a[0])) * scale];
         Plane { origin: a, value: va, slope, range: [va.min(vb).min(vc), va.max(vb).max(vc)] }
+    }
+}
+
+/// The samples that a shape covers, row by row; a sample on an edge belongs to the triangle below or right of it.
+struct Walk {
+    sides: [Option<Side>; 3],
+    /// Row of samples, in steps.
+    y: i64,
+    /// Height of a level edge whose samples are the neighbour's, in steps.
+    left_out: Option<i64>,
+}
+
+impl Walk {
+    fn new(shape: &Shape, row: usize) -> Self {
+        let y = row as i64 * STEPS + STEPS / 2;
+        let ends = [0, 1, 2].map(|i| [shape.corners[i], shape.corners[(i + 1) % 3]]);
+        let left_out = ends.iter().find(|[p, q]| p[1] == q[1] && q[0] < p[0]).map(|[p, _]| p[1]);
+        Self { sides: ends.map(|[p, q]| Side::new(p, q, y)), y, left_out }
+    }
+
+    /// The samples of the row; the walk goes on to the next.
+    fn next_row(&mut self, width: usize) -> Range<usize> {
+        let (mut low, mut high) = (i64::MIN, i64::MAX);
+        for side in self.sides.iter_mut().flatten() {
+            if side.right {
+                high = high.min(side.from + side.quotient)
+            } else {
+                low = low.max(side.from - side.quotient)
+            }
+            side.advance();
+        }
+        let left_out = self.left_out == Some(self.y);
+        self.y += STEPS;
+        if left_out || low == i64::MIN || high == i64::MAX {
+            return 0..0;
+        }
+        clamped(div_ceil(low - STEPS / 2, STEPS), (high - STEPS / 2).div_euclid(STEPS) + 1, &(0..width))
+    }
+}
+
+/// Where an edge that is not level crosses a row: `from` plus (the right side) or minus the quotient of two whole
+/// numbers, which is kept with its remainder, so that the next row needs no division.
+struct Side {
+    from: i64,
+    right: bool,
+    height: i64,
+    quotient: i64,
+    remainder: i64,
+    step: [i64; 2],
+}
+
+impl Side {
+    fn new([px, py]: [i64; 2], [qx, qy]: [i64; 2], y: i64) -> Option<Self> {
+        let (dx, dy) = (qx - px, qy - py);
+        let height = dy.abs();
+        if height == 0 {
+            return None;
+        }
+        let (rest, more) = (dx * (y - py) - i64::from(dy > 0), dx * STEPS);
+        let step = [more.div_euclid(height), more.rem_euclid(height)];
+        Some(Self { from: px, right: dy > 0, height, quotient: rest.div_euclid(height), remainder: rest.rem_euclid(height), step })
+    }
+
+    fn advance(&mut self) {
+        self.quotient += self.step[0];
+        self.remainder += self.step[1];
+        if self.remainder >= self.height {
+            self.remainder -= self.height;
+            self.quotient += 1;
+        }
     }
 }
 
@@ -216,7 +286,14 @@ struct Line {
 
 impl Line {
     fn at(&self, column: usize) -> f64 {
-        (self.start + self.slope * column as f64).max(self.range[0]).min(self.range[1])
+        let value = self.start + self.slope * column as f64;
+        if value < self.range[0] {
+            self.range[0]
+        } else if value > self.range[1] {
+            self.range[1]
+        } else {
+            value
+        }
     }
 }
 

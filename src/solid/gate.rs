@@ -1,7 +1,5 @@
 //! The export gate: what a mesh must be before it may be written.
 
-use std::collections::BTreeMap;
-
 use super::mesh::Mesh;
 use super::mesh_solid::MeshSolid;
 
@@ -84,17 +82,19 @@ pub fn pass(mesh: &Mesh) -> Result<Topology, GateError> {
 }
 
 fn closed(mesh: &Mesh) -> Result<(), GateError> {
-    let mut edges: BTreeMap<(u32, u32), i32> = BTreeMap::new();
-    for t in &mesh.triangles {
-        for (from, to) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
-            *edges.entry((from, to)).or_default() += 1;
-        }
+    let mut edges: Vec<(u32, u32)> = mesh.triangles.iter().flat_map(|t| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])]).collect();
+    edges.sort_unstable();
+    // A mesh without a double edge whose reversed edges are its edges is closed; only otherwise they are counted.
+    let mut reversed: Vec<(u32, u32)> = edges.iter().map(|(a, b)| (*b, *a)).collect();
+    reversed.sort_unstable();
+    if edges == reversed && edges.windows(2).all(|pair| pair[0] != pair[1]) {
+        return Ok(());
     }
-    let open: Vec<_> = edges.iter().filter(|((a, b), n)| **n != 1 || edges.get(&(*b, *a)) != Some(&1)).map(|(e, _)| *e).collect();
-    match open.first() {
-        None => Ok(()),
-        Some(&(from, to)) => Err(GateError::OpenEdges { count: open.len(), from, to }),
-    }
+    let once = |edge: (u32, u32)| edges.partition_point(|e| *e <= edge) - edges.partition_point(|e| *e < edge) == 1;
+    let mut open: Vec<(u32, u32)> = edges.iter().copied().filter(|(a, b)| !(once((*a, *b)) && once((*b, *a)))).collect();
+    open.dedup();
+    let (from, to) = open[0];
+    Err(GateError::OpenEdges { count: open.len(), from, to })
 }
 
 fn area_mm2(mesh: &Mesh, triangle: &[u32; 3]) -> f64 {

@@ -31,7 +31,7 @@ pub struct Hit {
 impl MeshSolid {
     /// Builds a feature tree; an impossible one (a negative height, an empty result) comes out empty.
     pub fn build(feature: &Feature) -> Self {
-        Self(build(feature))
+        Self(Builder::default().solid(feature))
     }
 
     /// Takes a written mesh back into the kernel; `None` when it is not closed.
@@ -46,9 +46,19 @@ impl MeshSolid {
         (!solid.is_empty()).then_some(Self(solid))
     }
 
-    /// The mesh that is written, in canonical order.
+    /// The same without detail that no printer can place.
+    pub fn melted(&self) -> Self {
+        Self(self.0.as_original().simplify(MELT_MM))
+    }
+
+    /// The mesh of the melted solid.
     pub fn to_mesh(&self) -> Mesh {
-        let gl = self.0.as_original().simplify(MELT_MM).get_mesh_gl64(-1);
+        self.melted().mesh()
+    }
+
+    /// Its mesh as it is, in canonical order.
+    pub fn mesh(&self) -> Mesh {
+        let gl = self.0.get_mesh_gl64(-1);
         let stride = gl.num_prop as usize;
         let positions: Vec<Point3<f64>> = gl.vert_properties.chunks_exact(stride).map(|v| Point3::new(v[0], v[1], v[2])).collect();
         let triangles: Vec<[u32; 3]> = gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]).collect();
@@ -149,35 +159,69 @@ impl MeshSolid {
     }
 }
 
-fn build(feature: &Feature) -> Manifold {
-    let n = SEGMENTS_PER_TURN as i32;
-    match feature {
-        Feature::Extrude { profile, height_mm } => Manifold::extrude(&outlines(profile), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0)),
-        Feature::Cylinder { radius_mm, height_mm } => Manifold::cylinder(*height_mm, *radius_mm, *radius_mm, n),
-        Feature::Bore { radius_mm, height_mm } => {
-            let radius = circumscribed(*radius_mm, SEGMENTS_PER_TURN);
-            Manifold::cylinder(*height_mm, radius, radius, n)
+/// Makes the solids of a feature tree. What occurs in it several times is made once.
+#[derive(Default)]
+struct Builder<'a> {
+    made: Vec<(&'a Feature, Manifold)>,
+}
+
+impl<'a> Builder<'a> {
+    fn solid(&mut self, feature: &'a Feature) -> Manifold {
+        if let Some((_, solid)) = self.made.iter().find(|(made, _)| *made == feature) {
+            return solid.clone();
         }
-        Feature::Cone { bottom_radius_mm, top_radius_mm, height_mm } => {
-            Manifold::cylinder(*height_mm, *bottom_radius_mm, *top_radius_mm, n)
+        let solid = self.make(feature);
+        // Moving a copy takes as long as looking it up saves.
+        if !matches!(feature, Feature::Placed { .. }) {
+            self.made.push((feature, solid.clone()));
         }
-        Feature::Sphere { radius_mm } => Manifold::sphere(*radius_mm, n),
-        Feature::Revolve { profile, turn } => Manifold::revolve(&outlines(profile), n, turn.to_deg()),
-        Feature::Hull(of) => Manifold::hull_manifolds(&built(of)),
-        Feature::Union(of) => together(built(of), OpType::Add),
-        Feature::Intersection(of) => together(built(of), OpType::Intersect),
-        Feature::Difference { base, cuts } => build(base).difference(&together(built(cuts), OpType::Add)),
-        Feature::Placed { pose, of } => build(of).transform(&matrix(pose)),
-        Feature::Mirrored { normal, of } => build(of).mirror(vec3(normal)),
+        solid
+    }
+
+    fn solids(&mut self, features: &'a [Feature]) -> Vec<Manifold> {
+        features.iter().map(|feature| self.solid(feature)).collect()
+    }
+
+    fn make(&mut self, feature: &'a Feature) -> Manifold {
+        let n = SEGMENTS_PER_TURN as i32;
+        match feature {
+            Feature::Extrude { profile, height_mm } => Manifold::extrude(&outlines(profile), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0)),
+            Feature::Cylinder { radius_mm, height_mm } => Manifold::cylinder(*height_mm, *radius_mm, *radius_mm, n),
+            Feature::Bore { radius_mm, height_mm } => {
+                let radius = circumscribed(*radius_mm, SEGMENTS_PER_TURN);
+                Manifold::cylinder(*height_mm, radius, radius, n)
+            }
+            Feature::Cone { bottom_radius_mm, top_radius_mm, height_mm } => {
+                Manifold::cylinder(*height_mm, *bottom_radius_mm, *top_radius_mm, n)
+            }
+            Feature::Sphere { radius_mm } => Manifold::sphere(*radius_mm, n),
+            Feature::Revolve { profile, turn } => Manifold::revolve(&outlines(profile), n, turn.to_deg()),
+            Feature::Hull(of) => Manifold::hull_manifolds(&self.solids(of)),
+            Feature::Union(of) => union(self.solids(of)),
+            Feature::Intersection(of) => pairwise(self.solids(of), OpType::Intersect),
+            Feature::Difference { base, cuts } => self.solid(base).difference(&union(self.solids(cuts))),
+            Feature::Placed { pose, of } => self.solid(of).transform(&matrix(pose)),
+            Feature::Mirrored { normal, of } => self.solid(of).mirror(vec3(normal)),
+        }
     }
 }
 
-fn built(features: &[Feature]) -> Vec<Manifold> {
-    features.iter().map(build).collect()
+/// All together. Solids whose boxes are apart need no boolean: they are only listed as one.
+fn union(solids: Vec<Manifold>) -> Manifold {
+    let mut groups: Vec<Vec<Manifold>> = Vec::new();
+    for solid in solids {
+        let bounds = solid.bounding_box();
+        let apart = |group: &&mut Vec<Manifold>| group.iter().all(|other| !other.bounding_box().does_overlap_box(&bounds));
+        match groups.iter_mut().find(apart) {
+            Some(group) => group.push(solid),
+            None => groups.push(vec![solid]),
+        }
+    }
+    pairwise(groups.iter().map(|group| Manifold::compose(group)).collect(), OpType::Add)
 }
 
 /// Joins neighbours pairwise until one is left, so that the operands stay small.
-fn together(mut solids: Vec<Manifold>, op: OpType) -> Manifold {
+fn pairwise(mut solids: Vec<Manifold>, op: OpType) -> Manifold {
     while solids.len() > 1 {
         solids = solids
             .chunks(2)
