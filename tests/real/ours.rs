@@ -18,8 +18,16 @@ use super::scan;
 pub fn printed(real: &RealPart) -> Printed {
     let mut frame = Frame::load("cognifly-v8").expect("the preset is valid").0;
     frame.motor_mount.motor_riser_mm = real.riser_mm;
-    let skeleton = Skeleton::new(&frame).expect("the real frame closes");
-    Printed::make(real.part, &frame, &skeleton, &Centre::new(&frame)).expect("the part can be made")
+    made(real.part, &frame)
+}
+
+/// A part of a frame.
+///
+/// # Panics
+/// When it cannot be made.
+pub fn made(part: PartName, frame: &Frame) -> Printed {
+    let skeleton = Skeleton::new(frame).expect("the frame closes");
+    Printed::make(part, frame, &skeleton, &Centre::new(frame)).expect("the part can be made")
 }
 
 /// What the written STL file holds, read back and turned from the print bed into the part's own axes.

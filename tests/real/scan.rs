@@ -27,16 +27,22 @@ pub fn read(mut file: impl Read + Seek, pose: &Isometry3<f64>) -> Mesh {
 }
 
 impl RealPart {
-    /// The real part in our part's axes: its largest body, as one file has slivers inside.
+    /// The real part's surface in our part's axes.
     ///
     /// # Panics
-    /// When the file cannot be read or is not closed.
-    pub fn solid(&self) -> MeshSolid {
+    /// When the file cannot be read.
+    pub fn mesh(&self) -> Mesh {
         let path = folder().join(&self.file);
         let bytes = std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        let mesh = read(std::io::Cursor::new(bytes), &self.pose());
-        let solid = MeshSolid::from_mesh(&mesh).unwrap_or_else(|| panic!("{} is not closed", self.file));
-        solid.largest_body()
+        read(std::io::Cursor::new(bytes), &self.pose())
+    }
+
+    /// The solid within it: its largest body, as one file has slivers inside.
+    ///
+    /// # Panics
+    /// When it is not closed.
+    pub fn solid(&self) -> MeshSolid {
+        MeshSolid::from_mesh(&self.mesh()).unwrap_or_else(|| panic!("{} is not closed", self.file)).largest_body()
     }
 }
 
