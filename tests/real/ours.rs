@@ -35,11 +35,14 @@ pub fn made(part: PartName, frame: &Frame) -> Printed {
 /// # Panics
 /// When it cannot be written or read.
 pub fn exported(part: &Printed) -> Mesh {
-    let turn = print_turn(part.name);
-    let laid = Isometry3::from_parts(Translation3::identity(), turn);
-    let lift = Isometry3::translation(0.0, 0.0, -part.flat.placed(&laid).bounds_mm()[0][2]);
     let bytes = stl::binary(&part.mesh).expect("memory takes it");
-    scan::read(std::io::Cursor::new(bytes), &(lift * laid).inverse())
+    scan::read(std::io::Cursor::new(bytes), &on_bed(part).inverse())
+}
+
+/// From the part's own axes to where it lies on the print bed.
+pub fn on_bed(part: &Printed) -> Isometry3<f64> {
+    let laid = Isometry3::from_parts(Translation3::identity(), print_turn(part.name));
+    Isometry3::translation(0.0, 0.0, -part.flat.placed(&laid).bounds_mm()[0][2]) * laid
 }
 
 fn print_turn(name: PartName) -> UnitQuaternion<f64> {
