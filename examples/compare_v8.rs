@@ -23,8 +23,8 @@ use real::{figures, ours, scan};
 /// Width and height of one view, pixels.
 const VIEW: [u32; 2] = [320, 240];
 
-/// Colours are rounded to multiples of this, which keeps the files small.
-const SHADE: u8 = 9;
+/// Each of red, green and blue is rounded to so many steps above black, which keeps the files small.
+const SHADES: u16 = 28;
 
 /// Of joints and of rigid parts: linear red, green, blue, opacity.
 const COLOURS: [[f32; 4]; 2] = [[0.73, 0.04, 0.04, 1.0], [0.33, 0.36, 0.40, 1.0]];
@@ -143,7 +143,7 @@ fn rgb(png_bytes: &[u8]) -> Vec<u8> {
 fn sheet(rows: &[[Vec<u8>; 2]; 2]) -> Vec<u8> {
     let line = 3 * VIEW[0] as usize;
     let lines = rows.iter().flat_map(|[left, right]| left.chunks(line).zip(right.chunks(line)));
-    let shade = |value: u8| (value.saturating_add(SHADE / 2) / SHADE).saturating_mul(SHADE);
+    let shade = |value: u8| ((u16::from(value) * SHADES + 127) / 255 * 255 / SHADES) as u8;
     let pixels: Vec<[u8; 3]> = lines.flat_map(|(l, r)| l.chunks(3).chain(r.chunks(3))).map(|p| [p[0], p[1], p[2]].map(shade)).collect();
     let colours: BTreeSet<[u8; 3]> = pixels.iter().copied().collect();
     let palette: Vec<[u8; 3]> = colours.into_iter().collect();
