@@ -37,6 +37,43 @@ pub struct Finding {
     pub parameter: &'static str,
 }
 
+/// Findings that say the same of different places, shown by their tightest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tightest<'a> {
+    /// The one with the least margin.
+    pub finding: &'a Finding,
+    /// How many there are.
+    pub of: usize,
+}
+
+/// What a person has to read: every violation and note, and of what holds the tightest of each rule, unit and limit.
+pub fn tightest(findings: &[Finding]) -> Vec<Tightest<'_>> {
+    let mut shown: Vec<Tightest> = Vec::new();
+    for finding in findings {
+        let alike = |t: &Tightest| {
+            let (a, b) = (t.finding, finding);
+            a.verdict == Verdict::Holds && (a.rule, a.unit) == (b.rule, b.unit) && a.limit == b.limit && a.aspect() == b.aspect()
+        };
+        match shown.iter_mut().find(|t| finding.verdict == Verdict::Holds && alike(t)) {
+            Some(group) => {
+                group.of += 1;
+                if finding.margin < group.finding.margin {
+                    group.finding = finding;
+                }
+            }
+            None => shown.push(Tightest { finding, of: 1 }),
+        }
+    }
+    shown
+}
+
+impl Finding {
+    /// What of its subject was measured: the words after its last colon.
+    fn aspect(&self) -> &str {
+        self.subject.rsplit_once(": ").map_or("", |(_, aspect)| aspect)
+    }
+}
+
 /// A measured number and its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Measure {
@@ -67,5 +104,22 @@ impl Measure {
         let verdict = if margin >= 0.0 { Verdict::Holds } else { Verdict::Violated };
         let Self { rule, value, limit, unit, parameter } = self;
         Finding { rule, subject, verdict, value, limit, margin, unit, message, parameter }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(subject: &str, value: f64) -> Finding {
+        let measure = Measure { rule: "seating", value, limit: 4.0, unit: "mm", parameter: "" };
+        measure.at_least(subject.into(), String::new())
+    }
+
+    #[test]
+    fn analytic_the_tightest_of_what_holds_and_all_that_does_not() {
+        let all = [found("a: depth", 6.0), found("b: depth", 5.0), found("c: depth", 3.0), found("d: depth", 2.0), found("a: wall", 9.0)];
+        let shown: Vec<(&str, usize)> = tightest(&all).iter().map(|t| (t.finding.subject.as_str(), t.of)).collect();
+        assert_eq!(shown, [("b: depth", 2), ("c: depth", 1), ("d: depth", 1), ("a: wall", 1)]);
     }
 }

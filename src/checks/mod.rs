@@ -23,7 +23,7 @@ pub use cartridge::{CartridgeMeeting, CartridgePassage};
 pub use centre_of_mass::CentreOffset;
 pub use clearance::RodClearance;
 pub use envelope::Extent;
-pub use finding::{Finding, Verdict};
+pub use finding::{Finding, Tightest, Verdict, tightest};
 pub use ground::GroundClearance;
 pub use hinge::{HingeStrain, NotchPreload};
 pub use interference::SharedVolume;

@@ -91,6 +91,9 @@ pub(super) struct CheckOptions {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
+    /// Print every finding, not only the tightest of those that are alike.
+    #[arg(long)]
+    pub all: bool,
 }
 
 /// Options of `render`.

@@ -7,6 +7,7 @@ use super::arguments::{BuildOptions, Common};
 use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
+use super::terminal;
 use crate::assembly::mass::{self, MassTable};
 use crate::assembly::{Design, Printed};
 use crate::checks::{self, Finding, Verdict};
@@ -23,13 +24,13 @@ pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode,
     drop(working);
     let place = output::write_folder(&options.output, &design.frame.name, &files)?;
     for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
-        eprintln!("warning: {}", finding.message);
+        terminal::tell(&format!("warning: {}", finding.message));
     }
     if common.json {
         let (_, manifest) = files.last().map_or(("", &[][..]), |(path, bytes)| (path.as_str(), bytes.as_slice()));
-        print!("{}", String::from_utf8_lossy(manifest));
+        terminal::print(&String::from_utf8_lossy(manifest))?;
     } else if !common.quiet {
-        print!("{}", table(&design, &masses, &place));
+        terminal::print(&table(&design, &masses, &place))?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -5,11 +5,11 @@ use std::process::ExitCode;
 use super::arguments::{CheckOptions, Common};
 use super::progress::Progress;
 use super::session::{self, Failure};
-use super::table;
+use super::{table, terminal};
 use crate::assembly::mass;
-use crate::checks::{self, Verdict};
+use crate::checks::{self, Tightest, Verdict};
 
-/// Prints every finding; exits 1 when a limit is violated.
+/// Prints the findings; exits 1 when a limit is violated.
 pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("checking", common);
     let design = session::design(&options.frame)?;
@@ -25,16 +25,16 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
             "findings": findings,
             "masses": masses,
         });
-        let text = serde_json::to_string_pretty(&report)
-            .map_err(|error| Failure::Machine { what: "cannot print the findings".into(), error: error.into() })?;
-        println!("{text}");
+        terminal::print_json(&report)?;
     } else if !common.quiet {
-        print!("{}", table::findings(&findings));
-        println!("{}: {:.1} g; {} of {} rules' findings violate a limit", design.frame.name, masses.total_g, violated, findings.len());
+        let every = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
+        let (frame, mass_g, count) = (&design.frame.name, masses.total_g, findings.len());
+        let table = table::findings(&if options.all { every } else { checks::tightest(&findings) });
+        terminal::print(&format!("{table}{frame}: {mass_g:.1} g; {violated} of {count} findings violate a limit\n"))?;
     }
     if common.quiet && !common.json {
         for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
-            eprintln!("{}", finding.message);
+            terminal::tell(&finding.message);
         }
     }
     Ok(if violated > 0 { ExitCode::from(1) } else { ExitCode::SUCCESS })

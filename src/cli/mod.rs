@@ -9,6 +9,7 @@ mod progress;
 mod render;
 mod session;
 mod table;
+mod terminal;
 
 use std::process::ExitCode;
 
@@ -33,7 +34,7 @@ pub fn run() -> ExitCode {
     match perform(&arguments) {
         Ok(code) => code,
         Err(failure) => {
-            eprint!("{}", failure.render());
+            terminal::tell(failure.render().trim_end());
             ExitCode::from(failure.exit_code())
         }
     }
@@ -46,12 +47,16 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),
         Command::Completions { shell } => {
-            clap_complete::generate(*shell, &mut Arguments::command(), "flexframe", &mut std::io::stdout());
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut Arguments::command(), "flexframe", &mut script);
+            terminal::print(&String::from_utf8_lossy(&script))?;
             Ok(ExitCode::SUCCESS)
         }
         Command::Man => {
-            let page = clap_mangen::Man::new(Arguments::command());
-            page.render(&mut std::io::stdout()).map_err(|error| Failure::Machine { what: "cannot print the manual page".into(), error })?;
+            let mut page = Vec::new();
+            let written = clap_mangen::Man::new(Arguments::command()).render(&mut page);
+            written.map_err(|error| Failure::Machine { what: "cannot make the manual page".into(), error })?;
+            terminal::print(&String::from_utf8_lossy(&page))?;
             Ok(ExitCode::SUCCESS)
         }
     }

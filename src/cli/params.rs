@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use super::arguments::{Common, ParamsOptions};
 use super::session::{self, Failure};
-use crate::params::frame_file::{FrameFile, Value};
-use crate::params::{Frame, parameters};
+use super::terminal;
+use crate::params::{Frame, follows, parameters};
 
 /// A parameter as listed.
 #[derive(Serialize)]
@@ -16,27 +16,26 @@ struct Row {
     unit: &'static str,
     value: Option<f64>,
     default: Option<f64>,
+    /// The bought part that the value follows from, when no file states it.
+    follows: Option<&'static str>,
     min: f64,
     max: f64,
     drives: Vec<&'static str>,
     doc: &'static str,
 }
 
-/// Lists the parameters; a value that the frame file does not state follows from a bought part.
+/// Lists the parameters.
 pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let (_, file) = session::load(&options.frame)?;
-    let (_, default) = Frame::load("cognifly")?;
-    let stated = |file: &FrameFile, key: &str| match file.entries.get(key).map(|entry| &entry.value) {
-        Some(Value::Number(number)) => Some(*number),
-        _ => None,
-    };
+    let (frame, file) = session::load(&options.frame)?;
+    let (default, _) = Frame::load("cognifly")?;
     let rows: Vec<Row> = parameters()
         .map(|p| {
             let key = format!("{}.{}", p.table, p.key);
             Row {
                 unit: p.unit(),
-                value: stated(&file, &key),
-                default: stated(&default, &key),
+                value: frame.value(p.table, p.key),
+                default: default.value(p.table, p.key),
+                follows: if file.entries.contains_key(&key) { None } else { follows::role_of(p.key) },
                 min: p.min,
                 max: p.max,
                 drives: p.drives.iter().map(|part| part.slug()).collect(),
@@ -46,18 +45,26 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
         })
         .filter(|row| options.filter.as_ref().is_none_or(|text| row.key.contains(text.as_str())))
         .collect();
-    if common.json {
-        let text = serde_json::to_string_pretty(&rows)
-            .map_err(|error| Failure::Machine { what: "cannot print the parameters".into(), error: error.into() })?;
-        println!("{text}");
-        return Ok(ExitCode::SUCCESS);
+    if rows.is_empty() {
+        return Err(Failure::Usage { message: "no key contains that text; `flexframe params` lists them all".into() });
     }
-    println!("{:<48} {:>9} {:>9}  {:<18} what it is; what it drives", "key", "value", "default", "bounds");
-    for row in &rows {
-        let number = |value: Option<f64>| value.map_or("bought".into(), |value| format!("{value}"));
-        let bounds = format!("{} to {} {}", row.min, row.max, row.unit);
-        let drives = if row.drives.is_empty() { String::new() } else { format!(" [{}]", row.drives.join(", ")) };
-        println!("{:<48} {:>9} {:>9}  {:<18} {}{}", row.key, number(row.value), number(row.default), bounds, row.doc, drives);
+    if common.json {
+        terminal::print_json(&rows)?;
+    } else {
+        terminal::print(&table(&rows))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn table(rows: &[Row]) -> String {
+    let mut text = format!("{:<42} {:>9} {:>9}  {:<18} what it is; what it drives\n", "key", "value", "default", "bounds");
+    for row in rows {
+        let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{}", (value * 1e6).round() / 1e6));
+        let bounds = format!("{} to {} {}", row.min, row.max, row.unit);
+        let drives = if row.drives.is_empty() { String::new() } else { format!(" [{}]", row.drives.join(", ")) };
+        let follows = row.follows.map_or(String::new(), |role| format!(" (follows from bought.{role})"));
+        text +=
+            &format!("{:<42} {:>9} {:>9}  {bounds:<18} {}{follows}{drives}\n", row.key, number(row.value), number(row.default), row.doc);
+    }
+    text
 }

@@ -6,6 +6,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 use super::arguments::Common;
+use super::terminal;
 
 /// How long work may take before it is announced.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -26,7 +27,7 @@ impl Progress {
         let (done, ended) = channel::<()>();
         let watcher = std::thread::spawn(move || {
             if ended.recv_timeout(PATIENCE) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
-                eprintln!("{work} …");
+                terminal::tell(&format!("{work} …"));
             }
         });
         Self { done: Some(done), watcher: Some(watcher) }

@@ -6,6 +6,7 @@ use super::arguments::{Common, RenderOptions};
 use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
+use super::terminal;
 use crate::report::scene;
 
 /// Writes `FRAME-pictures` with every picture.
@@ -18,9 +19,9 @@ pub(super) fn render(options: &RenderOptions, common: &Common) -> Result<ExitCod
     let place = output::write_folder(&options.output, &format!("{}-pictures", design.frame.name), &files)?;
     if common.json {
         let paths: Vec<String> = files.iter().map(|(path, _)| place.join(path).display().to_string()).collect();
-        println!("{}", serde_json::json!({ "folder": place.display().to_string(), "pictures": paths }));
+        terminal::print_json(&serde_json::json!({ "folder": place.display().to_string(), "pictures": paths }))?;
     } else if !common.quiet {
-        eprintln!("{}: {} pictures", place.display(), files.len());
+        terminal::tell(&format!("{}: {} pictures", place.display(), files.len()));
     }
     Ok(ExitCode::SUCCESS)
 }

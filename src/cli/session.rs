@@ -72,7 +72,13 @@ pub(super) fn load(option: &FrameOption) -> Result<(Frame, FrameFile), Failure> 
 fn refusal(file: &FrameFile, error: &DesignError) -> Refusal {
     let message = error.to_string();
     match error {
-        DesignError::Closure(closure) => file.refuse(closure.key(), Reason::Impossible { message, remedy: closure.remedy() }),
+        DesignError::Closure(closure) => {
+            // The lengths close together or not at all: what the nearest file states is what was changed.
+            let keys = [closure.key(), "rods.arm_rod_length_mm", "rods.cage_rod_length_mm", "rods.strut_rod_length_mm"];
+            let depth = |key: &&str| file.entries.get(*key).map_or(usize::MAX, |entry| entry.depth);
+            let nearest = keys.into_iter().min_by_key(depth).unwrap_or(keys[0]);
+            file.refuse(nearest, Reason::Impossible { message, remedy: closure.remedy() })
+        }
         DesignError::Target { .. } => {
             let remedy = "choose another width, height or strut_tilt_deg".into();
             file.refuse("target.width_mm", Reason::Impossible { message, remedy })

@@ -2,27 +2,23 @@
 
 use std::io::IsTerminal;
 
-use crate::checks::{Finding, Verdict};
+use crate::checks::{Finding, Tightest, Verdict};
 
-/// The findings, violations marked, with value, limit and margin.
-pub(super) fn findings(findings: &[Finding]) -> String {
+/// Findings, violations marked, with value, limit and margin.
+pub(super) fn findings(findings: &[Tightest]) -> String {
     let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let width = findings.iter().map(|finding| finding.subject.chars().count()).max().unwrap_or(0).min(48);
+    let width = findings.iter().map(|shown| shown.finding.subject.chars().count()).max().unwrap_or(0).min(48);
     let mut text = String::new();
-    for finding in findings {
-        let (word, paint) = match finding.verdict {
-            Verdict::Holds => ("holds   ", "\x1b[32m"),
-            Verdict::Violated => ("VIOLATED", "\x1b[31m"),
-            Verdict::Note => ("note    ", "\x1b[33m"),
-        };
-        let word = if colour { format!("{paint}{word}\x1b[0m") } else { word.to_string() };
+    for Tightest { finding, of } in findings {
+        let among = if *of > 1 { format!("  tightest of {of}") } else { String::new() };
         text += &format!(
-            "{word}  {:<22} {:<width$}  {:>9.2} {unit:<4} limit {:>8.2} {unit:<4} margin {:>8.2}\n",
+            "{word}  {:<19} {:<width$}  {:>8.2} {unit:<4} limit {:>7.2} {unit:<4} margin {:>7.2}{among}\n",
             finding.rule,
             finding.subject,
             finding.value,
             finding.limit,
-            finding.margin,
+            finding.margin + 0.0,
+            word = verdict(finding, colour),
             unit = finding.unit
         );
         if finding.verdict == Verdict::Violated {
@@ -30,4 +26,13 @@ pub(super) fn findings(findings: &[Finding]) -> String {
         }
     }
     text
+}
+
+fn verdict(finding: &Finding, colour: bool) -> String {
+    let (word, paint) = match finding.verdict {
+        Verdict::Holds => ("holds   ", "\x1b[32m"),
+        Verdict::Violated => ("VIOLATED", "\x1b[31m"),
+        Verdict::Note => ("note    ", "\x1b[33m"),
+    };
+    if colour { format!("{paint}{word}\x1b[0m") } else { word.to_string() }
 }

@@ -42,8 +42,19 @@ pub struct Material {
     pub mechanical_source: Option<String>,
 }
 
+impl Material {
+    /// Whether its figures can be those of a material.
+    pub fn is_sound(&self) -> bool {
+        let optional =
+            [self.elongation_at_break_percent, self.elongation_across_layers_percent, self.tensile_modulus_mpa, self.tensile_strength_mpa];
+        let coloured = self.colour.iter().all(|share| (0.0..=1.0).contains(share));
+        all_positive([Some(self.density_g_cm3), Some(self.print_factor)]) && all_positive(optional) && self.density_g_cm3 < 25.0 && coloured
+    }
+}
+
 /// A part that is bought.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct BoughtPart {
     /// What it is: motor, propeller, battery …
     pub kind: String,
@@ -67,6 +78,41 @@ pub struct BoughtPart {
     pub height_mm: Option<f64>,
     /// Height of a propeller's hub, mm.
     pub hub_height_mm: Option<f64>,
+    /// Diameter of the circle of a motor's screw holes, mm.
+    pub hole_pcd_mm: Option<f64>,
+    /// Number of a motor's screw holes.
+    pub hole_count: Option<u32>,
+    /// Diameter of the mounting holes, or thread of a motor's, mm.
+    pub hole_diameter_mm: Option<f64>,
+    /// Hole that a motor's shaft needs in what it stands on, mm.
+    pub shaft_hole_diameter_mm: Option<f64>,
+    /// Distances of a board's mounting holes, mm.
+    pub hole_pattern_mm: Option<[f64; 2]>,
+    /// Distance of a sensor's two mounting holes, mm.
+    pub hole_pitch_mm: Option<f64>,
+    /// Cells of a battery in series.
+    pub cells: Option<u32>,
+    /// Stated capacity of a battery, mAh.
+    pub capacity_mah: Option<f64>,
+    /// Thread of a screw, mm.
+    pub thread_mm: Option<f64>,
+    /// Length of a screw under its head, mm.
+    pub length_mm: Option<f64>,
+    /// Diameter of a screw's head, mm.
+    pub head_diameter_mm: Option<f64>,
+    /// Height of a screw's head, mm.
+    pub head_height_mm: Option<f64>,
+}
+
+impl BoughtPart {
+    /// Whether its figures can be those of a part.
+    pub fn is_sound(&self) -> bool {
+        let lengths = [self.diameter_mm, self.stock_length_mm, self.body_diameter_mm, self.height_mm, self.hub_height_mm];
+        let holes = [self.hole_pcd_mm, self.hole_diameter_mm, self.shaft_hole_diameter_mm, self.hole_pitch_mm, self.capacity_mah];
+        let screw = [self.thread_mm, self.length_mm, self.head_diameter_mm, self.head_height_mm];
+        let weighed = self.mass_g.is_finite() && self.mass_g >= 0.0;
+        weighed && all_positive(self.size_mm.map(Some)) && all_positive(lengths) && all_positive(holes) && all_positive(screw)
+    }
 }
 
 /// The shape of a printer's bed.
@@ -97,4 +143,15 @@ pub struct Printer {
     pub min_wall_nozzles: f64,
     /// Where the figures come from.
     pub source: String,
+}
+
+impl Printer {
+    /// Whether its figures can be those of a printer.
+    pub fn is_sound(&self) -> bool {
+        all_positive(self.size_mm.map(Some)) && all_positive([Some(self.height_mm), Some(self.nozzle_mm), Some(self.min_wall_nozzles)])
+    }
+}
+
+fn all_positive<const N: usize>(figures: [Option<f64>; N]) -> bool {
+    figures.iter().flatten().all(|figure| figure.is_finite() && *figure > 0.0)
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::catalogue::{BoughtPart, Material, Printer};
+use super::follows;
 use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
@@ -164,6 +165,28 @@ impl Frame {
         Ok((frame, file))
     }
 
+    /// One of its numbers, by table and key.
+    pub fn value(&self, table: &str, key: &str) -> Option<f64> {
+        match table {
+            "rods" => self.rods.value(key),
+            "fit" => self.fit.value(key),
+            "corner" => self.corner.value(key),
+            "hub_joint" => self.hub_joint.value(key),
+            "fork" => self.fork.value(key),
+            "knee" => self.knee.value(key),
+            "motor_mount" => self.motor_mount.value(key),
+            "hub" => self.hub.value(key),
+            "pi_carrier" => self.pi_carrier.value(key),
+            "battery" => self.battery.value(key),
+            "sleeve" => self.sleeve.value(key),
+            "bracket" => self.bracket.value(key),
+            "lid" => self.lid.value(key),
+            "camera" => self.camera.value(key),
+            "limits" => self.limits.value(key),
+            _ => None,
+        }
+    }
+
     /// Checks a frame as typed.
     ///
     /// # Errors
@@ -176,7 +199,7 @@ impl Frame {
         let rod = bought.get("rod").and_then(|item| item.part.material.clone());
         let frame = Self {
             name: file.name.clone(),
-            description: text(file, "description").unwrap_or_default(),
+            description: text(file, "description")?.unwrap_or_default(),
             rods: RodParameters::read(number)?,
             fit: FitParameters::read(number)?,
             corner: CornerParameters::read(number)?,
@@ -196,7 +219,7 @@ impl Frame {
             flexible: catalogues.material(file, "materials.flexible", None)?,
             rigid: catalogues.material(file, "materials.rigid", None)?,
             rod_material: catalogues.material(file, "bought.rod", rod)?,
-            printer: printer(file)?,
+            printer: catalogues.printer(file)?,
             bought,
             extras: extras(file)?,
         };
@@ -215,7 +238,7 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
     known.push("target.strut_tilt_deg".into());
     known.extend(ROLES.iter().map(|(role, ..)| format!("bought.{role}")));
     for key in file.entries.keys() {
-        let free = key.starts_with("extras.") || key.starts_with("override.parts.") || key.starts_with("override.materials.");
+        let free = key.starts_with("extras.") || key.starts_with("override.");
         if !free && !known.contains(key) {
             let bare = key.rsplit('.').next().unwrap_or(key);
             let same_name = known.iter().filter(|k| k.rsplit('.').next() == Some(bare)).cloned().collect::<Vec<_>>();
@@ -233,11 +256,21 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
     }
 }
 
-fn text(file: &FrameFile, key: &str) -> Option<String> {
+/// A text as typed; `None` when no file states it.
+fn text(file: &FrameFile, key: &str) -> Result<Option<String>, Refusal> {
     match file.entries.get(key).map(|entry| &entry.value) {
-        Some(Value::Text(text)) => Some(text.clone()),
-        _ => None,
+        None => Ok(None),
+        Some(Value::Text(text)) => Ok(Some(text.clone())),
+        Some(other) => {
+            let reason = Reason::WrongType { key: key.into(), found: other.kind().into(), expected: "a text in quotes".into() };
+            Err(file.refuse(key, reason))
+        }
     }
+}
+
+/// A text that has to be stated.
+fn stated_text(file: &FrameFile, key: &str) -> Result<String, Refusal> {
+    text(file, key)?.ok_or_else(|| file.refuse(key, Reason::Missing { key: key.into() }))
 }
 
 /// A number as typed, or what a bought part says of it.
@@ -249,28 +282,15 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
             let reason = Reason::WrongType { key: key.clone(), found: other.kind().into(), expected: format!("a number in {}", p.unit()) };
             return Err(file.refuse(&key, reason));
         }
-        None => from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
+        None => follows::from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
     };
     if (p.min..=p.max).contains(&value) {
         return Ok(value);
     }
     let reason = Reason::OutOfBounds { key: key.clone(), value, min: p.min, max: p.max, unit: p.unit().into() };
     let typed = file.entries.contains_key(&key);
-    Err(file.refuse(if typed { &key } else { "bought.battery" }, reason))
-}
-
-/// Numbers that follow from the choice of a bought part unless the frame file states them.
-fn from_bought(bought: &BTreeMap<String, BoughtItem>, key: &str) -> Option<f64> {
-    let part = |role: &str| bought.get(role).map(|item| &item.part);
-    match key {
-        "battery_length_mm" => part("battery").map(|b| b.size_mm[0]),
-        "battery_width_mm" => part("battery").map(|b| b.size_mm[1]),
-        "battery_height_mm" => part("battery").map(|b| b.size_mm[2]),
-        "battery_mass_g" => part("battery").map(|b| b.mass_g),
-        "propeller_diameter_mm" => part("propeller").and_then(|p| p.diameter_mm),
-        "rod_diameter_mm" => part("rod").and_then(|r| r.diameter_mm),
-        _ => None,
-    }
+    let chosen = follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
+    Err(file.refuse(if typed { &key } else { &chosen }, reason))
 }
 
 fn target(file: &FrameFile) -> Result<Option<TargetSize>, Refusal> {
@@ -307,15 +327,8 @@ fn target(file: &FrameFile) -> Result<Option<TargetSize>, Refusal> {
     Ok(Some(TargetSize { width_mm: values[0], height_mm: values[1], strut_tilt_deg: values[2] }))
 }
 
-fn printer(file: &FrameFile) -> Result<Printer, Refusal> {
-    let name = text(file, "printer").ok_or_else(|| file.refuse("printer", Reason::Missing { key: "printer".into() }))?;
-    let Some((_, text)) = preset::PRINTERS.iter().find(|(known, _)| *known == name) else {
-        let nearest = nearest(&name, preset::PRINTERS.iter().map(|(known, _)| *known));
-        return Err(file.refuse("printer", Reason::UnknownName { kind: "printer".into(), name, nearest }));
-    };
-    toml::from_str(text)
-        .map_err(|error| file.refuse("printer", Reason::BadEntry { kind: "printer".into(), name, message: error.message().to_string() }))
-}
+/// Farthest that an extra mass may sit from the hub along an axis, mm.
+const FARTHEST_EXTRA_MM: f64 = 500.0;
 
 fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
@@ -327,6 +340,19 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let read = |(name, table): (String, toml::Table)| {
         let at = format!("extras.{name}.mass_g");
         let extra: Extra = table.try_into().map_err(|e: toml::de::Error| bad_entry(file, &at, "extra", &name, e.message()))?;
+        if extra.position_mm.iter().any(|at| at.abs() > FARTHEST_EXTRA_MM || !at.is_finite()) {
+            let at = format!("extras.{name}.position_mm");
+            let message = format!("lies further than {FARTHEST_EXTRA_MM} mm from the hub, or is no number");
+            return Err(bad_entry(file, &at, "extra", &name, &message));
+        }
+        if let Some(role) = extra.covers.iter().find(|role| ROLES.iter().all(|(known, ..)| known != role)) {
+            let reason = Reason::UnknownName {
+                kind: "role of a bought part".into(),
+                name: role.clone(),
+                nearest: nearest(role, ROLES.iter().map(|(known, ..)| *known)),
+            };
+            return Err(file.refuse(&format!("extras.{name}.covers"), reason));
+        }
         if !(0.0..=5000.0).contains(&extra.mass_g) {
             let (value, unit) = (extra.mass_g, "g".to_string());
             return Err(file.refuse(&at, Reason::OutOfBounds { key: at.clone(), value, min: 0.0, max: 5000.0, unit }));
@@ -344,24 +370,33 @@ fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, message: &str)
 struct Catalogues {
     parts: toml::Table,
     materials: toml::Table,
+    printers: toml::Table,
 }
 
 impl Catalogues {
     fn read(file: &FrameFile) -> Result<Self, Refusal> {
-        let shipped = |text: &str, table: &str| -> toml::Table {
-            let whole: toml::Table = toml::from_str(text).unwrap_or_default();
-            whole.get(table).and_then(|t| t.as_table()).cloned().unwrap_or_default()
-        };
-        let mut all = Self { parts: shipped(preset::BOUGHT, "parts"), materials: shipped(preset::MATERIALS, "materials") };
-        for (key, entry) in &file.entries {
-            let mut steps = key.splitn(4, '.');
-            if steps.next() != Some("override") {
-                continue;
-            }
-            let (Some(kind), Some(name), Some(field)) = (steps.next(), steps.next(), steps.next()) else {
-                return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: vec!["override.parts.NAME.mass_g".into()] }));
+        let shipped = |text: &str| -> toml::Table { toml::from_str(text).unwrap_or_default() };
+        let within = |text: &str, table: &str| shipped(text).get(table).and_then(|t| t.as_table()).cloned().unwrap_or_default();
+        let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(shipped(text)))).collect();
+        let mut all = Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers };
+        for (key, entry) in file.entries.iter().filter(|(key, _)| key.starts_with("override.")) {
+            // A name may have dots in it, as in [override.printers."generic-0.4"]; a table's and a field's have none.
+            let table = key.split('.').nth(1).unwrap_or_default();
+            let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
+            let (catalogue, name, field) = match (table, place) {
+                ("parts", Some((name, field))) => (&mut all.parts, name, field),
+                ("materials", Some((name, field))) => (&mut all.materials, name, field),
+                ("printers", Some((name, field))) => (&mut all.printers, name, field),
+                _ => {
+                    let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
+                    return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
+                }
             };
-            let catalogue = if kind == "parts" { &mut all.parts } else { &mut all.materials };
+            let named = file.entries.values().any(|entry| matches!(&entry.value, Value::Text(text) if text == name));
+            if !catalogue.contains_key(name) && !named {
+                let nearest = nearest(name, catalogue.keys().map(String::as_str));
+                return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
+            }
             let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
             if let Some(own) = own.as_table_mut() {
                 own.insert(field.into(), entry.value.to_toml());
@@ -374,23 +409,15 @@ impl Catalogues {
         let mut items = BTreeMap::new();
         for (role, quantity, kind) in ROLES {
             let key = format!("bought.{role}");
-            let Some(name) = text(file, &key) else { continue };
-            if name == "none" {
-                continue;
-            }
-            let Some(entry) = self.parts.get(&name) else {
-                let nearest = nearest(&name, self.parts.keys().map(String::as_str));
-                return Err(file.refuse(&key, Reason::UnknownName { kind: "bought part".into(), name, nearest }));
-            };
-            let part: BoughtPart =
-                entry.clone().try_into().map_err(|e: toml::de::Error| bad_entry(file, &key, "bought part", &name, e.message()))?;
+            let Some(name) = text(file, &key)?.filter(|name| name != "none") else { continue };
+            let part: BoughtPart = entry(&self.parts, file, &key, "bought part", "parts", &name)?;
             if part.kind != kind {
-                let reason = Reason::WrongType { key, found: format!("a {}: `{name}`", part.kind), expected: format!("a {kind}") };
-                return Err(file.refuse(&format!("bought.{role}"), reason));
+                let reason =
+                    Reason::WrongType { key: key.clone(), found: format!("a {}: `{name}`", part.kind), expected: format!("a {kind}") };
+                return Err(file.refuse(&key, reason));
             }
-            let sound = part.mass_g.is_finite() && part.mass_g >= 0.0 && part.size_mm.iter().all(|s| s.is_finite() && *s > 0.0);
-            if !sound {
-                return Err(bad_entry(file, &key, "bought part", &name, "its mass or size is negative or no number"));
+            if !part.is_sound() {
+                return Err(bad_override(file, &key, "bought part", "parts", &name, "a mass or size of it is negative or no number"));
             }
             items.insert(role.into(), BoughtItem { name, quantity, part });
         }
@@ -405,16 +432,45 @@ impl Catalogues {
 
     /// The material that a key names, or that something else named for it.
     fn material(&self, file: &FrameFile, key: &str, named: Option<String>) -> Result<NamedMaterial, Refusal> {
-        let name = named.or_else(|| text(file, key)).ok_or_else(|| file.refuse(key, Reason::Missing { key: key.into() }))?;
-        let Some(entry) = self.materials.get(&name) else {
-            let nearest = nearest(&name, self.materials.keys().map(String::as_str));
-            return Err(file.refuse(key, Reason::UnknownName { kind: "material".into(), name, nearest }));
-        };
-        let material: Material =
-            entry.clone().try_into().map_err(|e: toml::de::Error| bad_entry(file, key, "material", &name, e.message()))?;
-        if !(material.density_g_cm3 > 0.0 && material.print_factor > 0.0 && material.density_g_cm3 < 25.0) {
-            return Err(bad_entry(file, key, "material", &name, "its density or print factor is not positive"));
+        let name = named.map_or_else(|| stated_text(file, key), Ok)?;
+        let material: Material = entry(&self.materials, file, key, "material", "materials", &name)?;
+        if !material.is_sound() {
+            return Err(bad_override(file, key, "material", "materials", &name, "one of its figures is not positive or no number"));
         }
         Ok(NamedMaterial { name, material })
     }
+
+    fn printer(&self, file: &FrameFile) -> Result<Printer, Refusal> {
+        let name = stated_text(file, "printer")?;
+        let printer: Printer = entry(&self.printers, file, "printer", "printer", "printers", &name)?;
+        if !printer.is_sound() {
+            return Err(bad_override(file, "printer", "printer", "printers", &name, "one of its sizes is not positive or no number"));
+        }
+        Ok(printer)
+    }
+}
+
+/// A named entry of a catalogue; `key` names it in the frame file.
+fn entry<T: serde::de::DeserializeOwned>(
+    catalogue: &toml::Table,
+    file: &FrameFile,
+    key: &str,
+    kind: &str,
+    table: &str,
+    name: &str,
+) -> Result<T, Refusal> {
+    let Some(entry) = catalogue.get(name) else {
+        let nearest = nearest(name, catalogue.keys().map(String::as_str));
+        return Err(file.refuse(key, Reason::UnknownName { kind: kind.into(), name: name.into(), nearest }));
+    };
+    entry.clone().try_into().map_err(|e: toml::de::Error| bad_override(file, key, kind, table, name, e.message()))
+}
+
+/// A catalogue's entry that does not read: what the frame file changed in it is to blame.
+fn bad_override(file: &FrameFile, key: &str, kind: &str, table: &str, name: &str, message: &str) -> Refusal {
+    let own = format!("override.{table}.{name}.");
+    let changed: Vec<&String> = file.entries.keys().filter(|key| key.starts_with(&own)).collect();
+    let named = changed.iter().find(|key| key.strip_prefix(&own).is_some_and(|field| message.contains(&format!("`{field}`"))));
+    let at = named.or(changed.first()).map_or(key, |key| key.as_str());
+    bad_entry(file, at, kind, name, message)
 }

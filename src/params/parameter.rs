@@ -58,6 +58,14 @@ macro_rules! parameters {
                 },
             )+];
 
+            /// One of this group's numbers.
+            pub(super) fn value(&self, key: &str) -> Option<f64> {
+                match key {
+                    $( stringify!($key) => Some(self.$key), )+
+                    _ => None,
+                }
+            }
+
             /// Takes this group's numbers by key.
             pub(super) fn read<E>(mut number: impl FnMut(&$crate::params::parameter::Parameter) -> Result<f64, E>) -> Result<Self, E> {
                 let mut rows = Self::CATALOGUE.iter();

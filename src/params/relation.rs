@@ -20,13 +20,6 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
     let joint = &frame.hub_joint;
     let mount = &frame.motor_mount;
     let fork = &frame.fork;
-    let at_least = |value: f64, least: f64, key: &'static str, what: &str, remedy: &str| {
-        if value >= least {
-            return Ok(());
-        }
-        let message = format!("{what} would be {value:.2} mm, it must be at least {least:.2} mm");
-        Err(Broken { key, reason: Reason::Impossible { message, remedy: remedy.into() } })
-    };
     at_least(
         0.5 * (joint.hub_joint_diameter_mm - slide),
         THINNEST_MM,
@@ -76,6 +69,8 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "the room beside the motor plate",
         "raise arm_pitch_mm or lower motor_plate_diameter_mm",
     )?;
+    motor_holes(frame)?;
+    centre(frame)?;
     let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
     let last = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm
         - fork.fork_socket_depth_mm
@@ -115,5 +110,54 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "corner.corner_hinge_thickness_mm",
         "the notch above the hinge's web",
         "lower corner_hinge_thickness_mm: the web would fill the socket's height",
+    )
+}
+
+fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str) -> Result<(), Broken> {
+    if value >= least {
+        return Ok(());
+    }
+    let message = format!("{what} would be {value:.2} mm, it must be at least {least:.2} mm");
+    Err(Broken { key, reason: Reason::Impossible { message, remedy: remedy.into() } })
+}
+
+/// The motor mount has four screw holes.
+fn motor_holes(frame: &Frame) -> Result<(), Broken> {
+    let Some(motor) = frame.bought.get("motor") else { return Ok(()) };
+    match motor.part.hole_count {
+        Some(count) if count != 4 => {
+            let message = format!("the motor `{}` has {count} screw holes, the motor mount has 4", motor.name);
+            let remedy = "choose a motor with four holes; params/bought.toml shows them".into();
+            Err(Broken { key: "bought.motor", reason: Reason::Impossible { message, remedy } })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The rigid centre: its bores stay apart, and its computer finds something to stand on.
+fn centre(frame: &Frame) -> Result<(), Broken> {
+    let (hub, joint, carrier) = (&frame.hub, &frame.hub_joint, &frame.pi_carrier);
+    let half_pair = 0.5 * (joint.arm_pitch_mm + joint.hub_joint_diameter_mm);
+    at_least(
+        hub.hub_mouth_mm,
+        half_pair + hub.hub_boss_wall_mm + joint.plug_length_mm,
+        "hub.hub_mouth_mm",
+        "the distance of the plug bores' mouths from the hub axis",
+        "raise hub_mouth_mm, or lower arm_pitch_mm or plug_length_mm: the bores of neighbouring arms would meet",
+    )?;
+    let tie_radius = (half_pair + hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2;
+    at_least(
+        0.5 * (carrier.pi_pattern_along_mm + carrier.pi_pattern_across_mm),
+        tie_radius + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm,
+        "pi_carrier.pi_pattern_along_mm",
+        "the reach of the computer's holes",
+        "choose a computer with a longer hole pattern or lower arm_pitch_mm: its holes would lie inside the carrier's bars",
+    )?;
+    at_least(
+        tie_radius + hub.tie_ring_radius_mm - 0.3 - 0.5 * carrier.carrier_strut_width_mm,
+        0.5 * carrier.pi_pattern_across_mm,
+        "pi_carrier.pi_pattern_across_mm",
+        "the carrier's reach across",
+        "choose a computer with a narrower hole pattern or raise arm_pitch_mm: no bar reaches its holes",
     )
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::assembly::Design;
 use crate::assembly::mass::MassTable;
-use crate::checks::{Finding, Verdict};
+use crate::checks::{Finding, Tightest, Verdict, tightest};
 use crate::export::bom;
 use crate::skeleton::RodRole;
 
@@ -113,8 +113,10 @@ fn weights(page: &mut String, masses: &MassTable) {
 }
 
 fn limits(page: &mut String, findings: &[Finding]) {
-    page.push_str("## Limits\n\n| rule | of | value | limit | margin | |\n|---|---|---|---|---|---|\n");
-    for f in findings {
+    let count = findings.len();
+    let _ = writeln!(page, "## Limits\n\nThe tightest of each kind; `flexframe check --all` prints all {count}.\n");
+    page.push_str("| rule | of | value | limit | margin | |\n|---|---|---|---|---|---|\n");
+    for Tightest { finding: f, .. } in tightest(findings) {
         let verdict = match f.verdict {
             Verdict::Holds => "holds",
             Verdict::Violated => "**violated**",
@@ -123,7 +125,13 @@ fn limits(page: &mut String, findings: &[Finding]) {
         let _ = writeln!(
             page,
             "| {} | {} | {:.2} {} | {:.2} {} | {:.2} | {verdict} |",
-            f.rule, f.subject, f.value, f.unit, f.limit, f.unit, f.margin
+            f.rule,
+            f.subject,
+            f.value,
+            f.unit,
+            f.limit + 0.0,
+            f.unit,
+            f.margin + 0.0
         );
     }
     page.push('\n');

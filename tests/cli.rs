@@ -1,0 +1,311 @@
+//! The program from outside: what it prints, writes, and tells the shell.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use assert_cmd::cargo::cargo_bin;
+use tempfile::TempDir;
+
+fn flexframe(arguments: &[&str]) -> Output {
+    Command::new(cargo_bin("flexframe")).args(arguments).env("NO_COLOR", "1").output().expect("the program starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// A folder with one frame file, and where its result goes.
+struct Bench {
+    folder: TempDir,
+}
+
+impl Bench {
+    fn new(frame: &str) -> Self {
+        let bench = Self { folder: tempfile::tempdir().expect("a folder") };
+        bench.write("frame.toml", frame);
+        bench
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.folder.path().join(name), text).expect("can be written");
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.folder.path().join(name).display().to_string()
+    }
+
+    fn run(&self, command: &str, more: &[&str]) -> Output {
+        let (frame, out) = (self.path("frame.toml"), self.path("out"));
+        let mut arguments = vec![command, &frame];
+        if command != "check" {
+            arguments.extend(["-o", &out]);
+        }
+        arguments.extend(more);
+        flexframe(&arguments)
+    }
+
+    /// Builds a frame that has to be refused: exit code 2, nothing written, nothing on standard output.
+    fn refused(&self) -> String {
+        let output = self.run("build", &[]);
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        assert!(!Path::new(&self.path("out")).exists(), "something was written");
+        assert_eq!(text(&output.stdout), "");
+        text(&output.stderr)
+    }
+}
+
+fn refused(frame: &str) -> String {
+    Bench::new(frame).refused()
+}
+
+fn assert_says(message: &str, parts: &[&str]) {
+    // The renderer breaks long lines; words are compared, not lines.
+    let flat = message.replace(['│', '·', '╰', '├', '─', '▶', '×'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in parts {
+        assert!(flat.contains(part), "{part:?} is not in:\n{message}");
+    }
+}
+
+#[test]
+fn planted_typing_error_in_a_key_names_the_nearest_one() {
+    let message = refused("base = \"cognifly\"\n\n[rods]\ncage_rod_lenght_mm = 190.0\n");
+    assert_says(&message, &["unknown key `rods.cage_rod_lenght_mm`", "frame.toml:4:1", "did you mean `rods.cage_rod_length_mm`"]);
+}
+
+#[test]
+fn planted_wrong_types() {
+    let number = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = \"long\"\n");
+    assert_says(&number, &["`rods.cage_rod_length_mm` is a string, it must be a number in mm", "frame.toml:3"]);
+    let name = refused("base = \"cognifly\"\nprinter = 3\n");
+    assert_says(&name, &["`printer` is a number, it must be a text in quotes", "frame.toml:2"]);
+    let date = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 2026-01-01\n");
+    assert_says(&date, &["has no place in a frame file"]);
+}
+
+#[test]
+fn planted_out_of_bounds_and_not_a_number() {
+    let low = refused("base = \"cognifly\"\n[corner]\ncorner_wall_mm = 0.3\n");
+    assert_says(
+        &low,
+        &["`corner.corner_wall_mm` = 0.3 is out of bounds: 1.2 to 2.5 mm", "the nearest allowed value is 1.2 mm", "frame.toml:3"],
+    );
+    for odd in ["nan", "inf", "-inf"] {
+        let message = refused(&format!("base = \"cognifly\"\n[rods]\narm_rod_length_mm = {odd}\n"));
+        assert_says(&message, &["`rods.arm_rod_length_mm`", "give a finite number", "frame.toml:3"]);
+    }
+}
+
+#[test]
+fn planted_missing_reference() {
+    let battery = refused("base = \"cognifly\"\n[bought]\nbattery = \"battery-3s-65O\"\n");
+    assert_says(&battery, &["there is no bought part called `battery-3s-65O`", "`battery-3s-650`", "frame.toml:3"]);
+    let material = refused("base = \"cognifly\"\n[materials]\nflexible = \"tpu\"\n");
+    assert_says(&material, &["there is no material called `tpu`", "`tpu-95a`"]);
+    let base = refused("base = \"cognifli\"\n");
+    assert_says(&base, &["there is no base called `cognifli`", "`cognifly`", "frame.toml:1"]);
+    let kind = refused("base = \"cognifly\"\n[bought]\nmotor = \"xt30\"\n");
+    assert_says(&kind, &["it must be a motor"]);
+    let nothing = refused("name = \"empty\"\n");
+    assert_says(&nothing, &["is stated nowhere", "base = \"cognifly\""]);
+}
+
+#[test]
+fn planted_bases_that_name_each_other() {
+    let bench = Bench::new("base = \"other\"\n");
+    bench.write("other.toml", "base = \"frame\"\n");
+    assert_says(&bench.refused(), &["the chain of bases does not end"]);
+}
+
+#[test]
+fn planted_frame_that_cannot_close() {
+    let message = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 190.0\narm_rod_length_mm = 150.0\n");
+    assert_says(&message, &["frame.toml:4", "the struts would tilt by -51.9°", "10° to 35°", "shorten arm_rod_length_mm"]);
+}
+
+#[test]
+fn planted_walls_that_vanish_and_parts_that_collide() {
+    let wall = refused("base = \"cognifly\"\n[hub_joint]\nhub_joint_diameter_mm = 4.5\n[rods]\nrod_diameter_mm = 4.0\n");
+    assert_says(
+        &wall,
+        &["the wall of the hub joint's sockets would be 0.15 mm, it must be at least 0.40 mm", "raise hub_joint_diameter_mm"],
+    );
+    let rings = refused("base = \"cognifly\"\n[motor_mount]\nmotor_position_mm = 31.0\n");
+    assert_says(&rings, &["it must be at least", "the mount's rings would run into the hub joint"]);
+    let bores = refused("base = \"cognifly\"\n[hub]\nhub_mouth_mm = 24.0\n");
+    assert_says(&bores, &["the bores of neighbouring arms would meet", "frame.toml:3"]);
+    let holes = refused("base = \"cognifly\"\n[bought]\nmotor = \"motor-1103-whoop\"\n");
+    assert_says(&holes, &["has 3 screw holes, the motor mount has 4", "frame.toml:3"]);
+}
+
+#[test]
+fn planted_overrides_are_held_to_the_catalogue() {
+    let typing = refused("base = \"cognifly\"\n[override.parts.motor-1104]\nmass_gram = 6.0\n");
+    assert_says(&typing, &["unknown field `mass_gram`", "frame.toml:3"]);
+    let negative = refused("base = \"cognifly\"\n[override.materials.abs]\ndensity_g_cm3 = -1.0\n");
+    assert_says(&negative, &["the material `abs` does not read", "frame.toml:3"]);
+    let printer = refused("base = \"cognifly\"\n[override.printers.\"generic-0.4\"]\nnozzle_mm = 0.0\n");
+    assert_says(&printer, &["the printer `generic-0.4` does not read", "frame.toml:3"]);
+    let name = refused("base = \"cognifly\"\n[override.parts.motor-1140]\nmass_g = 6.0\n");
+    assert_says(&name, &["there is no entry of parts called `motor-1140`", "`motor-1104`"]);
+}
+
+#[test]
+fn planted_not_toml_and_no_file() {
+    assert_says(&refused("base = \"cognifly\n"), &["this is not TOML", "frame.toml:1"]);
+    let none = flexframe(&["build", "no-such-frame"]);
+    assert_eq!(none.status.code(), Some(2));
+    assert_says(&text(&none.stderr), &["there is no frame `no-such-frame`", "cognifly-mini"]);
+    let missing = flexframe(&["check", "no/such/frame.toml"]);
+    assert_eq!(missing.status.code(), Some(2));
+    assert_says(&text(&missing.stderr), &["cannot read no/such/frame.toml"]);
+}
+
+#[test]
+fn analytic_check_gates_and_build_does_not() {
+    assert_eq!(flexframe(&["check"]).status.code(), Some(0));
+    let heavy = Bench::new("base = \"cognifly\"\n[override.parts.battery-3s-650]\nmass_g = 90.0\n");
+    let check = heavy.run("check", &["-q"]);
+    assert_eq!(check.status.code(), Some(1));
+    assert_eq!(text(&check.stdout), "");
+    assert_says(&text(&check.stderr), &["takes off with 263.6 g", "250.0 g"]);
+    let build = heavy.run("build", &["--no-pictures"]);
+    assert_eq!(build.status.code(), Some(0));
+    assert_says(&text(&build.stderr), &["warning:", "takes off with"]);
+    assert!(Path::new(&heavy.path("out/frame/manifest.json")).exists());
+}
+
+#[test]
+fn analytic_json_is_json_and_holds_the_findings() {
+    let check = flexframe(&["check", "cognifly-v8", "--json"]);
+    assert_eq!(check.status.code(), Some(1));
+    let report: serde_json::Value = serde_json::from_slice(&check.stdout).expect("JSON");
+    assert_eq!(report["schema_version"], 1);
+    let findings = report["findings"].as_array().expect("a list");
+    let broken = findings.iter().filter(|f| f["verdict"] == "violated").count();
+    assert_eq!(report["violations"].as_u64(), Some(broken as u64));
+    let width = findings.iter().find(|f| f["subject"] == "width without propellers").expect("is measured");
+    assert!((width["margin"].as_f64().expect("a number") + 1.93).abs() < 0.02);
+    let total = report["masses"]["total_g"].as_f64().expect("a number");
+    assert!((total - 241.0).abs() < 0.05, "{total}");
+    let params: serde_json::Value = serde_json::from_slice(&flexframe(&["params", "--json"]).stdout).expect("JSON");
+    assert!(params.as_array().expect("a list").len() > 150);
+}
+
+#[test]
+fn regress_build_writes_the_whole_folder_and_nothing_else() {
+    let bench = Bench::new("base = \"cognifly\"\nname = \"mine\"\n");
+    let output = bench.run("build", &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let mut names: Vec<String> = fs::read_dir(bench.path("out"))
+        .expect("was made")
+        .map(|entry| entry.expect("is there").file_name().into_string().expect("UTF-8"))
+        .collect();
+    names.sort();
+    assert_eq!(names, ["mine"]);
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&fs::read(bench.path("out/mine/manifest.json")).expect("is there")).expect("JSON");
+    for file in manifest["files"].as_array().expect("a list") {
+        let path = bench.path("out/mine") + "/" + file["path"].as_str().expect("a path");
+        let bytes = fs::read(&path).expect("every file named is there");
+        assert_eq!(sha256(&bytes), file["sha256"].as_str().expect("a hash"), "{path}");
+    }
+    let report = fs::read_to_string(bench.path("out/mine/report.md")).expect("is there");
+    for link in report.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        assert!(Path::new(&(bench.path("out/mine") + "/" + link)).exists(), "{link} in report.md leads nowhere");
+    }
+}
+
+fn sha256(bytes: &[u8]) -> String {
+    use sha2::Digest;
+    sha2::Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[test]
+fn planted_folder_that_cannot_be_written_is_exit_3_and_the_last_result_stays() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    bench.write("taken", "a file where a folder should be");
+    let output = flexframe(&["build", &bench.path("frame.toml"), "--no-pictures", "-o", &bench.path("taken")]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    assert_says(&text(&output.stderr), &["cannot make the folder"]);
+
+    assert_eq!(bench.run("build", &["--no-pictures"]).status.code(), Some(0));
+    let before = fs::read(bench.path("out/frame/frame.glb")).expect("was built");
+    bench.write("frame.toml", "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 1.0\n");
+    assert_eq!(bench.run("build", &[]).status.code(), Some(2));
+    assert_eq!(fs::read(bench.path("out/frame/frame.glb")).expect("is still there"), before);
+}
+
+#[test]
+fn analytic_another_material_changes_the_mass() {
+    let mass = |arguments: &[&str]| {
+        let report: serde_json::Value = serde_json::from_slice(&flexframe(arguments).stdout).expect("JSON");
+        report["masses"]["total_g"].as_f64().expect("a number")
+    };
+    let (abs, pla) = (mass(&["check", "--json"]), mass(&["check", "--json", "--rigid", "pla"]));
+    // 27 cm³ of rigid parts at 1.24 instead of 1.04 g/cm³.
+    assert!((pla - abs - 5.5).abs() < 0.6, "{abs} {pla}");
+    let wrong = flexframe(&["check", "--rigid", "plaa"]);
+    assert_eq!(wrong.status.code(), Some(2));
+    assert_says(&text(&wrong.stderr), &["there is no material called `plaa`", "command line"]);
+}
+
+#[test]
+fn analytic_usage_errors_are_exit_2_and_help_is_0() {
+    assert_eq!(flexframe(&["biuld"]).status.code(), Some(2));
+    assert_eq!(flexframe(&["params", "--filter", "no such key"]).status.code(), Some(2));
+    for command in ["build", "check", "render", "params"] {
+        let help = flexframe(&[command, "--help"]);
+        assert_eq!(help.status.code(), Some(0));
+        assert!(text(&help.stdout).contains("Example"), "{command}");
+    }
+    assert!(text(&flexframe(&["completions", "bash"]).stdout).contains("complete -F"));
+    assert!(text(&flexframe(&["man"]).stdout).contains(".TH flexframe"));
+}
+
+#[test]
+fn planted_reader_that_stops_reading() {
+    let mut child = Command::new(cargo_bin("flexframe"))
+        .args(["check", "--all"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("ends");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stderr), "");
+}
+
+#[test]
+fn regress_quiet_is_quiet() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    let output = bench.run("build", &["-q", "--no-pictures"]);
+    assert_eq!((text(&output.stdout), text(&output.stderr)), (String::new(), String::new()));
+    let render = bench.run("render", &["--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&render.stdout).expect("JSON");
+    for path in report["pictures"].as_array().expect("a list") {
+        let path = path.as_str().expect("a path");
+        assert!(fs::read(path).expect("is there").starts_with(b"\x89PNG"), "{path}");
+    }
+}
+
+#[test]
+fn analytic_target_size_is_met() {
+    let frame =
+        "base = \"cognifly\"\n[target]\nwidth_mm = 230.0\nheight_mm = 118.0\nstrut_tilt_deg = 24.0\n[limits]\nenvelope_width_mm = 230.05\n";
+    let check = Bench::new(frame).run("check", &["--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&check.stdout).expect("JSON");
+    let value = |subject: &str| {
+        let findings = report["findings"].as_array().expect("a list");
+        findings.iter().find(|f| f["subject"] == subject).and_then(|f| f["value"].as_f64()).expect("is measured")
+    };
+    assert!((value("width without propellers") - 230.0).abs() < 0.05, "{}", value("width without propellers"));
+    assert!((value("height without propellers") - 118.0).abs() < 0.05, "{}", value("height without propellers"));
+    let both = refused(
+        "base = \"cognifly\"\n[target]\nwidth_mm = 230.0\nheight_mm = 118.0\nstrut_tilt_deg = 24.0\n[rods]\narm_rod_length_mm = 80.0\n",
+    );
+    assert_says(&both, &["not both"]);
+    let far = refused("base = \"cognifly\"\n[target]\nwidth_mm = 100.0\nheight_mm = 300.0\nstrut_tilt_deg = 24.0\n");
+    assert_says(&far, &["the target size needs", "frame.toml:3"]);
+}
