@@ -1,0 +1,64 @@
+//! Our parts as they are exported, laid back into their own axes.
+
+use flexframe::assembly::Printed;
+use flexframe::export::stl;
+use flexframe::params::{Frame, PartName};
+use flexframe::parts::*;
+use flexframe::skeleton::Skeleton;
+use flexframe::solid::Mesh;
+use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+
+use super::figures::RealPart;
+use super::scan;
+
+/// Our part that corresponds to a real one, of the preset `cognifly-v8`.
+///
+/// # Panics
+/// When it cannot be made.
+pub fn printed(real: &RealPart) -> Printed {
+    let mut frame = Frame::load("cognifly-v8").expect("the preset is valid").0;
+    frame.motor_mount.motor_riser_mm = real.riser_mm;
+    made(real.part, &frame)
+}
+
+/// A part of a frame.
+///
+/// # Panics
+/// When it cannot be made.
+pub fn made(part: PartName, frame: &Frame) -> Printed {
+    let skeleton = Skeleton::new(frame).expect("the frame closes");
+    Printed::make(part, frame, &skeleton, &Centre::new(frame)).expect("the part can be made")
+}
+
+/// What the written STL file holds, read back and turned from the print bed into the part's own axes.
+///
+/// # Panics
+/// When it cannot be written or read.
+pub fn exported(part: &Printed) -> Mesh {
+    let bytes = stl::binary(&part.mesh).expect("memory takes it");
+    scan::read(std::io::Cursor::new(bytes), &on_bed(part).inverse())
+}
+
+/// From the part's own axes to where it lies on the print bed.
+pub fn on_bed(part: &Printed) -> Isometry3<f64> {
+    let laid = Isometry3::from_parts(Translation3::identity(), print_turn(part.name));
+    Isometry3::translation(0.0, 0.0, -part.flat.placed(&laid).bounds_mm()[0][2]) * laid
+}
+
+fn print_turn(name: PartName) -> UnitQuaternion<f64> {
+    match name {
+        PartName::TopCorner => TopCorner::print_turn(),
+        PartName::BottomCorner => BottomCorner::print_turn(),
+        PartName::Knee => Knee::print_turn(),
+        PartName::Fork => Fork::print_turn(),
+        PartName::MotorMount => MotorMount::print_turn(),
+        PartName::HubJoint => HubJoint::print_turn(),
+        PartName::Hub => hub::print_turn(),
+        PartName::PiCarrier => pi_carrier::print_turn(),
+        PartName::BatteryBracket => battery_bracket::print_turn(),
+        PartName::BatterySleeve => battery_sleeve::print_turn(),
+        PartName::BatteryLid => battery_lid::print_turn(),
+        PartName::CameraConnectorLeft => camera_connector::print_turn_left(),
+        PartName::CameraConnectorRight => camera_connector::print_turn_right(),
+    }
+}
