@@ -89,7 +89,10 @@ fn page(frame: &str, rows: &[Row]) -> String {
         let Row { parameter: p, unit, min, max, doc, .. } = row;
         if p.table != table {
             table = p.table;
-            page += &format!("\n## [{table}]\n\n{}\n\n| key | unit | value | bounds | what it is | drives |\n|---|---|---|---|---|---|\n", p.table_doc.trim());
+            page += &format!(
+                "\n## [{table}]\n\n{}\n\n| key | unit | value | bounds | what it is | drives |\n|---|---|---|---|---|---|\n",
+                p.table_doc.trim()
+            );
         }
         let follows = row.follows.map_or(String::new(), |role| format!(" ({role})"));
         let (key, value, drives) = (p.key, number(row.value), row.drives.join(", "));
