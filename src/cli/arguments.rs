@@ -30,7 +30,7 @@ pub(super) struct Common {
 const EXAMPLES: &str = "Examples:
   flexframe build                                  the default frame into out/cognifly
   flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
-  flexframe check cognifly-v8                      exits 1: it is 1.94 mm too wide, for one
+  flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
   flexframe render cognifly
   flexframe params --filter arm
 

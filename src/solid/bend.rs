@@ -131,10 +131,12 @@ impl Hinge {
     /// The section, a little smaller, turned about the hinge axis through the bend and a little into both sides: the
     /// stretched outside of the fold.
     fn swept(&self, section: &[Vec<[f64; 2]>], angle: Angle) -> MeshSolid {
-        let within = |p: &[f64; 2]| [(p[0] - WITHIN_MM).max(OFF_AXIS_MM), p[1] * (1.0 - WITHIN_MM / self.half_width_mm)];
-        let contours: Vec<Vec<[f64; 2]>> = section.iter().map(|c| c.iter().map(within).collect()).collect();
         let turn_deg = angle.to_deg() + 2.0 * OVERLAP_DEG;
         let steps = (turn_deg / FACET_DEG).ceil().max(1.0);
+        // The middles of the facets, not their edges, lie on the swept surface.
+        let wider = 1.0 / Angle::deg(0.5 * turn_deg / steps).cos();
+        let within = |p: &[f64; 2]| [(p[0] * wider - WITHIN_MM).max(OFF_AXIS_MM), p[1] * (1.0 - WITHIN_MM / self.half_width_mm)];
+        let contours: Vec<Vec<[f64; 2]>> = section.iter().map(|c| c.iter().map(within).collect()).collect();
         let sector = MeshSolid::revolved(&contours, (360.0 / turn_deg * steps).round() as u32, turn_deg);
         let start = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -Angle::deg(OVERLAP_DEG).to_rad());
         sector.placed(&(self.sweep_pose() * Isometry3::from_parts(Translation3::identity(), start)))
