@@ -242,6 +242,7 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
             let items: Result<Vec<_>, _> = items.iter().map(|item| typed_value(item).map(|v| v.to_toml())).collect();
             items.map(|items| Value::Other(toml::Value::Array(items)))
         }
+        DeValue::Datetime(date) => Ok(Value::Other(toml::Value::Datetime(*date))),
         other => Err(format!("a {} has no place in a frame file", other.type_str())),
     }
 }
