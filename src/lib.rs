@@ -13,6 +13,7 @@ pub mod assembly;
 pub mod checks;
 pub mod cli;
 pub mod export;
+pub mod figures;
 pub mod params;
 pub mod parts;
 pub mod report;

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use super::body::{Body, Kind, Shape};
 use super::printed::Printed;
+use crate::params::frame::TargetSize;
 use crate::params::{Frame, PartName};
 use crate::parts::Centre;
 use crate::parts::bought_solids::BoughtPart;
@@ -49,7 +50,7 @@ pub struct Design {
     pub skeleton: Skeleton,
     /// Derived dimensions of the rigid centre.
     pub centre: Centre,
-    /// Printed parts, in the order of [`PartName::ALL`].
+    /// Printed parts, in the order of [`PartName::ALL`]; what would carry nothing is left out.
     pub printed: Vec<Printed>,
     /// Shapes of the assembly.
     pub shapes: Vec<Shape>,
@@ -63,12 +64,25 @@ impl Design {
     /// # Errors
     /// When it cannot close or a part cannot be made.
     pub fn new(mut frame: Frame) -> Result<Self, DesignError> {
-        solve_target(&mut frame)?;
+        let Some(target) = frame.target else { return Self::of_lengths(frame) };
+        solve_target(&mut frame, target)?;
+        let design = Self::of_lengths(frame.clone())?;
+        let over_mm = design.modules_width_mm() - target.width_mm;
+        if over_mm <= 0.0 {
+            return Ok(design);
+        }
+        // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
+        solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
+        Self::of_lengths(frame)
+    }
+
+    fn of_lengths(frame: Frame) -> Result<Self, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
         let make =
             |name: &PartName| Printed::make(*name, &frame, &skeleton, &centre).map_err(|error| DesignError::Part { part: *name, error });
-        let made: Vec<Result<Printed, DesignError>> = PartName::ALL.par_iter().map(make).collect();
+        let names: Vec<PartName> = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame)).collect();
+        let made: Vec<Result<Printed, DesignError>> = names.par_iter().map(make).collect();
         let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
         let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
         design.place_printed();
@@ -81,6 +95,14 @@ impl Design {
     /// A printed part by name.
     pub fn part(&self, name: PartName) -> Option<&Printed> {
         self.printed.iter().find(|part| part.name == name)
+    }
+
+    /// Width of all that the four modules are made of, without what the propellers sweep, mm.
+    fn modules_width_mm(&self) -> f64 {
+        let bodies = self.bodies.iter().filter(|body| body.module.is_some() && self.shape(body).kind != Kind::Propeller);
+        let sides = bodies.map(|body| self.placed(body).bounds_mm()).map(|[low, high]| [low[0], high[0]]);
+        let [low, high] = sides.fold([0.0_f64; 2], |all, side| [all[0].min(side[0]), all[1].max(side[1])]);
+        high - low
     }
 
     /// The shape of a body.
@@ -191,9 +213,20 @@ fn bought_look(frame: &Frame, part: BoughtPart) -> Option<(String, [f32; 4])> {
     frame.bought.get(role).map(|item| (item.name.clone(), colour))
 }
 
+/// Whether a frame has a use for a part: the camera connectors carry the camera. The computer's carrier stays without a
+/// computer, for the ties that hold the bracket run over it.
+fn is_needed(name: PartName, frame: &Frame) -> bool {
+    match name {
+        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => frame.bought.contains_key("camera"),
+        _ => true,
+    }
+}
+
+/// The second solution is narrower than wanted by this, mm: meshes have rounded corners, and the size is a limit.
+const BELOW_MM: f64 = 0.002;
+
 /// Replaces the rod lengths by those that give the target size.
-fn solve_target(frame: &mut Frame) -> Result<(), DesignError> {
-    let Some(target) = frame.target else { return Ok(()) };
+fn solve_target(frame: &mut Frame, target: TargetSize) -> Result<(), DesignError> {
     let envelope = Envelope { width_mm: target.width_mm, height_mm: target.height_mm, strut_tilt: Angle::deg(target.strut_tilt_deg) };
     let lengths = lengths_for(&envelope, frame);
     for (value, key) in lengths.into_iter().zip(["cage_rod_length_mm", "arm_rod_length_mm", "strut_rod_length_mm"]) {

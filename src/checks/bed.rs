@@ -39,9 +39,9 @@ impl BedUse {
 
     fn finding(&self) -> Finding {
         let Self { part, size_mm: [x, y, z], tightest, value_mm, limit_mm } = self;
-        let measure = Measure { rule: "printer_bed", value: *value_mm, limit: *limit_mm, unit: "mm", parameter: "printer" };
-        let message =
-            format!("{part} is printed as {x:.1} x {y:.1} x {z:.1} mm: {tightest} {value_mm:.1} mm of {limit_mm:.1} mm on the printer");
+        let measure = Measure { rule: "printer_bed", value: *value_mm, limit: *limit_mm, unit: "mm", levers: &["printer"] };
+        let [value, limit] = measure.figures(1);
+        let message = format!("{part} is printed as {x:.1} x {y:.1} x {z:.1} mm: {tightest} {value} mm of {limit} mm on the printer");
         measure.at_most((*part).into(), message)
     }
 }

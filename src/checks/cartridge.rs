@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::finding::{Finding, Measure};
 use super::scene::{Placed, Scene};
 use crate::assembly::Kind;
+use crate::figures::told_apart;
 use crate::params::PartName;
 use crate::solid::MeshSolid;
 
@@ -38,8 +39,8 @@ pub struct CartridgePassage {
 impl CartridgePassage {
     fn finding(&self) -> Finding {
         let Self { pair, shared_mm3, way_mm } = self;
-        let parameter = "battery.battery_clearance_across_mm";
-        let measure = Measure { rule: "battery_slide", value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", parameter };
+        let levers = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
+        let measure = Measure { rule: "battery_slide", value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers };
         let (subject, message) = match pair {
             Some([piece, other]) => (
                 format!("{piece} past {other}"),
@@ -62,19 +63,17 @@ pub struct CartridgeMeeting {
     pub meant_mm: f64,
     /// How far it may be off, mm.
     pub tolerance_mm: f64,
-    /// The key that drives it.
-    pub parameter: &'static str,
+    /// The keys that drive it.
+    pub levers: &'static [&'static str],
 }
 
 impl CartridgeMeeting {
     fn finding(&self) -> Finding {
-        let Self { what, gap_mm, meant_mm, tolerance_mm, parameter } = *self;
+        let Self { what, gap_mm, meant_mm, tolerance_mm, levers } = *self;
         let value = (gap_mm - meant_mm).abs();
-        let measure = Measure { rule: "battery_slide", value, limit: tolerance_mm, unit: "mm", parameter };
-        measure.at_most(
-            format!("end stop: {what}"),
-            format!("{what} are {gap_mm:.2} mm apart when the cartridge is home, {meant_mm:.2} mm are meant"),
-        )
+        let measure = Measure { rule: "battery_slide", value, limit: tolerance_mm, unit: "mm", levers };
+        let [gap, meant] = told_apart(gap_mm, meant_mm, 2);
+        measure.at_most(format!("end stop: {what}"), format!("{what} are {gap} mm apart when the cartridge is home, {meant} mm are meant"))
     }
 }
 
@@ -130,17 +129,17 @@ fn meetings(scene: &Scene) -> Vec<Finding> {
     let magnets = ["magnet_lid", "magnet_bracket"].map(|name| scene.bought(name));
     let plugs = ["connector_lid", "connector_bracket"].map(|name| scene.bought(name));
     let magnet_gap = scene.design.frame.bracket.magnet_gap_mm;
-    let expected = [
-        ("the rims of lid and sleeve", rims, 0.0, 0.01, "lid.lid_reach_mm"),
-        ("the magnets", magnets, magnet_gap, 0.01, "bracket.magnet_gap_mm"),
-        ("the connector's halves", plugs, 0.0, MEET_MM, "bracket.connector_width_mm"),
+    let expected: [(_, _, _, _, &'static [&'static str]); 3] = [
+        ("the rims of lid and sleeve", rims, 0.0, 0.01, &["lid.lid_reach_mm", "lid.lid_clearance_mm"]),
+        ("the magnets", magnets, magnet_gap, 0.01, &["bracket.magnet_gap_mm"]),
+        ("the connector's halves", plugs, 0.0, MEET_MM, &["bracket.connector_width_mm"]),
     ];
     expected
         .into_iter()
-        .filter_map(|(what, pair, meant_mm, tolerance_mm, parameter)| {
+        .filter_map(|(what, pair, meant_mm, tolerance_mm, levers)| {
             let [Some(a), Some(b)] = pair else { return None };
             let gap_mm = a.gap_mm(b, meant_mm + 5.0);
-            Some(CartridgeMeeting { what, gap_mm, meant_mm, tolerance_mm, parameter }.finding())
+            Some(CartridgeMeeting { what, gap_mm, meant_mm, tolerance_mm, levers }.finding())
         })
         .collect()
 }

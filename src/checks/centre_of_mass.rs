@@ -2,6 +2,7 @@
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
+use crate::figures::decimals;
 use crate::skeleton::MODULE_NAMES;
 
 /// Where the centre of mass lies.
@@ -17,9 +18,12 @@ impl CentreOffset {
     fn finding(&self) -> Finding {
         let [x, y] = self.offset_mm;
         let (value, limit) = (libm::hypot(x, y), self.limit_mm);
-        let measure = Measure { rule: "centre_of_mass", value, limit, unit: "mm", parameter: "limits.centre_of_mass_offset_mm" };
+        let levers = &["bought.battery", "camera.camera_reach_mm", "lid.lid_block_depth_mm"];
+        let measure = Measure { rule: "centre_of_mass", value, limit, unit: "mm", levers };
+        let [far, allowed] = measure.figures(2);
+        let [right, front] = [x, y].map(|offset| decimals(offset, 2));
         let message = format!(
-            "the centre of mass lies {value:.2} mm from the motors' centre in plan ({x:+.2} right, {y:+.2} front), {limit:.2} mm are allowed"
+            "the centre of mass lies {far} mm from the motors' centre in plan ({right} right, {front} front), {allowed} mm are allowed"
         );
         measure.at_most("centre of mass".into(), message)
     }

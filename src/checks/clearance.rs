@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::finding::{Finding, Measure};
+use super::finding::{Finding, Measure, falls_short_mm};
 use super::scene::{Placed, Scene};
 use crate::assembly::Kind;
 use crate::params::PartName;
@@ -30,9 +30,10 @@ impl RodClearance {
     fn finding(&self) -> Finding {
         let Self { gap_mm, limit_mm, .. } = *self;
         let [rod, other] = &self.pair;
-        let parameter = "limits.part_clearance_mm";
-        let measure = Measure { rule: "part_clearance", value: gap_mm, limit: limit_mm, unit: "mm", parameter };
-        measure.at_least(format!("{rod} to {other}"), format!("{rod} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"))
+        let levers = &["rods.arm_rod_length_mm", "hub_joint.arm_pitch_mm", "knee.knee_node_offset_mm"];
+        let measure = Measure { rule: "part_clearance", value: gap_mm, limit: limit_mm, unit: "mm", levers };
+        let [gap, least] = measure.figures(2);
+        measure.at_least(format!("{rod} to {other}"), format!("{rod} passes {other} at {gap} mm, {least} mm are needed"))
     }
 }
 
@@ -66,7 +67,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         let pair = [rod.body.name.clone(), other.body.name.clone()];
         let kinds = [rod.shape.name.clone(), other.shape.name.clone()];
         let found = RodClearance { pair, gap_mm, limit_mm };
-        if gap_mm < limit_mm {
+        if falls_short_mm(gap_mm, limit_mm) {
             broken.push(found.finding());
         }
         let best = nearest.entry(kinds).or_insert_with(|| found.clone());
@@ -78,7 +79,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         let all = RodClearance { pair: ["every rod".into(), "what does not hold it".into()], gap_mm: reach, limit_mm };
         return vec![all.finding()];
     }
-    broken.extend(nearest.values().filter(|found| found.gap_mm >= limit_mm).map(RodClearance::finding));
+    broken.extend(nearest.values().filter(|found| !falls_short_mm(found.gap_mm, limit_mm)).map(RodClearance::finding));
     broken
 }
 

@@ -17,15 +17,23 @@ pub struct Extent {
     pub size_mm: f64,
     /// Largest, mm.
     pub limit_mm: f64,
+    /// Whether the frame file states a size that the rods' lengths were solved for.
+    pub solved: bool,
 }
 
 impl Extent {
     fn finding(&self) -> Finding {
-        let Self { name, with_propellers, size_mm, limit_mm } = *self;
-        let parameter = if name == "height" { "rods.strut_rod_length_mm" } else { "rods.cage_rod_length_mm" };
-        let measure = Measure { rule: "envelope", value: size_mm, limit: limit_mm, unit: "mm", parameter };
+        let Self { name, with_propellers, size_mm, limit_mm, solved } = *self;
+        let levers: &[&str] = match (name, solved) {
+            ("height", true) => &["target.height_mm"],
+            ("height", false) => &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"],
+            (_, true) => &["target.width_mm"],
+            (_, false) => &["rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm", "corner.corner_wall_mm"],
+        };
+        let measure = Measure { rule: "envelope", value: size_mm, limit: limit_mm, unit: "mm", levers };
+        let [size, most] = measure.figures(2);
         let which = if with_propellers { "with propellers" } else { "without propellers" };
-        let message = format!("the frame's {name} {which} is {size_mm:.2} mm, the envelope {limit_mm:.2} mm");
+        let message = format!("the frame's {name} {which} is {size} mm, the envelope {most} mm");
         let subject = format!("{name} {which}");
         if with_propellers { measure.note(subject, message) } else { measure.at_most(subject, message) }
     }
@@ -33,12 +41,13 @@ impl Extent {
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limits = &scene.design.frame.limits;
+    let solved = scene.design.frame.target.is_some();
     let mut found = Vec::new();
     for with_propellers in [false, true] {
         let Some(bounds) = bounds_of(scene.placed.iter().filter(|p| with_propellers || !p.is_propeller())) else { continue };
         for (axis, name) in ["width", "depth", "height"].into_iter().enumerate() {
             let limit_mm = if axis == 2 { limits.envelope_height_mm } else { limits.envelope_width_mm };
-            found.push(Extent { name, with_propellers, size_mm: bounds.high[axis] - bounds.low[axis], limit_mm }.finding());
+            found.push(Extent { name, with_propellers, size_mm: bounds.high[axis] - bounds.low[axis], limit_mm, solved }.finding());
         }
     }
     found
@@ -46,8 +55,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+    use crate::assembly::{Design, mass};
     use crate::checks::planted::{Planted, violated};
+    use crate::params::Frame;
+    use crate::params::frame::TargetSize;
 
     #[test]
     fn measured_the_real_frame_is_too_wide_by_1_93_mm() {
@@ -60,6 +74,24 @@ mod tests {
     #[test]
     fn regress_the_default_frame_fits() {
         assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 6, rng_seed: proptest::test_runner::RngSeed::Fixed(3), ..ProptestConfig::default() })]
+
+        /// Steep struts have the knees outermost, flat ones the corners. What stands on the hub is lower than all of these.
+        #[test]
+        fn analytic_a_target_is_an_upper_limit(width_mm in 190.0..260.0_f64, height_mm in 105.0..125.0_f64, tilt_deg in 10.0..33.0_f64) {
+            let (mut frame, _) = Frame::load("cognifly").expect("a preset");
+            frame.target = Some(TargetSize { width_mm, height_mm, strut_tilt_deg: tilt_deg });
+            let design = Design::new(frame);
+            prop_assume!(design.is_ok());
+            let frame = Planted { masses: mass::table(design.as_ref().expect("is one")), design: design.expect("is one") };
+            for f in &frame.found(check)[..3] {
+                let target = if f.subject.starts_with("height") { height_mm } else { width_mm };
+                prop_assert!(f.value <= target && f.value > target - 0.02, "{} for {}", f.message, target);
+            }
+        }
     }
 
     #[test]

@@ -2,6 +2,19 @@
 
 use serde::Serialize;
 
+use crate::figures::{decimals, told_apart};
+
+/// How far a length measured between meshes may be off, mm. Circles are polygons of
+/// [`SEGMENTS_PER_TURN`](crate::solid::SEGMENTS_PER_TURN) chords there; the middle of a chord of the socket of a 3 mm rod
+/// (2.55 mm radius) lies 5.5 µm inside its arc. A limit in mm that is missed by no more than this is kept; volumes, masses,
+/// angles and strains are compared as they are.
+pub(super) const MEASURING_MM: f64 = 0.006;
+
+/// Whether a distance is less than its limit by more than it may be mismeasured.
+pub(super) fn falls_short_mm(value_mm: f64, limit_mm: f64) -> bool {
+    value_mm < limit_mm - MEASURING_MM
+}
+
 /// How a finding ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -27,14 +40,15 @@ pub struct Finding {
     pub value: f64,
     /// What it is held against.
     pub limit: f64,
-    /// How far the value is on the good side of the limit; negative when it is not.
+    /// How far the value is on the good side of the limit; 0 when it misses by less than it may be mismeasured, negative
+    /// when by more.
     pub margin: f64,
     /// Unit of the three numbers.
     pub unit: &'static str,
     /// One sentence with the numbers in it.
     pub message: String,
-    /// The key that changes it most directly.
-    pub parameter: &'static str,
+    /// The keys that change it most directly, three at the most.
+    pub levers: &'static [&'static str],
 }
 
 /// Findings that say the same of different places, shown by their tightest.
@@ -68,6 +82,15 @@ pub fn tightest(findings: &[Finding]) -> Vec<Tightest<'_>> {
 }
 
 impl Finding {
+    /// Value, limit and margin for a table: two decimals, more where a limit is broken by less than shows.
+    pub fn figures(&self) -> [String; 3] {
+        if self.verdict != Verdict::Violated {
+            return [self.value, self.limit, self.margin].map(|number| decimals(number, 2));
+        }
+        let [value, limit] = told_apart(self.value, self.limit, 2);
+        [value, limit, told_apart(self.margin, 0.0, 2)[0].clone()]
+    }
+
     /// What of its subject was measured: the words after its last colon.
     fn aspect(&self) -> &str {
         self.subject.rsplit_once(": ").map_or("", |(_, aspect)| aspect)
@@ -81,7 +104,7 @@ pub(super) struct Measure {
     pub value: f64,
     pub limit: f64,
     pub unit: &'static str,
-    pub parameter: &'static str,
+    pub levers: &'static [&'static str],
 }
 
 impl Measure {
@@ -100,10 +123,17 @@ impl Measure {
         Finding { verdict: Verdict::Note, ..self.at_most(subject, message) }
     }
 
+    /// Value and limit as a message says them, never so short that a broken limit looks kept.
+    pub fn figures(&self, places: usize) -> [String; 2] {
+        told_apart(self.value, self.limit, places)
+    }
+
     fn finding(self, subject: String, message: String, margin: f64) -> Finding {
+        let Self { rule, value, limit, unit, levers } = self;
+        let mismeasured = if unit == "mm" { MEASURING_MM } else { 0.0 };
+        let margin = if (-mismeasured..0.0).contains(&margin) { 0.0 } else { margin };
         let verdict = if margin >= 0.0 { Verdict::Holds } else { Verdict::Violated };
-        let Self { rule, value, limit, unit, parameter } = self;
-        Finding { rule, subject, verdict, value, limit, margin, unit, message, parameter }
+        Finding { rule, subject, verdict, value, limit, margin, unit, message, levers }
     }
 }
 
@@ -112,7 +142,7 @@ mod tests {
     use super::*;
 
     fn found(subject: &str, value: f64) -> Finding {
-        let measure = Measure { rule: "seating", value, limit: 4.0, unit: "mm", parameter: "" };
+        let measure = Measure { rule: "seating", value, limit: 4.0, unit: "mm", levers: &[] };
         measure.at_least(subject.into(), String::new())
     }
 
@@ -121,5 +151,14 @@ mod tests {
         let all = [found("a: depth", 6.0), found("b: depth", 5.0), found("c: depth", 3.0), found("d: depth", 2.0), found("a: wall", 9.0)];
         let shown: Vec<(&str, usize)> = tightest(&all).iter().map(|t| (t.finding.subject.as_str(), t.of)).collect();
         assert_eq!(shown, [("b: depth", 2), ("c: depth", 1), ("d: depth", 1), ("a: wall", 1)]);
+    }
+
+    #[test]
+    fn analytic_a_length_is_held_to_what_can_be_measured() {
+        assert_eq!((found("a", 3.995).verdict, found("a", 3.995).margin), (Verdict::Holds, 0.0));
+        assert_eq!(found("a", 3.993).verdict, Verdict::Violated);
+        let grams = Measure { rule: "mass", value: 250.001, limit: 250.0, unit: "g", levers: &[] };
+        assert_eq!(grams.figures(1), ["250.001", "250.000"]);
+        assert_eq!(grams.at_most("all".into(), String::new()).verdict, Verdict::Violated);
     }
 }

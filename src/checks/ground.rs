@@ -19,9 +19,10 @@ pub struct GroundClearance {
 impl GroundClearance {
     fn finding(&self) -> Finding {
         let Self { lowest, clearance_mm: value, limit_mm: limit } = self;
-        let parameter = "bracket.bay_height_mm";
-        let measure = Measure { rule: "ground_clearance", value: *value, limit: *limit, unit: "mm", parameter };
-        measure.at_least(lowest.clone(), format!("{lowest} hangs {value:.2} mm above the ground, {limit:.2} mm are needed"))
+        let levers = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
+        let measure = Measure { rule: "ground_clearance", value: *value, limit: *limit, unit: "mm", levers };
+        let [height, least] = measure.figures(2);
+        measure.at_least(lowest.clone(), format!("{lowest} hangs {height} mm above the ground, {least} mm are needed"))
     }
 }
 

@@ -32,8 +32,8 @@ pub struct HingeStrain {
     pub strain_percent: f64,
     /// Elongation at break over the factor, %.
     pub limit_percent: f64,
-    /// The key of the hinge's thickness.
-    pub parameter: &'static str,
+    /// The keys of the hinge's thickness and size, and of what it is made of.
+    pub levers: &'static [&'static str],
 }
 
 impl HingeStrain {
@@ -42,7 +42,8 @@ impl HingeStrain {
         let radius = 0.5 * bore + frame.corner.corner_wall_mm;
         let length_mm = 2.0 * frame.corner.corner_hinge_thickness_mm;
         let strain_percent = 100.0 * radius * fold.to_rad() / length_mm;
-        Self { hinge, fold, length_mm, strain_percent, limit_percent, parameter: "corner.corner_hinge_thickness_mm" }
+        let levers = &["corner.corner_hinge_thickness_mm", "corner.corner_wall_mm", "materials.flexible"];
+        Self { hinge, fold, length_mm, strain_percent, limit_percent, levers }
     }
 
     fn neck(frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
@@ -52,14 +53,16 @@ impl HingeStrain {
         let shear = torsion_factor(joint.neck_thickness_mm, joint.arch_width_mm) * joint.neck_thickness_mm * fold.to_rad() / length_mm;
         let stretch = 0.5 * shear + libm::sqrt(1.0 + 0.25 * shear * shear);
         let strain_percent = 100.0 * (stretch - 1.0);
-        Self { hinge: "hub joint necks", fold, length_mm, strain_percent, limit_percent, parameter: "hub_joint.neck_thickness_mm" }
+        let levers = &["hub_joint.neck_thickness_mm", "hub_joint.arm_pitch_mm", "materials.flexible"];
+        Self { hinge: "hub joint necks", fold, length_mm, strain_percent, limit_percent, levers }
     }
 
     fn finding(&self) -> Finding {
-        let Self { hinge, fold, length_mm, strain_percent: value, limit_percent: limit, parameter } = self;
-        let measure = Measure { rule: "hinge_strain", value: *value, limit: *limit, unit: "%", parameter };
+        let Self { hinge, fold, length_mm, strain_percent: value, limit_percent: limit, levers } = self;
+        let measure = Measure { rule: "hinge_strain", value: *value, limit: *limit, unit: "%", levers };
+        let [strain, allowed] = measure.figures(0);
         let message = format!(
-            "{hinge}: a fold of {:.1} deg over {length_mm:.2} mm strains the material by {value:.0} %, {limit:.0} % are allowed",
+            "{hinge}: a fold of {:.1} deg over {length_mm:.2} mm strains the material by {strain} %, {allowed} % are allowed",
             fold.to_deg()
         );
         measure.at_most((*hinge).into(), message)
@@ -86,7 +89,7 @@ pub struct NotchPreload {
 impl NotchPreload {
     fn finding(&self) -> Finding {
         let [value, limit] = [self.fold.to_deg(), self.closing.to_deg()];
-        let measure = Measure { rule: "hinge_strain", value, limit, unit: "deg", parameter: "corner.notch_half_angle_deg" };
+        let measure = Measure { rule: "hinge_strain", value, limit, unit: "deg", levers: &["corner.notch_half_angle_deg"] };
         let beyond = value - limit;
         let message = if beyond > 0.0 {
             format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces press by {beyond:.1} deg")
@@ -97,15 +100,42 @@ impl NotchPreload {
     }
 }
 
+/// The largest strain of a hinge against what its material bears across layers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerStrain {
+    /// The hinge.
+    pub hinge: &'static str,
+    /// Its strain, %.
+    pub strain_percent: f64,
+    /// The material.
+    pub material: String,
+    /// Elongation at break when the layers are pulled apart, %.
+    pub across_percent: f64,
+}
+
+impl LayerStrain {
+    fn finding(&self) -> Finding {
+        let Self { hinge, strain_percent: value, material, across_percent: limit } = self;
+        let measure = Measure { rule: "hinge_strain", value: *value, limit: *limit, unit: "%", levers: &[] };
+        let [strain, bears] = measure.figures(0);
+        let message = if value > limit {
+            format!(
+                "{hinge} is strained by {strain} %, {material} bears {bears} % across layers: print corners and hub joints flat, \
+                 as they lie in their files, so that the layers lie along the bend"
+            )
+        } else {
+            format!("{hinge} is strained by {strain} %, {material} bears {bears} % even across layers")
+        };
+        measure.note("strain across layers".into(), message)
+    }
+}
+
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (frame, closure) = (&scene.design.frame, &scene.design.skeleton.closure);
     let strut = Angle::deg(90.0 + closure.strut_tilt.to_deg());
     let notch = NotchPreload { fold: strut, closing: Angle::deg(2.0 * frame.corner.notch_half_angle_deg) };
-    let Some(elongation) = frame.flexible.material.elongation_at_break_percent else {
-        let measure = Measure { rule: "hinge_strain", value: 0.0, limit: 0.0, unit: "%", parameter: "materials.flexible" };
-        let message = format!("the elongation at break of {} is not known: hinges are not checked", frame.flexible.name);
-        return vec![measure.note("hinges".into(), message), notch.finding()];
-    };
+    // What is not known to stretch is taken not to: reading a frame file already refuses such a material.
+    let elongation = frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);
     let limit = elongation / frame.limits.hinge_strain_factor;
     let hinges = [
         HingeStrain::web("top corner strut", frame, strut, limit),
@@ -113,7 +143,12 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         HingeStrain::web("bottom corner leg", frame, closure.leg_tilt, limit),
         HingeStrain::neck(frame, closure.leg_tilt, limit),
     ];
-    hinges.iter().map(HingeStrain::finding).chain([notch.finding()]).collect()
+    let most = hinges.iter().max_by(|a, b| a.strain_percent.total_cmp(&b.strain_percent));
+    let layers = most.zip(frame.flexible.material.elongation_across_layers_percent).map(|(most, across_percent)| {
+        let (hinge, strain_percent, material) = (most.hinge, most.strain_percent, frame.flexible.name.clone());
+        LayerStrain { hinge, strain_percent, material, across_percent }.finding()
+    });
+    hinges.iter().map(HingeStrain::finding).chain(layers).chain([notch.finding()]).collect()
 }
 
 #[cfg(test)]
@@ -132,6 +167,21 @@ mod tests {
     fn analytic_torsion_of_a_square_bar() {
         // Timoshenko: largest stress T / (0.208 a^3), stiffness 0.1406 a^4: 0.1406 / 0.208 = 0.676.
         assert!((torsion_factor(1.0, 1.0) - 0.676).abs() < 0.01, "{}", torsion_factor(1.0, 1.0));
+    }
+
+    #[test]
+    fn planted_webs_that_would_tear_between_layers() {
+        let note = |found: Vec<Finding>| found.into_iter().find(|f| f.subject == "strain across layers").expect("is noted");
+        let folded = note(Planted::preset("cognifly").found(check));
+        assert!(folded.margin < 0.0 && folded.message.contains("print corners and hub joints flat"), "{folded:?}");
+        let bears = Planted::frame(|frame| frame.flexible.material.elongation_across_layers_percent = Some(300.0));
+        assert!(note(bears.found(check)).margin > 0.0);
+    }
+
+    #[test]
+    fn planted_a_material_that_is_not_known_to_stretch() {
+        let found = Planted::frame(|frame| frame.flexible.material.elongation_at_break_percent = None).found(check);
+        assert_eq!(violated(&found).len(), 4, "{found:?}");
     }
 
     #[test]

@@ -30,14 +30,15 @@ pub struct SharedVolume {
     /// What is meant, and rounding, mm³.
     pub limit_mm3: f64,
     /// What drives the fit.
-    pub parameter: &'static str,
+    pub levers: &'static [&'static str],
 }
 
 impl SharedVolume {
     fn finding(&self) -> Finding {
-        let Self { pair: [a, b], volume_mm3: value, limit_mm3: limit, parameter } = self;
-        let measure = Measure { rule: "interference", value: *value, limit: *limit, unit: "mm3", parameter };
-        measure.at_most(format!("{a} and {b}"), format!("{a} and {b} share {value:.3} mm3, {limit:.3} mm3 are meant"))
+        let Self { pair: [a, b], volume_mm3: value, limit_mm3: limit, levers } = self;
+        let measure = Measure { rule: "interference", value: *value, limit: *limit, unit: "mm3", levers };
+        let [shared, meant] = measure.figures(3);
+        measure.at_most(format!("{a} and {b}"), format!("{a} and {b} share {shared} mm3, {meant} mm3 are meant"))
     }
 
     fn is_press_fit(&self) -> bool {
@@ -64,20 +65,26 @@ fn plugs_mm3(frame: &Frame) -> f64 {
     2.0 * ring_mm3(plug, plug + frame.fit.plug_clearance_mm, frame.hub_joint.plug_length_mm)
 }
 
-fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static str) {
+fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]) {
     let frame = &scene.design.frame;
     for (rod, part) in [(a, b), (b, a)] {
         let (Kind::Rod(_), Kind::Printed(name)) = (&rod.shape.kind, &part.shape.kind) else { continue };
         let rods = scene.design.skeleton.rods.iter().filter(|r| r.name == rod.body.name);
         let ring: f64 = rods.map(|r| gripped_mm3(r, frame.rods.rod_diameter_mm, *name, part.body.module)).sum();
-        return (ring * ROUNDING, "fit.grip_clearance_mm");
+        return (ring * ROUNDING, &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"]);
     }
     let is = |name| a.is_part(name) || b.is_part(name);
     match () {
-        () if is(PartName::Hub) && is(PartName::HubJoint) => (plugs_mm3(frame) * ROUNDING, "fit.plug_clearance_mm"),
-        () if is(PartName::Knee) && is(PartName::Fork) => (0.0, "knee.knee_window_clearance_height_mm"),
-        () if is(PartName::BatterySleeve) => (0.0, "battery.battery_clearance_across_mm"),
-        () => (0.0, "limits.part_clearance_mm"),
+        () if is(PartName::Hub) && is(PartName::HubJoint) => {
+            (plugs_mm3(frame) * ROUNDING, &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"])
+        }
+        () if is(PartName::Knee) && is(PartName::Fork) => {
+            (0.0, &["knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"])
+        }
+        () if is(PartName::BatterySleeve) => {
+            (0.0, &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"])
+        }
+        () => (0.0, &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"]),
     }
 }
 
@@ -90,17 +97,20 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let shared: Vec<SharedVolume> = near
         .par_iter()
         .map(|(a, b)| {
-            let (press_fit, parameter) = meant(scene, a, b);
+            let (press_fit, levers) = meant(scene, a, b);
             let pair = [a.body.name.clone(), b.body.name.clone()];
-            SharedVolume { pair, volume_mm3: a.shared_mm3(b), limit_mm3: press_fit + TOUCH_MM3, parameter }
+            SharedVolume { pair, volume_mm3: a.shared_mm3(b), limit_mm3: press_fit + TOUCH_MM3, levers }
         })
         .collect();
     let (fits, rest): (Vec<_>, Vec<_>) = shared.into_iter().partition(SharedVolume::is_press_fit);
     let (clear, broken): (Vec<_>, Vec<_>) = rest.into_iter().partition(|s| s.volume_mm3 <= s.limit_mm3);
     let mut found: Vec<Finding> = broken.iter().chain(&fits).map(SharedVolume::finding).collect();
     let most = clear.iter().map(|s| s.volume_mm3).fold(0.0, f64::max);
-    let pair = [format!("the other {} touching pairs", clear.len()), "each other".into()];
-    found.push(SharedVolume { pair, volume_mm3: most, limit_mm3: TOUCH_MM3, parameter: "limits.part_clearance_mm" }.finding());
+    let measure = Measure { rule: "interference", value: most, limit: TOUCH_MM3, unit: "mm3", levers: &[] };
+    let (count, [most, limit]) = (clear.len(), measure.figures(3));
+    let message =
+        format!("of {count} other pairs of bodies that are near each other none shares more than {most} mm3, {limit} mm3 are rounding");
+    found.push(measure.at_most(format!("{count} other near pairs"), message));
     found
 }
 

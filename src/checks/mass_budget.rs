@@ -19,8 +19,15 @@ pub struct TakeOffMass {
 impl TakeOffMass {
     fn finding(&self) -> Finding {
         let Self { total_g, estimated_g, limit_g } = *self;
-        let measure = Measure { rule: "mass_budget", value: total_g, limit: limit_g, unit: "g", parameter: "battery.battery_mass_g" };
-        let message = format!("the frame takes off with {total_g:.1} g ({estimated_g:.1} g of it estimated), the budget is {limit_g:.1} g");
+        let measure = Measure {
+            rule: "mass_budget",
+            value: total_g,
+            limit: limit_g,
+            unit: "g",
+            levers: &["bought.battery", "bought.motor", "materials.rigid"],
+        };
+        let [total, budget] = measure.figures(1);
+        let message = format!("the frame takes off with {total} g ({estimated_g:.1} g of it estimated), the budget is {budget} g");
         measure.at_most("take-off mass".into(), message)
     }
 }

@@ -25,7 +25,7 @@ pub use clearance::RodClearance;
 pub use envelope::Extent;
 pub use finding::{Finding, Tightest, Verdict, tightest};
 pub use ground::GroundClearance;
-pub use hinge::{HingeStrain, NotchPreload};
+pub use hinge::{HingeStrain, LayerStrain, NotchPreload};
 pub use interference::SharedVolume;
 pub use mass_budget::TakeOffMass;
 pub use propeller::PropellerClearance;

@@ -7,7 +7,7 @@
 use nalgebra::Point3;
 
 use super::bounds::Bounds;
-use super::finding::{Finding, Measure};
+use super::finding::{Finding, Measure, falls_short_mm};
 use super::scene::{Placed, Scene};
 use crate::assembly::Kind;
 use crate::solid::SEGMENTS_PER_TURN;
@@ -31,14 +31,15 @@ pub struct PropellerClearance {
 impl PropellerClearance {
     fn finding(&self) -> Finding {
         let Self { of, gap_mm, limit_mm, .. } = *self;
-        let parameter = if of == "rod" { "motor_mount.propeller_height_mm" } else { "motor_mount.motor_position_mm" };
-        let measure = Measure { rule: "propeller_clearance", value: gap_mm, limit: limit_mm, unit: "mm", parameter };
+        let levers = &["motor_mount.propeller_diameter_mm", "motor_mount.motor_position_mm", "motor_mount.propeller_height_mm"];
+        let measure = Measure { rule: "propeller_clearance", value: gap_mm, limit: limit_mm, unit: "mm", levers };
+        let [gap, least] = measure.figures(2);
         let message = match &self.pair {
-            Some([disc, other]) => format!("{disc} passes {other} at {gap_mm:.2} mm, {limit_mm:.2} mm are needed"),
-            None => format!("no {of} is within {gap_mm:.0} mm of a propeller, {limit_mm:.2} mm are needed"),
+            Some([disc, other]) => format!("{disc} passes {other} at {gap} mm, {least} mm are needed"),
+            None => format!("no {of} is within {gap_mm:.0} mm of a propeller, {least} mm are needed"),
         };
         let subject = match &self.pair {
-            Some([disc, other]) if gap_mm < limit_mm => format!("{disc} to {other}"),
+            Some([disc, other]) if falls_short_mm(gap_mm, limit_mm) => format!("{disc} to {other}"),
             _ => format!("propeller to {of}"),
         };
         measure.at_least(subject, message)
@@ -97,7 +98,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
             let reach_mm = nearest.gap_mm.max(limit_mm).min(no_farther_mm(disc, other));
             let gap_mm = disc.gap_mm(other, reach_mm);
             let found = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..nothing };
-            if gap_mm < limit_mm {
+            if falls_short_mm(gap_mm, limit_mm) {
                 broken.push(found.finding());
             }
             if gap_mm < nearest.gap_mm {

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
+use crate::figures::decimals;
 use crate::skeleton::{Rod, RodRole, Socket};
 use crate::solid::{Feature, MeshSolid};
 use crate::units::Angle;
@@ -55,17 +56,17 @@ impl SeatedEnd {
         }
     }
 
-    fn findings(&self, parameter: &'static str) -> [Finding; 3] {
+    fn findings(&self, levers: &'static [&'static str]) -> [Finding; 3] {
         let Self { pair: [rod, part], engagement_mm, limit_mm, above_bottom_mm, off_axis_deg } = self;
-        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, parameter };
+        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, levers };
+        let engagement = measure(*engagement_mm, *limit_mm, "mm");
+        let [depth, least] = engagement.figures(2);
         [
-            measure(*engagement_mm, *limit_mm, "mm").at_least(
-                format!("{rod} in {part}: engagement"),
-                format!("{rod} sits {engagement_mm:.2} mm deep in {part}, {limit_mm:.2} mm are needed"),
-            ),
-            measure(*above_bottom_mm, -1e-6, "mm").at_least(
+            engagement
+                .at_least(format!("{rod} in {part}: engagement"), format!("{rod} sits {depth} mm deep in {part}, {least} mm are needed")),
+            measure(*above_bottom_mm, 0.0, "mm").at_least(
                 format!("{rod} in {part}: bottom"),
-                format!("{rod} ends {above_bottom_mm:.2} mm above the bottom of its bore in {part}"),
+                format!("{rod} ends {} mm above the bottom of its bore in {part}", decimals(*above_bottom_mm, 2)),
             ),
             measure(*off_axis_deg, AXIS_DEG, "deg").at_most(
                 format!("{rod} in {part}: axis"),
@@ -102,15 +103,15 @@ impl SocketGeometry {
         Some(Self { pair: [rod.name.clone(), part.body.name.clone()], met_mm3, wall_share })
     }
 
-    fn findings(&self, parameter: &'static str) -> [Finding; 2] {
+    fn findings(&self, levers: &'static [&'static str]) -> [Finding; 2] {
         let Self { pair: [rod, part], met_mm3, wall_share } = self;
-        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, parameter };
+        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, levers };
         [
             measure(*met_mm3, PASSING_MM3, "mm3").at_most(
                 format!("{rod} in {part}: bore"),
                 format!("a pin {THINNER_MM} mm thinner than the bore meets {met_mm3:.3} mm3 of {part} where {rod} is"),
             ),
-            measure(*wall_share, WALL_SHARE, "1").at_least(
+            measure(*wall_share, WALL_SHARE, "").at_least(
                 format!("{rod} in {part}: wall"),
                 format!("{:.0} % of the ring around {rod} in {part} is wall, {:.0} % are needed", 100.0 * wall_share, 100.0 * WALL_SHARE),
             ),
@@ -130,14 +131,14 @@ fn pin_pose(start: Point3<f64>, along: Vector3<f64>) -> Isometry3<f64> {
     Isometry3::from_parts(Translation3::from(start.coords), turn)
 }
 
-/// The key of a socket's depth.
-fn depth_key(role: RodRole, at: usize) -> &'static str {
+/// The keys of a socket's depth, and of the rod's share of it.
+fn levers(role: RodRole, at: usize) -> &'static [&'static str] {
     match (role, at) {
-        (RodRole::Cage, _) | (RodRole::Strut | RodRole::Leg, 1) => "corner.corner_socket_depth_mm",
-        (RodRole::Strut, _) => "knee.knee_socket_depth_mm",
-        (RodRole::Arm, 0) => "hub_joint.hub_arm_socket_depth_mm",
-        (RodRole::Arm, _) => "fork.fork_socket_depth_mm",
-        (RodRole::Leg, _) => "hub_joint.hub_leg_socket_depth_mm",
+        (RodRole::Cage, _) | (RodRole::Strut | RodRole::Leg, 1) => &["corner.corner_socket_depth_mm"],
+        (RodRole::Strut, _) => &["knee.knee_socket_depth_mm"],
+        (RodRole::Arm, 0) => &["hub_joint.hub_arm_socket_depth_mm"],
+        (RodRole::Arm, _) => &["fork.fork_socket_depth_mm", "rods.arm_rod_slack_mm"],
+        (RodRole::Leg, _) => &["hub_joint.hub_leg_socket_depth_mm"],
     }
 }
 
@@ -147,10 +148,10 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limit_mm = scene.design.frame.limits.socket_engagement_mm;
     let all: Vec<(&Rod, usize)> = skeleton.rods.iter().flat_map(|rod| [(rod, 0), (rod, 1)]).collect();
     let per_end = |(rod, at): &(&Rod, usize)| {
-        let key = depth_key(rod.role, *at);
-        let mut found: Vec<Finding> = SeatedEnd::of(rod, *at, limit_mm).findings(key).into();
+        let levers = levers(rod.role, *at);
+        let mut found: Vec<Finding> = SeatedEnd::of(rod, *at, limit_mm).findings(levers).into();
         if rod.sockets[0].module == 0 {
-            found.extend(SocketGeometry::of(scene, rod, *at).iter().flat_map(|geometry| geometry.findings(key)));
+            found.extend(SocketGeometry::of(scene, rod, *at).iter().flat_map(|geometry| geometry.findings(levers)));
         }
         found
     };
@@ -188,7 +189,7 @@ mod tests {
         let axis = rod.sockets[0].axis.into_inner();
         rod.start -= axis * 0.3;
         rod.end += axis.cross(&Vector3::z()) * (0.005 * rod.length_mm());
-        let broken = SeatedEnd::of(&rod, 0, 4.0).findings("rods.cage_rod_length_mm").map(|f| f.verdict);
+        let broken = SeatedEnd::of(&rod, 0, 4.0).findings(&["rods.cage_rod_length_mm"]).map(|f| f.verdict);
         use crate::checks::Verdict::{Holds, Violated};
         assert_eq!(broken, [Holds, Violated, Violated]);
     }

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
 use crate::assembly::Printed;
+use crate::figures::decimals;
 use crate::params::PartName;
 use crate::solid::MeshSolid;
 
@@ -59,34 +60,36 @@ impl ThinnestWall {
     }
 
     fn finding(&self) -> Finding {
-        let Self { part, thickness_mm, at_mm: [x, y, z], limit_mm } = self;
-        let parameter = parameter(*part);
-        let measure = Measure { rule: "thinnest_wall", value: *thickness_mm, limit: *limit_mm, unit: "mm", parameter };
+        let Self { part, thickness_mm, at_mm, limit_mm } = self;
+        let [x, y, z] = at_mm.map(|mm| decimals(mm, 1));
+        let levers = levers(*part);
+        let measure = Measure { rule: "thinnest_wall", value: *thickness_mm, limit: *limit_mm, unit: "mm", levers };
+        let [thickness, needed] = measure.figures(2);
         let message = if *thickness_mm < REACH * limit_mm {
-            format!(
-                "the thinnest wall of {part} is {thickness_mm:.2} mm (at {x:.1}, {y:.1}, {z:.1} as printed), the nozzle needs {limit_mm:.2} mm"
-            )
+            format!("the thinnest wall of {part} is {thickness} mm (at {x}, {y}, {z} as printed), the nozzle needs {needed} mm")
         } else {
-            format!("every wall of {part} is over {thickness_mm:.2} mm, the nozzle needs {limit_mm:.2} mm")
+            format!("every wall of {part} is over {thickness} mm, the nozzle needs {needed} mm")
         };
         measure.at_least(part.slug().into(), message)
     }
 }
 
-/// The key of the part's thinnest wall.
-fn parameter(part: PartName) -> &'static str {
+/// The keys of the part's thinnest walls.
+fn levers(part: PartName) -> &'static [&'static str] {
     match part {
-        PartName::TopCorner | PartName::BottomCorner => "corner.corner_wall_mm",
-        PartName::Knee => "knee.knee_back_wall_mm",
-        PartName::Fork => "fork.fork_wall_mm",
-        PartName::MotorMount => "motor_mount.motor_skirt_wall_mm",
-        PartName::HubJoint => "hub_joint.hub_joint_diameter_mm",
-        PartName::Hub => "hub.hub_boss_wall_mm",
-        PartName::PiCarrier => "pi_carrier.carrier_pad_radius_mm",
-        PartName::BatteryBracket => "bracket.bracket_floor_mm",
-        PartName::BatterySleeve => "sleeve.sleeve_side_wall_mm",
-        PartName::BatteryLid => "lid.lid_cheek_mm",
-        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => "camera.camera_foot_mm",
+        PartName::TopCorner | PartName::BottomCorner => &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
+        PartName::Knee => &["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"],
+        PartName::Fork => &["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"],
+        PartName::MotorMount => {
+            &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_ring_diameter_mm", "motor_mount.motor_plate_diameter_mm"]
+        }
+        PartName::HubJoint => &["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"],
+        PartName::Hub => &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
+        PartName::PiCarrier => &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
+        PartName::BatteryBracket => &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
+        PartName::BatterySleeve => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"],
+        PartName::BatteryLid => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
+        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
     }
 }
 
@@ -134,6 +137,29 @@ mod tests {
         let found = Planted::preset("cognifly-v8").found(check);
         let broken: Vec<_> = violated(&found).iter().map(|f| (f.subject.clone(), (100.0 * f.value).round())).collect();
         assert_eq!(broken, [("motor_mount".to_string(), 80.0), ("battery_bracket".to_string(), 85.0)]);
+    }
+
+    #[test]
+    fn planted_a_wall_as_thick_as_the_nozzle_needs() {
+        let skirt = |wall_mm: f64| {
+            let found = Planted::frame(|frame| {
+                frame.motor_mount.motor_skirt_wall_mm = wall_mm;
+                (frame.printer.nozzle_mm, frame.printer.min_wall_nozzles) = (0.4, 2.0);
+            });
+            violated(&found.found(check))
+        };
+        assert_eq!(skirt(0.8), []);
+        let thin = skirt(0.78);
+        assert!(thin.len() == 1 && thin[0].message.contains("is 0.78 mm") && thin[0].message.contains("needs 0.80 mm"), "{thin:?}");
+    }
+
+    #[test]
+    fn regress_the_lid_keeps_its_walls_around_a_wide_and_high_battery() {
+        let found = Planted::frame(|frame| {
+            let battery = &mut frame.battery;
+            (battery.battery_length_mm, battery.battery_width_mm, battery.battery_height_mm) = (67.0, 37.0, 22.0);
+        });
+        assert_eq!(violated(&found.found(check)), []);
     }
 
     #[test]

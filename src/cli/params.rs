@@ -62,13 +62,14 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
 
 /// To a millionth, without zeros behind the last digit; nothing for a number that there is not.
 fn number(value: Option<f64>) -> String {
-    value.map_or(String::new(), |value| format!("{}", (value * 1e6).round() / 1e6))
+    // Adding 0 takes the sign off a zero.
+    value.map_or(String::new(), |value| format!("{}", (value * 1e6).round() / 1e6 + 0.0))
 }
 
 fn table(rows: &[Row]) -> String {
     let mut text = format!("{:<42} {:>9} {:>9}  {:<18} what it is; what it drives\n", "key", "value", "default", "bounds");
     for row in rows {
-        let bounds = format!("{} to {} {}", row.min, row.max, row.unit);
+        let bounds = format!("{} to {} {}", row.min, row.max, row.unit).trim_end().to_string();
         let drives = if row.drives.is_empty() { String::new() } else { format!(" [{}]", row.drives.join(", ")) };
         let follows = row.follows.map_or(String::new(), |role| format!(" (follows from bought.{role})"));
         text +=
@@ -95,6 +96,7 @@ fn page(frame: &str, rows: &[Row]) -> String {
             );
         }
         let follows = row.follows.map_or(String::new(), |role| format!(" ({role})"));
+        let unit = if unit.is_empty() { "-" } else { unit };
         let (key, value, drives) = (p.key, number(row.value), row.drives.join(", "));
         page += &format!("| `{key}` | {unit} | {value}{follows} | {min} to {max} | {doc} | {drives} |\n");
     }

@@ -12,20 +12,33 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
     for Tightest { finding, of } in findings {
         let among = if *of > 1 { format!("  tightest of {of}") } else { String::new() };
         text += &format!(
-            "{word}  {:<19} {:<width$}  {:>8.2} {unit:<4} limit {:>7.2} {unit:<4} margin {:>7.2}{among}\n",
+            "{word}  {:<19} {:<width$}  {:>8} {unit:<4} limit {:>7} {unit:<4} margin {:>7}{among}\n",
             finding.rule,
             finding.subject,
-            finding.value,
-            finding.limit,
-            finding.margin + 0.0,
+            finding.figures()[0],
+            finding.figures()[1],
+            finding.figures()[2],
             word = verdict(finding, colour),
             unit = finding.unit
         );
         if finding.verdict == Verdict::Violated {
-            text += &format!("          {}; driven by {}\n", finding.message, finding.parameter);
+            let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(finding.levers)) };
+            text += &format!("          {}{mend}\n", finding.message);
+        }
+        if finding.verdict == Verdict::Note && finding.margin < 0.0 {
+            text += &format!("          {}\n", finding.message);
         }
     }
     text
+}
+
+/// Keys as alternatives: `a, b or c`.
+fn one_of(keys: &[&str]) -> String {
+    match keys {
+        [] => String::new(),
+        [key] => (*key).into(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    }
 }
 
 fn verdict(finding: &Finding, colour: bool) -> String {

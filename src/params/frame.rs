@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::catalogue::{BoughtPart, Material, Printer};
+use super::choice::Catalogues;
 use super::follows;
 use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
-use super::preset;
 use super::refusal::{Reason, Refusal, nearest};
 
 /// A frame, checked.
@@ -196,7 +196,6 @@ impl Frame {
         let catalogues = Catalogues::read(file)?;
         let bought = catalogues.bought(file)?;
         let number = |p: &Parameter| number(file, &bought, p);
-        let rod = bought.get("rod").and_then(|item| item.part.material.clone());
         let frame = Self {
             name: file.name.clone(),
             description: text(file, "description")?.unwrap_or_default(),
@@ -216,9 +215,9 @@ impl Frame {
             camera: CameraParameters::read(number)?,
             limits: LimitParameters::read(number)?,
             target: target(file)?,
-            flexible: catalogues.material(file, "materials.flexible", None)?,
-            rigid: catalogues.material(file, "materials.rigid", None)?,
-            rod_material: catalogues.material(file, "bought.rod", rod)?,
+            flexible: catalogues.flexible(file)?,
+            rigid: catalogues.rigid(file)?,
+            rod_material: catalogues.rod_material(file, &bought)?,
             printer: catalogues.printer(file)?,
             bought,
             extras: extras(file)?,
@@ -227,6 +226,12 @@ impl Frame {
         Ok(frame)
     }
 }
+
+/// Version of a frame file's form.
+const SCHEMA: f64 = 1.0;
+
+/// Tables in which a frame file may name what it likes.
+const FREE_TABLES: [&str; 2] = ["extras", "override"];
 
 /// Tables of a frame file beside the numeric ones.
 const OTHER_KEYS: [&str; 8] =
@@ -237,27 +242,62 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
     known.extend(OTHER_KEYS.iter().map(|key| key.to_string()));
     known.push("target.strut_tilt_deg".into());
     known.extend(ROLES.iter().map(|(role, ..)| format!("bought.{role}")));
-    for key in file.entries.keys() {
+    for (key, entry) in &file.entries {
         let free = key.starts_with("extras.") || key.starts_with("override.");
-        if !free && !known.contains(key) {
-            let bare = key.rsplit('.').next().unwrap_or(key);
-            let same_name = known.iter().filter(|k| k.rsplit('.').next() == Some(bare)).cloned().collect::<Vec<_>>();
-            let nearest = if same_name.is_empty() { nearest(key, known.iter().map(String::as_str)) } else { same_name };
-            return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
+        let empty = matches!(&entry.value, Value::Other(toml::Value::Table(_)));
+        let table = empty && (FREE_TABLES.contains(&key.as_str()) || known.iter().any(|k| k.starts_with(&format!("{key}."))));
+        if free || table || known.contains(key) {
+            continue;
         }
+        let inside = known.iter().find(|k| key.strip_prefix(k.as_str()).is_some_and(|rest| rest.starts_with('.')));
+        let reason = match inside {
+            Some(parent) => Reason::TableForValue { key: key.clone(), parent: parent.clone(), expected: expected(parent) },
+            None => Reason::UnknownKey { key: key.clone(), nearest: meant(key, &known) },
+        };
+        return Err(file.refuse(key, reason));
     }
     match file.entries.get("schema").map(|entry| &entry.value) {
-        None => Ok(()),
-        Some(Value::Number(1.0)) => Ok(()),
-        Some(_) => {
-            let reason = Reason::WrongType { key: "schema".into(), found: "another version".into(), expected: "1".into() };
-            Err(file.refuse("schema", reason))
+        None | Some(Value::Number(SCHEMA)) => Ok(()),
+        Some(stated) => {
+            let message = format!("`schema` is {}, this flexframe reads schema {SCHEMA}", stated.to_toml());
+            let remedy =
+                format!("write schema = {SCHEMA} if the file is meant for this version, or read it with the version it was written for");
+            Err(file.refuse("schema", Reason::Impossible { message, remedy }))
         }
     }
 }
 
+/// What a known key takes.
+fn expected(key: &str) -> String {
+    let number = catalogue().find(|p| key == format!("{}.{}", p.table, p.key));
+    match (number, key) {
+        (Some(p), _) => p.expected(),
+        (None, "target.strut_tilt_deg") => "a number in °".into(),
+        (None, "schema") => format!("{SCHEMA}"),
+        (None, key) if key.starts_with("target.") => "a number in mm".into(),
+        _ => "a text in quotes".into(),
+    }
+}
+
+/// What an unknown key was probably meant to be: one of the same name in another table, one in a table of a similar
+/// name, or one that looks alike.
+fn meant(key: &str, known: &[String]) -> Vec<String> {
+    let bare = key.rsplit('.').next();
+    let same_name: Vec<String> = known.iter().filter(|k| k.rsplit('.').next() == bare).cloned().collect();
+    if !same_name.is_empty() {
+        return same_name;
+    }
+    let (table, rest) = key.split_once('.').unwrap_or((key, ""));
+    let tables = known.iter().filter_map(|k| k.split('.').next()).chain(FREE_TABLES);
+    match nearest(table, tables).first() {
+        Some(near) if rest.is_empty() => vec![near.clone()],
+        Some(near) if FREE_TABLES.contains(&near.as_str()) && table != near => vec![format!("{near}.{rest}").trim_end_matches('.').into()],
+        _ => nearest(key, known.iter().map(String::as_str)),
+    }
+}
+
 /// A text as typed; `None` when no file states it.
-fn text(file: &FrameFile, key: &str) -> Result<Option<String>, Refusal> {
+pub(super) fn text(file: &FrameFile, key: &str) -> Result<Option<String>, Refusal> {
     match file.entries.get(key).map(|entry| &entry.value) {
         None => Ok(None),
         Some(Value::Text(text)) => Ok(Some(text.clone())),
@@ -269,7 +309,7 @@ fn text(file: &FrameFile, key: &str) -> Result<Option<String>, Refusal> {
 }
 
 /// A text that has to be stated.
-fn stated_text(file: &FrameFile, key: &str) -> Result<String, Refusal> {
+pub(super) fn stated_text(file: &FrameFile, key: &str) -> Result<String, Refusal> {
     text(file, key)?.ok_or_else(|| file.refuse(key, Reason::Missing { key: key.into() }))
 }
 
@@ -279,7 +319,7 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     let value = match file.entries.get(&key).map(|entry| &entry.value) {
         Some(Value::Number(number)) => *number,
         Some(other) => {
-            let reason = Reason::WrongType { key: key.clone(), found: other.kind().into(), expected: format!("a number in {}", p.unit()) };
+            let reason = Reason::WrongType { key: key.clone(), found: other.kind().into(), expected: p.expected() };
             return Err(file.refuse(&key, reason));
         }
         None => follows::from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
@@ -333,13 +373,26 @@ const FARTHEST_EXTRA_MM: f64 = 500.0;
 fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
     for (key, entry) in &file.entries {
-        if let Some((name, field)) = key.strip_prefix("extras.").and_then(|rest| rest.split_once('.')) {
-            tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml());
+        let Some(rest) = key.strip_prefix("extras.") else { continue };
+        match (rest.split_once('.'), &entry.value) {
+            (Some((name, field)), _) => drop(tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml())),
+            (None, Value::Other(toml::Value::Table(_))) => drop(tables.entry(rest.into()).or_default()),
+            (None, _) => {
+                let nearest = vec![format!("extras.NAME.{rest}")];
+                return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
+            }
         }
     }
     let read = |(name, table): (String, toml::Table)| {
         let at = format!("extras.{name}.mass_g");
-        let extra: Extra = table.try_into().map_err(|e: toml::de::Error| bad_entry(file, &at, "extra", &name, e.message()))?;
+        let extra: Extra = table.try_into().map_err(|e: toml::de::Error| {
+            let own =
+                |key: &&String| key.strip_prefix(&format!("extras.{name}")).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+            let blamed = |key: &&String| key.rsplit('.').next().is_some_and(|field| e.message().contains(&format!("`{field}`")));
+            let stated = file.entries.keys().filter(own);
+            let key = stated.clone().find(blamed).or_else(|| stated.clone().next());
+            bad_entry(file, key.map_or(at.as_str(), String::as_str), "extra", &name, e.message())
+        })?;
         if extra.position_mm.iter().any(|at| at.abs() > FARTHEST_EXTRA_MM || !at.is_finite()) {
             let at = format!("extras.{name}.position_mm");
             let message = format!("lies further than {FARTHEST_EXTRA_MM} mm from the hub, or is no number");
@@ -362,115 +415,6 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     tables.into_iter().map(read).collect()
 }
 
-fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, message: &str) -> Refusal {
+pub(super) fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, message: &str) -> Refusal {
     file.refuse(key, Reason::BadEntry { kind: kind.into(), name: name.into(), message: message.trim().into() })
-}
-
-/// The catalogues with the frame file's own entries on top.
-struct Catalogues {
-    parts: toml::Table,
-    materials: toml::Table,
-    printers: toml::Table,
-}
-
-impl Catalogues {
-    fn read(file: &FrameFile) -> Result<Self, Refusal> {
-        let shipped = |text: &str| -> toml::Table { toml::from_str(text).unwrap_or_default() };
-        let within = |text: &str, table: &str| shipped(text).get(table).and_then(|t| t.as_table()).cloned().unwrap_or_default();
-        let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(shipped(text)))).collect();
-        let mut all = Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers };
-        for (key, entry) in file.entries.iter().filter(|(key, _)| key.starts_with("override.")) {
-            // A name may have dots in it, as in [override.printers."generic-0.4"]; a table's and a field's have none.
-            let table = key.split('.').nth(1).unwrap_or_default();
-            let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
-            let (catalogue, name, field) = match (table, place) {
-                ("parts", Some((name, field))) => (&mut all.parts, name, field),
-                ("materials", Some((name, field))) => (&mut all.materials, name, field),
-                ("printers", Some((name, field))) => (&mut all.printers, name, field),
-                _ => {
-                    let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
-                    return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
-                }
-            };
-            let named = file.entries.values().any(|entry| matches!(&entry.value, Value::Text(text) if text == name));
-            if !catalogue.contains_key(name) && !named {
-                let nearest = nearest(name, catalogue.keys().map(String::as_str));
-                return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
-            }
-            let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
-            if let Some(own) = own.as_table_mut() {
-                own.insert(field.into(), entry.value.to_toml());
-            }
-        }
-        Ok(all)
-    }
-
-    fn bought(&self, file: &FrameFile) -> Result<BTreeMap<String, BoughtItem>, Refusal> {
-        let mut items = BTreeMap::new();
-        for (role, quantity, kind) in ROLES {
-            let key = format!("bought.{role}");
-            let Some(name) = text(file, &key)?.filter(|name| name != "none") else { continue };
-            let part: BoughtPart = entry(&self.parts, file, &key, "bought part", "parts", &name)?;
-            if part.kind != kind {
-                let reason =
-                    Reason::WrongType { key: key.clone(), found: format!("a {}: `{name}`", part.kind), expected: format!("a {kind}") };
-                return Err(file.refuse(&key, reason));
-            }
-            if !part.is_sound() {
-                return Err(bad_override(file, &key, "bought part", "parts", &name, "a mass or size of it is negative or no number"));
-            }
-            items.insert(role.into(), BoughtItem { name, quantity, part });
-        }
-        for role in ["motor", "propeller", "battery", "rod"] {
-            if !items.contains_key(role) {
-                let key = format!("bought.{role}");
-                return Err(file.refuse(&key, Reason::Missing { key: key.clone() }));
-            }
-        }
-        Ok(items)
-    }
-
-    /// The material that a key names, or that something else named for it.
-    fn material(&self, file: &FrameFile, key: &str, named: Option<String>) -> Result<NamedMaterial, Refusal> {
-        let name = named.map_or_else(|| stated_text(file, key), Ok)?;
-        let material: Material = entry(&self.materials, file, key, "material", "materials", &name)?;
-        if !material.is_sound() {
-            return Err(bad_override(file, key, "material", "materials", &name, "one of its figures is not positive or no number"));
-        }
-        Ok(NamedMaterial { name, material })
-    }
-
-    fn printer(&self, file: &FrameFile) -> Result<Printer, Refusal> {
-        let name = stated_text(file, "printer")?;
-        let printer: Printer = entry(&self.printers, file, "printer", "printer", "printers", &name)?;
-        if !printer.is_sound() {
-            return Err(bad_override(file, "printer", "printer", "printers", &name, "one of its sizes is not positive or no number"));
-        }
-        Ok(printer)
-    }
-}
-
-/// A named entry of a catalogue; `key` names it in the frame file.
-fn entry<T: serde::de::DeserializeOwned>(
-    catalogue: &toml::Table,
-    file: &FrameFile,
-    key: &str,
-    kind: &str,
-    table: &str,
-    name: &str,
-) -> Result<T, Refusal> {
-    let Some(entry) = catalogue.get(name) else {
-        let nearest = nearest(name, catalogue.keys().map(String::as_str));
-        return Err(file.refuse(key, Reason::UnknownName { kind: kind.into(), name: name.into(), nearest }));
-    };
-    entry.clone().try_into().map_err(|e: toml::de::Error| bad_override(file, key, kind, table, name, e.message()))
-}
-
-/// A catalogue's entry that does not read: what the frame file changed in it is to blame.
-fn bad_override(file: &FrameFile, key: &str, kind: &str, table: &str, name: &str, message: &str) -> Refusal {
-    let own = format!("override.{table}.{name}.");
-    let changed: Vec<&String> = file.entries.keys().filter(|key| key.starts_with(&own)).collect();
-    let named = changed.iter().find(|key| key.strip_prefix(&own).is_some_and(|field| message.contains(&format!("`{field}`"))));
-    let at = named.or(changed.first()).map_or(key, |key| key.as_str());
-    bad_entry(file, at, kind, name, message)
 }

@@ -78,6 +78,7 @@ impl Value {
             Self::Text(_) => "a string",
             Self::Other(toml::Value::Boolean(_)) => "true or false",
             Self::Other(toml::Value::Array(_)) => "an array",
+            Self::Other(toml::Value::Table(_)) => "a table",
             Self::Other(_) => "something else",
         }
     }
@@ -110,7 +111,7 @@ impl FrameFile {
     /// When there is none, when it cannot be read, or when it is not TOML.
     pub fn load(frame: &str) -> Result<Self, LoadError> {
         let (name, source, folder) = open(frame, None)?;
-        Self::read(name, source, folder, frame)
+        Self::read(name, source, folder)
     }
 
     /// Reads a frame from text; its base, if it has one, is a preset or a file of the working directory.
@@ -119,12 +120,12 @@ impl FrameFile {
     /// When it is not TOML or a base cannot be read.
     pub fn parse(name: &str, text: &str) -> Result<Self, LoadError> {
         let source = Arc::new(Source { name: name.into(), text: text.into() });
-        Self::read(name.into(), source, None, name)
+        Self::read(name.into(), source, None)
     }
 
-    fn read(name: String, source: Arc<Source>, folder: Option<PathBuf>, called: &str) -> Result<Self, LoadError> {
+    fn read(name: String, source: Arc<Source>, folder: Option<PathBuf>) -> Result<Self, LoadError> {
         let mut file = Self { name, entries: BTreeMap::new() };
-        file.stack(source, folder, &mut vec![called.to_string()])?;
+        file.stack(source, folder, &mut Vec::new())?;
         if let Some(Entry { value: Value::Text(name), .. }) = file.entries.get("name") {
             let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !name.starts_with('.');
             if !plain {
@@ -147,7 +148,8 @@ impl FrameFile {
             let place = Place { source: Arc::clone(&source), span: span.start.min(end)..span.end.min(end) };
             Refusal { reason: Box::new(Reason::Syntax { message: error.message().to_string() }), place: Some(place) }
         })?;
-        let depth = chain.len() - 1;
+        let depth = chain.len();
+        chain.push(source.name.clone());
         let mut typed = BTreeMap::new();
         flatten("", table.get_ref(), &source, depth, &mut typed)?;
         let base = typed.remove("base");
@@ -163,13 +165,8 @@ impl FrameFile {
             let reason = Reason::WrongType { key: "base".into(), found: base.value.kind().into(), expected: "the name of a frame".into() };
             return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
         };
-        let seen = chain.contains(base_name);
-        chain.push(base_name.clone());
-        if seen || chain.len() > LONGEST_CHAIN {
-            let reason = Reason::BaseChain { chain: chain.join(" -> ") };
-            return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
-        }
-        let (_, source, folder) = open(base_name, folder.as_deref()).map_err(|error| match error {
+        let here = folder.as_deref().map(|folder| Here { folder, file: &source.name });
+        let (_, source, folder) = open(base_name, here).map_err(|error| match error {
             LoadError::NoSuchFrame { .. } => {
                 let reason =
                     Reason::UnknownName { kind: "base".into(), name: base_name.clone(), nearest: nearest(base_name, preset::names()) };
@@ -177,6 +174,10 @@ impl FrameFile {
             }
             other => other,
         })?;
+        if chain.contains(&source.name) || chain.len() == LONGEST_CHAIN {
+            let reason = Reason::BaseChain { chain: format!("{} -> {}", chain.join(" -> "), source.name) };
+            return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
+        }
         self.stack(source, folder, chain)
     }
 
@@ -186,10 +187,29 @@ impl FrameFile {
     }
 }
 
-/// Finds a frame by path or preset name: its name, its text, and the folder of its bases.
-fn open(frame: &str, folder: Option<&Path>) -> Result<(String, Arc<Source>, Option<PathBuf>), LoadError> {
-    let beside = folder.map(|folder| folder.join(format!("{frame}.toml"))).filter(|path| path.is_file());
-    let path = beside.or_else(|| frame.ends_with(".toml").then(|| PathBuf::from(frame)));
+/// The file that names a base, and its folder.
+#[derive(Clone, Copy)]
+struct Here<'a> {
+    folder: &'a Path,
+    file: &'a str,
+}
+
+impl Here<'_> {
+    /// The file beside this one that a base's name means; a name without ending never means this file itself.
+    fn beside(&self, base: &str) -> Option<PathBuf> {
+        let whole = base.ends_with(".toml");
+        let path = self.folder.join(if whole { base.to_string() } else { format!("{base}.toml") });
+        (path.is_file() && (whole || path.display().to_string() != self.file)).then_some(path)
+    }
+}
+
+/// Finds a frame: its name, its text, and the folder of its bases. One named on the command line is a path or a preset,
+/// a base is a file beside the one that names it, or a preset.
+fn open(frame: &str, here: Option<Here>) -> Result<(String, Arc<Source>, Option<PathBuf>), LoadError> {
+    let path = match here {
+        Some(here) => here.beside(frame),
+        None => frame.ends_with(".toml").then(|| PathBuf::from(frame)),
+    };
     if let Some(path) = path {
         let bytes = std::fs::metadata(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?.len();
         if bytes > LARGEST_FILE {
@@ -218,7 +238,9 @@ fn flatten(
 ) -> Result<(), Refusal> {
     for (key, value) in table {
         let dotted = if prefix.is_empty() { key.get_ref().to_string() } else { format!("{prefix}.{}", key.get_ref()) };
-        if let DeValue::Table(inner) = value.get_ref() {
+        if let DeValue::Table(inner) = value.get_ref()
+            && !inner.is_empty()
+        {
             flatten(&dotted, inner, source, depth, entries)?;
             continue;
         }
@@ -242,6 +264,7 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
             let items: Result<Vec<_>, _> = items.iter().map(|item| typed_value(item).map(|v| v.to_toml())).collect();
             items.map(|items| Value::Other(toml::Value::Array(items)))
         }
+        DeValue::Table(inner) if inner.is_empty() => Ok(Value::Other(toml::Value::Table(toml::Table::new()))),
         DeValue::Datetime(date) => Ok(Value::Other(toml::Value::Datetime(*date))),
         other => Err(format!("a {} has no place in a frame file", other.type_str())),
     }

@@ -14,7 +14,7 @@ parameters! {
         strut_rod_length_mm: 20.0..=120.0 => [Knee, TopCorner, BottomCorner],
         /// Outer diameter of every rod; all bores follow it.
         rod_diameter_mm: 2.0..=4.0 => [TopCorner, BottomCorner, Knee, Fork, MotorMount, HubJoint],
-        /// Free length behind the arm rod's end in the fork.
+        /// From the arm rod's end to the bottom of its bore in the fork.
         arm_rod_slack_mm: 0.0..=4.0 => [Fork],
     }
 }
@@ -158,15 +158,15 @@ parameters! {
         motor_plate_diameter_mm: 11.0..=26.0 => [MotorMount],
         /// Wall of the skirt under the plate.
         motor_skirt_wall_mm: 0.8..=2.0 => [MotorMount],
-        /// Depth of the skirt.
+        /// How far the skirt reaches down below the plate's underside.
         motor_skirt_depth_mm: 0.0..=4.0 => [MotorMount],
-        /// Rounding of the plate's rim.
+        /// Rounding of the plate's upper rim.
         motor_edge_round_mm: 0.0..=2.0 => [MotorMount],
         /// Concave radius between plate and rings.
         motor_waist_round_mm: 1.0..=8.0 => [MotorMount],
         /// Narrowest width between plate and ring.
         motor_waist_mm: 3.0..=9.0 => [MotorMount],
-        /// Screw holes of the motor.
+        /// Diameter of the motor's screw holes in the plate.
         motor_hole_diameter_mm: 1.4..=3.4 => [MotorMount],
         /// Diameter of the circle of the screw holes.
         motor_hole_circle_mm: 6.6..=19.0 => [MotorMount],
@@ -200,9 +200,9 @@ parameters! {
         hub_edge_radius_mm: 0.5..=2.0 => [Hub],
         /// Radius of the ring around a tie hole, in hub, carrier and bracket.
         tie_ring_radius_mm: 2.5..=5.0 => [Hub],
-        /// Tie hole through the hub.
+        /// Diameter of the four tie holes through the hub.
         hub_tie_hole_diameter_mm: 2.0..=4.0 => [Hub],
-        /// Flat top inwards of the tie hole.
+        /// From the middle of a tie hole inwards to the end of the flat top around it.
         hub_pad_depth_mm: 4.0..=8.0 => [Hub],
         /// Fillet between plate and the inner side of a pad.
         hub_pad_fillet_mm: 2.0..=6.0 => [Hub],
@@ -210,9 +210,9 @@ parameters! {
         stack_pattern_mm: 16.0..=30.5 => [Hub],
         /// Pilot hole of a stack screw (self-tapping M2).
         stack_pilot_diameter_mm: 1.2..=3.4 => [Hub],
-        /// Counterbore for the screw head.
+        /// Diameter of the counterbore that takes a stack screw's head.
         stack_counterbore_diameter_mm: 3.0..=7.0 => [Hub],
-        /// Depth of the counterbore, upper face.
+        /// Depth of that counterbore below the plate's upper face.
         stack_counterbore_depth_mm: 0.5..=3.0 => [Hub],
     }
 }
@@ -220,23 +220,23 @@ parameters! {
 parameters! {
     /// The plate that carries the computer above the hub.
     pub struct CarrierParameters in "pi_carrier" {
-        /// Carrier thickness.
+        /// Thickness of the whole carrier, from the hub's top to the board's underside.
         carrier_thickness_mm: 1.2..=4.0 => [PiCarrier],
-        /// Hole pattern of the board, across.
+        /// Distance of the board's holes left to right, from middle to middle.
         pi_pattern_across_mm: 20.0..=49.0 => [PiCarrier],
-        /// Hole pattern of the board, along the camera direction.
+        /// Distance of the board's holes front to rear, from middle to middle.
         pi_pattern_along_mm: 50.0..=58.0 => [PiCarrier],
-        /// Board holes.
+        /// Diameter of the carrier's holes under the board's.
         pi_hole_diameter_mm: 2.0..=3.2 => [PiCarrier],
-        /// Tie holes of the carrier.
+        /// Diameter of the four tie holes through the carrier.
         carrier_tie_hole_diameter_mm: 2.5..=5.0 => [PiCarrier],
-        /// Carrier pad radius.
+        /// Outer radius of the rings around the board's holes.
         carrier_pad_radius_mm: 2.2..=4.0 => [PiCarrier],
-        /// Bars to the board pads.
+        /// Width of the bars from the tie rings to the board's holes.
         carrier_strut_width_mm: 2.0..=4.0 => [PiCarrier],
-        /// Bars between the ties.
+        /// Width of the four bars from tie ring to tie ring.
         carrier_bar_width_mm: 2.0..=5.0 => [PiCarrier],
-        /// Carrier fillet.
+        /// Fillet where the carrier's bars meet.
         carrier_fillet_mm: 0.4..=2.0 => [PiCarrier],
     }
 }
@@ -244,15 +244,15 @@ parameters! {
 parameters! {
     /// The battery's size; its mass is the bought part's.
     pub struct BatteryParameters in "battery" {
-        /// Battery length.
+        /// Length of the battery without leads, front to rear; the bought battery's unless stated.
         battery_length_mm: 40.0..=110.0 => [BatterySleeve, BatteryLid],
-        /// Battery width.
+        /// Width of the battery, left to right; the bought battery's unless stated.
         battery_width_mm: 18.0..=50.0 => [BatterySleeve, BatteryLid],
-        /// Battery height.
+        /// Height of the battery; the bought battery's unless stated.
         battery_height_mm: 8.0..=35.0 => [BatterySleeve, BatteryLid],
-        /// Sleeve width minus battery width.
+        /// Inner width of sleeve and lid minus the battery's width, both sides together.
         battery_clearance_across_mm: 0.3..=1.5 => [BatterySleeve, BatteryLid],
-        /// Sleeve height minus battery height.
+        /// Inner height of sleeve and lid minus the battery's height, top and bottom together.
         battery_clearance_up_mm: 0.2..=1.5 => [BatterySleeve, BatteryLid],
         /// Mass of the battery; the bought battery's unless stated.
         battery_mass_g: 0.0..=1000.0 => [],
@@ -262,49 +262,49 @@ parameters! {
 parameters! {
     /// The battery tube under the bracket, with the tray of the flow sensor.
     pub struct SleeveParameters in "sleeve" {
-        /// Sleeve side wall.
+        /// Thickness of the left and right wall of sleeve and lid.
         sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve],
-        /// Top and bottom wall of sleeve and lid.
+        /// Thickness of the top and bottom wall of sleeve and lid.
         sleeve_top_wall_mm: 0.8..=3.0 => [BatterySleeve],
-        /// Sleeve edge radius.
+        /// Rounding of the sleeve's and the lid's long outer edges.
         sleeve_edge_radius_mm: 0.0..=2.0 => [BatterySleeve],
-        /// Chamfer inside the rear rim.
+        /// Chamfer inside the sleeve's rear rim, where the battery enters.
         sleeve_lead_in_mm: 0.0..=0.9 => [BatterySleeve],
-        /// Ribs on both sides of the bracket base.
+        /// Height above the sleeve's top of the two ribs between which the bracket's base is glued.
         rib_height_mm: 0.8..=3.0 => [BatterySleeve],
-        /// Flat top of a rib; its outer side is a quarter circle.
+        /// Width of a rib's flat top; its outer side is a quarter circle.
         rib_width_mm: 0.6..=2.0 => [BatterySleeve],
-        /// Between bracket base and rib, each side.
+        /// From each side of the bracket's base to the rib beside it.
         channel_clearance_mm: 0.0..=0.3 => [BatterySleeve],
-        /// Lug width.
+        /// Size of each lug on the sleeve's sides, front to rear.
         lug_width_mm: 3.0..=10.0 => [BatterySleeve],
-        /// Lug height.
+        /// Size of each lug's outer face, from bottom to top.
         lug_height_mm: 5.0..=14.0 => [BatterySleeve],
-        /// Lug depth.
+        /// How far each lug stands out from the sleeve's side wall.
         lug_depth_mm: 1.0..=3.0 => [BatterySleeve],
-        /// Lugs below the middle.
+        /// From the middle of the battery's cross section down to the middle of the lugs.
         lug_drop_mm: -3.0..=3.0 => [BatterySleeve],
-        /// Middle of the front lugs, behind the front rim.
+        /// From the sleeve's front rim back to the middle of the front lugs.
         lug_front_mm: 3.0..=30.0 => [BatterySleeve],
-        /// Middle of the rear lugs, in front of the rear rim.
+        /// From the sleeve's rear rim forward to the middle of the rear lugs.
         lug_rear_mm: 3.0..=30.0 => [BatterySleeve],
-        /// Tray thickness.
+        /// Thickness of the flow sensor's tray.
         tray_thickness_mm: 1.2..=3.0 => [BatterySleeve],
-        /// Tray top above the sleeve top.
+        /// From the sleeve's top face up to the tray's.
         tray_lift_mm: 0.6..=2.0 => [BatterySleeve],
-        /// Tray on the sleeve.
+        /// How far the tray's wings lie on the sleeve, from the front rim back.
         tray_overlap_mm: 2.0..=8.0 => [BatterySleeve],
-        /// Hole pitch of the flow sensor.
+        /// Distance of the flow sensor's two holes, from middle to middle.
         sensor_hole_pitch_mm: 16.0..=34.0 => [BatterySleeve],
-        /// Sensor hole diameter.
+        /// Diameter of the flow sensor's holes in the tray.
         sensor_hole_diameter_mm: 1.6..=3.4 => [BatterySleeve],
-        /// Sensor holes in front of the front rim.
+        /// From the sleeve's front rim forward to the middle of the flow sensor's holes.
         sensor_reach_mm: 8.0..=20.0 => [BatterySleeve],
-        /// Front bar.
+        /// Width, front to rear, of the tray's bar between the sensor's holes.
         tray_bar_mm: 2.5..=6.0 => [BatterySleeve],
-        /// Tray pad radius.
+        /// From the middle of a sensor hole to the tray's edge.
         tray_pad_radius_mm: 2.2..=4.0 => [BatterySleeve],
-        /// Tray left and right of the window.
+        /// From the sleeve's outer side in to the tray's window, each side.
         tray_window_side_mm: 4.0..=12.0 => [BatterySleeve],
     }
 }
@@ -312,55 +312,55 @@ parameters! {
 parameters! {
     /// The bracket between hub and sleeve: electronics bay, connector and magnet.
     pub struct BracketParameters in "bracket" {
-        /// Under the connector channel.
+        /// From the bracket's underside up to the connector's channel.
         bracket_floor_mm: 0.8..=2.0 => [BatteryBracket, BatteryLid],
-        /// Beside the channel.
+        /// From the connector's channel out to the bracket's side, each side.
         bracket_side_wall_mm: 1.0..=2.5 => [BatteryBracket, BatteryLid],
-        /// Height of the base.
+        /// Thickness of the base between the two uprights.
         bracket_base_mm: 2.0..=5.0 => [BatteryBracket, BatteryLid],
-        /// Clear height between base and hub (electronics bay).
+        /// From the base's top up to the top of the uprights: room for the electronics under the hub.
         bay_height_mm: 14.0..=45.0 => [BatteryBracket, BatteryLid],
-        /// Between channel and magnet.
+        /// From the top of the connector's channel up to the magnet's pocket.
         bracket_wall_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
-        /// Between magnet and tie hole.
+        /// From the top of the magnet's pocket up to the bottom of the tie hole.
         bracket_roof_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
-        /// Tie hole diameter.
+        /// Diameter of the tie holes down into the uprights.
         tie_hole_diameter_mm: 2.5..=5.0 => [BatteryBracket, BatteryLid],
-        /// Tie hole depth.
+        /// From the top of the uprights down to the bottom of the tie holes.
         tie_hole_depth_mm: 4.0..=10.0 => [BatteryBracket, BatteryLid],
-        /// Tie slot width.
+        /// Width of the slots through which the ties leave the uprights.
         tie_slot_width_mm: 2.0..=4.5 => [BatteryBracket, BatteryLid],
-        /// Tie slot height.
+        /// Height of those slots, from the bottom of the tie hole up.
         tie_slot_height_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
-        /// Base to rear upright.
+        /// Fillet between the base's top and the rear upright.
         bracket_fillet_mm: 0.5..=4.0 => [BatteryBracket, BatteryLid],
-        /// Wire hole diameter.
+        /// Diameter of the wire holes through the uprights.
         wire_hole_diameter_mm: 1.5..=4.0 => [BatteryBracket, BatteryLid],
-        /// Wire hole pitch across.
+        /// Distance of the wire holes left to right, from middle to middle.
         wire_hole_pitch_across_mm: 4.5..=8.0 => [BatteryBracket, BatteryLid],
-        /// Wire hole pitch up.
+        /// Distance of the rows of wire holes up and down, from middle to middle.
         wire_hole_pitch_up_mm: 4.0..=8.0 => [BatteryBracket, BatteryLid],
-        /// Channel for the power connector (XT30), across.
+        /// Width of the power connector's channel; the bought connector's and its room unless stated.
         connector_width_mm: 9.0..=20.0 => [BatteryBracket, BatteryLid],
-        /// Connector height.
+        /// Height of the power connector's channel; the bought connector's and its room unless stated.
         connector_height_mm: 5.0..=10.0 => [BatteryBracket, BatteryLid],
-        /// The two corners that code its polarity.
+        /// How much of the connector's two left corners is cut off, along both edges; they code its polarity.
         connector_chamfer_mm: 0.0..=3.0 => [BatteryBracket, BatteryLid],
-        /// The nose held by the lid is smaller by this, each side.
+        /// How much smaller than the channel the lid's hole for the connector's nose is, each side.
         connector_step_mm: 0.0..=1.5 => [BatteryBracket, BatteryLid],
-        /// Magnet length.
+        /// Length of each magnet, left to right; the bought magnet's unless stated.
         magnet_length_mm: 4.0..=20.0 => [BatteryBracket, BatteryLid],
-        /// Magnet width.
+        /// Height of each magnet as it stands in its pocket; the bought magnet's width unless stated.
         magnet_width_mm: 3.0..=10.0 => [BatteryBracket, BatteryLid],
-        /// Magnet thickness.
+        /// Thickness of each magnet, front to rear: depth of the bracket's pocket.
         magnet_thickness_mm: 1.0..=5.0 => [BatteryBracket, BatteryLid],
-        /// Pocket minus magnet, whole.
+        /// Length and height of the magnets' pockets minus the magnet's, both sides together.
         magnet_clearance_mm: 0.0..=0.4 => [BatteryBracket, BatteryLid],
-        /// Beside and above the magnet.
+        /// Least wall beside the magnets' pockets, and above the lid's.
         magnet_wall_mm: 1.0..=3.0 => [BatteryBracket, BatteryLid],
-        /// Between the magnet faces, lid closed.
+        /// From the bracket's magnet back to the lid's when the lid is closed.
         magnet_gap_mm: 0.1..=1.5 => [BatteryBracket, BatteryLid],
-        /// Air between hub and bracket (CAD).
+        /// From the hub's underside down to the top of the bracket's uprights.
         stack_z_offset_mm: 0.0..=0.6 => [BatteryBracket, BatteryLid],
     }
 }
@@ -370,23 +370,23 @@ parameters! {
     pub struct LidParameters in "lid" {
         /// From the rim plane to the front face of the lid block.
         lid_reach_mm: 8.0..=25.0 => [BatteryLid],
-        /// Lid block behind the bracket.
+        /// From the bracket's rear face back to the lid's block when the lid is closed.
         lid_clearance_mm: 0.1..=0.6 => [BatteryLid],
-        /// Lid top under the bracket.
+        /// From the bracket's underside down to the lid's deck that slides under it.
         lid_slide_clearance_mm: 0.05..=0.4 => [BatteryLid],
-        /// Front to back of the block that carries the connector.
+        /// From the front to the rear face of the block that carries the connector.
         lid_block_depth_mm: 5.0..=15.0 => [BatteryLid],
-        /// Block above the connector hole.
+        /// From the top of the connector's hole up to the top of the block.
         lid_block_above_mm: 1.0..=3.0 => [BatteryLid],
-        /// Lid corner radius.
+        /// Rounding, seen from above, of the block's rear corners; no more than the block stands out behind the shell.
         lid_corner_radius_mm: 1.0..=7.0 => [BatteryLid],
-        /// Thickness of the cheeks.
+        /// Thickness of the cheeks beside the trough that the bracket slides in.
         lid_cheek_mm: 1.0..=3.0 => [BatteryLid],
-        /// Lid arch radius.
+        /// Radius of the arch under the block, where it stands out behind the shell.
         lid_arch_radius_mm: 1.0..=7.0 => [BatteryLid],
-        /// Behind the magnet.
+        /// From the bottom of the lid magnet's pocket to the rear of the tower.
         tower_back_mm: 1.2..=4.0 => [BatteryLid],
-        /// Tower radius.
+        /// Rounding of the tower's edges that hold the lid's magnet.
         tower_radius_mm: 0.5..=2.5 => [BatteryLid],
     }
 }
@@ -394,17 +394,17 @@ parameters! {
 parameters! {
     /// The two connectors between computer board and camera.
     pub struct CameraParameters in "camera" {
-        /// Camera pattern across.
+        /// Distance of the camera's holes left to right, from middle to middle.
         camera_pattern_across_mm: 10.0..=40.0 => [CameraConnectorLeft, CameraConnectorRight],
-        /// Camera pattern up.
+        /// Distance of the camera's holes up and down, from middle to middle.
         camera_pattern_up_mm: 8.0..=40.0 => [CameraConnectorLeft, CameraConnectorRight],
-        /// Camera hole diameter.
+        /// Diameter of the connectors' holes, for the camera and for the board.
         camera_hole_diameter_mm: 1.5..=3.0 => [CameraConnectorLeft, CameraConnectorRight],
-        /// From the board hole to the face that carries the camera.
+        /// From the board's front holes forward to the face that carries the camera.
         camera_reach_mm: 14.0..=40.0 => [CameraConnectorLeft, CameraConnectorRight],
-        /// Camera hole pattern centre above the board.
+        /// From the board's upper face up to the middle between the camera's holes.
         camera_lift_mm: 6.0..=30.0 => [CameraConnectorLeft, CameraConnectorRight],
-        /// Foot height.
+        /// Height of the connectors' feet, from the board's upper face up.
         camera_foot_mm: 2.0..=8.0 => [CameraConnectorLeft, CameraConnectorRight],
     }
 }
@@ -414,9 +414,9 @@ parameters! {
     pub struct LimitParameters in "limits" {
         /// Largest width and depth of the whole frame, without propellers.
         envelope_width_mm: 60.0..=600.0 => [],
-        /// Largest height.
+        /// Largest height of the whole frame, without propellers.
         envelope_height_mm: 40.0..=400.0 => [],
-        /// Largest take-off mass.
+        /// Largest mass of the whole frame, ready to take off.
         mass_budget_g: 20.0..=2000.0 => [],
         /// Least distance of a propeller's disc to rods, hub, boards and its neighbour.
         propeller_clearance_mm: 0.0..=50.0 => [],

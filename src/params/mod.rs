@@ -1,6 +1,7 @@
 //! Parameters: a frame file as typed, the frame as meant, and every refusal in between.
 
 pub mod catalogue;
+mod choice;
 pub mod follows;
 pub mod frame;
 pub mod frame_file;

@@ -22,13 +22,18 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// The unit that the key ends in.
+    /// What a frame file has to give, for a message.
+    pub fn expected(&self) -> String {
+        if self.unit().is_empty() { "a number".into() } else { format!("a number in {}", self.unit()) }
+    }
+
+    /// The unit that the key ends in; empty for a plain number.
     pub fn unit(&self) -> &'static str {
         match self.key.rsplit('_').next() {
             Some("mm") => "mm",
             Some("deg") => "°",
             Some("g") => "g",
-            _ => "1",
+            _ => "",
         }
     }
 }

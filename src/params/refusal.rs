@@ -50,8 +50,32 @@ pub enum Reason {
         /// What is wanted.
         expected: String,
     },
+    /// A table where a single value belongs.
+    #[error("unknown key `{key}`: `{parent}` is a table, it must be {expected}")]
+    TableForValue {
+        /// The key inside the table.
+        key: String,
+        /// The key that is no table.
+        parent: String,
+        /// What is wanted.
+        expected: String,
+    },
+    /// A name of the catalogue, but of something else than what is wanted.
+    #[error("`{key}` is `{name}`, {found}; it must be {expected}")]
+    Unfit {
+        /// The key with its table.
+        key: String,
+        /// The name.
+        name: String,
+        /// What it is.
+        found: String,
+        /// What is wanted.
+        expected: String,
+        /// The names that fit.
+        fits: Vec<String>,
+    },
     /// A number outside its bounds, or not a number.
-    #[error("`{key}` = {value} is out of bounds: {min} to {max} {unit}")]
+    #[error("`{key}` = {value} is out of bounds: {min} to {max}{}", unit_after(.unit))]
     OutOfBounds {
         /// The key.
         key: String,
@@ -61,7 +85,7 @@ pub enum Reason {
         min: f64,
         /// Highest allowed.
         max: f64,
-        /// Unit.
+        /// Unit; empty for a plain number.
         unit: String,
     },
     /// Neither this file nor its bases state it.
@@ -106,6 +130,11 @@ pub enum Reason {
     },
 }
 
+/// A unit as it follows a number.
+fn unit_after(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+}
+
 impl Reason {
     /// What to change.
     pub fn remedy(&self) -> String {
@@ -115,18 +144,50 @@ impl Reason {
         };
         match self {
             Self::Syntax { .. } => "mend the line; https://toml.io shows the form".into(),
-            Self::UnknownKey { nearest: n, .. } | Self::UnknownName { nearest: n, .. } => nearest(n),
-            Self::WrongType { expected, .. } => format!("give {expected}"),
+            Self::UnknownKey { nearest: n, .. } => nearest(n),
+            Self::UnknownName { kind, nearest: n, .. } if n.is_empty() => known_names(kind),
+            Self::UnknownName { nearest: n, .. } => nearest(n),
+            Self::WrongType { expected, .. } | Self::TableForValue { expected, .. } => format!("give {expected}"),
+            Self::Unfit { fits, .. } => match fits[..] {
+                [] => "none of the catalogue fits; describe one in [override]".into(),
+                _ => format!("these fit: {}", fits.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", ")),
+            },
             Self::OutOfBounds { value, min, max, unit, .. } if value.is_finite() => {
                 let limit = if value < min { min } else { max };
-                format!("the nearest allowed value is {limit} {unit}")
+                format!("the nearest allowed value is {limit}{}", unit_after(unit))
             }
             Self::OutOfBounds { .. } => "give a finite number".into(),
+            Self::Missing { key } if key.starts_with("target.") => {
+                "a [target] needs all three: width_mm, height_mm and strut_tilt_deg; or leave it out and state the rod lengths".into()
+            }
             Self::Missing { key } => format!("state `{key}`, or name a base that does: base = \"cognifly\""),
             Self::BaseChain { .. } => "let one file of the chain stand without a base".into(),
-            Self::BadEntry { .. } => "complete the entry; params/bought.toml shows the keys".into(),
+            Self::BadEntry { kind, .. } => format!("mend the entry; {}", keys_of(kind)),
             Self::Impossible { remedy, .. } => remedy.clone(),
         }
+    }
+}
+
+/// Where the names of a kind stand.
+fn known_names(kind: &str) -> String {
+    match kind {
+        "base" => format!("a base is a file beside this one, or a preset: {}", super::preset::names().collect::<Vec<_>>().join(", ")),
+        "material" => "params/materials.toml holds the materials".into(),
+        "printer" => "params/printers holds the printers".into(),
+        _ => "params/bought.toml holds the bought parts".into(),
+    }
+}
+
+/// Where the keys of a catalogue's entry are explained.
+fn keys_of(kind: &str) -> &'static str {
+    match kind {
+        "extra" => {
+            "an extra states mass_g, mass_basis (\"measured\", \"datasheet\" or \"estimate\") and source, and may state \
+             position_mm = [x, y, z] and covers = [roles]: docs/frame-files.md"
+        }
+        "material" => "params/materials.toml explains the keys",
+        "printer" => "the files in params/printers explain the keys",
+        _ => "params/bought.toml explains the keys",
     }
 }
 

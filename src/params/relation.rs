@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::refusal::Reason;
+use crate::figures::told_apart;
 
 /// A relation that does not hold.
 pub(super) struct Broken {
@@ -114,10 +115,12 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
 }
 
 fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str) -> Result<(), Broken> {
-    if value >= least {
+    // Differences of decimals are not exact: 0.5 (4.6 - 3.8) is a little less than 0.4.
+    if value >= least - 1e-9 {
         return Ok(());
     }
-    let message = format!("{what} would be {value:.2} mm, it must be at least {least:.2} mm");
+    let [value, least] = told_apart(value, least, 2);
+    let message = format!("{what} would be {value} mm, it must be at least {least} mm");
     Err(Broken { key, reason: Reason::Impossible { message, remedy: remedy.into() } })
 }
 
@@ -160,4 +163,16 @@ fn centre(frame: &Frame) -> Result<(), Broken> {
         "the carrier's reach across",
         "choose a computer with a narrower hole pattern or raise arm_pitch_mm: no bar reaches its holes",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_what_is_needed_is_enough() {
+        assert!(at_least(0.5 * (4.6 - 3.8), 0.4, "", "the wall", "").is_ok());
+        let broken = at_least(0.3996, 0.4, "", "the wall", "").expect_err("is too thin");
+        assert_eq!(broken.reason.to_string(), "the wall would be 0.3996 mm, it must be at least 0.4000 mm");
+    }
 }

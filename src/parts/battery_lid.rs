@@ -108,7 +108,8 @@ impl<'a> Lid<'a> {
     /// What the plan view may fill: from the rim backwards, rounded rear corners.
     fn plan(&self) -> Feature {
         let [w, h] = self.centre.outer_mm;
-        let r = if self.overhang() > 0.3 { self.frame.lid.lid_corner_radius_mm } else { 0.0 };
+        // Rounded further forward than the block stands out, the corners would cut into the shell's side walls.
+        let r = if self.overhang() > 0.3 { self.frame.lid.lid_corner_radius_mm.min(self.overhang()) } else { 0.0 };
         let (w, rear) = (w + SINK_MM, self.rear.min(self.shell) - SINK_MM);
         upright(face(&[sharp(-w, 0.0), ([-w, rear], r), ([w, rear], r), sharp(w, 0.0)]), [-h - 2.0, self.top + 1.0])
     }

@@ -6,6 +6,7 @@ use crate::assembly::Design;
 use crate::assembly::mass::MassTable;
 use crate::checks::{Finding, Tightest, Verdict, tightest};
 use crate::export::bom;
+use crate::figures::decimals;
 use crate::skeleton::RodRole;
 
 /// The report of a design, with its findings; `pictures` says whether the pictures lie beside it.
@@ -48,10 +49,10 @@ fn verdict(page: &mut String, findings: &[Finding]) {
 
 fn geometry(page: &mut String, design: &Design, masses: &MassTable) {
     let c = &design.skeleton.closure;
-    let [x, y, z] = masses.centre_of_mass_mm;
+    let [x, y, z] = masses.centre_of_mass_mm.map(|mm| decimals(mm, 1));
     let _ = writeln!(page, "| | |\n|---|---|");
     let _ = writeln!(page, "| total mass | {:.1} g, of which {:.1} g are estimates |", masses.total_g, masses.estimated_g);
-    let _ = writeln!(page, "| centre of mass (X right, Y front, Z up from the arms) | {x:.1}, {y:.1}, {z:.1} mm |");
+    let _ = writeln!(page, "| centre of mass (X right, Y front, Z up from the arms) | {x}, {y}, {z} mm |");
     let i = masses.inertia_g_mm2;
     let _ = writeln!(page, "| inertia about it, Ixx, Iyy, Izz | {:.0}, {:.0}, {:.0} g mm² |", i[0][0], i[1][1], i[2][2]);
     let _ = writeln!(page, "| strut tilt, leg slope | {:.1}°, {:.1}° |", c.strut_tilt.to_deg(), c.leg_tilt.to_deg());
@@ -122,17 +123,12 @@ fn limits(page: &mut String, findings: &[Finding]) {
             Verdict::Violated => "**violated**",
             Verdict::Note => "note",
         };
-        let _ = writeln!(
-            page,
-            "| {} | {} | {:.2} {} | {:.2} {} | {:.2} | {verdict} |",
-            f.rule,
-            f.subject,
-            f.value,
-            f.unit,
-            f.limit + 0.0,
-            f.unit,
-            f.margin + 0.0
-        );
+        let [value, limit, margin] = f.figures();
+        let _ = writeln!(page, "| {} | {} | {value} {unit} | {limit} {unit} | {margin} | {verdict} |", f.rule, f.subject, unit = f.unit);
+    }
+    page.push('\n');
+    for note in findings.iter().filter(|f| f.verdict == Verdict::Note && f.margin < 0.0) {
+        let _ = writeln!(page, "- {}", note.message);
     }
     page.push('\n');
 }

@@ -4,6 +4,7 @@
 //! it towards the ring and must end on the corner's strut pivot, whose s the cage rods fix: the tilt follows from the
 //! strut's length. The leg joins the corner's leg pivot and the hub joint's.
 
+use crate::figures::told_apart;
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -50,7 +51,7 @@ pub enum ClosureError {
         reach_mm: f64,
     },
     /// The strut leaves the tilt that a knee can be made for.
-    #[error("the struts would tilt by {tilt_deg:.1}°, a knee can be made for {min_deg:.0}° to {max_deg:.0}°")]
+    #[error("the struts would tilt by {}°, a knee can be made for {min_deg:.0}° to {max_deg:.0}°", told(*.tilt_deg, *.min_deg, *.max_deg))]
     Tilt {
         /// Tilt, degrees; negative leans inward.
         tilt_deg: f64,
@@ -65,6 +66,12 @@ pub enum ClosureError {
         /// What is left, mm.
         length_mm: f64,
     },
+}
+
+/// A tilt with as many decimals as it takes to see that it lies outside its bounds.
+fn told(tilt_deg: f64, min_deg: f64, max_deg: f64) -> String {
+    let bound = if tilt_deg < min_deg { min_deg } else { max_deg };
+    told_apart(tilt_deg, bound, 1)[0].clone()
 }
 
 impl ClosureError {
@@ -95,6 +102,9 @@ impl ClosureError {
 /// Tilts a knee can be made for: below, its bores meet the window; above, the plate no longer covers them.
 const TILT_DEG: (f64, f64) = (10.0, 35.0);
 
+/// What solving rod lengths for a tilt and back may change of it, degrees.
+const ROUNDING_DEG: f64 = 1e-9;
+
 /// Shortest leg rod that is a rod, mm.
 const SHORTEST_LEG_MM: f64 = 20.0;
 
@@ -106,8 +116,8 @@ impl Closure {
     pub fn solve(frame: &Frame) -> Result<Self, ClosureError> {
         let root2 = std::f64::consts::SQRT_2;
         let corner_radius_mm = corner_radius_mm(frame);
-        // The notch's apex: where the mitres of the cage sockets' outlines meet the strut (22.5° and 67.5° are half the
-        // angles between cage sockets and strut, and cage sockets and leg, in the flat part).
+        // The notch's apex: where the outlines of cage socket and strut meet, and of cage socket and leg. In the flat part
+        // they enclose 135° and 45°, so that the meeting lies r / tan 67.5° and r / tan 22.5° along the strut and the leg.
         let strut_pivot_mm = corner_radius_mm * Angle::deg(22.5).tan();
         let leg_pivot_mm = corner_radius_mm * Angle::deg(67.5).tan();
         let ring_half_side_mm = 0.5 * frame.rods.cage_rod_length_mm + frame.corner.corner_node_to_bottom_mm;
@@ -121,7 +131,7 @@ impl Closure {
         }
         let strut_tilt = Angle::rad(libm::asin(offset_mm / reach_mm));
         let (min_deg, max_deg) = TILT_DEG;
-        if !(min_deg..=max_deg).contains(&strut_tilt.to_deg()) {
+        if !(min_deg - ROUNDING_DEG..=max_deg + ROUNDING_DEG).contains(&strut_tilt.to_deg()) {
             return Err(ClosureError::Tilt { tilt_deg: strut_tilt.to_deg(), min_deg, max_deg });
         }
         let ring_half_height_mm = reach_mm * strut_tilt.cos();
@@ -172,13 +182,17 @@ pub struct Envelope {
     pub strut_tilt: Angle,
 }
 
-/// Cage, arm and strut rod lengths (mm) that give a frame of this size and tilt: the inverse of [`Closure::solve`].
+/// The frame is made lower than wanted by this, mm: its meshes have rounded corners, and the size is a limit.
+const BELOW_MM: f64 = 0.002;
+
+/// Cage, arm and strut rod lengths (mm) that give a frame of this size and tilt: the inverse of [`Closure::solve`]. The
+/// ring's corners are taken to be outermost.
 pub fn lengths_for(envelope: &Envelope, frame: &Frame) -> [f64; 3] {
     let radius = corner_radius_mm(frame);
     let strut_pivot = radius * Angle::deg(22.5).tan();
     let root2 = std::f64::consts::SQRT_2;
     let half_side = 0.5 * envelope.width_mm - radius - strut_pivot / root2;
-    let half_height = 0.5 * envelope.height_mm - radius;
+    let half_height = 0.5 * (envelope.height_mm - BELOW_MM) - radius;
     let cage = 2.0 * (half_side - frame.corner.corner_node_to_bottom_mm);
     let strut = half_height / envelope.strut_tilt.cos() - strut_reach_mm(frame, strut_pivot) + frame.rods.strut_rod_length_mm;
     let knee_s = half_side * root2 + strut_pivot - half_height * envelope.strut_tilt.tan();

@@ -1,0 +1,191 @@
+//! What a frame file chooses by name: materials, bought parts and the printer, from the catalogues and its own entries.
+
+use std::collections::BTreeMap;
+
+use super::catalogue::{BoughtPart, Material, Printer};
+use super::frame::{BoughtItem, NamedMaterial, ROLES, bad_entry, stated_text, text};
+use super::frame_file::{FrameFile, Value};
+use super::preset;
+use super::refusal::{Reason, Refusal, nearest};
+
+/// Roles that no frame can be without.
+const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];
+
+/// Kinds of materials, and what a message calls them.
+const MATERIAL_KINDS: [(&str, &str); 2] = [("printed", "a material that is printed"), ("rod", "a material of rods")];
+
+/// The catalogues with the frame file's own entries on top.
+pub(super) struct Catalogues {
+    parts: toml::Table,
+    materials: toml::Table,
+    printers: toml::Table,
+}
+
+impl Catalogues {
+    /// The shipped catalogues under the file's overrides.
+    pub fn read(file: &FrameFile) -> Result<Self, Refusal> {
+        let shipped = |text: &str| -> toml::Table { toml::from_str(text).unwrap_or_default() };
+        let within = |text: &str, table: &str| shipped(text).get(table).and_then(|t| t.as_table()).cloned().unwrap_or_default();
+        let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(shipped(text)))).collect();
+        let mut all = Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers };
+        for (key, entry) in file.entries.iter().filter(|(key, _)| key.starts_with("override.")) {
+            // A name may have dots in it, as in [override.printers."generic-0.4"]; a table's and a field's have none.
+            let table = key.split('.').nth(1).unwrap_or_default();
+            if matches!(&entry.value, Value::Other(toml::Value::Table(_))) {
+                continue;
+            }
+            let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
+            let (catalogue, name, field) = match (table, place) {
+                ("parts", Some((name, field))) => (&mut all.parts, name, field),
+                ("materials", Some((name, field))) => (&mut all.materials, name, field),
+                ("printers", Some((name, field))) => (&mut all.printers, name, field),
+                _ => {
+                    let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
+                    return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
+                }
+            };
+            let named = file.entries.values().any(|entry| matches!(&entry.value, Value::Text(text) if text == name));
+            if !catalogue.contains_key(name) && !named {
+                let nearest = nearest(name, catalogue.keys().map(String::as_str));
+                return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
+            }
+            let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
+            if let Some(own) = own.as_table_mut() {
+                own.insert(field.into(), entry.value.to_toml());
+            }
+        }
+        Ok(all)
+    }
+
+    /// The bought parts that a frame file names, by role.
+    pub fn bought(&self, file: &FrameFile) -> Result<BTreeMap<String, BoughtItem>, Refusal> {
+        let mut items = BTreeMap::new();
+        for (role, quantity, kind) in ROLES {
+            let key = format!("bought.{role}");
+            let Some(name) = text(file, &key)?.filter(|name| name != "none") else { continue };
+            let part: BoughtPart = entry(&self.parts, file, &key, "bought part", "parts", &name)?;
+            if part.kind != kind {
+                let (found, expected, fits) = (format!("a {}", part.kind), format!("a {kind}"), fitting(&self.parts, |p| is(p, kind)));
+                return Err(file.refuse(&key, Reason::Unfit { key: key.clone(), name, found, expected, fits }));
+            }
+            if !part.is_sound() {
+                return Err(bad_override(file, &key, "bought part", "parts", &name, "a mass or size of it is negative or no number"));
+            }
+            items.insert(role.into(), BoughtItem { name, quantity, part });
+        }
+        for (role, _, kind) in ROLES {
+            let key = format!("bought.{role}");
+            if !NEEDED.contains(&role) || items.contains_key(role) {
+                continue;
+            }
+            let reason = match file.entries.get(&key) {
+                None => Reason::Missing { key: key.clone() },
+                Some(_) => Reason::Impossible {
+                    message: format!("`{key}` = \"none\": a frame cannot be without a {role}"),
+                    remedy: format!("name one: {}", listed(&fitting(&self.parts, |p| is(p, kind)))),
+                },
+            };
+            return Err(file.refuse(&key, reason));
+        }
+        Ok(items)
+    }
+
+    /// The material of the joints; it has to say how far it stretches, or their hinges could not be checked.
+    pub fn flexible(&self, file: &FrameFile) -> Result<NamedMaterial, Refusal> {
+        let key = "materials.flexible";
+        let named = self.material(file, key, stated_text(file, key)?, "printed")?;
+        if named.material.elongation_at_break_percent.is_some() {
+            return Ok(named);
+        }
+        let name = &named.name;
+        let fits = fitting(&self.materials, |m| is(m, "printed") && m.contains_key("elongation_at_break_percent"));
+        let message = format!("`{key}` = \"{name}\" does not say its elongation_at_break_percent: the hinges could not be checked");
+        let remedy = format!("state elongation_at_break_percent in [override.materials.{name}], or choose one of {}", listed(&fits));
+        Err(file.refuse(key, Reason::Impossible { message, remedy }))
+    }
+
+    /// The material of the rigid centre.
+    pub fn rigid(&self, file: &FrameFile) -> Result<NamedMaterial, Refusal> {
+        let key = "materials.rigid";
+        self.material(file, key, stated_text(file, key)?, "printed")
+    }
+
+    /// The material of the rods, which the bought rod names.
+    pub fn rod_material(&self, file: &FrameFile, bought: &BTreeMap<String, BoughtItem>) -> Result<NamedMaterial, Refusal> {
+        let rod = bought.get("rod").map_or("", |item| item.name.as_str());
+        let own = format!("override.parts.{rod}.material");
+        let key = if file.entries.contains_key(&own) { own.as_str() } else { "bought.rod" };
+        match bought.get("rod").and_then(|item| item.part.material.clone()) {
+            Some(name) => self.material(file, key, name, "rod"),
+            None => Err(bad_override(file, key, "bought part", "parts", rod, "missing field `material`")),
+        }
+    }
+
+    /// A material of a kind; `key` is where it was named.
+    fn material(&self, file: &FrameFile, key: &str, name: String, kind: &str) -> Result<NamedMaterial, Refusal> {
+        let material: Material = entry(&self.materials, file, key, "material", "materials", &name)?;
+        if !MATERIAL_KINDS.iter().any(|(known, _)| *known == material.kind) {
+            let message = format!("`kind` is \"{}\", it is \"printed\" or \"rod\"", material.kind);
+            return Err(bad_override(file, key, "material", "materials", &name, &message));
+        }
+        if material.kind != kind {
+            let words = |kind: &str| MATERIAL_KINDS.iter().find(|(known, _)| *known == kind).map_or("", |(_, words)| words).to_string();
+            let (found, expected, fits) = (words(&material.kind), words(kind), fitting(&self.materials, |m| is(m, kind)));
+            return Err(file.refuse(key, Reason::Unfit { key: key.into(), name, found, expected, fits }));
+        }
+        if !material.is_sound() {
+            return Err(bad_override(file, key, "material", "materials", &name, "one of its figures is not positive or no number"));
+        }
+        Ok(NamedMaterial { name, material })
+    }
+
+    /// The printer that a frame file names.
+    pub fn printer(&self, file: &FrameFile) -> Result<Printer, Refusal> {
+        let name = stated_text(file, "printer")?;
+        let printer: Printer = entry(&self.printers, file, "printer", "printer", "printers", &name)?;
+        if !printer.is_sound() {
+            return Err(bad_override(file, "printer", "printer", "printers", &name, "one of its sizes is not positive or no number"));
+        }
+        Ok(printer)
+    }
+}
+
+/// Whether an entry is of a kind.
+fn is(entry: &toml::Table, kind: &str) -> bool {
+    entry.get("kind").and_then(toml::Value::as_str) == Some(kind)
+}
+
+/// The names of a catalogue's entries that fit.
+fn fitting(catalogue: &toml::Table, fits: impl Fn(&toml::Table) -> bool) -> Vec<String> {
+    catalogue.iter().filter(|(_, entry)| entry.as_table().is_some_and(&fits)).map(|(name, _)| name.clone()).collect()
+}
+
+/// Names in a sentence.
+fn listed(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// A named entry of a catalogue; `key` names it in the frame file.
+fn entry<T: serde::de::DeserializeOwned>(
+    catalogue: &toml::Table,
+    file: &FrameFile,
+    key: &str,
+    kind: &str,
+    table: &str,
+    name: &str,
+) -> Result<T, Refusal> {
+    let Some(entry) = catalogue.get(name) else {
+        let nearest = nearest(name, catalogue.keys().map(String::as_str));
+        return Err(file.refuse(key, Reason::UnknownName { kind: kind.into(), name: name.into(), nearest }));
+    };
+    entry.clone().try_into().map_err(|e: toml::de::Error| bad_override(file, key, kind, table, name, e.message()))
+}
+
+/// A catalogue's entry that does not read: what the frame file changed in it is to blame.
+fn bad_override(file: &FrameFile, key: &str, kind: &str, table: &str, name: &str, message: &str) -> Refusal {
+    let own = format!("override.{table}.{name}.");
+    let changed: Vec<&String> = file.entries.keys().filter(|key| key.starts_with(&own)).collect();
+    let named = changed.iter().find(|key| key.strip_prefix(&own).is_some_and(|field| message.contains(&format!("`{field}`"))));
+    let at = named.or(changed.first()).map_or(key, |key| key.as_str());
+    bad_entry(file, at, kind, name, message)
+}
