@@ -273,7 +273,7 @@ fn analytic_the_readers_above_read_what_is_right() {
         assert_eq!(read(preset::text(preset).expect("a preset")), None, "{preset}");
     }
     let shown: BTreeMap<&str, Option<String>> =
-        [("a frame", "base = \"cognifly\""), ("none", "base = 3")].map(|(k, t)| (k, read(t))).into();
+        [("a frame", common::toml("cognifly", &[])), ("none", "base = 3".into())].map(|(k, t)| (k, read(&t))).into();
     assert!(shown["a frame"].is_none() && shown["none"].as_ref().is_some_and(|text| text.contains("help:")));
     assert!(FrameFile::parse("x", "base = \"cognifly\"").is_ok());
 }
