@@ -3,10 +3,13 @@
 mod common;
 
 use std::collections::BTreeMap;
+use std::process::Command;
 
-use flexframe::assembly::{Design, DesignError, mass};
+use assert_cmd::cargo::cargo_bin;
+use flexframe::assembly::{Design, mass};
 use flexframe::checks::{self, Verdict};
 use flexframe::params::{Frame, LoadError, parameters};
+use flexframe::skeleton::Skeleton;
 use flexframe::solid::gate;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -40,38 +43,45 @@ fn changes(base: &Frame, reach: f64, runner: &mut TestRunner) -> Vec<(String, f6
     changed
 }
 
-/// Draws sets until enough of them are frames that are not refused; counts why others were.
+/// Draws sets until enough of them are frames that are not refused and whose rods close; counts why others were.
 fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) {
     let mut runner = runner(1);
     let (mut frames, mut refused) = (Vec::new(), BTreeMap::new());
     for base in BASES.iter().cycle() {
         let text = common::toml(base, &changes(&common::resolve(&common::toml(base, &[])).expect("a preset"), 0.5, &mut runner));
-        match common::resolve(&text) {
-            Ok(frame) => frames.push((text, frame)),
-            Err(LoadError::Refused(refusal)) => *refused.entry(refusal.reason.remedy()).or_insert(0) += 1,
+        let remedy = match common::resolve(&text) {
+            Ok(frame) => match Skeleton::new(&frame) {
+                Ok(_) => {
+                    frames.push((text, frame));
+                    None
+                }
+                Err(error) => Some(error.remedy()),
+            },
+            Err(LoadError::Refused(refusal)) => Some(refusal.reason.remedy()),
             Err(other) => panic!("{other}\n{text}"),
+        };
+        if let Some(remedy) = remedy {
+            *refused.entry(remedy).or_insert(0) += 1;
         }
-        if frames.len() == 2 * FRAMES {
+        if frames.len() == FRAMES {
             break;
         }
     }
     (frames, refused)
 }
 
-/// What is wrong with a frame that was accepted; `None` when its rods do not close, which is a refusal.
-fn faults(frame: &Frame) -> Option<Vec<String>> {
+/// What is wrong with a frame that was accepted.
+fn faults(frame: &Frame) -> Vec<String> {
     let design = match Design::new(frame.clone()) {
         Ok(design) => design,
-        Err(DesignError::Closure(_)) => return None,
-        Err(other) => return Some(vec![other.to_string()]),
+        Err(error) => return vec![error.to_string()],
     };
     let mut faults = Vec::new();
     for part in &design.printed {
-        if let Err(error) = gate::pass(&part.mesh) {
-            faults.push(format!("{}: {error}", part.name));
-        }
-        if let Err(error) = gate::pass(&part.folded.to_mesh()) {
-            faults.push(format!("{} folded: {error}", part.name));
+        for (state, mesh) in [("flat", &part.mesh), ("folded", &part.folded.mesh())] {
+            if let Err(error) = gate::pass(mesh) {
+                faults.push(format!("{} {state}: {error}", part.name));
+            }
         }
     }
     let findings = checks::check(&design, &mass::table(&design));
@@ -80,21 +90,128 @@ fn faults(frame: &Frame) -> Option<Vec<String>> {
     // How far a rod has to reach in is a limit of the frame file, not a matter of being seated.
     let unseated = seats.iter().filter(|f| f.verdict == Verdict::Violated && !f.subject.ends_with("engagement"));
     faults.extend(unseated.map(|f| f.message.clone()));
-    Some(faults)
+    faults
 }
 
 #[test]
 fn analytic_random_frames_are_sound_and_seated() {
     let (frames, refused) = valid_frames();
-    let found: Vec<(usize, Vec<String>)> =
-        frames.par_iter().enumerate().filter_map(|(index, (_, frame))| faults(frame).map(|faults| (index, faults))).collect();
-    let closing = found.iter().take(FRAMES).count();
-    println!("{closing} of {} accepted sets close; refused before: {refused:#?}", frames.len());
-    assert_eq!(closing, FRAMES, "too few of the drawn sets close");
-    let bad: Vec<String> = found
-        .iter()
-        .filter(|(_, faults)| !faults.is_empty())
-        .map(|(index, faults)| format!("{}\n{}", faults.join("\n"), frames[*index].0))
+    println!("{} accepted; refused meanwhile: {refused:#?}", frames.len());
+    let bad: Vec<String> = frames
+        .par_iter()
+        .map(|(text, frame)| (faults(frame), text))
+        .filter(|(faults, _)| !faults.is_empty())
+        .map(|(faults, text)| format!("{}\n{text}", faults.join("\n")))
         .collect();
-    assert!(bad.is_empty(), "{} of {} frames are faulty:\n{}", bad.len(), found.len(), bad.join("\n"));
+    assert!(bad.is_empty(), "{} of {} frames are faulty:\n{}", bad.len(), frames.len(), bad.join("\n"));
+}
+
+/// A frame file with one mistake in it, and what the answer has to contain.
+struct Mistake {
+    text: String,
+    says: String,
+}
+
+/// One of a list.
+fn pick<'a, T>(from: &'a [T], runner: &mut TestRunner) -> &'a T {
+    &from[drawn(0..from.len(), runner)]
+}
+
+/// A key with a letter lost, doubled, or two swapped.
+fn misspelt(key: &str, runner: &mut TestRunner) -> String {
+    let mut letters: Vec<char> = key.chars().collect();
+    let at = drawn(0..letters.len() - 1, runner);
+    match drawn(0..3u32, runner) {
+        0 => drop(letters.remove(at)),
+        1 => letters.insert(at, letters[at]),
+        _ if letters[at] != letters[at + 1] => letters.swap(at, at + 1),
+        _ => letters.push('s'),
+    }
+    letters.into_iter().collect()
+}
+
+/// What may be wrong with a number.
+fn wrong_number(runner: &mut TestRunner) -> Mistake {
+    let all: Vec<_> = parameters().collect();
+    let p = pick(&all, runner);
+    let base = pick(&BASES, runner);
+    let key = format!("{}.{}", p.table, p.key);
+    let beyond = drawn(0.001..10.0, runner) * (1.0 + p.max - p.min);
+    let (line, says) = match drawn(0..9u32, runner) {
+        0 => {
+            let wrong = misspelt(p.key, runner);
+            (format!("{}.{wrong} = {:?}", p.table, p.min), wrong)
+        }
+        1 => (format!("{}.{} = 1.0", misspelt(p.table, runner), p.key), "unknown".into()),
+        2 => (format!("{key} = {}", pick(&["\"3\"", "true", "[1.0]", "1979-05-27"], runner)), "must be a number".into()),
+        3 => (format!("{key} = {}", pick(&["nan", "inf", "-inf", "-nan"], runner)), p.key.into()),
+        4 => (format!("{key} = {:?}", p.max + beyond), format!("{}", p.max)),
+        5 => (format!("{key} = {:?}", p.min - beyond), format!("{}", p.min)),
+        6 => (format!("{key} = {:?}\n{key} = {:?}", p.min, p.max), "duplicate".into()),
+        7 => (format!("{key} = {{ mm = 3.0 }}"), format!("unknown key `{key}.mm`")),
+        _ => (format!("{key} = {}", pick(&["", "3,5", "3 mm", "= 3", "3.", "0x", "\"3"], runner)), "frame.toml:2".into()),
+    };
+    Mistake { text: format!("base = \"{base}\"\n{line}\n"), says }
+}
+
+/// What may be wrong with a name.
+fn wrong_name(runner: &mut TestRunner) -> Mistake {
+    let (key, right) = *pick(
+        &[
+            ("printer", "generic-0.4"),
+            ("materials.flexible", "tpu-95a"),
+            ("materials.rigid", "abs"),
+            ("bought.motor", "motor-1104"),
+            ("bought.battery", "battery-2s-2000"),
+            ("bought.rod", "rod-carbon-3"),
+            ("bought.propeller", "propeller-3-inch"),
+        ],
+        runner,
+    );
+    let wrong = misspelt(right, runner);
+    Mistake { text: format!("base = \"{}\"\n{key} = \"{wrong}\"\n", pick(&BASES, runner)), says: wrong }
+}
+
+/// Numbers each of which may be as it is, but not together: rods too short to close.
+fn does_not_close(runner: &mut TestRunner) -> Mistake {
+    let cage_rod = drawn(250.0..320.0, runner);
+    let strut_rod = drawn(20.0..40.0, runner);
+    let text = format!("base = \"cognifly\"\nrods.cage_rod_length_mm = {cage_rod:.3}\nrods.strut_rod_length_mm = {strut_rod:.3}\n");
+    Mistake { text, says: "rod".into() }
+}
+
+fn mistake(runner: &mut TestRunner) -> Mistake {
+    match drawn(0..10u32, runner) {
+        0 | 1 => wrong_name(runner),
+        2 => does_not_close(runner),
+        3 => {
+            let wrong = misspelt(pick::<&str>(&BASES, runner), runner);
+            Mistake { text: format!("base = \"{wrong}\"\n"), says: wrong }
+        }
+        _ => wrong_number(runner),
+    }
+}
+
+/// What is wrong with the program's answer to a mistake; nothing when it is as it should be.
+fn answer(mistake: &Mistake) -> Option<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (frame, out) = (folder.path().join("frame.toml"), folder.path().join("out"));
+    std::fs::write(&frame, &mistake.text).expect("can be written");
+    let answer = Command::new(cargo_bin("flexframe")).arg("build").arg(&frame).arg("-o").arg(&out).output().expect("the program starts");
+    let said = String::from_utf8_lossy(&answer.stderr);
+    let right = answer.status.code() == Some(2)
+        && answer.stdout.is_empty()
+        && !out.exists()
+        && said.contains("frame.toml")
+        && said.contains(&mistake.says)
+        && !said.contains("panicked");
+    (!right).then(|| format!("exit {:?}, should say {:?}:\n{}{said}", answer.status.code(), mistake.says, mistake.text))
+}
+
+#[test]
+fn planted_random_mistakes_are_refused_with_a_diagnostic() {
+    let mut runner = runner(2);
+    let mistakes: Vec<Mistake> = (0..FRAMES).map(|_| mistake(&mut runner)).collect();
+    let wrong: Vec<String> = mistakes.par_iter().filter_map(answer).collect();
+    assert!(wrong.is_empty(), "{} of {FRAMES} answers are wrong:\n{}", wrong.len(), wrong.join("\n"));
 }

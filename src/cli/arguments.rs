@@ -30,7 +30,7 @@ pub(super) struct Common {
 const EXAMPLES: &str = "Examples:
   flexframe build                                  the default frame into out/cognifly
   flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
-  flexframe check cognifly-v8                      exits 1: it is 1.93 mm too wide
+  flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
   flexframe render cognifly
   flexframe params --filter arm
 
@@ -49,7 +49,9 @@ pub(super) enum Command {
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
     /// List every parameter with unit, default, bounds and what it drives.
-    #[command(after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json")]
+    #[command(
+        after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json\n  flexframe params --markdown > docs/parameters.md"
+    )]
     Params(ParamsOptions),
     /// Print a shell's completion script.
     Completions {
@@ -116,4 +118,7 @@ pub(super) struct ParamsOptions {
     /// Only keys that contain this.
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
+    /// Print a page of tables, the form of docs/parameters.md.
+    #[arg(long, conflicts_with = "json")]
+    pub markdown: bool,
 }

@@ -7,11 +7,14 @@ use serde::Serialize;
 use super::arguments::{Common, ParamsOptions};
 use super::session::{self, Failure};
 use super::terminal;
+use crate::params::parameter::Parameter;
 use crate::params::{Frame, follows, parameters};
 
 /// A parameter as listed.
 #[derive(Serialize)]
 struct Row {
+    #[serde(skip)]
+    parameter: &'static Parameter,
     key: String,
     unit: &'static str,
     value: Option<f64>,
@@ -32,6 +35,7 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
         .map(|p| {
             let key = format!("{}.{}", p.table, p.key);
             Row {
+                parameter: p,
                 unit: p.unit(),
                 value: frame.value(p.table, p.key),
                 default: default.value(p.table, p.key),
@@ -51,15 +55,19 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
     if common.json {
         terminal::print_json(&rows)?;
     } else {
-        terminal::print(&table(&rows))?;
+        terminal::print(&if options.markdown { page(&frame.name, &rows) } else { table(&rows) })?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// To a millionth, without zeros behind the last digit; nothing for a number that there is not.
+fn number(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| format!("{}", (value * 1e6).round() / 1e6))
 }
 
 fn table(rows: &[Row]) -> String {
     let mut text = format!("{:<42} {:>9} {:>9}  {:<18} what it is; what it drives\n", "key", "value", "default", "bounds");
     for row in rows {
-        let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{}", (value * 1e6).round() / 1e6));
         let bounds = format!("{} to {} {}", row.min, row.max, row.unit);
         let drives = if row.drives.is_empty() { String::new() } else { format!(" [{}]", row.drives.join(", ")) };
         let follows = row.follows.map_or(String::new(), |role| format!(" (follows from bought.{role})"));
@@ -67,4 +75,28 @@ fn table(rows: &[Row]) -> String {
             &format!("{:<42} {:>9} {:>9}  {bounds:<18} {}{follows}{drives}\n", row.key, number(row.value), number(row.default), row.doc);
     }
     text
+}
+
+/// The parameters as a page, a table of it for each table of a frame file.
+fn page(frame: &str, rows: &[Row]) -> String {
+    let mut page = format!(
+        "# Parameters\n\nPrinted by `flexframe params --markdown`; `docs/frame-files.md` says how a frame file states them. The value is that of\n\
+         `{frame}`; one with a part's role in brackets follows from that bought part unless a file states it. \"Drives\" lists\n\
+         the printed parts whose shape changes with the number; every number may move parts, and change mass and checks.\n"
+    );
+    let mut table = "";
+    for row in rows {
+        let Row { parameter: p, unit, min, max, doc, .. } = row;
+        if p.table != table {
+            table = p.table;
+            page += &format!(
+                "\n## [{table}]\n\n{}\n\n| key | unit | value | bounds | what it is | drives |\n|---|---|---|---|---|---|\n",
+                p.table_doc.trim()
+            );
+        }
+        let follows = row.follows.map_or(String::new(), |role| format!(" ({role})"));
+        let (key, value, drives) = (p.key, number(row.value), row.drives.join(", "));
+        page += &format!("| `{key}` | {unit} | {value}{follows} | {min} to {max} | {doc} | {drives} |\n");
+    }
+    page
 }

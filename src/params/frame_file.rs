@@ -63,6 +63,8 @@ impl Value {
     /// In TOML's own form.
     pub fn to_toml(&self) -> toml::Value {
         match self {
+            // Counts are read as whole numbers; a length takes either.
+            Self::Number(number) if number.fract() == 0.0 && number.abs() < 1e15 => toml::Value::Integer(*number as i64),
             Self::Number(number) => toml::Value::Float(*number),
             Self::Text(text) => toml::Value::String(text.clone()),
             Self::Other(value) => value.clone(),
@@ -240,6 +242,7 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
             let items: Result<Vec<_>, _> = items.iter().map(|item| typed_value(item).map(|v| v.to_toml())).collect();
             items.map(|items| Value::Other(toml::Value::Array(items)))
         }
+        DeValue::Datetime(date) => Ok(Value::Other(toml::Value::Datetime(*date))),
         other => Err(format!("a {} has no place in a frame file", other.type_str())),
     }
 }

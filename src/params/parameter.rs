@@ -7,6 +7,8 @@ use super::part_name::PartName;
 pub struct Parameter {
     /// Table of the frame file.
     pub table: &'static str,
+    /// What the table is about.
+    pub table_doc: &'static str,
     /// Key in the table; its ending is the unit.
     pub key: &'static str,
     /// Lowest value allowed.
@@ -46,10 +48,13 @@ macro_rules! parameters {
         }
 
         impl $group {
+            const DOC: &'static str = concat!($($group_doc),+);
+
             /// What a frame file may say here.
             pub const CATALOGUE: &'static [$crate::params::parameter::Parameter] = &[$(
                 $crate::params::parameter::Parameter {
                     table: $table,
+                    table_doc: Self::DOC,
                     key: stringify!($key),
                     min: $min,
                     max: $max,

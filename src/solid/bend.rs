@@ -93,7 +93,12 @@ impl Hinge {
     fn bent(&self, flat: &MeshSolid, angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
         let region = self.moving_region();
         let (moving, still) = (flat.intersection(&region).largest_body(), flat.minus(&region).largest_body());
-        still.union(&moving.placed(motion)).union(&self.swept_web(&moving, angle))
+        let section = self.section(&moving);
+        let joined = still.union(&moving.placed(motion)).union(&self.swept(&section, angle));
+        match self.crease(&section) {
+            Some(crease) => joined.union(&crease),
+            None => joined,
+        }
     }
 
     /// What lies beyond the pivot, between two planes that open outwards from the moving side's edges at the pivot:
@@ -107,27 +112,44 @@ impl Hinge {
         MeshSolid::build(&prism).placed(&posed(self.pivot, axes))
     }
 
-    /// The web's section at the pivot (what lies on the far side of the axis from where the joint closes), turned
-    /// about the hinge axis through the bend: the stretched outside of the fold.
-    fn swept_web(&self, moving: &MeshSolid, angle: Angle) -> MeshSolid {
-        // Section axes: x away from the closing side, z along the hinge axis, so that a revolve about z by the
-        // bend starts in the section's plane and turns the way the moving side does.
+    /// From the sweep's axes (turning about z, starting in the xz plane) to the part's: x away from the closing
+    /// side, z along the hinge axis, so that the sweep turns the way the moving side does.
+    fn sweep_pose(&self) -> Isometry3<f64> {
         let away = -self.towards.into_inner();
-        let axes = Matrix3::from_columns(&[away, self.outward.into_inner(), away.cross(&self.outward)]);
-        let section_pose = posed(self.pivot + self.towards.into_inner() * LIFT_MM, axes);
-        // The kernel slices at constant z: lay y (outward) down along -z; then (x, y) are (r, z) of the revolve.
+        posed(self.pivot, Matrix3::from_columns(&[away, self.outward.into_inner(), away.cross(&self.outward)]))
+    }
+
+    /// Contours of the web's cut at the pivot in (distance from the hinge axis, place along it), mm: what lies on the
+    /// far side of the axis from where the joint closes.
+    fn section(&self, moving: &MeshSolid) -> Vec<Vec<[f64; 2]>> {
+        // The kernel slices at constant z: lay y (outward) down along -z.
         let lay = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
-        let laid = moving.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * section_pose.inverse()));
-        let within = |p: &[f64; 2]| {
-            let r = if p[0] < LIFT_MM + WITHIN_MM { 0.0 } else { p[0] - WITHIN_MM };
-            [r, p[1] * (1.0 - WITHIN_MM / self.half_width_mm)]
-        };
-        let contours: Vec<Vec<[f64; 2]>> = laid.slice(-SECTION_INSET_MM).iter().map(|c| c.iter().map(within).collect()).collect();
-        let steps = (angle.to_deg() / FACET_DEG).ceil().max(1.0);
-        let segments = (360.0 / angle.to_deg() * steps).round() as u32;
-        let sector = MeshSolid::revolved(&contours, segments, angle.to_deg() + 2.0 * OVERLAP_DEG);
+        let laid = moving.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * self.sweep_pose().inverse()));
+        laid.half(Vector3::x(), OFF_AXIS_MM).slice(-SECTION_INSET_MM)
+    }
+
+    /// The section, a little smaller, turned about the hinge axis through the bend and a little into both sides: the
+    /// stretched outside of the fold.
+    fn swept(&self, section: &[Vec<[f64; 2]>], angle: Angle) -> MeshSolid {
+        let turn_deg = angle.to_deg() + 2.0 * OVERLAP_DEG;
+        let steps = (turn_deg / FACET_DEG).ceil().max(1.0);
+        // The middles of the facets, not their edges, lie on the swept surface.
+        let wider = 1.0 / Angle::deg(0.5 * turn_deg / steps).cos();
+        let within = |p: &[f64; 2]| [(p[0] * wider - WITHIN_MM).max(OFF_AXIS_MM), p[1] * (1.0 - WITHIN_MM / self.half_width_mm)];
+        let contours: Vec<Vec<[f64; 2]>> = section.iter().map(|c| c.iter().map(within).collect()).collect();
+        let sector = MeshSolid::revolved(&contours, (360.0 / turn_deg * steps).round() as u32, turn_deg);
         let start = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -Angle::deg(OVERLAP_DEG).to_rad());
-        sector.placed(&(section_pose * Isometry3::from_parts(Translation3::identity(), start)))
+        sector.placed(&(self.sweep_pose() * Isometry3::from_parts(Translation3::identity(), start)))
+    }
+
+    /// A thin rod along the hinge axis where both sides and the sweep would meet in a line; none when the section
+    /// stays clear of the axis.
+    fn crease(&self, section: &[Vec<[f64; 2]>]) -> Option<MeshSolid> {
+        let near = section.iter().flatten().filter(|p| p[0] < OFF_AXIS_MM + CREASE_MM);
+        let half_mm = near.map(|p| p[1].abs()).fold(0.0, f64::max) + CREASE_MM;
+        let (from, to) = (Point3::new(0.0, 0.0, -half_mm), Point3::new(0.0, 0.0, half_mm));
+        let rod = Feature::cylinder_between(from, to, OFF_AXIS_MM + 2.0 * CREASE_MM);
+        (half_mm > CREASE_MM).then(|| MeshSolid::build(&rod).placed(&self.sweep_pose()))
     }
 }
 
@@ -135,14 +157,16 @@ impl Hinge {
 const SECTION_INSET_MM: f64 = 0.01;
 
 /// The sweep reaches this far into both sides so that the union has no faces in common.
-const OVERLAP_DEG: f64 = 0.5;
+const OVERLAP_DEG: f64 = 3.0;
 
 /// The swept section is this much smaller than the web's, so that the two surfaces do not graze each other, mm.
-const WITHIN_MM: f64 = 0.003;
+const WITHIN_MM: f64 = 0.006;
 
-/// The sweep turns about an axis this far on the closing side, so that its inner edge is not the one in which both
-/// sides of the hinge meet, mm.
-const LIFT_MM: f64 = 0.01;
+/// The section begins this far from the hinge axis, mm.
+const OFF_AXIS_MM: f64 = 0.02;
+
+/// What the crease covers around the section's inner edge, mm.
+const CREASE_MM: f64 = 0.02;
 
 /// How far the moving region reaches, mm: further than any limb.
 const REACH_MM: f64 = 60.0;

@@ -48,7 +48,12 @@ impl MeshSolid {
 
     /// The same without detail that no printer can place.
     pub fn melted(&self) -> Self {
-        Self(self.0.as_original().simplify(MELT_MM))
+        self.without_detail(MELT_MM)
+    }
+
+    /// The same without detail below a size, mm.
+    pub fn without_detail(&self, below_mm: f64) -> Self {
+        Self(self.0.as_original().simplify(below_mm))
     }
 
     /// The mesh of the melted solid.
