@@ -16,7 +16,7 @@ use flexframe::parts::{
     pi_carrier,
 };
 use flexframe::skeleton::Skeleton;
-use flexframe::solid::{Feature, Mesh};
+use flexframe::solid::{Feature, Mesh, MeshSolid, gate};
 use rayon::prelude::*;
 
 /// The frame that is changed.
@@ -300,4 +300,27 @@ fn analytic_each_limit_moves_what_its_rule_is_held_against_and_no_other() {
             line.effects.iter().map(|effect| (effect.subject.trim_start_matches("limit:"), effect.grows)).collect();
         assert_eq!(moved, stated, "{}", line.key);
     }
+}
+
+/// What keeps a frame with this one number changed from being printed, when nothing refuses it.
+fn unmade(key: &str, value: f64) -> Vec<String> {
+    let Ok(frame) = common::resolve(&common::toml(BASE, &[(key.to_string(), value)])) else { return Vec::new() };
+    let Ok(skeleton) = Skeleton::new(&frame) else { return Vec::new() };
+    let all = features(&frame, &skeleton, &Centre::new(&frame));
+    all.into_iter()
+        .filter(|(name, feature)| base().part(*name).is_none_or(|part| part.feature != *feature))
+        .filter_map(|(name, feature)| {
+            let error = gate::pass(&MeshSolid::build(&feature).to_mesh()).err()?;
+            Some(format!("{key} = {value}: {name}: {error}"))
+        })
+        .collect()
+}
+
+#[test]
+fn analytic_each_parameter_may_go_to_its_bounds_or_is_refused() {
+    base();
+    let ends: Vec<(String, f64)> =
+        parameters().flat_map(|p| [p.min, p.max].map(|value| (format!("{}.{}", p.table, p.key), value))).collect();
+    let bad: Vec<String> = ends.par_iter().flat_map_iter(|(key, value)| unmade(key, *value)).collect();
+    assert!(bad.is_empty(), "{}", bad.join("\n"));
 }
