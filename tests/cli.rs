@@ -80,7 +80,7 @@ fn planted_wrong_types() {
     let name = refused("base = \"cognifly\"\nprinter = 3\n");
     assert_says(&name, &["`printer` is a number, it must be a text in quotes", "frame.toml:2"]);
     let date = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 2026-01-01\n");
-    assert_says(&date, &["has no place in a frame file"]);
+    assert_says(&date, &["`rods.cage_rod_length_mm` is a date, it must be a number in mm"]);
 }
 
 #[test]

@@ -53,10 +53,6 @@ pub struct PartEntry {
     pub bbox_mm: [f64; 3],
     /// Facets of the mesh.
     pub triangles: usize,
-    /// Euler number of the surface.
-    pub euler: i64,
-    /// Volume by the B-rep kernel, mm³, where it builds the part.
-    pub exact_volume_mm3: Option<f64>,
     /// Its files.
     pub files: Vec<String>,
 }
@@ -156,8 +152,6 @@ fn part_entries(design: &Design, masses: &MassTable) -> Vec<PartEntry> {
             mass_g: rounded(mass_of(masses, part.name.slug())),
             bbox_mm: part.mesh.size_mm().map(rounded),
             triangles: part.mesh.triangles.len(),
-            euler: part.topology.euler,
-            exact_volume_mm3: part.exact_volume_mm3.map(rounded),
             files: vec![format!("parts/{}.stl", part.name)],
         })
         .collect()

@@ -78,6 +78,7 @@ impl Value {
             Self::Text(_) => "a string",
             Self::Other(toml::Value::Boolean(_)) => "true or false",
             Self::Other(toml::Value::Array(_)) => "an array",
+            Self::Other(toml::Value::Datetime(_)) => "a date",
             Self::Other(_) => "something else",
         }
     }

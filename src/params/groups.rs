@@ -7,15 +7,15 @@ parameters! {
     /// Rod lengths and the rod itself.
     pub struct RodParameters in "rods" {
         /// Length of the eight rods of the top and bottom ring.
-        cage_rod_length_mm: 60.0..=320.0 => [TopCorner, BottomCorner],
+        cage_rod_length_mm: 60.0..=320.0 => [Knee],
         /// Length of the eight rods between hub and fork.
-        arm_rod_length_mm: 40.0..=180.0 => [HubJoint, Fork, MotorMount],
+        arm_rod_length_mm: 40.0..=180.0 => [Knee],
         /// Length of the eight rods between knee and ring; with the arm it fixes the strut tilt and the height.
-        strut_rod_length_mm: 20.0..=120.0 => [Knee, TopCorner, BottomCorner],
+        strut_rod_length_mm: 20.0..=120.0 => [Knee],
         /// Outer diameter of every rod; all bores follow it.
         rod_diameter_mm: 2.0..=4.0 => [TopCorner, BottomCorner, Knee, Fork, MotorMount, HubJoint],
         /// Free length behind the arm rod's end in the fork.
-        arm_rod_slack_mm: 0.0..=4.0 => [Fork],
+        arm_rod_slack_mm: 0.0..=4.0 => [Knee],
     }
 }
 
@@ -35,11 +35,11 @@ parameters! {
     /// The printed corners of the two rings.
     pub struct CornerParameters in "corner" {
         /// Wall around a corner's bore.
-        corner_wall_mm: 1.2..=2.5 => [TopCorner, BottomCorner],
+        corner_wall_mm: 1.2..=2.5 => [TopCorner, BottomCorner, Knee],
         /// Depth of each bore of a corner.
         corner_socket_depth_mm: 4.0..=16.0 => [TopCorner, BottomCorner],
         /// From the ring node to the bottom of the cage and strut bores.
-        corner_node_to_bottom_mm: 4.0..=8.0 => [TopCorner, BottomCorner],
+        corner_node_to_bottom_mm: 4.0..=8.0 => [TopCorner, BottomCorner, Knee],
         /// Thickness of the bending web under the strut and leg hinges.
         corner_hinge_thickness_mm: 1.5..=3.5 => [TopCorner, BottomCorner],
         /// Lean of each face of the V notch; the notch closes at twice this.
@@ -59,7 +59,7 @@ parameters! {
     /// The joint between hub, two arm rods and one leg rod.
     pub struct HubJointParameters in "hub_joint" {
         /// Outer diameter of the sockets.
-        hub_joint_diameter_mm: 4.5..=9.0 => [HubJoint, Hub],
+        hub_joint_diameter_mm: 4.5..=9.0 => [HubJoint, Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Distance between the two parallel arm rods.
         arm_pitch_mm: 18.0..=34.0 => [HubJoint, Fork, MotorMount, Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Depth of the arm bores.
@@ -71,7 +71,7 @@ parameters! {
         /// From the hub's face to the mouth of the leg bore.
         hub_leg_mouth_mm: 16.0..=34.0 => [HubJoint],
         /// From the bottom of the leg bore back to the axis about which the leg folds.
-        hub_leg_pivot_mm: 1.0..=7.0 => [HubJoint, BottomCorner],
+        hub_leg_pivot_mm: 1.0..=7.0 => [],
         /// Solid behind the leg bore.
         hub_leg_root_mm: 5.0..=12.0 => [HubJoint],
         /// Width of the arch that carries the leg.
@@ -89,7 +89,7 @@ parameters! {
         /// Depth of the fork bores.
         fork_socket_depth_mm: 5.0..=16.0 => [Fork],
         /// From the bottoms of the bores to the bar's nominal centre.
-        fork_reach_mm: 9.0..=20.0 => [Fork],
+        fork_reach_mm: 9.0..=20.0 => [Knee, Fork],
         /// How far bar and window lie beyond their nominal centre.
         fork_bar_offset_mm: -1.0..=1.0 => [Fork, Knee],
         /// Bar along the rods.
@@ -121,7 +121,7 @@ parameters! {
         /// Wall behind a bore.
         knee_back_wall_mm: 1.2..=2.5 => [Knee],
         /// From the crossing of the strut axes out to the bar's nominal centre.
-        knee_node_offset_mm: 1.0..=6.0 => [Knee, Fork],
+        knee_node_offset_mm: 1.0..=6.0 => [Knee],
         /// Window minus bar, along the rods.
         knee_window_clearance_depth_mm: 0.0..=0.4 => [Knee],
         /// Window minus bar, across.
@@ -147,7 +147,7 @@ parameters! {
     /// The motor mount that slides on an arm pair, and where the motor sits.
     pub struct MotorMountParameters in "motor_mount" {
         /// From the hub axis to the motor axis, along the diagonal.
-        motor_position_mm: 30.0..=140.0 => [MotorMount],
+        motor_position_mm: 30.0..=140.0 => [],
         /// Outer diameter of the slide rings.
         motor_ring_diameter_mm: 4.5..=9.0 => [MotorMount],
         /// Width of the slide rings along the rods.
@@ -179,7 +179,7 @@ parameters! {
         /// Diameter of the propellers; the bought propeller's unless stated.
         propeller_diameter_mm: 30.0..=160.0 => [],
         /// From the plate's top to the propeller's mid plane.
-        propeller_height_mm: 6.0..=30.0 => [MotorMount],
+        propeller_height_mm: 6.0..=30.0 => [],
     }
 }
 
@@ -187,19 +187,19 @@ parameters! {
     /// The rigid plate that eight plugs are pressed into.
     pub struct HubParameters in "hub" {
         /// Distance from the hub axis to the mouth of the plug bores, along the diagonal.
-        hub_mouth_mm: 18.0..=40.0 => [Hub],
+        hub_mouth_mm: 18.0..=40.0 => [Knee, Hub],
         /// Thickness of the plate.
         hub_plate_thickness_mm: 2.5..=6.0 => [Hub],
         /// Wall around a plug bore; fixes the hub height.
         hub_boss_wall_mm: 0.8..=2.5 => [Hub],
         /// Wall between plug bore and the outer flank; fixes the tie radius.
-        hub_tie_wall_mm: 1.2..=3.5 => [Hub],
+        hub_tie_wall_mm: 1.2..=3.5 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Plate left behind a plug bore (plate edge between two arms of a pair).
         hub_back_wall_mm: 0.8..=3.0 => [Hub],
         /// Rounding of the bosses and the plate edge.
         hub_edge_radius_mm: 0.5..=2.0 => [Hub],
         /// Radius of the ring around a tie hole, in hub, carrier and bracket.
-        tie_ring_radius_mm: 2.5..=5.0 => [Hub],
+        tie_ring_radius_mm: 2.5..=5.0 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Tie hole through the hub.
         hub_tie_hole_diameter_mm: 2.0..=4.0 => [Hub],
         /// Flat top inwards of the tie hole.
@@ -223,7 +223,7 @@ parameters! {
         /// Carrier thickness.
         carrier_thickness_mm: 1.2..=4.0 => [PiCarrier],
         /// Hole pattern of the board, across.
-        pi_pattern_across_mm: 20.0..=49.0 => [PiCarrier],
+        pi_pattern_across_mm: 20.0..=49.0 => [PiCarrier, CameraConnectorLeft, CameraConnectorRight],
         /// Hole pattern of the board, along the camera direction.
         pi_pattern_along_mm: 50.0..=58.0 => [PiCarrier],
         /// Board holes.
@@ -263,11 +263,11 @@ parameters! {
     /// The battery tube under the bracket, with the tray of the flow sensor.
     pub struct SleeveParameters in "sleeve" {
         /// Sleeve side wall.
-        sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve],
+        sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve, BatteryLid],
         /// Top and bottom wall of sleeve and lid.
-        sleeve_top_wall_mm: 0.8..=3.0 => [BatterySleeve],
+        sleeve_top_wall_mm: 0.8..=3.0 => [BatterySleeve, BatteryLid],
         /// Sleeve edge radius.
-        sleeve_edge_radius_mm: 0.0..=2.0 => [BatterySleeve],
+        sleeve_edge_radius_mm: 0.0..=2.0 => [BatterySleeve, BatteryLid],
         /// Chamfer inside the rear rim.
         sleeve_lead_in_mm: 0.0..=0.9 => [BatterySleeve],
         /// Ribs on both sides of the bracket base.
@@ -315,41 +315,41 @@ parameters! {
         /// Under the connector channel.
         bracket_floor_mm: 0.8..=2.0 => [BatteryBracket, BatteryLid],
         /// Beside the channel.
-        bracket_side_wall_mm: 1.0..=2.5 => [BatteryBracket, BatteryLid],
+        bracket_side_wall_mm: 1.0..=2.5 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Height of the base.
-        bracket_base_mm: 2.0..=5.0 => [BatteryBracket, BatteryLid],
+        bracket_base_mm: 2.0..=5.0 => [BatteryBracket],
         /// Clear height between base and hub (electronics bay).
-        bay_height_mm: 14.0..=45.0 => [BatteryBracket, BatteryLid],
+        bay_height_mm: 14.0..=45.0 => [BatteryBracket],
         /// Between channel and magnet.
         bracket_wall_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
         /// Between magnet and tie hole.
-        bracket_roof_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
+        bracket_roof_mm: 1.2..=3.0 => [BatteryBracket],
         /// Tie hole diameter.
-        tie_hole_diameter_mm: 2.5..=5.0 => [BatteryBracket, BatteryLid],
+        tie_hole_diameter_mm: 2.5..=5.0 => [BatteryBracket],
         /// Tie hole depth.
-        tie_hole_depth_mm: 4.0..=10.0 => [BatteryBracket, BatteryLid],
+        tie_hole_depth_mm: 4.0..=10.0 => [BatteryBracket],
         /// Tie slot width.
-        tie_slot_width_mm: 2.0..=4.5 => [BatteryBracket, BatteryLid],
+        tie_slot_width_mm: 2.0..=4.5 => [BatteryBracket],
         /// Tie slot height.
-        tie_slot_height_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
+        tie_slot_height_mm: 1.2..=3.0 => [BatteryBracket],
         /// Base to rear upright.
-        bracket_fillet_mm: 0.5..=4.0 => [BatteryBracket, BatteryLid],
+        bracket_fillet_mm: 0.5..=4.0 => [BatteryBracket],
         /// Wire hole diameter.
-        wire_hole_diameter_mm: 1.5..=4.0 => [BatteryBracket, BatteryLid],
+        wire_hole_diameter_mm: 1.5..=4.0 => [BatteryBracket],
         /// Wire hole pitch across.
-        wire_hole_pitch_across_mm: 4.5..=8.0 => [BatteryBracket, BatteryLid],
+        wire_hole_pitch_across_mm: 4.5..=8.0 => [BatteryBracket],
         /// Wire hole pitch up.
-        wire_hole_pitch_up_mm: 4.0..=8.0 => [BatteryBracket, BatteryLid],
+        wire_hole_pitch_up_mm: 4.0..=8.0 => [BatteryBracket],
         /// Channel for the power connector (XT30), across.
-        connector_width_mm: 9.0..=20.0 => [BatteryBracket, BatteryLid],
+        connector_width_mm: 9.0..=20.0 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Connector height.
         connector_height_mm: 5.0..=10.0 => [BatteryBracket, BatteryLid],
         /// The two corners that code its polarity.
         connector_chamfer_mm: 0.0..=3.0 => [BatteryBracket, BatteryLid],
         /// The nose held by the lid is smaller by this, each side.
-        connector_step_mm: 0.0..=1.5 => [BatteryBracket, BatteryLid],
+        connector_step_mm: 0.0..=1.5 => [BatteryLid],
         /// Magnet length.
-        magnet_length_mm: 4.0..=20.0 => [BatteryBracket, BatteryLid],
+        magnet_length_mm: 4.0..=20.0 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Magnet width.
         magnet_width_mm: 3.0..=10.0 => [BatteryBracket, BatteryLid],
         /// Magnet thickness.
@@ -357,11 +357,11 @@ parameters! {
         /// Pocket minus magnet, whole.
         magnet_clearance_mm: 0.0..=0.4 => [BatteryBracket, BatteryLid],
         /// Beside and above the magnet.
-        magnet_wall_mm: 1.0..=3.0 => [BatteryBracket, BatteryLid],
+        magnet_wall_mm: 1.0..=3.0 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Between the magnet faces, lid closed.
-        magnet_gap_mm: 0.1..=1.5 => [BatteryBracket, BatteryLid],
+        magnet_gap_mm: 0.1..=1.5 => [BatteryLid],
         /// Air between hub and bracket (CAD).
-        stack_z_offset_mm: 0.0..=0.6 => [BatteryBracket, BatteryLid],
+        stack_z_offset_mm: 0.0..=0.6 => [],
     }
 }
 
@@ -369,9 +369,9 @@ parameters! {
     /// The lid that stays on the battery: the cartridge's rim, connector and magnet.
     pub struct LidParameters in "lid" {
         /// From the rim plane to the front face of the lid block.
-        lid_reach_mm: 8.0..=25.0 => [BatteryLid],
+        lid_reach_mm: 8.0..=25.0 => [BatterySleeve, BatteryLid],
         /// Lid block behind the bracket.
-        lid_clearance_mm: 0.1..=0.6 => [BatteryLid],
+        lid_clearance_mm: 0.1..=0.6 => [BatterySleeve, BatteryLid],
         /// Lid top under the bracket.
         lid_slide_clearance_mm: 0.05..=0.4 => [BatteryLid],
         /// Front to back of the block that carries the connector.
