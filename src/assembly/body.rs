@@ -36,6 +36,8 @@ pub struct Shape {
     pub solid: MeshSolid,
     /// Mesh for files and pictures.
     pub mesh: Mesh,
+    /// Volume by the B-rep kernel, mm³, where it builds the shape without booleans.
+    pub exact_mm3: Option<f64>,
 }
 
 /// A shape in its place.

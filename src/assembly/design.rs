@@ -11,7 +11,7 @@ use crate::parts::Centre;
 use crate::parts::bought_solids::BoughtPart;
 use crate::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for, placements};
 use crate::solid::gate::GateError;
-use crate::solid::{Feature, MeshSolid};
+use crate::solid::{Brep, Feature, MeshSolid};
 use crate::units::Angle;
 
 /// Why a frame cannot be designed.
@@ -115,19 +115,28 @@ impl Design {
         self.shape(body).solid.placed(&body.pose)
     }
 
-    fn add_shape(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], solid: MeshSolid) -> usize {
-        let mesh = solid.mesh();
-        self.shapes.push(Shape { name: name.into(), kind, material: material.into(), colour, solid, mesh });
+    fn add_shape(&mut self, shape: Shape) -> usize {
+        self.shapes.push(shape);
         self.shapes.len() - 1
+    }
+
+    /// A shape that is not printed.
+    fn add_plain(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], feature: &Feature) -> usize {
+        let solid = MeshSolid::build(feature).melted();
+        let mesh = solid.mesh();
+        let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
+        self.add_shape(Shape { name: name.into(), kind, material: material.into(), colour, solid, mesh, exact_mm3 })
     }
 
     fn place_printed(&mut self) {
         for index in 0..self.printed.len() {
             let part = &self.printed[index];
-            let (name, solid) = (part.name, part.folded.clone());
+            let (name, solid, exact_mm3) = (part.name, part.folded.clone(), part.exact_volume_mm3);
             let material = if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid };
             let (material, colour) = (material.name.clone(), material.material.colour);
-            let shape = self.add_shape(name.slug(), Kind::Printed(name), &material, colour, solid);
+            let mesh = solid.mesh();
+            let shape =
+                self.add_shape(Shape { name: name.slug().into(), kind: Kind::Printed(name), material, colour, solid, mesh, exact_mm3 });
             let poses = placements(name, &self.frame, &self.skeleton);
             if poses.is_empty() {
                 let pose = self.centre.pose(name);
@@ -145,9 +154,9 @@ impl Design {
         let radius = 0.5 * self.frame.rods.rod_diameter_mm;
         for role in RodRole::ALL {
             let length = self.skeleton.length_mm(role);
-            let solid = MeshSolid::build(&Feature::cylinder(radius, length));
             let name = format!("{}_rod", role.slug());
-            let shape = self.add_shape(&name, Kind::Rod(role), &material.name, material.material.colour, solid);
+            let feature = Feature::cylinder(radius, length);
+            let shape = self.add_plain(&name, Kind::Rod(role), &material.name, material.material.colour, &feature);
             let bodies: Vec<Body> = self
                 .skeleton
                 .rods_of(role)
@@ -169,14 +178,14 @@ impl Design {
         if let Some(motor) = motor {
             let diameter = motor.part.body_diameter_mm.unwrap_or(motor.part.size_mm[0]);
             let height = motor.part.height_mm.unwrap_or(motor.part.size_mm[2]);
-            let solid = MeshSolid::build(&Feature::cylinder(0.5 * diameter, height));
-            let shape = self.add_shape("motor", Kind::Motor, &motor.name, [0.12, 0.12, 0.13, 1.0], solid);
+            let feature = Feature::cylinder(0.5 * diameter, height);
+            let shape = self.add_plain("motor", Kind::Motor, &motor.name, [0.12, 0.12, 0.13, 1.0], &feature);
             self.on_motor_axes("motor", shape, 0.0);
         }
         if let Some(propeller) = propeller {
             let height = propeller.part.hub_height_mm.unwrap_or(propeller.part.size_mm[2]);
-            let solid = MeshSolid::build(&Feature::cylinder(0.5 * mount.propeller_diameter_mm, height));
-            let shape = self.add_shape("propeller", Kind::Propeller, &propeller.name, [0.9, 0.62, 0.05, 0.35], solid);
+            let feature = Feature::cylinder(0.5 * mount.propeller_diameter_mm, height);
+            let shape = self.add_plain("propeller", Kind::Propeller, &propeller.name, [0.9, 0.62, 0.05, 0.35], &feature);
             self.on_motor_axes("propeller", shape, mount.propeller_height_mm - 0.5 * height);
         }
     }
@@ -192,8 +201,8 @@ impl Design {
     fn place_bought(&mut self) {
         for part in BoughtPart::ALL {
             let Some((material, colour)) = bought_look(&self.frame, part) else { continue };
-            let solid = MeshSolid::build(&part.feature(&self.frame, &self.centre)).melted();
-            let shape = self.add_shape(part.slug(), Kind::Bought(part.slug()), &material, colour, solid);
+            let feature = part.feature(&self.frame, &self.centre);
+            let shape = self.add_plain(part.slug(), Kind::Bought(part.slug()), &material, colour, &feature);
             self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
         }
     }

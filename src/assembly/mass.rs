@@ -3,10 +3,9 @@
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde::Serialize;
 
-use super::body::Kind;
+use super::body::{Kind, Shape};
 use super::design::Design;
 use crate::params::catalogue::MassBasis;
-use crate::skeleton::RodRole;
 use crate::units::Density;
 
 /// A line of the table.
@@ -91,16 +90,16 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
 
 fn rod_lines(design: &Design) -> Vec<MassLine> {
     let material = &design.frame.rod_material;
-    let radius = 0.5 * design.frame.rods.rod_diameter_mm;
-    RodRole::ALL
-        .iter()
-        .map(|role| {
-            let volume = std::f64::consts::PI * radius * radius * design.skeleton.length_mm(*role);
-            let each_g = Density::g_cm3(material.material.density_g_cm3).mass_g(volume);
-            let quantity = design.skeleton.rods_of(*role).count() as u32;
-            line(&format!("{}_rod", role.slug()), "rod", &material.name, quantity, each_g, "computed")
-        })
-        .collect()
+    let weighed = |shape: &Shape| match shape.kind {
+        Kind::Rod(role) => {
+            let volume_mm3 = shape.exact_mm3.unwrap_or_else(|| shape.solid.volume_mm3());
+            let each_g = Density::g_cm3(material.material.density_g_cm3).mass_g(volume_mm3);
+            let quantity = design.skeleton.rods_of(role).count() as u32;
+            Some(line(&shape.name, "rod", &material.name, quantity, each_g, "computed"))
+        }
+        _ => None,
+    };
+    design.shapes.iter().filter_map(weighed).collect()
 }
 
 fn bought_lines(design: &Design) -> Vec<MassLine> {

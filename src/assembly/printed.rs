@@ -40,7 +40,8 @@ impl Printed {
     /// Makes a part.
     ///
     /// # Errors
-    /// When its mesh does not pass the export gate: its parameters contradict each other.
+    /// When its mesh does not pass the export gate, or the B-rep kernel makes another solid of it: its parameters
+    /// contradict each other.
     pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
         let Recipe { feature, bends, print_turn } = recipe(name, frame, skeleton, centre);
         let flat = MeshSolid::build(&feature).melted();
@@ -54,6 +55,7 @@ impl Printed {
         let topology = gate::pass(&mesh)?;
         let folded = if bends.is_empty() { flat.clone() } else { bent(&flat, &bends)? };
         let exact_volume_mm3 = Brep::build(&feature).map(|brep| brep.volume_mm3());
+        exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
         Ok(Self { name, volume_mm3: mesh.volume_mm3(), feature, bends, flat, folded, printed, mesh, topology, exact_volume_mm3 })
     }
 }

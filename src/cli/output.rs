@@ -6,34 +6,62 @@ use std::path::{Path, PathBuf};
 
 use super::session::Failure;
 
-/// Writes a folder beside its place and renames it there, so that a run that is killed or fails leaves the last
-/// good result.
+/// Writes a folder beside its place and puts it there in one step, so that a run that is killed or fails leaves the
+/// last good result.
 pub(super) fn write_folder(parent: &Path, name: &str, files: &[(String, Vec<u8>)]) -> Result<PathBuf, Failure> {
     let place = parent.join(name);
     let staging = parent.join(format!(".{name}.{}.new", std::process::id()));
-    let former = parent.join(format!(".{name}.{}.old", std::process::id()));
     let failed = |what: &str, path: &Path| {
         let what = format!("cannot {what} {}", path.display());
         move |error: io::Error| Failure::Machine { what, error }
     };
     fs::create_dir_all(parent).map_err(failed("make the folder", parent))?;
-    let written = write_files(&staging, files);
+    let written = write_files(&staging, files).and_then(|()| put(&staging, &place).map_err(failed("replace", &place)));
     if let Err(error) = written {
-        // The half-written folder is of no use; that it cannot be removed either changes nothing.
+        // The new folder is of no use; that it cannot be removed either changes nothing.
         let _ = fs::remove_dir_all(&staging);
         return Err(error);
     }
-    if place.exists() {
-        fs::rename(&place, &former).map_err(failed("replace", &place))?;
-    }
-    if let Err(error) = fs::rename(&staging, &place) {
-        let _ = fs::rename(&former, &place);
-        return Err(failed("write", &place)(error));
-    }
-    if former.exists() {
-        fs::remove_dir_all(&former).map_err(failed("remove", &former))?;
+    if staging.exists() {
+        fs::remove_dir_all(&staging).map_err(failed("remove", &staging))?;
     }
     Ok(place)
+}
+
+/// Puts a folder in its place; a former one is then where the new one was.
+fn put(staging: &Path, place: &Path) -> io::Result<()> {
+    match fs::symlink_metadata(place) {
+        Err(_) => fs::rename(staging, place),
+        Ok(former) if former.is_file() => Err(io::Error::new(io::ErrorKind::NotADirectory, "a file is there")),
+        Ok(_) => exchange(staging, place),
+    }
+}
+
+/// Exchanges two folders: at every moment there is a whole one at either place.
+#[cfg(target_os = "linux")]
+fn exchange(a: &Path, b: &Path) -> io::Result<()> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    match renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE) {
+        // Some network file systems do not know how.
+        Err(rustix::io::Errno::INVAL | rustix::io::Errno::NOSYS | rustix::io::Errno::NOTSUP) => exchange_by_turns(a, b),
+        done => Ok(done?),
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+fn exchange(a: &Path, b: &Path) -> io::Result<()> {
+    exchange_by_turns(a, b)
+}
+
+/// Exchanges two folders where no call does it at once: for a moment nothing is at `b`.
+fn exchange_by_turns(a: &Path, b: &Path) -> io::Result<()> {
+    let aside = a.with_extension("old");
+    fs::rename(b, &aside)?;
+    if let Err(error) = fs::rename(a, b) {
+        let _ = fs::rename(&aside, b);
+        return Err(error);
+    }
+    fs::rename(&aside, a)
 }
 
 fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {

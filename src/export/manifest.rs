@@ -3,8 +3,8 @@
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use crate::assembly::Design;
 use crate::assembly::mass::MassTable;
+use crate::assembly::{Design, Shape};
 use crate::params::catalogue::MassBasis;
 use crate::skeleton::RodRole;
 
@@ -30,6 +30,8 @@ pub struct Manifest {
     pub rods: Vec<RodEntry>,
     /// Bought parts by role.
     pub bought: Vec<BoughtEntry>,
+    /// Shapes that the B-rep kernel builds, too.
+    pub exact: Vec<ExactEntry>,
     /// Every other file of the folder.
     pub files: Vec<FileEntry>,
 }
@@ -51,10 +53,6 @@ pub struct PartEntry {
     pub bbox_mm: [f64; 3],
     /// Facets of the mesh.
     pub triangles: usize,
-    /// Euler number of the surface.
-    pub euler: i64,
-    /// Volume by the B-rep kernel, mm³, where it builds the part.
-    pub exact_volume_mm3: Option<f64>,
     /// Its files.
     pub files: Vec<String>,
 }
@@ -93,6 +91,17 @@ pub struct BoughtEntry {
     pub source: String,
 }
 
+/// A shape that both kernels have made.
+#[derive(Debug, Serialize)]
+pub struct ExactEntry {
+    /// Name of the shape.
+    pub name: String,
+    /// Volume of the mesh, mm³.
+    pub mesh_volume_mm3: f64,
+    /// Volume of the B-rep, mm³.
+    pub exact_volume_mm3: f64,
+}
+
 /// A file and its hash.
 #[derive(Debug, Serialize)]
 pub struct FileEntry {
@@ -126,6 +135,7 @@ pub fn manifest(design: &Design, masses: &MassTable, files: &[(String, Vec<u8>)]
                 source: item.part.source.clone(),
             })
             .collect(),
+        exact: exact_entries(design),
         files: files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hex(&Sha256::digest(bytes)) }).collect(),
     }
 }
@@ -142,8 +152,6 @@ fn part_entries(design: &Design, masses: &MassTable) -> Vec<PartEntry> {
             mass_g: rounded(mass_of(masses, part.name.slug())),
             bbox_mm: part.mesh.size_mm().map(rounded),
             triangles: part.mesh.triangles.len(),
-            euler: part.topology.euler,
-            exact_volume_mm3: part.exact_volume_mm3.map(rounded),
             files: vec![format!("parts/{}.stl", part.name)],
         })
         .collect()
@@ -161,6 +169,14 @@ fn rod_entries(design: &Design, masses: &MassTable) -> Vec<RodEntry> {
             mass_g: rounded(mass_of(masses, &format!("{}_rod", role.slug()))),
         })
         .collect()
+}
+
+fn exact_entries(design: &Design) -> Vec<ExactEntry> {
+    let entry = |shape: &Shape| {
+        let exact_volume_mm3 = rounded(shape.exact_mm3?);
+        Some(ExactEntry { name: shape.name.clone(), mesh_volume_mm3: rounded(shape.solid.volume_mm3()), exact_volume_mm3 })
+    };
+    design.shapes.iter().filter_map(entry).collect()
 }
 
 fn mass_of(masses: &MassTable, name: &str) -> f64 {

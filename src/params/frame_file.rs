@@ -79,6 +79,7 @@ impl Value {
             Self::Other(toml::Value::Boolean(_)) => "true or false",
             Self::Other(toml::Value::Array(_)) => "an array",
             Self::Other(toml::Value::Table(_)) => "a table",
+            Self::Other(toml::Value::Datetime(_)) => "a date",
             Self::Other(_) => "something else",
         }
     }

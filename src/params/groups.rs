@@ -7,15 +7,15 @@ parameters! {
     /// Rod lengths and the rod itself.
     pub struct RodParameters in "rods" {
         /// Length of the eight rods of the top and bottom ring.
-        cage_rod_length_mm: 60.0..=320.0 => [TopCorner, BottomCorner],
+        cage_rod_length_mm: 60.0..=320.0 => [Knee],
         /// Length of the eight rods between hub and fork.
-        arm_rod_length_mm: 40.0..=180.0 => [HubJoint, Fork, MotorMount],
+        arm_rod_length_mm: 40.0..=180.0 => [Knee],
         /// Length of the eight rods between knee and ring; with the arm it fixes the strut tilt and the height.
-        strut_rod_length_mm: 20.0..=120.0 => [Knee, TopCorner, BottomCorner],
+        strut_rod_length_mm: 20.0..=120.0 => [Knee],
         /// Outer diameter of every rod; all bores follow it.
         rod_diameter_mm: 2.0..=4.0 => [TopCorner, BottomCorner, Knee, Fork, MotorMount, HubJoint],
         /// From the arm rod's end to the bottom of its bore in the fork.
-        arm_rod_slack_mm: 0.0..=4.0 => [Fork],
+        arm_rod_slack_mm: 0.0..=4.0 => [Knee],
     }
 }
 
@@ -35,11 +35,11 @@ parameters! {
     /// The printed corners of the two rings.
     pub struct CornerParameters in "corner" {
         /// Wall around a corner's bore.
-        corner_wall_mm: 1.2..=2.5 => [TopCorner, BottomCorner],
+        corner_wall_mm: 1.2..=2.5 => [TopCorner, BottomCorner, Knee],
         /// Depth of each bore of a corner.
         corner_socket_depth_mm: 4.0..=16.0 => [TopCorner, BottomCorner],
         /// From the ring node to the bottom of the cage and strut bores.
-        corner_node_to_bottom_mm: 4.0..=8.0 => [TopCorner, BottomCorner],
+        corner_node_to_bottom_mm: 4.0..=8.0 => [TopCorner, BottomCorner, Knee],
         /// Thickness of the bending web under the strut and leg hinges.
         corner_hinge_thickness_mm: 1.5..=3.5 => [TopCorner, BottomCorner],
         /// Lean of each face of the V notch; the notch closes at twice this.
@@ -59,7 +59,7 @@ parameters! {
     /// The joint between hub, two arm rods and one leg rod.
     pub struct HubJointParameters in "hub_joint" {
         /// Outer diameter of the sockets.
-        hub_joint_diameter_mm: 4.5..=9.0 => [HubJoint, Hub],
+        hub_joint_diameter_mm: 4.5..=9.0 => [HubJoint, Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Distance between the two parallel arm rods.
         arm_pitch_mm: 18.0..=34.0 => [HubJoint, Fork, MotorMount, Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Depth of the arm bores.
@@ -71,7 +71,7 @@ parameters! {
         /// From the hub's face to the mouth of the leg bore.
         hub_leg_mouth_mm: 16.0..=34.0 => [HubJoint],
         /// From the bottom of the leg bore back to the axis about which the leg folds.
-        hub_leg_pivot_mm: 1.0..=7.0 => [HubJoint, BottomCorner],
+        hub_leg_pivot_mm: 1.0..=7.0 => [],
         /// Solid behind the leg bore.
         hub_leg_root_mm: 5.0..=12.0 => [HubJoint],
         /// Width of the arch that carries the leg.
@@ -89,7 +89,7 @@ parameters! {
         /// Depth of the fork bores.
         fork_socket_depth_mm: 5.0..=16.0 => [Fork],
         /// From the bottoms of the bores to the bar's nominal centre.
-        fork_reach_mm: 9.0..=20.0 => [Fork],
+        fork_reach_mm: 9.0..=20.0 => [Knee, Fork],
         /// How far bar and window lie beyond their nominal centre.
         fork_bar_offset_mm: -1.0..=1.0 => [Fork, Knee],
         /// Bar along the rods.
@@ -121,7 +121,7 @@ parameters! {
         /// Wall behind a bore.
         knee_back_wall_mm: 1.2..=2.5 => [Knee],
         /// From the crossing of the strut axes out to the bar's nominal centre.
-        knee_node_offset_mm: 1.0..=6.0 => [Knee, Fork],
+        knee_node_offset_mm: 1.0..=6.0 => [Knee],
         /// Window minus bar, along the rods.
         knee_window_clearance_depth_mm: 0.0..=0.4 => [Knee],
         /// Window minus bar, across.
@@ -147,7 +147,7 @@ parameters! {
     /// The motor mount that slides on an arm pair, and where the motor sits.
     pub struct MotorMountParameters in "motor_mount" {
         /// From the hub axis to the motor axis, along the diagonal.
-        motor_position_mm: 30.0..=140.0 => [MotorMount],
+        motor_position_mm: 30.0..=140.0 => [],
         /// Outer diameter of the slide rings.
         motor_ring_diameter_mm: 4.5..=9.0 => [MotorMount],
         /// Width of the slide rings along the rods.
@@ -179,7 +179,7 @@ parameters! {
         /// Diameter of the propellers; the bought propeller's unless stated.
         propeller_diameter_mm: 30.0..=160.0 => [],
         /// From the plate's top to the propeller's mid plane.
-        propeller_height_mm: 6.0..=30.0 => [MotorMount],
+        propeller_height_mm: 6.0..=30.0 => [],
     }
 }
 
@@ -187,19 +187,19 @@ parameters! {
     /// The rigid plate that eight plugs are pressed into.
     pub struct HubParameters in "hub" {
         /// Distance from the hub axis to the mouth of the plug bores, along the diagonal.
-        hub_mouth_mm: 18.0..=40.0 => [Hub],
+        hub_mouth_mm: 18.0..=40.0 => [Knee, Hub],
         /// Thickness of the plate.
         hub_plate_thickness_mm: 2.5..=6.0 => [Hub],
         /// Wall around a plug bore; fixes the hub height.
         hub_boss_wall_mm: 0.8..=2.5 => [Hub],
         /// Wall between plug bore and the outer flank; fixes the tie radius.
-        hub_tie_wall_mm: 1.2..=3.5 => [Hub],
+        hub_tie_wall_mm: 1.2..=3.5 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Plate left behind a plug bore (plate edge between two arms of a pair).
         hub_back_wall_mm: 0.8..=3.0 => [Hub],
         /// Rounding of the bosses and the plate edge.
         hub_edge_radius_mm: 0.5..=2.0 => [Hub],
         /// Radius of the ring around a tie hole, in hub, carrier and bracket.
-        tie_ring_radius_mm: 2.5..=5.0 => [Hub],
+        tie_ring_radius_mm: 2.5..=5.0 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
         /// Diameter of the four tie holes through the hub.
         hub_tie_hole_diameter_mm: 2.0..=4.0 => [Hub],
         /// From the middle of a tie hole inwards to the end of the flat top around it.
@@ -223,7 +223,7 @@ parameters! {
         /// Thickness of the whole carrier, from the hub's top to the board's underside.
         carrier_thickness_mm: 1.2..=4.0 => [PiCarrier],
         /// Distance of the board's holes left to right, from middle to middle.
-        pi_pattern_across_mm: 20.0..=49.0 => [PiCarrier],
+        pi_pattern_across_mm: 20.0..=49.0 => [PiCarrier, CameraConnectorLeft, CameraConnectorRight],
         /// Distance of the board's holes front to rear, from middle to middle.
         pi_pattern_along_mm: 50.0..=58.0 => [PiCarrier],
         /// Diameter of the carrier's holes under the board's.
@@ -263,11 +263,11 @@ parameters! {
     /// The battery tube under the bracket, with the tray of the flow sensor.
     pub struct SleeveParameters in "sleeve" {
         /// Thickness of the left and right wall of sleeve and lid.
-        sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve],
+        sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve, BatteryLid],
         /// Thickness of the top and bottom wall of sleeve and lid.
-        sleeve_top_wall_mm: 0.8..=3.0 => [BatterySleeve],
+        sleeve_top_wall_mm: 0.8..=3.0 => [BatterySleeve, BatteryLid],
         /// Rounding of the sleeve's and the lid's long outer edges.
-        sleeve_edge_radius_mm: 0.0..=2.0 => [BatterySleeve],
+        sleeve_edge_radius_mm: 0.0..=2.0 => [BatterySleeve, BatteryLid],
         /// Chamfer inside the sleeve's rear rim, where the battery enters.
         sleeve_lead_in_mm: 0.0..=0.9 => [BatterySleeve],
         /// Height above the sleeve's top of the two ribs between which the bracket's base is glued.
@@ -315,41 +315,41 @@ parameters! {
         /// From the bracket's underside up to the connector's channel.
         bracket_floor_mm: 0.8..=2.0 => [BatteryBracket, BatteryLid],
         /// From the connector's channel out to the bracket's side, each side.
-        bracket_side_wall_mm: 1.0..=2.5 => [BatteryBracket, BatteryLid],
+        bracket_side_wall_mm: 1.0..=2.5 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Thickness of the base between the two uprights.
-        bracket_base_mm: 2.0..=5.0 => [BatteryBracket, BatteryLid],
+        bracket_base_mm: 2.0..=5.0 => [BatteryBracket],
         /// From the base's top up to the top of the uprights: room for the electronics under the hub.
-        bay_height_mm: 14.0..=45.0 => [BatteryBracket, BatteryLid],
+        bay_height_mm: 14.0..=45.0 => [BatteryBracket],
         /// From the top of the connector's channel up to the magnet's pocket.
         bracket_wall_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
         /// From the top of the magnet's pocket up to the bottom of the tie hole.
-        bracket_roof_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
+        bracket_roof_mm: 1.2..=3.0 => [BatteryBracket],
         /// Diameter of the tie holes down into the uprights.
-        tie_hole_diameter_mm: 2.5..=5.0 => [BatteryBracket, BatteryLid],
+        tie_hole_diameter_mm: 2.5..=5.0 => [BatteryBracket],
         /// From the top of the uprights down to the bottom of the tie holes.
-        tie_hole_depth_mm: 4.0..=10.0 => [BatteryBracket, BatteryLid],
+        tie_hole_depth_mm: 4.0..=10.0 => [BatteryBracket],
         /// Width of the slots through which the ties leave the uprights.
-        tie_slot_width_mm: 2.0..=4.5 => [BatteryBracket, BatteryLid],
+        tie_slot_width_mm: 2.0..=4.5 => [BatteryBracket],
         /// Height of those slots, from the bottom of the tie hole up.
-        tie_slot_height_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],
+        tie_slot_height_mm: 1.2..=3.0 => [BatteryBracket],
         /// Fillet between the base's top and the rear upright.
-        bracket_fillet_mm: 0.5..=4.0 => [BatteryBracket, BatteryLid],
+        bracket_fillet_mm: 0.5..=4.0 => [BatteryBracket],
         /// Diameter of the wire holes through the uprights.
-        wire_hole_diameter_mm: 1.5..=4.0 => [BatteryBracket, BatteryLid],
+        wire_hole_diameter_mm: 1.5..=4.0 => [BatteryBracket],
         /// Distance of the wire holes left to right, from middle to middle.
-        wire_hole_pitch_across_mm: 4.5..=8.0 => [BatteryBracket, BatteryLid],
+        wire_hole_pitch_across_mm: 4.5..=8.0 => [BatteryBracket],
         /// Distance of the rows of wire holes up and down, from middle to middle.
-        wire_hole_pitch_up_mm: 4.0..=8.0 => [BatteryBracket, BatteryLid],
+        wire_hole_pitch_up_mm: 4.0..=8.0 => [BatteryBracket],
         /// Width of the power connector's channel; the bought connector's and its room unless stated.
-        connector_width_mm: 9.0..=20.0 => [BatteryBracket, BatteryLid],
+        connector_width_mm: 9.0..=20.0 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Height of the power connector's channel; the bought connector's and its room unless stated.
         connector_height_mm: 5.0..=10.0 => [BatteryBracket, BatteryLid],
         /// How much of the connector's two left corners is cut off, along both edges; they code its polarity.
         connector_chamfer_mm: 0.0..=3.0 => [BatteryBracket, BatteryLid],
         /// How much smaller than the channel the lid's hole for the connector's nose is, each side.
-        connector_step_mm: 0.0..=1.5 => [BatteryBracket, BatteryLid],
+        connector_step_mm: 0.0..=1.5 => [BatteryLid],
         /// Length of each magnet, left to right; the bought magnet's unless stated.
-        magnet_length_mm: 4.0..=20.0 => [BatteryBracket, BatteryLid],
+        magnet_length_mm: 4.0..=20.0 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Height of each magnet as it stands in its pocket; the bought magnet's width unless stated.
         magnet_width_mm: 3.0..=10.0 => [BatteryBracket, BatteryLid],
         /// Thickness of each magnet, front to rear: depth of the bracket's pocket.
@@ -357,11 +357,11 @@ parameters! {
         /// Length and height of the magnets' pockets minus the magnet's, both sides together.
         magnet_clearance_mm: 0.0..=0.4 => [BatteryBracket, BatteryLid],
         /// Least wall beside the magnets' pockets, and above the lid's.
-        magnet_wall_mm: 1.0..=3.0 => [BatteryBracket, BatteryLid],
+        magnet_wall_mm: 1.0..=3.0 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// From the bracket's magnet back to the lid's when the lid is closed.
-        magnet_gap_mm: 0.1..=1.5 => [BatteryBracket, BatteryLid],
+        magnet_gap_mm: 0.1..=1.5 => [BatteryLid],
         /// From the hub's underside down to the top of the bracket's uprights.
-        stack_z_offset_mm: 0.0..=0.6 => [BatteryBracket, BatteryLid],
+        stack_z_offset_mm: 0.0..=0.6 => [],
     }
 }
 
@@ -369,9 +369,9 @@ parameters! {
     /// The lid that stays on the battery: the cartridge's rim, connector and magnet.
     pub struct LidParameters in "lid" {
         /// From the rim plane to the front face of the lid block.
-        lid_reach_mm: 8.0..=25.0 => [BatteryLid],
+        lid_reach_mm: 8.0..=25.0 => [BatterySleeve, BatteryLid],
         /// From the bracket's rear face back to the lid's block when the lid is closed.
-        lid_clearance_mm: 0.1..=0.6 => [BatteryLid],
+        lid_clearance_mm: 0.1..=0.6 => [BatterySleeve, BatteryLid],
         /// From the bracket's underside down to the lid's deck that slides under it.
         lid_slide_clearance_mm: 0.05..=0.4 => [BatteryLid],
         /// From the front to the rear face of the block that carries the connector.

@@ -17,7 +17,7 @@ pub struct Parameter {
     pub max: f64,
     /// What it is.
     pub doc: &'static str,
-    /// Printed parts whose shape follows it.
+    /// Printed parts whose shape as printed follows it; how they fold and where they sit does not count.
     pub drives: &'static [PartName],
 }
 

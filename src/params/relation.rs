@@ -70,6 +70,13 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "the room beside the motor plate",
         "raise arm_pitch_mm or lower motor_plate_diameter_mm",
     )?;
+    at_least(
+        joint.hub_leg_mouth_mm - joint.hub_leg_socket_depth_mm - joint.hub_leg_root_mm,
+        0.5,
+        "hub_joint.hub_leg_mouth_mm",
+        "the gap between the leg's root and the hub",
+        "raise hub_leg_mouth_mm, or lower hub_leg_socket_depth_mm or hub_leg_root_mm",
+    )?;
     motor_holes(frame)?;
     centre(frame)?;
     let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
@@ -155,6 +162,13 @@ fn centre(frame: &Frame) -> Result<(), Broken> {
         "pi_carrier.pi_pattern_along_mm",
         "the reach of the computer's holes",
         "choose a computer with a longer hole pattern or lower arm_pitch_mm: its holes would lie inside the carrier's bars",
+    )?;
+    at_least(
+        hub.tie_ring_radius_mm * std::f64::consts::SQRT_2 - carrier.carrier_bar_width_mm,
+        0.05,
+        "pi_carrier.carrier_bar_width_mm",
+        "what the tie rings reach beyond the carrier's bars",
+        "lower carrier_bar_width_mm or raise tie_ring_radius_mm: the bars' edges would pass the rings",
     )?;
     at_least(
         tie_radius + hub.tie_ring_radius_mm - 0.3 - 0.5 * carrier.carrier_strut_width_mm,

@@ -10,6 +10,9 @@ use crate::params::Frame;
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
 
+/// Lugs of a side that are nearer to each other are one, mm.
+const LEAST_LUG_GAP_MM: f64 = 1.0;
+
 /// The sleeve of a frame.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {
     Sleeve { frame, centre }.feature()
@@ -82,12 +85,16 @@ impl Sleeve<'_> {
         lug.extend(arc([at, half + r], r, 270.0, 180.0));
         lug.push(sharp(w - 0.4, half + r));
         let lug: Vec<Corner> = lug.into_iter().map(|([x, z], r)| ([x, z - s.lug_drop_mm], r)).collect();
-        [s.lug_rear_mm, length - s.lug_front_mm]
-            .into_iter()
-            .flat_map(|y| {
-                [lug.clone(), mirrored(&lug)].map(|corners| along_y(face(&corners), [y - 0.5 * s.lug_width_mm, y + 0.5 * s.lug_width_mm]))
-            })
-            .collect()
+        self.lug_spans(length).into_iter().flat_map(|y| [lug.clone(), mirrored(&lug)].map(|corners| along_y(face(&corners), y))).collect()
+    }
+
+    /// Where the lugs of a side lie along y; two that would meet are one.
+    fn lug_spans(&self, length: f64) -> Vec<[f64; 2]> {
+        let s = &self.frame.sleeve;
+        let span = |y: f64| [y - 0.5 * s.lug_width_mm, y + 0.5 * s.lug_width_mm];
+        let (rear, front) = (span(s.lug_rear_mm), span(length - s.lug_front_mm));
+        let apart = (front[0] - rear[1]).max(rear[0] - front[1]);
+        if apart > LEAST_LUG_GAP_MM { vec![rear, front] } else { vec![[rear[0].min(front[0]), rear[1].max(front[1])]] }
     }
 
     /// Lower and upper face of the tray.

@@ -88,8 +88,9 @@ impl HubJoint {
         let arch = self.arch();
         let y = 0.5 * self.arm_pitch_mm;
         let arm = Feature::cylinder_between(Point3::new(-self.plug_length_mm, y, 0.0), Point3::new(self.arm_depth_mm, y, 0.0), r);
-        let middle = 0.5 * (self.leg_bottom_mm() + self.leg_back_mm());
-        let leg = Feature::cylinder_between(Point3::new(middle, 0.0, 0.0), Point3::new(self.leg_mouth_mm, 0.0, 0.0), r);
+        // Behind the bore, and inside the root, which ends at the arch's outer circle.
+        let start = (0.5 * (self.leg_bottom_mm() + self.leg_back_mm())).min(arch.centre_mm + arch.outer_mm - PAST_MM);
+        let leg = Feature::cylinder_between(Point3::new(start, 0.0, 0.0), Point3::new(self.leg_mouth_mm, 0.0, 0.0), r);
         let body = Feature::union([
             with_mirror(arm, Vector3::y()),
             with_mirror(self.cheek(&arch), Vector3::y()),

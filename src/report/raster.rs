@@ -1,4 +1,4 @@
-//! Filling triangles into pixels: a depth buffer, nine samples to a pixel, bands of rows drawn side by side.
+//! Filling triangles into pixels: a depth buffer, four samples to a pixel, bands of rows drawn side by side.
 //!
 //! Corners are rounded to 1/256 of a sample, and which samples a triangle covers is decided in whole numbers, so
 //! neighbours that share an edge cover each sample once. Bands do not touch each other, so the bytes do not depend on
@@ -9,7 +9,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 /// Samples to a pixel along each axis.
-const SAMPLES: usize = 3;
+const SAMPLES: usize = 2;
 
 /// Rows of pixels to a band.
 const BAND_ROWS: usize = 16;

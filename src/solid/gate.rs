@@ -42,6 +42,26 @@ pub enum GateError {
     /// Facets cross each other.
     #[error("facets cross each other")]
     SelfIntersecting,
+    /// The two kernels have not made the same solid.
+    #[error("the mesh encloses {volume_mm3:.3} mm³, the B-rep {exact_mm3:.3} mm³: an outline crosses itself")]
+    Kernels {
+        /// Volume of the mesh.
+        volume_mm3: f64,
+        /// Volume of the B-rep.
+        exact_mm3: f64,
+    },
+}
+
+/// How far the volumes of the two kernels may be apart, as a share: chords take 0.3 % of a round solid, and more of what
+/// a plate leaves between its holes.
+const KERNELS_AGREE: f64 = 0.01;
+
+/// Lets a volume pass that both kernels have found.
+///
+/// # Errors
+/// When they differ by more than chords explain.
+pub fn agree(volume_mm3: f64, exact_mm3: f64) -> Result<(), GateError> {
+    if (volume_mm3 / exact_mm3 - 1.0).abs() < KERNELS_AGREE { Ok(()) } else { Err(GateError::Kernels { volume_mm3, exact_mm3 }) }
 }
 
 /// What the gate saw in a mesh that passed.
@@ -132,6 +152,13 @@ mod tests {
     #[test]
     fn analytic_a_cube_passes_with_the_euler_number_of_a_ball() {
         assert_eq!(pass(&cube()), Ok(Topology { bodies: 1, euler: 2 }));
+    }
+
+    #[test]
+    fn planted_kernels_that_differ_are_found() {
+        assert_eq!(agree(1000.0, 1003.0), Ok(()));
+        assert!(matches!(agree(1000.0, 1020.0), Err(GateError::Kernels { .. })));
+        assert!(matches!(agree(1000.0, f64::NAN), Err(GateError::Kernels { .. })));
     }
 
     #[test]

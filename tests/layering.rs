@@ -1,0 +1,183 @@
+//! Imports go one way, and what touches the outside stays where it belongs.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Each layer and those that it may import; a layer stands below every layer that names it.
+const LAYERS: [(&str, &[&str]); 11] = [
+    ("units", &[]),
+    ("figures", &[]),
+    ("params", &["figures"]),
+    ("skeleton", &["units", "figures", "params"]),
+    ("solid", &["units"]),
+    ("parts", &["units", "params", "solid"]),
+    ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
+    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly"]),
+    ("export", &["params", "skeleton", "solid", "assembly"]),
+    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export"]),
+    ("cli", &["params", "assembly", "checks", "export", "report"]),
+];
+
+/// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
+const CONFINED: [(&str, &str); 22] = [
+    ("manifold_rust", "solid"),
+    ("truck_", "solid"),
+    ("stl_io", "export"),
+    ("gltf::", "export"),
+    ("sha2", "export"),
+    ("png::", "report"),
+    ("miette", "params"),
+    ("toml::", "params"),
+    ("read_to_string", "params"),
+    ("clap", "cli"),
+    ("println!", "cli"),
+    ("print!", "cli"),
+    ("dbg!", "cli"),
+    ("stdout()", "cli"),
+    ("stderr()", "cli"),
+    ("fs::write", "cli"),
+    ("File::create", "cli"),
+    ("OpenOptions", "cli"),
+    ("create_dir", "cli"),
+    ("fs::rename", "cli"),
+    ("fs::remove", "cli"),
+    ("process::exit", "cli"),
+];
+
+/// What makes a file differ from run to run.
+const NOWHERE: [&str; 4] = ["HashMap", "HashSet", "SystemTime", "rand::"];
+
+/// A line of the sources.
+struct Line<'a> {
+    layer: &'a str,
+    place: String,
+    /// Without its comment.
+    code: &'a str,
+}
+
+/// The layer of a path below `src`; `None` for the two roots.
+fn layer_of(path: &str) -> Option<&str> {
+    let layer = path.split('/').next().unwrap_or(path).trim_end_matches(".rs");
+    (layer != "lib" && layer != "main").then_some(layer)
+}
+
+fn lines<'a>(path: &'a str, text: &'a str) -> Vec<Line<'a>> {
+    let Some(layer) = layer_of(path) else { return Vec::new() };
+    let numbered = text.lines().enumerate();
+    numbered
+        .map(|(at, line)| Line { layer, place: format!("src/{path}:{}", at + 1), code: line.split("//").next().unwrap_or_default() })
+        .collect()
+}
+
+/// The layers that a line of code names: `crate::x`, `crate::{x, y::z}`, and `super::x` where x is a layer.
+fn imported(code: &str) -> Vec<&str> {
+    let name = |text: &'_ str| text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+    let mut found = Vec::new();
+    for (root, _) in code.match_indices("crate::") {
+        let rest = &code[root + "crate::".len()..];
+        match rest.strip_prefix('{') {
+            Some(list) => found.extend(list.trim_end_matches([';', '}']).split(',').map(|entry| {
+                let entry = entry.trim();
+                &entry[..name(entry)]
+            })),
+            None => found.push(&rest[..name(rest)]),
+        }
+    }
+    for (at, _) in code.match_indices("super::") {
+        let rest = &code[at + "super::".len()..];
+        found.extend(LAYERS.iter().map(|(layer, _)| *layer).filter(|layer| &rest[..name(rest)] == *layer));
+    }
+    found
+}
+
+/// What is wrong with a line, in words.
+fn faults(line: &Line) -> Vec<String> {
+    let Line { layer, place, code } = line;
+    let Some((_, allowed)) = LAYERS.iter().find(|(name, _)| name == layer) else {
+        return vec![format!("{place}: `{layer}` is no layer: add it to tests/layering.rs")];
+    };
+    let mut faults = Vec::new();
+    for name in imported(code).into_iter().filter(|name| name != layer && !allowed.contains(name)) {
+        faults.push(format!("{place}: {layer} may not import {name}"));
+    }
+    for (word, home) in CONFINED.iter().filter(|(word, home)| code.contains(word) && home != layer) {
+        faults.push(format!("{place}: `{word}` belongs to {home}, this is {layer}"));
+    }
+    faults.extend(NOWHERE.iter().filter(|word| code.contains(**word)).map(|word| format!("{place}: `{word}` changes from run to run")));
+    faults
+}
+
+/// Every source file, by its path below `src`.
+fn sources() -> BTreeMap<String, String> {
+    fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
+        for entry in fs::read_dir(folder).expect("src can be read") {
+            let path = entry.expect("src can be read").path();
+            if path.is_dir() {
+                walk(&path, found);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                found.push(path);
+            }
+        }
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut paths = Vec::new();
+    walk(&root, &mut paths);
+    let named = |path: PathBuf| {
+        let below = path.strip_prefix(&root).expect("is below src").to_string_lossy().replace('\\', "/");
+        (below, fs::read_to_string(&path).expect("is text"))
+    };
+    paths.into_iter().map(named).collect()
+}
+
+#[test]
+fn analytic_no_line_imports_upwards() {
+    let sources = sources();
+    assert!(sources.len() > 60, "only {} files were found", sources.len());
+    let faults: Vec<String> = sources.iter().flat_map(|(path, text)| lines(path, text)).flat_map(|line| faults(&line)).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn analytic_the_order_has_no_circle() {
+    for (at, (layer, allowed)) in LAYERS.iter().enumerate() {
+        for below in *allowed {
+            let place = LAYERS.iter().position(|(name, _)| name == below);
+            assert!(place.is_some_and(|place| place < at), "{layer} imports {below}, which does not stand before it");
+        }
+    }
+}
+
+#[test]
+fn analytic_every_permission_is_used() {
+    let sources = sources();
+    let used: Vec<(&str, &str)> = sources
+        .iter()
+        .flat_map(|(path, text)| lines(path, text))
+        .flat_map(|line| imported(line.code).into_iter().map(move |name| (line.layer, name)))
+        .collect();
+    let permissions = LAYERS.iter().flat_map(|(layer, allowed)| allowed.iter().map(|below| (*layer, *below)));
+    let idle: Vec<_> = permissions.filter(|permission| !used.contains(permission)).collect();
+    assert!(idle.is_empty(), "strike the permissions that nothing needs: {idle:?}");
+}
+
+#[test]
+fn planted_upward_and_outside_lines_are_found() {
+    let found = |path: &str, code: &str| lines(path, code).iter().flat_map(faults).count();
+    for (path, code) in [
+        ("params/frame.rs", "use crate::skeleton::Skeleton;"),
+        ("units.rs", "    let a = crate::params::frame::value();"),
+        ("solid/mesh.rs", "use crate::{units::Angle, parts::Hub};"),
+        ("skeleton/graph.rs", "use super::super::assembly::Design;"),
+        ("export/stl.rs", "use crate::cli::output;"),
+        ("checks/wall.rs", "use manifold_rust::manifold::Manifold;"),
+        ("parts/hub.rs", "    println!(\"hub\");"),
+        ("report/picture.rs", "std::fs::write(path, bytes)?;"),
+        ("assembly/mass.rs", "use std::collections::HashMap;"),
+        ("helpers/more.rs", "use crate::units::Angle;"),
+    ] {
+        assert_eq!(found(path, code), 1, "{path}: {code}");
+    }
+    assert_eq!(found("report/scene.rs", "use crate::assembly::Design; // not crate::cli"), 0);
+    assert_eq!(found("cli/terminal.rs", "println!(\"data\");"), 0);
+}
