@@ -196,11 +196,12 @@ struct Here<'a> {
 }
 
 impl Here<'_> {
-    /// The file beside this one that a base's name means; a name without ending never means this file itself.
+    /// The file beside this one that a base's name means; a preset's name never means this file itself.
     fn beside(&self, base: &str) -> Option<PathBuf> {
         let whole = base.ends_with(".toml");
         let path = self.folder.join(if whole { base.to_string() } else { format!("{base}.toml") });
-        (path.is_file() && (whole || path.display().to_string() != self.file)).then_some(path)
+        let preset = !whole && preset::text(base).is_some() && path.display().to_string() == self.file;
+        (path.is_file() && !preset).then_some(path)
     }
 }
 
