@@ -222,7 +222,7 @@ impl Frame {
             bought,
             extras: extras(file)?,
         };
-        super::relation::hold(&frame).map_err(|broken| file.refuse(broken.key, broken.reason))?;
+        super::relation::hold(&frame).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
         Ok(frame)
     }
 }

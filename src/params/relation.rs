@@ -9,7 +9,7 @@ pub(super) struct Broken {
     /// The parameter to change.
     pub key: &'static str,
     /// What is wrong.
-    pub reason: Reason,
+    pub reason: Box<Reason>,
 }
 
 /// Thinnest wall that any part can be made with, mm: below, it is no wall to a slicer with the smallest common nozzle.
@@ -128,7 +128,7 @@ fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str)
     }
     let [value, least] = told_apart(value, least, 2);
     let message = format!("{what} would be {value} mm, it must be at least {least} mm");
-    Err(Broken { key, reason: Reason::Impossible { message, remedy: remedy.into() } })
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy: remedy.into() }) })
 }
 
 /// The motor mount has four screw holes.
@@ -138,7 +138,7 @@ fn motor_holes(frame: &Frame) -> Result<(), Broken> {
         Some(count) if count != 4 => {
             let message = format!("the motor `{}` has {count} screw holes, the motor mount has 4", motor.name);
             let remedy = "choose a motor with four holes; params/bought.toml shows them".into();
-            Err(Broken { key: "bought.motor", reason: Reason::Impossible { message, remedy } })
+            Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
         }
         _ => Ok(()),
     }
