@@ -10,12 +10,15 @@
 //! the hub's axis crosses the plane of the arms.
 
 pub mod assembly;
+pub mod body;
 pub mod checks;
 pub mod cli;
+pub mod effects;
 pub mod export;
 pub mod params;
 pub mod parts;
 pub mod report;
+pub mod sim;
 pub mod skeleton;
 pub mod solid;
 pub mod units;
