@@ -38,20 +38,3 @@ impl Body {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::assembly::mass;
-    use crate::params::Frame;
-
-    #[test]
-    fn measured_the_real_frame_is_241_g_over_10_9_mm() {
-        let (frame, _) = Frame::load("cognifly-v8").expect("a preset");
-        let design = Design::new(frame).expect("closes");
-        let body = Body::of(&design, &mass::table(&design));
-        assert!((body.mass_kg - 0.241).abs() < 1e-4, "{body:?}");
-        assert!((body.gap_m - 0.0109).abs() < 5e-5, "{body:?}");
-        assert!((body.travel_m.expect("a frame has one") - 0.0533).abs() < 5e-4, "{body:?}");
-    }
-}

@@ -24,6 +24,9 @@ pub(super) struct Bars {
     pub groups: Vec<Group>,
 }
 
+/// Where the legend begins, pixels.
+const LEGEND: (i32, i32) = (780, 60);
+
 /// Width of a bar, of a group's 1.
 const WIDTH: f64 = 0.38;
 
@@ -35,7 +38,7 @@ impl Chart for Bars {
             .margin(14)
             .x_label_area_size(44)
             .y_label_area_size(60)
-            .right_y_label_area_size(190)
+            .margin_right(200)
             .build_cartesian_2d(0.0..count, 0.0..106.0_f64)?;
         let across = format!("drop height, m; left bar: {}, right bar: {}", self.sides[0], self.sides[1]);
         let name = |at: &f64| {
@@ -54,7 +57,10 @@ impl Chart for Bars {
                     Rectangle::new([(left, below), (left + WIDTH, below + shares[part])], style)
                 })
             });
-            chart.draw_series(bars)?.label(*title).legend(move |(x, y)| Rectangle::new([(x, y - 6), (x + 14, y + 6)], style));
+            chart.draw_series(bars)?;
+            let (x, y) = (LEGEND.0, LEGEND.1 + 26 * part as i32);
+            area.draw(&Rectangle::new([(x, y), (x + 14, y + 14)], style))?;
+            area.draw(&Text::new(*title, (x + 22, y), TextStyle::from((FONT, 16))))?;
         }
         let centred = TextStyle::from((FONT, 18)).pos(plotters::style::text_anchor::Pos::new(
             plotters::style::text_anchor::HPos::Center,
@@ -62,8 +68,6 @@ impl Chart for Bars {
         ));
         let labels = self.groups.iter().enumerate();
         chart.draw_series(labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, 101.0), centred.clone())))?;
-        let legend = &mut chart.configure_series_labels();
-        legend.position(SeriesLabelPosition::Coordinate(790, 20)).label_font((FONT, 16)).border_style(BLACK.mix(0.3));
-        legend.background_style(WHITE).draw()
+        Ok(())
     }
 }

@@ -1,5 +1,7 @@
 //! The plots of a drop: acceleration and displacement over time, energies, peaks over height.
 
+use plotters::chart::SeriesLabelPosition;
+
 use super::bars::{Bars, Group};
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
@@ -31,7 +33,14 @@ fn acceleration(model: &Model, traces: &[Trace]) -> Lines {
         all.push(series(trace, &trace.sensor_g, 1.0, at, Some(format!("{} m, sensor", trace.height_m))));
     }
     let title = format!("{}: proper acceleration, pale as it is, strong through the sensor", model.name);
-    Lines { title, across: "time from first touch, ms", up: "acceleration, g", series: all, levels: Vec::new() }
+    Lines {
+        title,
+        across: "time from first touch, ms",
+        up: "acceleration, g",
+        series: all,
+        levels: Vec::new(),
+        legend: SeriesLabelPosition::UpperRight,
+    }
 }
 
 fn displacement(model: &Model, traces: &[Trace]) -> Lines {
@@ -43,6 +52,7 @@ fn displacement(model: &Model, traces: &[Trace]) -> Lines {
         up: "compression, mm",
         series: traces.iter().enumerate().map(line).collect(),
         levels: vec![(format!("gap, {gap_mm:.1} mm"), gap_mm)],
+        legend: SeriesLabelPosition::UpperRight,
     }
 }
 
@@ -81,5 +91,6 @@ fn peak(model: &Model, traces: &[Trace]) -> Lines {
             line(2, "through the sensor", |trace| trace.peak_sensor_g),
         ],
         levels: Vec::new(),
+        legend: SeriesLabelPosition::UpperLeft,
     }
 }

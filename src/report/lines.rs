@@ -30,6 +30,8 @@ pub(super) struct Lines {
     pub series: Vec<Series>,
     /// Level lines, with what they mean.
     pub levels: Vec<(String, f64)>,
+    /// Where no line is: the legend goes there.
+    pub legend: SeriesLabelPosition,
 }
 
 /// Least and largest, with a little room above and below, and never nothing between.
@@ -72,11 +74,7 @@ impl Chart for Lines {
             }
         }
         let legend = &mut chart.configure_series_labels();
-        legend
-            .position(SeriesLabelPosition::UpperRight)
-            .label_font((FONT, 16))
-            .background_style(WHITE.mix(0.85))
-            .border_style(BLACK.mix(0.3));
+        legend.position(self.legend.clone()).label_font((FONT, 16)).background_style(WHITE.mix(0.85)).border_style(BLACK.mix(0.3));
         legend.draw()
     }
 }

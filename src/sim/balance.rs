@@ -79,7 +79,7 @@ impl Balance {
             dissipated_j: terms.iter().map(|term| term.dissipated_j).sum(),
             kinetic_j: if collides { 0.0 } else { motion_j },
             collision_j: if collides { motion_j } else { 0.0 },
-            air_j: fallen_j - 0.5 * mass_kg * impact_m_s * impact_m_s,
+            air_j: if fall.drag_1_m == 0.0 { 0.0 } else { fallen_j - 0.5 * mass_kg * impact_m_s * impact_m_s },
             terms,
         }
     }

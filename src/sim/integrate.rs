@@ -115,9 +115,9 @@ pub(super) fn integrate<const N: usize>(
 /// Error of a step over what is allowed; infinite when it is no number.
 fn error<const N: usize>(step: &Step<N>, core: usize, tolerance: f64) -> f64 {
     let mut worst: f64 = 0.0;
-    for i in 0..core {
+    for (i, error) in step.error().iter().enumerate().take(core) {
         let size = SIZES[i.min(SIZES.len() - 1)] + step.from[i].abs().max(step.to[i].abs());
-        let ratio = step.error(i).abs() / (tolerance * size);
+        let ratio = error.abs() / (tolerance * size);
         worst = if ratio.is_nan() { f64::INFINITY } else { worst.max(ratio) };
         if worst == f64::INFINITY {
             break;
