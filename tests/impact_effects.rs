@@ -99,13 +99,16 @@ fn analytic_linear_damped_spring() {
     assert!((K * position(release_s) + C * slope(release_s)).abs() < 1e-5);
 }
 
+/// Energy that an effect has stored at a compression, J.
+type Stored = fn(f64) -> f64;
+
 #[test]
 fn analytic_springs_turn_where_energy_says() {
     let undamped = |effects: &[(&str, &[f64])]| {
         let model = effects.iter().fold(base(), |model, (id, values)| model.with(by_id(id).expect("known"), values, 0));
         model.with(by_id("linear_damper").expect("known"), &[0.0], 0)
     };
-    let cases: [(&str, &[f64], fn(f64) -> f64); 4] = [
+    let cases: [(&str, &[f64], Stored); 4] = [
         ("bottoming", &[9.0, 1e6, 0.0], |x| 0.4 * 1e6 * (x - 0.009_f64).max(0.0).powf(2.5)),
         ("cubic_stiffness", &[3e7], |x| 0.25 * 3e7 * x.powi(4)),
         ("bilinear_stiffness", &[8.0, 2e4], |x| 0.5 * 2e4 * (x - 0.008_f64).max(0.0).powi(2)),

@@ -16,9 +16,9 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// For fits: the sensor's output is good to about 0.002 g (docs/decisions/0010-integrator.md).
+    /// For fits: the sensor's output is good to 0.005 g (docs/decisions/0010-integrator.md).
     pub const FIT: Self = Self { duration_s: 0.06, tolerance: 1e-6, fixed_step_s: None };
-    /// For reports: energies balance to 1e-9.
+    /// For reports: energies balance to 1e-8.
     pub const REPORT: Self = Self { duration_s: 0.06, tolerance: 1e-11, fixed_step_s: None };
 }
 

@@ -7,7 +7,11 @@ use super::system::{CORE, System};
 ///
 /// A run that ends early repeats its last reading; the answer says so.
 pub fn wave(system: &System, height_m: f64, step_s: f64, settings: &Settings, out: &mut [f64]) -> Stop {
-    if system.core <= 4 { run::<4>(system, height_m, step_s, settings, out) } else { run::<CORE>(system, height_m, step_s, settings, out) }
+    match system.core {
+        0..=4 => run::<4>(system, height_m, step_s, settings, out),
+        5..=6 => run::<6>(system, height_m, step_s, settings, out),
+        _ => run::<CORE>(system, height_m, step_s, settings, out),
+    }
 }
 
 fn run<const N: usize>(system: &System, height_m: f64, step_s: f64, settings: &Settings, out: &mut [f64]) -> Stop {
