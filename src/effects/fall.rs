@@ -46,7 +46,7 @@ mod tests {
     fn analytic_free_fall_and_its_limit() {
         let free = Fall::default();
         assert!((free.impact_speed_m_s(2.62) - 7.1697).abs() < 1e-4, "262 cm: about 7 m/s");
-        assert!((free.duration_s(2.62) - 0.730_87).abs() < 1e-5);
+        assert!((free.duration_s(2.62) - 0.730_855).abs() < 1e-5);
         let hardly = Fall { drag_1_m: 1e-9, ..free };
         assert!((hardly.impact_speed_m_s(2.0) / free.impact_speed_m_s(2.0) - 1.0).abs() < 1e-8);
         assert!((hardly.duration_s(2.0) / free.duration_s(2.0) - 1.0).abs() < 1e-8);
