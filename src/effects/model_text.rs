@@ -135,7 +135,6 @@ mod tests {
                 text += &format!("{} = {:?}\n", parameter.key, 0.3 * parameter.min + 0.7 * parameter.max);
             }
         }
-        text += "";
         let model = Model::resolve(&ImpactFile::parse("all", &text).expect("TOML")).expect("a model");
         assert_eq!(model.effects.len(), 18);
         let again = Model::resolve(&ImpactFile::parse("all", &model.to_toml()).expect("TOML")).expect("a model");
