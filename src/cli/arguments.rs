@@ -32,6 +32,7 @@ const EXAMPLES: &str = "Examples:
   flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
   flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
   flexframe render cognifly
+  flexframe drop --model paper --height 0.5,1,1.5
   flexframe params --filter arm
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
@@ -45,6 +46,11 @@ pub(super) enum Command {
     /// Hold a frame against its limits; exits 1 when one is violated.
     #[command(after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json")]
     Check(CheckOptions),
+    /// Drop the body of a model, or of a frame, and write peaks, energies and plots.
+    #[command(
+        after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
+    )]
+    Drop(DropOptions),
     /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
@@ -96,6 +102,28 @@ pub(super) struct CheckOptions {
     /// Print every finding, not only the tightest of those that are alike.
     #[arg(long)]
     pub all: bool,
+}
+
+/// Options of `drop`.
+#[derive(Debug, Args)]
+pub(super) struct DropOptions {
+    /// A preset's name or a TOML file: its mass and gap in place of the model's.
+    pub frame: Option<String>,
+    /// Material of the frame's rigid parts instead of the frame file's.
+    #[arg(long, value_name = "MATERIAL", requires = "frame")]
+    pub rigid: Option<String>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file.
+    #[arg(long, default_value = "paper", value_name = "MODEL")]
+    pub model: String,
+    /// Drop heights, m.
+    #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…")]
+    pub height: Vec<f64>,
+    /// With --json: the sensor's output, too, in steps of 0.05 ms for 60 ms.
+    #[arg(long)]
+    pub trace: bool,
+    /// Folder that takes the folder `drop-MODEL`, or `drop-MODEL-FRAME`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
 }
 
 /// Options of `render`.
