@@ -5,6 +5,7 @@ use super::model::{Listed, Model};
 use super::sensor::{Channel, Sensor};
 use super::{BASE, CATALOGUE};
 use crate::body::{Body, Origin};
+use crate::params::frame_file::Value;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
 
@@ -33,6 +34,12 @@ fn specs() -> impl Iterator<Item = &'static Spec> {
     BASE.into_iter().chain(CATALOGUE)
 }
 
+/// Whether the file has the effect's table with nothing in it.
+fn is_empty_table(file: &ImpactFile, spec: &Spec) -> bool {
+    let entry = file.entries.get(&format!("effects.{}", spec.id));
+    entry.is_some_and(|entry| matches!(&entry.value, Value::Other(toml::Value::Table(_))))
+}
+
 /// The keys that an effect's table may hold.
 fn keys(spec: &Spec) -> impl Iterator<Item = String> {
     let keys = spec.parameters.iter().map(|parameter| parameter.key).chain(spec.choice.map(|choice| choice.key));
@@ -54,7 +61,9 @@ impl Model {
     /// What it says that cannot be, with its place.
     pub fn resolve(file: &ImpactFile) -> Result<Self, Refusal> {
         let plain = [&MASS, &GAP, &CUTOFF, &ORDER, &LIMIT].map(|plain| plain.key.to_string());
-        let known: Vec<String> = plain.into_iter().chain([CHANNEL.into(), "description".into()]).chain(specs().flat_map(keys)).collect();
+        let empty = specs().filter(|spec| is_empty_table(file, spec)).map(|spec| format!("effects.{}", spec.id));
+        let words = [CHANNEL.to_string(), "description".into()];
+        let known: Vec<String> = plain.into_iter().chain(words).chain(specs().flat_map(keys)).chain(empty).collect();
         file.only(&known, &specs().map(|spec| spec.id).collect::<Vec<_>>())?;
         let order = ORDER.stated(file)?;
         if order.fract() != 0.0 {
@@ -71,7 +80,8 @@ impl Model {
         let body = Body { mass_kg: MASS.stated(file)?, gap_m: GAP.stated(file)? * 1e-3, travel_m: None, origin };
         let mut effects = Vec::new();
         for spec in specs() {
-            if BASE.iter().any(|base| base.id == spec.id) || keys(spec).any(|key| file.entries.contains_key(&key)) {
+            let listed_empty = is_empty_table(file, spec);
+            if listed_empty || BASE.iter().any(|base| base.id == spec.id) || keys(spec).any(|key| file.entries.contains_key(&key)) {
                 effects.push(listed(file, spec)?);
             }
         }
@@ -156,6 +166,7 @@ mod tests {
             (paper.clone() + "[effects.wind]\nspeed = 1.0\n", "there is no effect called `wind`"),
             (paper.clone() + "[effects.bottoming]\nx_b_mm = 16.0\n", "`effects.bottoming.k_b` is not stated"),
             (paper.clone() + "[effects.bottoming]\nx_b = 16.0\n", "unknown key `effects.bottoming.x_b`"),
+            (paper.clone() + "[effects.cubic_stiffness]\n", "`effects.cubic_stiffness.k3` is not stated"),
             (paper.clone() + "[", "this is not TOML"),
         ];
         for (text, says) in cases {
