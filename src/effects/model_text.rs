@@ -5,7 +5,6 @@ use super::model::{Listed, Model};
 use super::sensor::{Channel, Sensor};
 use super::{BASE, CATALOGUE};
 use crate::body::{Body, Origin};
-use crate::params::frame_file::Value;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
 
@@ -37,7 +36,7 @@ fn specs() -> impl Iterator<Item = &'static Spec> {
 /// Whether the file has the effect's table with nothing in it.
 fn is_empty_table(file: &ImpactFile, spec: &Spec) -> bool {
     let entry = file.entries.get(&format!("effects.{}", spec.id));
-    entry.is_some_and(|entry| matches!(&entry.value, Value::Other(toml::Value::Table(_))))
+    entry.is_some_and(|entry| entry.value.is_table())
 }
 
 /// The keys that an effect's table may hold.

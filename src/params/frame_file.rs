@@ -68,6 +68,11 @@ pub enum Value {
 }
 
 impl Value {
+    /// Whether it is a table; only one with nothing in it is kept as a value.
+    pub fn is_table(&self) -> bool {
+        matches!(self, Self::Other(toml::Value::Table(_)))
+    }
+
     /// In TOML's own form.
     pub fn to_toml(&self) -> toml::Value {
         match self {
