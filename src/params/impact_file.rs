@@ -93,6 +93,38 @@ impl ImpactFile {
         self.number(key, bounds, unit)?.ok_or_else(missing)
     }
 
+    /// A list of numbers that has to be stated, each within bounds.
+    ///
+    /// # Errors
+    /// When it is missing, no such list, empty, or holds a number outside.
+    pub fn numbers(&self, key: &str, bounds: [f64; 2], unit: &str) -> Result<Vec<f64>, Refusal> {
+        let [min, max] = bounds;
+        let expected = || format!("a list of numbers from {min} to {max} {unit}");
+        let Some(entry) = self.entries.get(key) else {
+            let remedy = format!("state it: {}", expected());
+            return Err(self.refuse(key, Reason::Impossible { message: format!("`{key}` is not stated"), remedy }));
+        };
+        let number = |value: &toml::Value| value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64));
+        let list = match &entry.value {
+            Value::Other(toml::Value::Array(list)) if !list.is_empty() => list.iter().map(number).collect::<Option<Vec<f64>>>(),
+            _ => None,
+        };
+        match list {
+            Some(list) => match list.iter().find(|value| !(min..=max).contains(*value)) {
+                Some(value) => Err(self.refuse(key, Reason::OutOfBounds { key: key.into(), value: *value, min, max, unit: unit.into() })),
+                None => Ok(list),
+            },
+            None => Err(self.refuse(key, Reason::WrongType { key: key.into(), found: entry.value.kind().into(), expected: expected() })),
+        }
+    }
+
+    /// The same file with those keys alone for which the answer is yes.
+    #[must_use]
+    pub fn part(&self, keep: impl Fn(&str) -> bool) -> Self {
+        let entries = self.entries.iter().filter(|(key, _)| keep(key)).map(|(key, entry)| (key.clone(), entry.clone())).collect();
+        Self { entries, ..self.clone() }
+    }
+
     /// The index of a word among those allowed; the first when it is not stated.
     ///
     /// # Errors

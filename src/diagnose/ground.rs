@@ -1,0 +1,45 @@
+//! From drops to mean waves with their scatter: what every question is put to.
+
+use nalgebra::DMatrix;
+
+use super::candidate::Candidate;
+use crate::effects::Model;
+use crate::fit::{Family, Problem, Scatter, Waves, Whitening};
+use crate::sim::System;
+
+/// How often scatter is compared in units of what it was found to be.
+const REFINEMENTS: usize = 3;
+
+/// Mean waves and how they scatter.
+#[derive(Clone, Debug)]
+pub struct Ground {
+    /// Mean waves, whitened by the scatter.
+    pub problem: Problem,
+    /// How records differ.
+    pub scatter: Scatter,
+    /// What that can look like.
+    pub family: Family,
+}
+
+impl Ground {
+    /// Of measured waves. A first fit of the base model, with a scatter of which nothing is known, says what phase and
+    /// parameters of a drop would do to it.
+    pub fn of(waves: &Waves, model: &Model) -> Option<Self> {
+        let scatter = Scatter::of(waves);
+        let plain = scatter.plain_covariances();
+        let problem = Problem::of(waves, Whitening::of(&plain, scatter.counts())?, 0.0);
+        let base = Candidate::base(&problem, model)?;
+        let system = System::new(base.model());
+        let fine = waves.groups.iter().map(|group| problem.expected.fine(&system, group.height_m)).collect::<Option<Vec<_>>>()?;
+        let change = problem.sensitivity(&base.fitted)?;
+        let changes: Vec<DMatrix<f64>> =
+            (0..waves.groups.len()).map(|height| change.rows(height * waves.samples, waves.samples).into_owned()).collect();
+        let mut family = Family::of(waves, &problem.expected, &fine, &changes, &plain)?;
+        for _ in 0..REFINEMENTS {
+            let near = scatter.nearest(&family);
+            family = family.near(&near);
+        }
+        let whitening = Whitening::of(&scatter.covariances(&family)?, scatter.counts())?;
+        Some(Self { problem: Problem { whitening, ..problem }, scatter, family })
+    }
+}

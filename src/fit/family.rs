@@ -1,0 +1,148 @@
+//! What scatter between records can look like: kinds whose amounts the records then tell.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::expected::Expected;
+use super::waves::Waves;
+
+/// Correlation times of coloured scatter, s.
+const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
+/// Most sets tried.
+const ROUNDS: usize = 60;
+/// Keeps kinds apart that are nearly the same.
+const RIDGE: f64 = 1e-9;
+
+/// Kinds of scatter: covariances of one record, a height each.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// Kind by kind, height by height, g².
+    kinds: Vec<Vec<DMatrix<f64>>>,
+    /// The metric in which covariances are compared.
+    metric: Metric,
+}
+
+/// Roots of covariances near the true ones: in their units every part of a covariance is known equally well.
+#[derive(Clone, Debug)]
+struct Metric {
+    inverse_roots: Vec<DMatrix<f64>>,
+    /// Kinds in it, each a column, and their inner products.
+    columns: DMatrix<f64>,
+    gram: DMatrix<f64>,
+}
+
+impl Metric {
+    fn of(kinds: &[Vec<DMatrix<f64>>], near: &[DMatrix<f64>]) -> Option<Self> {
+        let inverse_roots: Vec<DMatrix<f64>> = near.iter().map(inverse_root).collect::<Option<_>>()?;
+        let columns: Vec<DVector<f64>> = kinds.iter().map(|kind| flat(&inverse_roots, kind)).collect();
+        let columns = DMatrix::from_columns(&columns);
+        let gram = columns.transpose() * &columns;
+        Some(Self { inverse_roots, columns, gram })
+    }
+}
+
+/// Inverse of a covariance's lower root; `None` when it is not positive definite.
+pub(super) fn inverse_root(covariance: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let root = covariance.clone().cholesky()?.unpack();
+    root.solve_lower_triangular(&DMatrix::identity(root.nrows(), root.nrows()))
+}
+
+fn flat(inverse_roots: &[DMatrix<f64>], covariances: &[DMatrix<f64>]) -> DVector<f64> {
+    let all = inverse_roots.iter().zip(covariances).flat_map(|(inverse, matrix)| {
+        let white = inverse * matrix * inverse.transpose();
+        white.as_slice().to_vec()
+    });
+    DVector::from_vec(all.collect())
+}
+
+impl Family {
+    /// Kinds for measured waves: the clock's phase (from predicted fine waves), coloured scatter in proportion to the wave
+    /// and to its peak, white noise, and records that differ by a factor or by a parameter (columns of change, a height each).
+    ///
+    /// `near` are covariances to begin with; `None` when one is not positive definite.
+    pub fn of(waves: &Waves, expected: &Expected, fine: &[Vec<f64>], changes: &[DMatrix<f64>], near: &[DMatrix<f64>]) -> Option<Self> {
+        let samples = waves.samples;
+        let groups = || waves.groups.iter();
+        let mut kinds: Vec<Vec<DMatrix<f64>>> = vec![
+            fine.iter().map(|fine| expected.over_phases(fine)).collect(),
+            groups().map(|group| slope(&group.mean)).collect(),
+            groups().map(|_| DMatrix::identity(samples, samples)).collect(),
+            groups().map(|group| outer(&DVector::from_vec(group.mean.clone()))).collect(),
+        ];
+        for change in 0..changes.first().map_or(0, DMatrix::ncols) {
+            kinds.push(changes.iter().map(|columns| outer(&columns.column(change).into_owned())).collect());
+        }
+        for time_s in TIMES_S {
+            let kept = libm::exp(-waves.step_s / time_s);
+            let coloured = |size: &dyn Fn(usize) -> f64| {
+                DMatrix::from_fn(samples, samples, |i, j| size(i) * size(j) * libm::pow(kept, i.abs_diff(j) as f64))
+            };
+            kinds.push(groups().map(|group| coloured(&|i| group.mean[i])).collect());
+            let peak = |group: &super::Group| group.mean.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
+            kinds.push(groups().map(|group| coloured(&|_| peak(group))).collect());
+        }
+        let metric = Metric::of(&kinds, near)?;
+        Some(Self { kinds, metric })
+    }
+
+    /// The same, comparing in units of other covariances.
+    #[must_use]
+    pub fn near(self, near: &[DMatrix<f64>]) -> Self {
+        let metric = Metric::of(&self.kinds, near);
+        Self { metric: metric.unwrap_or(self.metric), kinds: self.kinds }
+    }
+
+    /// The sum of the kinds that is nearest to covariances, no kind less than nothing.
+    pub fn nearest(&self, covariances: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let right = self.metric.columns.transpose() * flat(&self.metric.inverse_roots, covariances);
+        let amounts = not_negative(&self.metric.gram, &right);
+        let sum = |height: usize| self.kinds.iter().zip(amounts.iter()).map(|(kind, amount)| &kind[height] * *amount).sum();
+        (0..covariances.len()).map(sum).collect()
+    }
+}
+
+fn outer(column: &DVector<f64>) -> DMatrix<f64> {
+    column * column.transpose()
+}
+
+/// Scatter of the phase, evenly over one step, where a wave is smooth.
+fn slope(mean: &[f64]) -> DMatrix<f64> {
+    let last = mean.len() - 1;
+    outer(&DVector::from_fn(mean.len(), |i, _| 0.5 * (mean[(i + 1).min(last)] - mean[i.saturating_sub(1)]) / 12f64.sqrt()))
+}
+
+/// Minimises x'Gx/2 - b'x over x ≥ 0: the active sets of C. L. Lawson and R. J. Hanson, *Solving Least Squares Problems*, 23.3.
+fn not_negative(gram: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
+    let sizes = gram.diagonal().map(|square| square.sqrt().max(1e-300));
+    let gram = DMatrix::from_fn(gram.nrows(), gram.ncols(), |i, j| gram[(i, j)] / (sizes[i] * sizes[j]) + if i == j { RIDGE } else { 0.0 });
+    let right = right.component_div(&sizes);
+    let enough = RIDGE * right.amax();
+    let mut x: DVector<f64> = DVector::zeros(right.len());
+    let mut open: Vec<usize> = Vec::new();
+    for _ in 0..ROUNDS {
+        let slope = &right - &gram * &x;
+        let next = (0..x.len()).filter(|i| !open.contains(i) && slope[*i] > enough).max_by(|a, b| slope[*a].total_cmp(&slope[*b]));
+        let Some(next) = next else { break };
+        open.push(next);
+        while let Some(target) = solved(&gram, &right, &open) {
+            let blocked = |(at, i): (usize, &usize)| (target[at] <= 0.0).then(|| x[*i] / (x[*i] - target[at]));
+            let part = open.iter().enumerate().filter_map(blocked).fold(1.0, f64::min);
+            for (at, i) in open.iter().enumerate() {
+                x[*i] += part * (target[at] - x[*i]);
+            }
+            if part >= 1.0 {
+                break;
+            }
+            for i in 0..x.len() {
+                x[i] = if x[i] < 1e-14 { 0.0 } else { x[i] };
+            }
+            open.retain(|i| x[*i] > 0.0);
+        }
+    }
+    x.component_div(&sizes)
+}
+
+/// Minimum over some numbers alone.
+fn solved(gram: &DMatrix<f64>, right: &DVector<f64>, open: &[usize]) -> Option<DVector<f64>> {
+    let small = DMatrix::from_fn(open.len(), open.len(), |i, j| gram[(open[i], open[j])]);
+    Some(small.cholesky()?.solve(&DVector::from_fn(open.len(), |i, _| right[open[i]])))
+}

@@ -1,0 +1,51 @@
+//! Effects that the catalogue does not hold.
+
+/// A truth beyond the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hidden {
+    /// A second spring from `x1_m` on that gives back a part of its force only on the way up.
+    TwoStage {
+        /// Where it begins, m.
+        x1_m: f64,
+        /// Its stiffness, N/m.
+        stiffness_n_m: f64,
+        /// Part of its force that is lost on the way up, 0 to 1.
+        loss: f64,
+    },
+    /// Two payloads on the frame, each on a spring of its own.
+    TwoModes {
+        /// Each one's share of the whole mass.
+        shares: [f64; 2],
+        /// Each one's frequency on a frame that is held, Hz.
+        f_hz: [f64; 2],
+        /// Damping ratio of both.
+        zeta: f64,
+    },
+    /// The spring's stiffness falls in proportion to the drops already made; its mean is that of the model.
+    Wear {
+        /// Fall from the first to the last drop, part of the stiffness.
+        loss: f64,
+    },
+    /// The sensor's mounting rings: a second-order low-pass in front of the sensor's own.
+    Ringing {
+        /// Frequency, Hz.
+        f_hz: f64,
+        /// Damping ratio.
+        zeta: f64,
+    },
+}
+
+impl Hidden {
+    /// Names in plant files.
+    pub const NAMES: [&str; 4] = ["two_stage", "two_modes", "wear", "ringing"];
+
+    /// Its name.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::TwoStage { .. } => Self::NAMES[0],
+            Self::TwoModes { .. } => Self::NAMES[1],
+            Self::Wear { .. } => Self::NAMES[2],
+            Self::Ringing { .. } => Self::NAMES[3],
+        }
+    }
+}
