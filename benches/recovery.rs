@@ -96,7 +96,7 @@ fn diagnosed(plan: &Plan) -> Outcome {
     let from = Instant::now();
     let waves = waves(plan);
     let model = Model::load("paper").expect("the paper's model");
-    let Ground { problem, scatter, family } = Ground::of(&waves, &model).expect("a base fit");
+    let Ground { problem, scatter, family, .. } = Ground::of(&waves, &model).expect("a base fit");
     let setting = Setting { problem: &problem, scatter: &scatter, family: &family, most: 3, seed: 7 };
     let search = Search::run(&setting, &model).expect("a search");
     let seconds = from.elapsed().as_secs_f64();
@@ -104,6 +104,13 @@ fn diagnosed(plan: &Plan) -> Outcome {
     let something = search.levels[0].adequacy.p < RARE;
     let ids = |at: usize| -> Vec<String> { last.candidates[at].ids().into_iter().map(String::from).collect() };
     let weights: Vec<f64> = last.candidates.iter().map(|candidate| libm::exp(0.5 * (last.candidates[0].score - candidate.score))).collect();
+    if std::env::var_os("LOUD").is_some() {
+        for candidate in search.levels[1].candidates.iter().take(6) {
+            let listed: Vec<String> =
+                candidate.model().effects.iter().map(|listed| format!("{} {:.3?}", listed.spec.id, listed.values)).collect();
+            println!("      {:.1} {:.1} {}", candidate.score, candidate.fitted.chi2(), listed.join("; "));
+        }
+    }
     let top = search.levels[1].candidates[0].ids()[0].to_string();
     Outcome {
         first: something.then(|| top.clone()),
@@ -125,6 +132,9 @@ fn main() {
         (from.parse::<u64>().expect("a number"), to.parse::<u64>().expect("a number"))
     });
     let what = option("--what").map_or("singles,nulls", String::as_str);
+    if what.contains("mean") {
+        mean_check();
+    }
     if what.contains("scatter") {
         scatter_check(level, from);
     }
@@ -224,5 +234,25 @@ fn scatter_check(level: usize, seed: u64) {
             white.trace() / 31.0,
             (0..31).map(|i| format!("{:.2}", white[(i, i)])).collect::<Vec<_>>().join(" ")
         );
+    }
+}
+
+/// Many drops of a truth against what that truth predicts for their mean.
+fn mean_check() {
+    let mut truth = plan(2, 7919 + 17);
+    truth.model = truth.model.clone().with(by_id("cubic_stiffness").unwrap(), &[-3773027.503], 0);
+    let model = Model::load("paper").expect("the paper's model");
+    for drops in [20, 20, 20, 3000] {
+        truth.drops = drops;
+        truth.seed += 1;
+        let waves = waves(&truth);
+        let ground = Ground::of(&waves, &model).expect("ground");
+        let residual = ground.problem.residual(&truth.model).unwrap();
+        println!("{drops}: chi2 at truth {:.1}", residual.norm_squared());
+        let raw = ground.problem.measured() - ground.problem.prediction(&truth.model).unwrap();
+        println!("   raw {}", raw.iter().take(31).map(|v| format!("{v:.2}")).collect::<Vec<_>>().join(" "));
+        println!("   white {}", residual.iter().take(31).map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(" "));
+        let fit = ground.problem.fit(Layout::of(truth.model.clone()), 25).unwrap();
+        println!("   fitted {:?} chi2 {:.1}", fit.model().effects.iter().map(|l| l.values[0]).collect::<Vec<_>>(), fit.chi2());
     }
 }

@@ -11,7 +11,7 @@ use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use crate::fit::{Family, Scatter, Whitening};
+use crate::fit::{Family, Scatter, Whitening, inverse};
 
 /// Simulated data sets.
 pub const NULLS: usize = 400;
@@ -113,9 +113,7 @@ fn statistics(deviation: &DVector<f64>, seen: &Seen, whitening: &Whitening) -> O
     let jacobian = whitening.stacked(&seen.jacobian);
     let white = whitening.stacked(&DMatrix::from_column_slice(deviation.len(), 1, deviation.as_slice()));
     let normal = jacobian.transpose() * &jacobian;
-    let scale = normal.diagonal().max();
-    let guarded = &normal + DMatrix::from_diagonal_element(normal.nrows(), normal.ncols(), 1e-10 * scale);
-    let inverse = guarded.cholesky()?.inverse();
+    let inverse = inverse(&normal)?;
     let moved = &inverse * (jacobian.transpose() * &white);
     let ratios = (0..moved.nrows()).map(|i| moved[(i, 0)].abs() / inverse[(i, i)].max(1e-300).sqrt()).collect();
     let left = &white - &jacobian * moved;

@@ -1,10 +1,10 @@
 //! Sets of effects, fitted.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 use super::dictionary::{Dictionary, Start};
 use crate::effects::{BASE, Model};
-use crate::fit::{Fitted, Layout, Problem};
+use crate::fit::{Fitted, Layout, Problem, inverse};
 
 /// What a free parameter has to earn, in the sum of squares.
 pub const PRICE: f64 = 5.0;
@@ -66,10 +66,8 @@ pub struct Promise {
 /// What every start of a dictionary promises, best first.
 pub fn promises(problem: &Problem, fitted: &Fitted, dictionary: &Dictionary) -> Option<Vec<Promise>> {
     let jacobian = &fitted.minimum.jacobian;
-    let scale = (jacobian.transpose() * jacobian).diagonal().max();
-    let normal = jacobian.transpose() * jacobian + DMatrix::from_diagonal_element(jacobian.ncols(), jacobian.ncols(), 1e-10 * scale);
-    let root = normal.cholesky()?;
-    let left = |column: DVector<f64>| &column - jacobian * root.solve(&(jacobian.transpose() * &column));
+    let inverse = inverse(&(jacobian.transpose() * jacobian))?;
+    let left = |column: DVector<f64>| &column - jacobian * (&inverse * (jacobian.transpose() * &column));
     let residual = left(fitted.minimum.residual.clone());
     let whole = residual.norm_squared();
     let mut all: Vec<Promise> = Vec::new();

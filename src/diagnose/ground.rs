@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::candidate::Candidate;
+use super::flat_top::{FlatTop, flat_top};
 use crate::effects::Model;
 use crate::fit::{Family, Problem, Scatter, Waves, Whitening};
 use crate::sim::System;
@@ -19,6 +20,8 @@ pub struct Ground {
     pub scatter: Scatter,
     /// What that can look like.
     pub family: Family,
+    /// A limit that shows in the readings.
+    pub flat_top: Option<FlatTop>,
 }
 
 impl Ground {
@@ -27,7 +30,9 @@ impl Ground {
     pub fn of(waves: &Waves, model: &Model) -> Option<Self> {
         let scatter = Scatter::of(waves);
         let plain = scatter.plain_covariances();
-        let problem = Problem::of(waves, Whitening::of(&plain, scatter.counts())?, 0.0);
+        let flat_top = flat_top(waves);
+        let spread = flat_top.map_or(0.0, |found| found.spread);
+        let problem = Problem::of(waves, Whitening::of(&plain, scatter.counts())?, spread);
         let base = Candidate::base(&problem, model)?;
         let system = System::new(base.model());
         let fine = waves.groups.iter().map(|group| problem.expected.fine(&system, group.height_m)).collect::<Option<Vec<_>>>()?;
@@ -40,6 +45,6 @@ impl Ground {
             family = family.near(&near);
         }
         let whitening = Whitening::of(&scatter.covariances(&family)?, scatter.counts())?;
-        Some(Self { problem: Problem { whitening, ..problem }, scatter, family })
+        Some(Self { problem: Problem { whitening, ..problem }, scatter, family, flat_top })
     }
 }

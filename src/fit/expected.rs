@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::waves::{BEFORE, TRIGGER_G};
+use crate::effects::Model;
 use crate::sim::{Settings, Stop, System, wave};
 
 /// Time between the points of a wave, s.
@@ -29,14 +30,28 @@ pub struct Expected {
 }
 
 impl Expected {
+    /// A model made ready; where single readings scatter, the sensor's limit is left to [`limited_mean`].
+    pub fn system(&self, model: &Model) -> (System, f64) {
+        let mut system = System::new(model);
+        let limit_g = system.arrangement().sensor.limit_g;
+        if self.spread > 0.0 {
+            system.lift_limit();
+        }
+        (system, limit_g)
+    }
+
     /// The mean window from a height, g; `None` where the model does not hold the body.
-    pub fn window(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
+    pub fn window(&self, (system, limit_g): &(System, f64), height_m: f64) -> Option<Vec<f64>> {
         let mut fine = self.fine(system, height_m)?;
         if self.spread > 0.0 {
-            let limit_g = system.arrangement().sensor.limit_g;
-            fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, limit_g));
+            fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, *limit_g));
         }
         Some(self.mean_over_phases(&fine))
+    }
+
+    /// From first touch to the trigger, s; `None` where the model does not hold the body.
+    pub fn onset_s(&self, (system, _): &(System, f64), height_m: f64) -> Option<f64> {
+        Some(crossing_s(&self.fine(system, height_m)?).min(ONSET_S))
     }
 
     /// The wave itself, at steps of 0.05 ms; `None` where the model does not hold the body.

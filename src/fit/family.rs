@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::expected::Expected;
-use super::waves::Waves;
+use super::waves::{BEFORE, Waves};
 
 /// Correlation times of coloured scatter, s.
 const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
@@ -41,7 +41,7 @@ impl Metric {
 }
 
 /// Inverse of a covariance's lower root; `None` when it is not positive definite.
-pub(super) fn inverse_root(covariance: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+pub fn inverse_root(covariance: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let root = covariance.clone().cholesky()?.unpack();
     root.solve_lower_triangular(&DMatrix::identity(root.nrows(), root.nrows()))
 }
@@ -67,6 +67,7 @@ impl Family {
             groups().map(|group| slope(&group.mean)).collect(),
             groups().map(|_| DMatrix::identity(samples, samples)).collect(),
             groups().map(|group| outer(&DVector::from_vec(group.mean.clone()))).collect(),
+            groups().map(|group| outer(&first(&group.mean))).collect(),
         ];
         for change in 0..changes.first().map_or(0, DMatrix::ncols) {
             kinds.push(changes.iter().map(|columns| outer(&columns.column(change).into_owned())).collect());
@@ -102,6 +103,11 @@ impl Family {
 
 fn outer(column: &DVector<f64>) -> DMatrix<f64> {
     column * column.transpose()
+}
+
+/// The sample at the trigger alone: scatter lets single records cross it sooner or later.
+fn first(mean: &[f64]) -> DVector<f64> {
+    DVector::from_fn(mean.len(), |i, _| if i == BEFORE { mean[i] } else { 0.0 })
 }
 
 /// Scatter of the phase, evenly over one step, where a wave is smooth.

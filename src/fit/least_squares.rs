@@ -26,6 +26,9 @@ const DAMPING: f64 = 1e-3;
 /// Damping at which no step is left to try.
 const MOST_DAMPING: f64 = 1e8;
 
+/// Keeps parameters apart that change nearly the same.
+const RIDGE: f64 = 1e-10;
+
 /// Minimises the sum of squares of `residual`; `None` where it has no value at the start.
 pub fn minimise(
     residual: impl Fn(&[f64]) -> Option<DVector<f64>>,
@@ -81,18 +84,28 @@ fn step(
 fn direction(normal: &DMatrix<f64>, gradient: &DVector<f64>, at: &[f64], bounds: &[[f64; 2]], damping: f64) -> Option<DVector<f64>> {
     let held = |i: usize| (at[i] <= bounds[i][0] && gradient[i] < 0.0) || (at[i] >= bounds[i][1] && gradient[i] > 0.0);
     let loose: Vec<usize> = (0..at.len()).filter(|i| !held(*i)).collect();
-    let floor = 1e-12 * normal.diagonal().max().max(1e-300);
     let small = DMatrix::from_fn(loose.len(), loose.len(), |i, j| {
-        let extra = if i == j { damping * normal[(loose[i], loose[i])] + floor } else { 0.0 };
+        let extra = if i == j { damping * normal[(loose[i], loose[i])] } else { 0.0 };
         normal[(loose[i], loose[j])] + extra
     });
     let right = DVector::from_fn(loose.len(), |i, _| gradient[loose[i]]);
-    let solved = small.cholesky()?.solve(&right);
+    let solved = inverse(&small)? * right;
     let mut step = DVector::zeros(at.len());
     for (i, value) in loose.iter().zip(solved.iter()) {
         step[*i] = *value;
     }
     Some(step)
+}
+
+/// Inverse of a normal matrix, whatever the units of its parameters; a parameter that changes nothing stays.
+pub fn inverse(normal: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let sizes = normal.diagonal().map(|square| if square > 0.0 { square.sqrt() } else { 1.0 });
+    let scaled = DMatrix::from_fn(normal.nrows(), normal.ncols(), |i, j| {
+        let own = if i == j { RIDGE + f64::from(u8::from(normal[(i, i)] <= 0.0)) } else { 0.0 };
+        normal[(i, j)] / (sizes[i] * sizes[j]) + own
+    });
+    let inverse = scaled.cholesky()?.inverse();
+    Some(DMatrix::from_fn(normal.nrows(), normal.ncols(), |i, j| inverse[(i, j)] / (sizes[i] * sizes[j])))
 }
 
 fn bounded(at: &[f64], step: &DVector<f64>, bounds: &[[f64; 2]]) -> Vec<f64> {

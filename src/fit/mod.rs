@@ -15,9 +15,9 @@ mod scatter;
 mod waves;
 
 pub use expected::Expected;
-pub use family::Family;
+pub use family::{Family, inverse_root};
 pub use free::{Free, Layout};
-pub use least_squares::{Minimum, minimise};
+pub use least_squares::{Minimum, inverse, minimise};
 pub use problem::{Fitted, Problem};
 pub use scatter::{Scatter, Whitening};
-pub use waves::{Drop, Group, Unusable, Waves};
+pub use waves::{BEFORE, Drop, Group, Unusable, Waves};

@@ -8,7 +8,6 @@ use super::least_squares::{Minimum, minimise};
 use super::scatter::Whitening;
 use super::waves::Waves;
 use crate::effects::Model;
-use crate::sim::System;
 
 /// Mean waves of some heights and their scatter.
 #[derive(Clone, Debug)]
@@ -70,7 +69,7 @@ impl Problem {
 
     /// Predicted mean windows of the chosen heights, one below the other, g.
     pub fn prediction(&self, model: &Model) -> Option<DVector<f64>> {
-        let system = System::new(model);
+        let system = self.expected.system(model);
         let mut all = Vec::with_capacity(self.len());
         for height in &self.chosen {
             all.extend(self.expected.window(&system, self.means[*height].0)?);

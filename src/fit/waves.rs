@@ -135,6 +135,18 @@ impl Waves {
         Self { groups: self.groups.iter().filter(|group| keep(group.height_m)).cloned().collect(), ..*self }
     }
 
+    /// Some drops of every height, chosen by their number.
+    #[must_use]
+    pub fn half(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let some = |group: &Group| {
+            let kept: Vec<usize> = (0..group.windows.len()).filter(|drop| keep(*drop)).collect();
+            let windows: Vec<Vec<f64>> = kept.iter().map(|drop| group.windows[*drop].clone()).collect();
+            let trials = kept.iter().map(|drop| group.trials[*drop].clone()).collect();
+            Group { height_m: group.height_m, trials, mean: mean(&windows, self.samples), windows }
+        };
+        Self { groups: self.groups.iter().map(some).collect(), ..*self }
+    }
+
     /// Drops in all.
     pub fn count(&self) -> usize {
         self.groups.iter().map(|group| group.windows.len()).sum()
@@ -145,14 +157,12 @@ impl Group {
     fn of(height_m: f64, drops: &[Drop], samples: usize) -> Self {
         let of_height = || drops.iter().filter(|drop| drop.height_m == height_m);
         let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, samples)).collect();
-        let mut mean = vec![0.0; samples];
-        for window in &windows {
-            for (sum, reading) in mean.iter_mut().zip(window) {
-                *sum += reading / windows.len() as f64;
-            }
-        }
-        Self { height_m, trials: of_height().map(|drop| drop.trial.clone()).collect(), windows, mean }
+        Self { height_m, trials: of_height().map(|drop| drop.trial.clone()).collect(), mean: mean(&windows, samples), windows }
     }
+}
+
+fn mean(windows: &[Vec<f64>], samples: usize) -> Vec<f64> {
+    (0..samples).map(|i| windows.iter().map(|window| window[i]).sum::<f64>() / windows.len() as f64).collect()
 }
 
 /// First sample beyond the trigger.

@@ -108,6 +108,21 @@ impl System {
         &self.body
     }
 
+    /// Force of a frame that is compressed so slowly that nothing depends on the rate, N: friction and relaxing branches
+    /// give none, every foot stands.
+    pub fn slow_force_n(&self, x_m: f64) -> f64 {
+        let feet = self.arrangement.feet.map_or(0, |feet| feet.at_m.iter().filter(|at| **at <= x_m).count());
+        let phase = Phase { airborne: false, touched: feet, works: false };
+        let mut y = [0.0; CORE];
+        y[0] = x_m;
+        self.push(phase, &y).total_n
+    }
+
+    /// Lets the sensor read without limit.
+    pub fn lift_limit(&mut self) {
+        self.arrangement.sensor.limit_g = f64::INFINITY;
+    }
+
     /// Fall, contact and sensor.
     pub fn arrangement(&self) -> &Arrangement {
         &self.arrangement
