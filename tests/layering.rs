@@ -19,8 +19,8 @@ const LAYERS: [(&str, &[&str]); 15] = [
     ("effects", &["params", "body"]),
     ("sim", &["body", "effects"]),
     ("measured", &[]),
-    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim"]),
-    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "report"]),
+    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured"]),
+    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "report"]),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.

@@ -33,6 +33,7 @@ const EXAMPLES: &str = "Examples:
   flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
   flexframe render cognifly
   flexframe drop --model paper --height 0.5,1,1.5
+  flexframe measure ../shared/data/crash_landing
   flexframe params --filter arm
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
@@ -51,6 +52,11 @@ pub(super) enum Command {
         after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
     )]
     Drop(DropOptions),
+    /// Read measured drops, judge each, and write a table of heights and plots.
+    #[command(
+        after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md says how records are judged."
+    )]
+    Measure(MeasureOptions),
     /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
@@ -124,6 +130,31 @@ pub(super) struct DropOptions {
     /// Folder that takes the folder `drop-MODEL`, or `drop-MODEL-FRAME`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
+}
+
+/// Options of `measure`.
+#[derive(Debug, Args)]
+pub(super) struct MeasureOptions {
+    /// Files of the logger, CSV tables, or folders of them.
+    #[arg(required = true, value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `measure`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// How the logger counts.
+#[derive(Debug, Args)]
+pub(super) struct CalibrationOptions {
+    /// Counts of the logger at 0 g, instead of those of the paper's.
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    pub offset_counts: Option<Vec<f64>>,
+    /// Counts of the logger to one g, instead of those of the paper's.
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    pub counts_per_g: Option<Vec<f64>>,
 }
 
 /// Options of `render`.

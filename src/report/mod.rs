@@ -1,10 +1,14 @@
 //! What is written about a frame: words and pictures.
 
+mod bands;
 mod bars;
+mod boxes;
 mod camera;
 pub mod drop_data;
 pub mod drop_plots;
 mod lines;
+pub mod measure_data;
+pub mod measure_plots;
 pub mod picture;
 mod plot;
 mod raster;
