@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 15] = [
+const LAYERS: [(&str, &[&str]); 16] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -19,8 +19,9 @@ const LAYERS: [(&str, &[&str]); 15] = [
     ("effects", &["params", "body"]),
     ("sim", &["body", "effects"]),
     ("measured", &[]),
-    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured"]),
-    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "report"]),
+    ("fit", &["effects", "sim", "measured"]),
+    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit"]),
+    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "report"]),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.

@@ -34,6 +34,7 @@ const EXAMPLES: &str = "Examples:
   flexframe render cognifly
   flexframe drop --model paper --height 0.5,1,1.5
   flexframe measure ../shared/data/crash_landing
+  flexframe fit --model paper-corrected ../shared/data/crash_landing/soft_*
   flexframe params --filter arm
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
@@ -52,6 +53,11 @@ pub(super) enum Command {
         after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
     )]
     Drop(DropOptions),
+    /// Fit parameters of a model to measured drops.
+    #[command(
+        after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's."
+    )]
+    Fit(FitOptions),
     /// Read measured drops, judge each, and write a table of heights and plots.
     #[command(
         after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md says how records are judged."
@@ -128,6 +134,57 @@ pub(super) struct DropOptions {
     #[arg(long)]
     pub trace: bool,
     /// Folder that takes the folder `drop-MODEL`, or `drop-MODEL-FRAME`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// What a fit makes small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Aim {
+    /// Minus the logarithm of the likelihood: distance of the mean waves in units of their scatter.
+    Ml,
+    /// log(1 + sum over heights of the mean squared error up to each drop's peak), as in the paper's notebook.
+    Paper,
+}
+
+impl Aim {
+    /// Its name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ml => "ml",
+            Self::Paper => "paper",
+        }
+    }
+}
+
+/// Options of `fit`.
+#[derive(Debug, Args)]
+pub(super) struct FitOptions {
+    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    #[arg(required = true, value_name = "DROPS")]
+    pub drops: Vec<PathBuf>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
+    #[arg(long, default_value = "paper-corrected", value_name = "MODEL")]
+    pub model: String,
+    /// Parameters that are fitted, by their keys in the model file; the others keep their values.
+    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]
+    pub free: Vec<String>,
+    /// What is made small.
+    #[arg(long, value_enum, default_value = "ml")]
+    pub objective: Aim,
+    /// Use flagged drops, too, as the paper's objective does: all that have a whole impact.
+    #[arg(long)]
+    pub all: bool,
+    /// Resampled fits for the intervals; 0 for none.
+    #[arg(long, default_value_t = 200, value_name = "N")]
+    pub bootstrap: usize,
+    /// Of the resampling.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `fit-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

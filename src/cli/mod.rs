@@ -4,6 +4,7 @@ mod arguments;
 mod build;
 mod check;
 mod drop;
+mod fit;
 mod measure;
 mod output;
 mod params;
@@ -47,6 +48,7 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Build(options) => build::build(options, &arguments.common),
         Command::Check(options) => check::check(options, &arguments.common),
         Command::Drop(options) => drop::drop(options, &arguments.common),
+        Command::Fit(options) => fit::fit(options, &arguments.common),
         Command::Measure(options) => measure::measure(options, &arguments.common),
         Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),

@@ -11,6 +11,8 @@ pub(super) const WINDOW_S: f64 = 0.025;
 const FALL_G: f64 = 0.6;
 /// Samples that a fall is told by.
 const FALL_SAMPLES: usize = 5;
+/// Samples of the fall, its last, that the noise is told by: the first may hold the release.
+const NOISE_SAMPLES: usize = 200;
 /// The ground has let go when so long nothing above [`TRIGGER_G`] is felt, s.
 const QUIET_S: f64 = 0.005;
 
@@ -60,7 +62,8 @@ impl Impact {
         let (release, second_hit) = second_hit(record, trigger, window_end);
         let (begin, seen) = fall(record, trigger);
         // The two samples before the trigger may hold the first touch.
-        let falling = &record.accel_g[begin..trigger.saturating_sub(2).max(begin)];
+        let end = trigger.saturating_sub(2).max(begin);
+        let falling = &record.accel_g[begin.max(end.saturating_sub(NOISE_SAMPLES))..end];
         Some(Self {
             trigger,
             peak,

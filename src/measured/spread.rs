@@ -21,13 +21,21 @@ pub struct Spread {
 
 /// A quantile of sorted values, linear between the two that are nearest (type 7 of Hyndman and Fan, *Sample Quantiles in
 /// Statistical Packages*, Am. Stat. 50, 1996).
-pub(crate) fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
+fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
     let place = share * sorted.len().checked_sub(1)? as f64;
     let (low, high) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
     Some(low + (place - place.floor()) * (high - low))
 }
 
 impl Spread {
+    /// The middle share of values, from its lower end to its upper; `None` when there is none.
+    pub fn middle(values: impl IntoIterator<Item = f64>, share: f64) -> Option<[f64; 2]> {
+        let mut sorted: Vec<f64> = values.into_iter().collect();
+        sorted.sort_by(f64::total_cmp);
+        let outside = 0.5 * (1.0 - share);
+        Some([quantile(&sorted, outside)?, quantile(&sorted, 1.0 - outside)?])
+    }
+
     /// Of values; `None` when there is none.
     pub fn of(values: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = values.into_iter().collect();

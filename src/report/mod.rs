@@ -6,6 +6,7 @@ mod boxes;
 mod camera;
 pub mod drop_data;
 pub mod drop_plots;
+pub mod fit_data;
 mod lines;
 pub mod measure_data;
 pub mod measure_plots;

@@ -1,0 +1,120 @@
+//! What a model predicts for the mean of records that were laid at their trigger.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::waves::{BEFORE, TRIGGER_G};
+use crate::sim::{Settings, Stop, System, wave};
+
+/// Time between the points of a wave, s.
+const FINE_S: f64 = 5e-5;
+/// Longest time from first touch to the trigger that is followed, s.
+const ONSET_S: f64 = 5e-3;
+/// Phases over which a covariance is averaged.
+const PHASES: usize = 20;
+
+/// Predicts mean windows.
+///
+/// The clock's phase is even over one step. The first sample beyond the trigger then lies evenly within one step behind
+/// the moment at which the wave crosses it, so the mean of sample j is the wave's mean over the j-th step behind that
+/// moment: (W(t + (j + 1) s) - W(t + j s)) / s, with W the wave's integral. Wrong where the wave is near the trigger for
+/// long, or falls below it again at once.
+#[derive(Clone, Copy, Debug)]
+pub struct Expected {
+    /// Time between samples, s.
+    pub step_s: f64,
+    /// Samples in a window.
+    pub samples: usize,
+    /// Scatter of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
+    pub spread: f64,
+}
+
+impl Expected {
+    /// The mean window from a height, g; `None` where the model does not hold the body.
+    pub fn window(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
+        let mut fine = self.fine(system, height_m)?;
+        if self.spread > 0.0 {
+            let limit_g = system.arrangement().sensor.limit_g;
+            fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, limit_g));
+        }
+        Some(self.mean_over_phases(&fine))
+    }
+
+    /// The wave itself, at steps of 0.05 ms; `None` where the model does not hold the body.
+    pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
+        let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
+        let mut fine = vec![0.0; (end_s / FINE_S) as usize + 2];
+        (wave(system, height_m, FINE_S, &Settings::FIT, &mut fine) == Stop::End).then_some(fine)
+    }
+
+    /// Covariance of records of a wave that differ by the phase of the clock alone, g².
+    pub fn over_phases(&self, fine: &[f64]) -> DMatrix<f64> {
+        let (crossing, mean) = (crossing_s(fine).min(ONSET_S), self.mean_over_phases(fine));
+        let mut sum = DMatrix::zeros(self.samples, self.samples);
+        for phase in 0..PHASES {
+            let part = (phase as f64 + 0.5) / PHASES as f64;
+            let off = DVector::from_fn(self.samples, |i, _| {
+                let place = (crossing + self.step_s * (i as f64 + part - BEFORE as f64)) / FINE_S;
+                let at = (place.max(0.0).floor() as usize).min(fine.len() - 2);
+                let reading = if place < 0.0 { 0.0 } else { fine[at] + (place - at as f64) * (fine[at + 1] - fine[at]) };
+                reading - mean[i]
+            });
+            sum += &off * off.transpose() / PHASES as f64;
+        }
+        sum
+    }
+
+    /// The mean window of records of a wave that is given every 0.05 ms from first touch on.
+    pub fn mean_over_phases(&self, fine: &[f64]) -> Vec<f64> {
+        let crossing = crossing_s(fine).min(ONSET_S);
+        let integral = integral(fine);
+        let at = |t_s: f64| value(&integral, fine, t_s);
+        let bound = |i: usize| crossing + self.step_s * (i as f64 - BEFORE as f64);
+        (0..self.samples).map(|i| (at(bound(i + 1)) - at(bound(i))) / self.step_s).collect()
+    }
+}
+
+/// Mean of readings that scatter normally around `reading` by `spread` of it and are cut at the limit.
+fn limited_mean(reading: f64, spread: f64, limit_g: f64) -> f64 {
+    let sd = spread * reading.abs();
+    let over = reading - limit_g;
+    if sd <= 0.0 || over < -5.0 * sd {
+        return reading.min(limit_g);
+    }
+    let z = over / sd;
+    let density = libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
+    let share = 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
+    reading - (sd * density + over * share)
+}
+
+/// When the wave first crosses the trigger, s.
+fn crossing_s(fine: &[f64]) -> f64 {
+    let Some(at) = fine.iter().position(|reading| reading.abs() > TRIGGER_G) else { return 0.0 };
+    if at == 0 {
+        return 0.0;
+    }
+    let (left, right) = (fine[at - 1].abs(), fine[at].abs());
+    FINE_S * (at as f64 - 1.0 + (TRIGGER_G - left) / (right - left))
+}
+
+/// The wave's integral at its points, g s: cubic between four points, straight where the wave begins or ends.
+fn integral(fine: &[f64]) -> Vec<f64> {
+    let mut sums = vec![0.0; fine.len()];
+    for i in 1..fine.len() {
+        let inner = i >= 3 && i + 1 < fine.len();
+        let area = if inner { (13.0 * (fine[i - 1] + fine[i]) - fine[i - 2] - fine[i + 1]) / 24.0 } else { 0.5 * (fine[i - 1] + fine[i]) };
+        sums[i] = sums[i - 1] + FINE_S * area;
+    }
+    sums
+}
+
+/// The integral at any time, g s; zero before first touch.
+fn value(integral: &[f64], fine: &[f64], t_s: f64) -> f64 {
+    if t_s <= 0.0 {
+        return 0.0;
+    }
+    let place = t_s / FINE_S;
+    let at = (place.floor() as usize).min(fine.len() - 2);
+    let part = place - at as f64;
+    let middle = fine[at] + 0.5 * part * (fine[at + 1] - fine[at]);
+    integral[at] + FINE_S * part * middle
+}

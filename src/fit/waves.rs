@@ -1,0 +1,186 @@
+//! Records laid at their trigger and gathered by height.
+
+/// One drop as it was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drop {
+    /// Its name.
+    pub trial: String,
+    /// Height of the drop, m.
+    pub height_m: f64,
+    /// Times of the samples, s.
+    pub t_s: Vec<f64>,
+    /// Readings, g: positive while the ground pushes.
+    pub accel_g: Vec<f64>,
+}
+
+/// Drops from one height.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// Height, m.
+    pub height_m: f64,
+    /// Names of the drops in the order of the windows.
+    pub trials: Vec<String>,
+    /// A window a drop: `BEFORE` samples, then those from the trigger on.
+    pub windows: Vec<Vec<f64>>,
+    /// Mean of the windows, g.
+    pub mean: Vec<f64>,
+}
+
+/// All drops, height by height.
+#[derive(Clone, Debug)]
+pub struct Waves {
+    /// Rising height.
+    pub groups: Vec<Group>,
+    /// Time between samples, s.
+    pub step_s: f64,
+    /// Samples in a window.
+    pub samples: usize,
+    /// Scatter of the readings before first touch, g.
+    pub noise_g: f64,
+}
+
+/// Why drops cannot be fitted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Unusable {
+    /// No reading beyond the trigger.
+    #[error("drop `{trial}` from {height_m} m has no impact: no reading is beyond {TRIGGER_G} g")]
+    NoImpact {
+        /// Its name.
+        trial: String,
+        /// Its height, m.
+        height_m: f64,
+    },
+    /// The record ends too soon.
+    #[error("drop `{trial}` from {height_m} m has {samples} samples from first touch on; {LEAST} are needed")]
+    TooShort {
+        /// Its name.
+        trial: String,
+        /// Its height, m.
+        height_m: f64,
+        /// Samples from the trigger on.
+        samples: usize,
+    },
+    /// Samples are not equally spaced, or not like the others'.
+    #[error("drop `{trial}` from {height_m} m is sampled every {step_ms:.4} ms, the first drop every {first_ms:.4} ms")]
+    Rate {
+        /// Its name.
+        trial: String,
+        /// Its height, m.
+        height_m: f64,
+        /// Its time between samples, ms.
+        step_ms: f64,
+        /// The first drop's, ms.
+        first_ms: f64,
+    },
+    /// Scatter between drops is what a gap is judged by.
+    #[error("{height_m} m has {count} usable drops; at least {FEWEST} a height are needed to know the scatter between them")]
+    TooFew {
+        /// Height, m.
+        height_m: f64,
+        /// How many.
+        count: usize,
+    },
+    /// Nothing to fit.
+    #[error("there is no drop")]
+    Empty,
+}
+
+/// A reading beyond this is the impact, g: the paper's own trigger.
+pub const TRIGGER_G: f64 = 3.0;
+/// Samples kept before the trigger.
+pub const BEFORE: usize = 1;
+/// Time kept from the trigger on, s.
+const AFTER_S: f64 = 0.030;
+/// Least samples from the trigger on.
+const LEAST: usize = 10;
+/// Least drops a height.
+const FEWEST: usize = 4;
+/// Samples before the trigger that are not yet used for the noise: the ground may touch there.
+const GUARD: usize = 2;
+
+impl Waves {
+    /// Lays drops at their trigger.
+    ///
+    /// # Errors
+    /// [`Unusable`] with the drop that cannot be used.
+    pub fn of(drops: &[Drop]) -> Result<Self, Unusable> {
+        let first = drops.first().ok_or(Unusable::Empty)?;
+        let step_s = step_s(first);
+        let mut samples = (AFTER_S / step_s).round() as usize + BEFORE;
+        for drop in drops {
+            let (trial, height_m, own_s) = (drop.trial.clone(), drop.height_m, self::step_s(drop));
+            if (own_s / step_s - 1.0).abs() > 1e-2 || own_s.is_nan() {
+                return Err(Unusable::Rate { trial, height_m, step_ms: own_s * 1e3, first_ms: step_s * 1e3 });
+            }
+            let trigger = trigger(&drop.accel_g).ok_or(Unusable::NoImpact { trial: trial.clone(), height_m })?;
+            let left = drop.accel_g.len() - trigger;
+            if left < LEAST {
+                return Err(Unusable::TooShort { trial, height_m, samples: left });
+            }
+            samples = samples.min(left + BEFORE);
+        }
+        let mut heights: Vec<f64> = drops.iter().map(|drop| drop.height_m).collect();
+        heights.sort_by(f64::total_cmp);
+        heights.dedup();
+        let groups: Vec<Group> = heights.iter().map(|height_m| Group::of(*height_m, drops, samples)).collect();
+        if let Some(few) = groups.iter().find(|group| group.windows.len() < FEWEST) {
+            return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len() });
+        }
+        Ok(Self { groups, step_s, samples, noise_g: noise_g(drops) })
+    }
+
+    /// Those heights alone for which the answer is yes.
+    #[must_use]
+    pub fn only(&self, keep: impl Fn(f64) -> bool) -> Self {
+        Self { groups: self.groups.iter().filter(|group| keep(group.height_m)).cloned().collect(), ..*self }
+    }
+
+    /// Drops in all.
+    pub fn count(&self) -> usize {
+        self.groups.iter().map(|group| group.windows.len()).sum()
+    }
+}
+
+impl Group {
+    fn of(height_m: f64, drops: &[Drop], samples: usize) -> Self {
+        let of_height = || drops.iter().filter(|drop| drop.height_m == height_m);
+        let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, samples)).collect();
+        let mut mean = vec![0.0; samples];
+        for window in &windows {
+            for (sum, reading) in mean.iter_mut().zip(window) {
+                *sum += reading / windows.len() as f64;
+            }
+        }
+        Self { height_m, trials: of_height().map(|drop| drop.trial.clone()).collect(), windows, mean }
+    }
+}
+
+/// First sample beyond the trigger.
+fn trigger(accel_g: &[f64]) -> Option<usize> {
+    accel_g.iter().position(|reading| reading.abs() > TRIGGER_G)
+}
+
+/// The drop's window; readings before a record's begin are those of free fall.
+fn window(drop: &Drop, samples: usize) -> Vec<f64> {
+    let at = trigger(&drop.accel_g).unwrap_or(0);
+    (0..samples).map(|i| (at + i).checked_sub(BEFORE).map_or(0.0, |i| drop.accel_g[i])).collect()
+}
+
+/// Mean time between samples, s.
+fn step_s(drop: &Drop) -> f64 {
+    let (Some(first), Some(last)) = (drop.t_s.first(), drop.t_s.last()) else { return f64::NAN };
+    (last - first) / (drop.t_s.len() - 1) as f64
+}
+
+/// Root mean square of the readings in the fall.
+fn noise_g(drops: &[Drop]) -> f64 {
+    let (mut sum, mut count) = (0.0, 0);
+    for drop in drops {
+        let end = trigger(&drop.accel_g).unwrap_or(0).saturating_sub(GUARD);
+        for reading in &drop.accel_g[end.saturating_sub(8)..end] {
+            sum += reading * reading;
+            count += 1;
+        }
+    }
+    if count == 0 { 0.0 } else { (sum / f64::from(count)).sqrt() }
+}
