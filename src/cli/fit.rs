@@ -114,7 +114,7 @@ fn table(fit: &Fit, chosen: &Chosen, options: &FitOptions, numbers: Option<usize
     for LeftOut { trial, reason } in &chosen.left_out {
         text += &format!("left out  {trial}: {reason}\n");
     }
-    if chosen.impulses_kept && options.objective == Aim::Ml {
+    if chosen.impulses_kept && options.objective == Aim::Ml && !options.all {
         text += "impossible impulses are kept: most drops of a height have one, so they are no accident of single drops\n";
     }
     let [start, end] = fit.objective;

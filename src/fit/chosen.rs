@@ -77,10 +77,10 @@ impl<'a> Chosen<'a> {
             return Err(Unfit::Frames { frames });
         }
         let judged = drops(set);
-        let impulses_kept = every || judged.iter().any(|(_, drops)| most_impulses_impossible(drops));
+        let impulses_kept = judged.iter().any(|(_, drops)| most_impulses_impossible(drops));
         let unwanted = |flag: &Flag| match flag {
             Flag::DoubleHit { .. } => !every,
-            Flag::Impulse { .. } => !impulses_kept,
+            Flag::Impulse { .. } => !every && !impulses_kept,
             Flag::Saturated { .. } => false,
             flag => is_unusable(flag),
         };
