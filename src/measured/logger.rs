@@ -25,7 +25,7 @@ pub struct Calibration {
 impl Default for Calibration {
     fn default() -> Self {
         let side = AXIAL_COUNTS_PER_G * 0.9577;
-        Self { offset_counts: [2019.938_72, 2020.0, 2_020.772_844_38], counts_per_g: [side, side, AXIAL_COUNTS_PER_G], full_scale: 4095 }
+        Self { offset_counts: [2_019.938_72, 2020.0, 2_020.772_844_38], counts_per_g: [side, side, AXIAL_COUNTS_PER_G], full_scale: 4095 }
     }
 }
 

@@ -35,6 +35,9 @@ pub(super) struct Boxes {
     pub groups: Vec<Group>,
 }
 
+/// Where the legend begins, pixels.
+const LEGEND: (i32, i32) = (766, 60);
+
 /// Width of a box, of a group's 1, when there is one kind.
 const WIDTH: f64 = 0.56;
 /// Steps of this share of a width scatter values evenly without a random number.
@@ -51,6 +54,7 @@ impl Chart for Boxes {
             .margin(14)
             .x_label_area_size(64)
             .y_label_area_size(60)
+            .margin_right(210)
             .build_cartesian_2d(0.0..count, 1.04 * low..1.12 * high)?;
         let name = |at: &f64| {
             let group = self.groups.get(at.floor() as usize).filter(|_| (at - at.floor() - 0.5).abs() < 1e-6);
@@ -75,8 +79,10 @@ impl Chart for Boxes {
                 }));
             }
             chart.draw_series(dots)?;
-            let boxes = chart.draw_series(shapes)?;
-            boxes.label(*kind).legend(move |(x, y)| Rectangle::new([(x, y - 6), (x + 20, y + 6)], tone.mix(0.6).filled()));
+            chart.draw_series(shapes)?;
+            let (x, y) = (LEGEND.0, LEGEND.1 + 26 * number as i32);
+            area.draw(&Rectangle::new([(x, y), (x + 14, y + 14)], tone.mix(0.6).filled()))?;
+            area.draw(&Text::new(*kind, (x + 22, y), TextStyle::from((FONT, 16))))?;
         }
         let centred = TextStyle::from((FONT, 17)).pos(plotters::style::text_anchor::Pos::new(
             plotters::style::text_anchor::HPos::Center,
@@ -84,9 +90,7 @@ impl Chart for Boxes {
         ));
         let labels = self.groups.iter().enumerate();
         chart.draw_series(labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, 1.11 * high), centred.clone())))?;
-        let legend = &mut chart.configure_series_labels();
-        legend.position(SeriesLabelPosition::LowerRight).label_font((FONT, 16)).background_style(WHITE.mix(0.85));
-        legend.border_style(BLACK.mix(0.3)).draw()
+        Ok(())
     }
 }
 
