@@ -4,7 +4,8 @@
 //! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
 //! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
 //! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
-//! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall.
+//! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
+//! reads real drops, [`fit`] brings a model to them.
 //! Only the command line in `cli` prints and writes files.
 //!
 //! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI. Axes: X right, Y front, Z up, origin where
@@ -19,6 +20,7 @@ pub mod effects;
 pub mod export;
 pub mod figures;
 pub mod fit;
+pub mod measured;
 pub mod params;
 pub mod parts;
 pub mod plant;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 14] = [
+const LAYERS: [(&str, &[&str]); 16] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -18,12 +18,14 @@ const LAYERS: [(&str, &[&str]); 14] = [
     ("body", &["assembly", "checks"]),
     ("effects", &["params", "body"]),
     ("sim", &["body", "effects"]),
-    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim"]),
-    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "report"]),
+    ("measured", &[]),
+    ("fit", &["effects", "sim", "measured"]),
+    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit"]),
+    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "report"]),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 23] = [
+const CONFINED: [(&str, &str); 26] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -34,6 +36,9 @@ const CONFINED: [(&str, &str); 23] = [
     ("miette", "params"),
     ("toml::", "params"),
     ("read_to_string", "params"),
+    ("fs::read(", "measured"),
+    ("read_dir", "measured"),
+    ("csv::", "measured"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

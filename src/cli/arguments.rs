@@ -33,6 +33,8 @@ const EXAMPLES: &str = "Examples:
   flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
   flexframe render cognifly
   flexframe drop --model paper --height 0.5,1,1.5
+  flexframe measure ../shared/data/crash_landing
+  flexframe fit --model paper-corrected ../shared/data/crash_landing/soft_*
   flexframe params --filter arm
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
@@ -51,6 +53,26 @@ pub(super) enum Command {
         after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
     )]
     Drop(DropOptions),
+    /// Find where a model and measured drops disagree, name the missing effect, add it, and show the gap shrink.
+    #[command(
+        after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
+    )]
+    Diagnose(DiagnoseOptions),
+    /// Write drops with a known truth, to test a diagnosis on.
+    #[command(
+        after_help = "Example:\n  flexframe plant params/plant/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
+    )]
+    Plant(PlantOptions),
+    /// Fit parameters of a model to measured drops.
+    #[command(
+        after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's."
+    )]
+    Fit(FitOptions),
+    /// Read measured drops, judge each, and write a table of heights and plots.
+    #[command(
+        after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md says how records are judged."
+    )]
+    Measure(MeasureOptions),
     /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
@@ -124,6 +146,122 @@ pub(super) struct DropOptions {
     /// Folder that takes the folder `drop-MODEL`, or `drop-MODEL-FRAME`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
+}
+
+/// What a fit makes small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Aim {
+    /// Minus the logarithm of the likelihood: distance of the mean waves in units of their scatter.
+    Ml,
+    /// log(1 + sum over heights of the mean squared error up to each drop's peak), as in the paper's notebook.
+    Paper,
+}
+
+impl Aim {
+    /// Its name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ml => "ml",
+            Self::Paper => "paper",
+        }
+    }
+}
+
+/// Options of `fit`.
+#[derive(Debug, Args)]
+pub(super) struct FitOptions {
+    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    #[arg(required = true, value_name = "DROPS")]
+    pub drops: Vec<PathBuf>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
+    #[arg(long, default_value = "paper-corrected", value_name = "MODEL")]
+    pub model: String,
+    /// Parameters that are fitted, by their keys in the model file; the others keep their values.
+    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]
+    pub free: Vec<String>,
+    /// What is made small.
+    #[arg(long, value_enum, default_value = "ml")]
+    pub objective: Aim,
+    /// Use flagged drops, too, as the paper's objective does: all that have a whole impact.
+    #[arg(long)]
+    pub all: bool,
+    /// Resampled fits for the intervals; 0 for none.
+    #[arg(long, default_value_t = 200, value_name = "N")]
+    pub bootstrap: usize,
+    /// Of the resampling.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `fit-MODEL`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Options of `diagnose`.
+#[derive(Debug, Args)]
+pub(super) struct DiagnoseOptions {
+    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    #[arg(required = true, value_name = "DROPS")]
+    pub drops: Vec<PathBuf>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
+    #[arg(long, default_value = "paper", value_name = "MODEL")]
+    pub model: String,
+    /// Heights that no fit sees, m: the gap there says what a name is worth.
+    #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…")]
+    pub hold_out_heights: Vec<f64>,
+    /// Most effects on top of spring and damper, 1 to 3.
+    #[arg(long, default_value_t = 3, value_name = "N")]
+    pub max_effects: usize,
+    /// Of the simulated data.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `diagnose-MODEL`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Options of `plant`.
+#[derive(Debug, Args)]
+pub(super) struct PlantOptions {
+    /// The plan: a TOML file.
+    #[arg(value_name = "PLAN")]
+    pub plan: String,
+    /// Seed instead of the plan's.
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Folder that takes the folder `plant-PLAN`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Options of `measure`.
+#[derive(Debug, Args)]
+pub(super) struct MeasureOptions {
+    /// Files of the logger, CSV tables, or folders of them.
+    #[arg(required = true, value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `measure`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// How the logger counts.
+#[derive(Debug, Args)]
+pub(super) struct CalibrationOptions {
+    /// Counts of the logger at 0 g, instead of those of the paper's.
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    pub offset_counts: Option<Vec<f64>>,
+    /// Counts of the logger to one g, instead of those of the paper's.
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    pub counts_per_g: Option<Vec<f64>>,
 }
 
 /// Options of `render`.

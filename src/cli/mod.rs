@@ -3,9 +3,13 @@
 mod arguments;
 mod build;
 mod check;
+mod diagnose;
 mod drop;
+mod fit;
+mod measure;
 mod output;
 mod params;
+mod plant;
 mod progress;
 mod render;
 mod session;
@@ -45,7 +49,11 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
     match &arguments.command {
         Command::Build(options) => build::build(options, &arguments.common),
         Command::Check(options) => check::check(options, &arguments.common),
+        Command::Diagnose(options) => diagnose::diagnose(options, &arguments.common),
+        Command::Plant(options) => plant::plant(options, &arguments.common),
         Command::Drop(options) => drop::drop(options, &arguments.common),
+        Command::Fit(options) => fit::fit(options, &arguments.common),
+        Command::Measure(options) => measure::measure(options, &arguments.common),
         Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),
         Command::Completions { shell } => {

@@ -4,6 +4,7 @@ use std::io;
 
 use super::arguments::FrameOption;
 use crate::assembly::{Design, DesignError};
+use crate::measured::Malformed;
 use crate::params::frame_file::{Entry, Value};
 use crate::params::refusal::{Place, Reason, Refusal, Source};
 use crate::params::{Frame, FrameFile, LoadError, parameters};
@@ -14,6 +15,9 @@ pub enum Failure {
     /// Input or usage is wrong.
     #[error(transparent)]
     Input(#[from] LoadError),
+    /// A measured record is wrong.
+    #[error(transparent)]
+    Records(#[from] Malformed),
     /// A value on the command line is wrong.
     #[error("{message}")]
     Usage {
@@ -34,7 +38,7 @@ impl Failure {
     /// The exit code that tells a shell of it.
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Input(_) | Self::Usage { .. } => 2,
+            Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
             Self::Machine { .. } => 3,
         }
     }
@@ -43,6 +47,7 @@ impl Failure {
     pub fn render(&self) -> String {
         match self {
             Self::Input(LoadError::Refused(refusal)) => refusal.render(),
+            Self::Records(malformed) => format!("error: {malformed}\nhelp: {}\n", malformed.fault.remedy()),
             other => format!("error: {other}\n"),
         }
     }

@@ -5,7 +5,10 @@
 //!
 //! *When it is wrong:* for a frame that turns as it falls, or with propellers that spin.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
+
+/// Drag over mass beyond which no frame of this size and mass is, 1/m.
+const BLUFF_1_M: f64 = 0.2;
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -34,5 +37,10 @@ struct AirDrag {
 impl Effect for AirDrag {
     fn arrange(&self, arrangement: &mut Arrangement) {
         arrangement.fall.drag_1_m = self.drag_1_m;
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        (self.drag_1_m > BLUFF_1_M && reach.impact_speed_m_s > 0.0)
+            .then(|| format!("beta = {} 1/m is more drag than a body of this size has (0.05 1/m, with room {BLUFF_1_M})", self.drag_1_m))
     }
 }

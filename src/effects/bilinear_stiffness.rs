@@ -5,7 +5,7 @@
 //! *When it is wrong:* real stops have no kink. On the measured drops the fitted kink moves with the height (15, 23,
 //! 27 mm at 50, 100, 150 cm), which a stop at a gap cannot.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage, Threshold};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -47,5 +47,14 @@ impl Effect for BilinearStiffness {
 
     fn thresholds(&self) -> Vec<Threshold> {
         vec![Threshold::Compression(self.kink_m)]
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        if reach.deepest_m <= self.kink_m {
+            return None;
+        }
+        let slope = reach.stiffness_n_m + self.stiffness_n_m;
+        let gives_way = if slope < 0.0 { "behind it the spring gives way" } else { "real stops have none" };
+        Some(format!("the kink at {:.1} mm is passed: {gives_way}", self.kink_m * 1e3))
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! *When it is wrong:* a battery on concrete is no sphere on a half-space, and breaks; k_b is then a fitted number.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage, Threshold};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -59,5 +59,10 @@ impl Effect for Bottoming {
             found.push(Threshold::Speed(-1.0 / (1.5 * self.lambda_s_m)));
         }
         found
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        let depth_m = reach.deepest_m - self.onset_m;
+        (depth_m > 0.0).then(|| format!("the stop is pressed {:.2} mm: no sphere on a half-space, k_b is a fitted number", depth_m * 1e3))
     }
 }

@@ -5,7 +5,7 @@
 //!
 //! *When it is wrong:* below 0.05 m/s, where it creeps instead of sticking.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
 
 /// Speed over which the sign turns, m/s.
 const TURN_M_S: f64 = 0.05;
@@ -37,5 +37,9 @@ struct CoulombFriction {
 impl Effect for CoulombFriction {
     fn force_n(&self, at: &Motion) -> f64 {
         self.force_n * libm::tanh(at.v_m_s / TURN_M_S)
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        reach.contact_s.is_none().then(|| format!("the body comes to rest, where friction below {TURN_M_S} m/s creeps instead of sticking"))
     }
 }

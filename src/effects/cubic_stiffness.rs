@@ -6,7 +6,7 @@
 //! *When it is wrong:* far beyond the compressions it was fitted on. A negative k3 gives way for good where
 //! k x + k3 x³ turns, at 18.8 mm for k = 7040 N/m and k3 = -2e7 N/m³; the simulation then says that the body ran away.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -40,5 +40,10 @@ impl Effect for CubicStiffness {
     fn stored_j(&self, at: &Motion) -> f64 {
         let square = at.x_m * at.x_m;
         0.25 * self.k3_n_m3 * square * square
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        let slope = reach.stiffness_n_m + 3.0 * self.k3_n_m3 * reach.deepest_m * reach.deepest_m;
+        (slope < 0.0).then(|| format!("at {:.1} mm the spring gives way: its stiffness is {slope:.0} N/m", reach.deepest_m * 1e3))
     }
 }

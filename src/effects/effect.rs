@@ -89,6 +89,23 @@ pub enum Threshold {
     Speed(f64),
 }
 
+/// How far a drop went: what an effect is held against to say whether it still holds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// Speed at first touch, m/s.
+    pub impact_speed_m_s: f64,
+    /// Largest compression, m.
+    pub deepest_m: f64,
+    /// Whether the frame went up past x = 0 within the series.
+    pub above_ground: bool,
+    /// Length of the contact, s; `None` when it did not end.
+    pub contact_s: Option<f64>,
+    /// Compression at its end, m.
+    pub released_at_m: Option<f64>,
+    /// Stiffness of the base, N/m.
+    pub stiffness_n_m: f64,
+}
+
 /// How fall, contact and sensor are arranged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrangement {
@@ -127,6 +144,11 @@ pub trait Effect: Debug + Send + Sync {
     /// Where its force has kinks.
     fn thresholds(&self) -> Vec<Threshold> {
         Vec::new()
+    }
+
+    /// Why it does not hold in a drop that went so far; `None` where nothing speaks against it.
+    fn outside(&self, _reach: &Reach) -> Option<String> {
+        None
     }
 
     /// Changes how fall, contact and sensor act.

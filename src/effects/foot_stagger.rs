@@ -6,7 +6,7 @@
 //!
 //! *When it is wrong:* a tilted body also turns, which takes energy out of the fall; feet are taken evenly spaced.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -35,6 +35,16 @@ struct FootStagger {
 impl Effect for FootStagger {
     fn arrange(&self, arrangement: &mut Arrangement) {
         arrangement.feet = Some(Feet { at_m: [0.0, 1.0, 2.0, 3.0].map(|i| self.spread_m * i / 3.0) });
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        (reach.deepest_m < self.spread_m).then(|| {
+            format!(
+                "{:.1} mm do not bring the last foot down at {:.1} mm: a body tilted so far turns",
+                reach.deepest_m * 1e3,
+                self.spread_m * 1e3
+            )
+        })
     }
 }
 

@@ -6,7 +6,7 @@
 //! *When it is wrong:* it has no memory; a material that relaxes is `maxwell_branch`. A negative χ feeds energy in: it
 //! stands for a parallel damper that is too strong, and is no law of its own.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -35,5 +35,9 @@ struct HuntCrossleyDamping {
 impl Effect for HuntCrossleyDamping {
     fn force_n(&self, at: &Motion) -> f64 {
         self.chi_n_s_m2 * at.x_m * at.v_m_s
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        (self.chi_n_s_m2 < 0.0 && reach.deepest_m > 0.0).then(|| "a negative chi feeds energy in".into())
     }
 }

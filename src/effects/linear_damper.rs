@@ -6,7 +6,7 @@
 //! at 150 cm, 5 mm deep, their median force is 29 N where it says 282 N with the spring. Flexible filament relaxes
 //! (`maxwell_branch`) rather than flows.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -37,5 +37,14 @@ pub struct LinearDamper {
 impl Effect for LinearDamper {
     fn force_n(&self, at: &Motion) -> f64 {
         self.damping_n_s_m * at.v_m_s
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        let (damper_n, spring_n) = (self.damping_n_s_m * reach.impact_speed_m_s, reach.stiffness_n_m * reach.deepest_m);
+        (damper_n > 0.5 * spring_n).then(|| {
+            format!(
+                "it pushes with {damper_n:.0} N at once, the spring with {spring_n:.0} N at the most: measured drops begin with nothing"
+            )
+        })
     }
 }

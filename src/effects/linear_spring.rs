@@ -6,7 +6,10 @@
 //! *When it is wrong:* past the legs' buckling load, where legs or battery touch, and for x < 0, where it pulls on a
 //! ground that cannot hold the frame.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+
+/// How far the frame was pressed in the static test, m.
+const TESTED_M: f64 = 0.016;
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -41,5 +44,11 @@ impl Effect for LinearSpring {
 
     fn stored_j(&self, at: &Motion) -> f64 {
         0.5 * self.stiffness_n_m * at.x_m * at.x_m
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        (reach.deepest_m > TESTED_M).then(|| {
+            format!("{:.1} mm is deeper than the {:.0} mm to which the static test behind k goes", reach.deepest_m * 1e3, TESTED_M * 1e3)
+        })
     }
 }

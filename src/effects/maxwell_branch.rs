@@ -5,7 +5,7 @@
 //!
 //! *When it is wrong:* filament relaxes over decades of time, one branch holds one τ; stiffness depends on temperature.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -50,5 +50,12 @@ impl Effect for MaxwellBranch {
 
     fn stored_j(&self, at: &Motion) -> f64 {
         0.5 * at.own[0] * at.own[0] / self.stiffness_n_m
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        let decades = libm::log10(reach.contact_s? / self.relaxation_s).abs();
+        (decades > 1.0).then(|| {
+            format!("one relaxation time of {:.1} ms says nothing of a contact that is more than a decade from it", self.relaxation_s * 1e3)
+        })
     }
 }

@@ -33,7 +33,7 @@ mod sensor_saturation;
 mod unilateral_contact;
 
 pub use catalogue::{BASE, CATALOGUE, by_id};
-pub use effect::{Arrangement, Choice, Effect, Motion, Parameter, Spec, Stage, Threshold};
+pub use effect::{Arrangement, Choice, Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
 pub use fall::Fall;
 pub use foot_stagger::Feet;
 pub use linear_damper::LinearDamper;

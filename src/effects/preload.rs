@@ -5,7 +5,7 @@
 //!
 //! *When it is wrong:* within the first 0.2 mm, which stand for the step; for x < 0, where it pulls.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
 
 /// Compression over which the step rises, m.
 const RISE_M: f64 = 0.2e-3;
@@ -43,5 +43,9 @@ impl Effect for Preload {
         let ratio = (at.x_m / RISE_M).abs();
         // ln cosh u = u + ln((1 + exp(-2u)) / 2), without overflow.
         self.force_n * RISE_M * (ratio + libm::log1p(libm::exp(-2.0 * ratio)) - std::f64::consts::LN_2)
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        reach.above_ground.then(|| "above x = 0 it pulls the frame down, as no preload does".into())
     }
 }

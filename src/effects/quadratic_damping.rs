@@ -5,7 +5,7 @@
 //! *When it is wrong:* there is no flow in a frame; with a negative c2 it feeds energy in, and the body runs away where it
 //! outweighs the damper.
 
-use super::effect::{Effect, Motion, Parameter, Spec, Stage, Threshold};
+use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -38,5 +38,9 @@ impl Effect for QuadraticDamping {
 
     fn thresholds(&self) -> Vec<Threshold> {
         vec![Threshold::Speed(0.0)]
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        (self.c2_n_s2_m2 < 0.0 && reach.impact_speed_m_s > 0.0).then(|| "a negative c2 feeds energy in".into())
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! *When it is wrong:* tilt also lets sideways motion in, which no gain holds.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -33,5 +33,10 @@ struct SensorGain {
 impl Effect for SensorGain {
     fn arrange(&self, arrangement: &mut Arrangement) {
         arrangement.sensor.gain = self.gain;
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        // A drop that was felt at all.
+        (self.gain > 1.0 && reach.impact_speed_m_s > 0.0).then(|| "a tilt only lowers the gain: more than 1 is a wrong scale".into())
     }
 }

@@ -6,7 +6,10 @@
 //! *When it is wrong:* legs without mass are let go at the moment when F = 0, still compressed, and spread in no time;
 //! real legs have mass and ring. Values between 0 and 1 are a measure for a fit, not a ground.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
+
+/// Compression at the release from which on it is told, m.
+const LET_GO_M: f64 = 1e-3;
 
 /// The catalogue entry.
 pub(super) const SPEC: Spec = Spec {
@@ -35,5 +38,13 @@ struct UnilateralContact {
 impl Effect for UnilateralContact {
     fn arrange(&self, arrangement: &mut Arrangement) {
         arrangement.tension_factor = self.tension_factor;
+    }
+
+    fn outside(&self, reach: &Reach) -> Option<String> {
+        if self.tension_factor > 0.0 {
+            return Some(format!("a tension factor of {} is a measure for a fit: no ground pulls in part", self.tension_factor));
+        }
+        let x_m = reach.released_at_m.filter(|x_m| *x_m > LET_GO_M)?;
+        Some(format!("the frame is let go while {:.1} mm compressed: legs with mass would spread and ring", x_m * 1e3))
     }
 }

@@ -1,10 +1,18 @@
 //! What is written about a frame: words and pictures.
 
+mod bands;
 mod bars;
+mod boxes;
 mod camera;
+pub mod diagnosis_data;
+pub mod diagnosis_page;
 pub mod drop_data;
 pub mod drop_plots;
+pub mod fit_data;
 mod lines;
+pub mod measure_data;
+pub mod measure_plots;
+pub mod page;
 pub mod picture;
 mod plot;
 mod raster;

@@ -1,7 +1,7 @@
 //! Where a run leaves what the model can say.
 
 /// A mark.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Outside {
     /// What hangs lowest has met the ground; the model goes on as if it had not.
     #[error("the gap of {gap_mm:.1} mm is used up after {t_ms:.2} ms at {speed_m_s:.2} m/s: from there on something rigid hits the ground")]
@@ -50,6 +50,14 @@ pub enum Outside {
     Chatters {
         /// When.
         t_ms: f64,
+    },
+    /// An effect is used where it does not hold.
+    #[error("{effect}: {reason}")]
+    Effect {
+        /// Which.
+        effect: &'static str,
+        /// Why.
+        reason: String,
     },
     /// Nothing to fall.
     #[error("with its error the drop height is zero or less")]

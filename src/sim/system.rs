@@ -5,7 +5,7 @@
 
 use super::switch::Switch;
 use crate::body::Body;
-use crate::effects::{Arrangement, Effect, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Stage, Threshold};
+use crate::effects::{Arrangement, Effect, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
 
 /// States without energies at the most: x, v, three stages, one of an effect, two of the payload.
 pub(super) const CORE: usize = 8;
@@ -63,6 +63,8 @@ pub struct System {
     pub(super) arrangement: Arrangement,
     pub(super) forces: Vec<Term>,
     pub(super) stop: Option<Term>,
+    /// Effects that change fall, contact or sensor.
+    arranging: Vec<(&'static str, Box<dyn Effect>)>,
     pub(super) core: usize,
     lag: usize,
     filter_rate_1_s: f64,
@@ -75,15 +77,18 @@ impl System {
         let [stiffness_n_m, damping_n_s_m] = model.stiffness_and_damping();
         let arrangement = model.arrangement();
         let mut core = FILTER + arrangement.sensor.order;
-        let (mut forces, mut stop) = (Vec::new(), None);
+        let (mut forces, mut stop, mut arranging) = (Vec::new(), None, Vec::new());
         let on_top = model.effects.iter().filter(|listed| !crate::effects::BASE.iter().any(|base| base.id == listed.spec.id));
         for (listed, effect) in on_top.filter_map(|listed| listed.effect().map(|effect| (listed, effect))) {
+            if listed.spec.stage == Stage::Arrangement {
+                arranging.push((listed.spec.id, effect));
+                continue;
+            }
             let states = effect.own_states();
             let term = Term { id: listed.spec.id, effect, at: core, states };
             match listed.spec.stage {
-                Stage::Force => forces.push(term),
                 Stage::Stop => stop = Some(term),
-                Stage::Arrangement => continue,
+                _ => forces.push(term),
             }
             core += states;
         }
@@ -98,6 +103,7 @@ impl System {
             arrangement,
             forces,
             stop,
+            arranging,
             core,
             lag,
         }
@@ -126,6 +132,15 @@ impl System {
     /// Fall, contact and sensor.
     pub fn arrangement(&self) -> &Arrangement {
         &self.arrangement
+    }
+
+    /// Why effects do not hold in a drop that went so far.
+    pub(super) fn outside(&self, reach: &Reach) -> Vec<(&'static str, String)> {
+        let base: [(&'static str, &dyn Effect); 2] = [("linear_spring", &self.spring), ("linear_damper", &self.damper)];
+        let terms = self.forces.iter().chain(&self.stop).map(|term| (term.id, term.effect.as_ref()));
+        let arranging = self.arranging.iter().map(|(id, effect)| (*id, effect.as_ref()));
+        let all = base.into_iter().chain(terms).chain(arranging);
+        all.filter_map(|(id, effect)| Some((id, effect.outside(reach)?))).collect()
     }
 
     /// Index of the state that the sensor reads.

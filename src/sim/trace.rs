@@ -5,7 +5,7 @@ use super::events::Events;
 use super::integrate::{Flow, Settings, Stop, integrate};
 use super::outside::Outside;
 use super::system::{ALL, System};
-use crate::effects::GRAVITY_M_S2;
+use crate::effects::{GRAVITY_M_S2, Reach};
 
 /// A run goes on for this long when the frame has not left the ground, s.
 const PATIENCE_S: f64 = 0.5;
@@ -151,5 +151,19 @@ fn marks(system: &System, trace: &Trace, events: &Events) -> Vec<Outside> {
     if trace.peak_sensor_g >= system.arrangement.sensor.limit_g {
         marks.push(Outside::SensorLimit { limit_g: system.arrangement.sensor.limit_g });
     }
+    marks.extend(effects_outside(system, trace, events));
     marks
+}
+
+/// Effects that do not hold where the drop went.
+fn effects_outside(system: &System, trace: &Trace, events: &Events) -> Vec<Outside> {
+    let reach = Reach {
+        impact_speed_m_s: trace.impact_speed_m_s,
+        deepest_m: trace.max_displacement_m.unwrap_or(0.0),
+        above_ground: trace.x_m.iter().any(|x_m| *x_m < 0.0),
+        contact_s: trace.contact_s,
+        released_at_m: events.release.map(|(_, y, _)| y[0]),
+        stiffness_n_m: system.spring.stiffness_n_m,
+    };
+    system.outside(&reach).into_iter().map(|(effect, reason)| Outside::Effect { effect, reason }).collect()
 }

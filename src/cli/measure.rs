@@ -1,0 +1,98 @@
+//! `flexframe measure`: what measured drops say.
+
+use std::process::ExitCode;
+
+use super::arguments::{CalibrationOptions, Common, MeasureOptions};
+use super::output;
+use super::progress::Progress;
+use super::session::Failure;
+use super::terminal;
+use crate::measured::{self, Calibration, Drop, Group, Spread, Summary};
+use crate::report::{measure_data, measure_plots};
+
+/// Reads drops, judges each, and writes a folder.
+pub(super) fn measure(options: &MeasureOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let working = Progress::of("reading", common);
+    let set = measured::read(&options.paths, &calibration(&options.calibration)?)?;
+    let groups = measured::drops(&set);
+    let json = measure_data::json(&set, &groups);
+    let mut files = measure_plots::plots(&groups)
+        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    files.push(("heights.csv".into(), measure_data::heights_csv(&groups).into_bytes()));
+    files.push(("drops.csv".into(), measure_data::drops_csv(&groups).into_bytes()));
+    files.push(("measure.json".into(), format!("{json:#}\n").into_bytes()));
+    drop(working);
+    let place = output::write_folder(&options.output, "measure", &files)?;
+    if common.json {
+        terminal::print_json(&json)?;
+    } else if !common.quiet {
+        let notes: String = set.notes.iter().map(|note| format!("note: {note}\n")).collect();
+        let (table, flagged) = (table(&groups), flagged(&groups));
+        terminal::print(&format!("{table}\n{flagged}{notes}{}: {} files\n", place.display(), files.len()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The logger's calibration with the command line's changes.
+pub(super) fn calibration(options: &CalibrationOptions) -> Result<Calibration, Failure> {
+    let three = |values: &[f64], what: &str, good: fn(f64) -> bool| {
+        let three: Option<[f64; 3]> = values.try_into().ok().filter(|values: &[f64; 3]| values.iter().all(|value| good(*value)));
+        three.ok_or_else(|| Failure::Usage { message: format!("--{what} takes three numbers, for x, y and z: as in 2019.94,2020,2020.77") })
+    };
+    let mut calibration = Calibration::default();
+    if let Some(offsets) = &options.offset_counts {
+        calibration.offset_counts = three(offsets, "offset-counts", f64::is_finite)?;
+    }
+    if let Some(scales) = &options.counts_per_g {
+        calibration.counts_per_g = three(scales, "counts-per-g", |scale| scale.is_finite() && scale.abs() > 1e-6)?;
+    }
+    Ok(calibration)
+}
+
+/// A height a line.
+fn table(groups: &[(&Group, Vec<Drop>)]) -> String {
+    let mut text = String::from(
+        "                                    -- peak, all axes, g --  - peak along axis, g -- | clean drops: medians\n\
+         frame       height  drops  clean        q1  median      q3       q1  median      q3  | impulse  restitution     fall   noise\n\
+         \x20                m                                                                   |    / v0                     s       g\n",
+    );
+    for (group, drops) in groups {
+        text += &row(&Summary::of(group, drops));
+    }
+    text
+}
+
+fn row(sum: &Summary) -> String {
+    let three = |spread: Option<Spread>| match spread {
+        Some(spread) => format!("{:>7.1} {:>7.1} {:>7.1}", spread.q1, spread.median, spread.q3),
+        None => format!("{:>7} {:>7} {:>7}", "-", "-", "-"),
+    };
+    let median = |spread: Option<Spread>, width: usize, places: usize| {
+        spread.map_or(format!("{:>width$}", "-"), |spread| format!("{:>width$.places$}", spread.median))
+    };
+    format!(
+        "{:<10} {:>7} {:>6} {:>6}   {}  {}  | {} {} {} {}\n",
+        sum.frame.as_deref().unwrap_or("-"),
+        sum.height_m,
+        sum.drops,
+        sum.clean,
+        three(sum.peak_g),
+        three(sum.peak_axial_g),
+        median(sum.impulse_over_v0, 7, 2),
+        median(sum.restitution, 12, 2),
+        median(sum.fall_s, 8, 3),
+        median(sum.noise_g, 7, 3),
+    )
+}
+
+/// Every flag with its reason.
+fn flagged(groups: &[(&Group, Vec<Drop>)]) -> String {
+    let mut text = String::new();
+    for (group, drops) in groups {
+        for drop in drops.iter().filter(|drop| !drop.flags.is_empty()) {
+            let reasons: Vec<String> = drop.flags.iter().map(ToString::to_string).collect();
+            text += &format!("flagged  {}, {}: {}\n", measure_data::name(group), drop.record.trial, reasons.join("; "));
+        }
+    }
+    text
+}

@@ -1,0 +1,136 @@
+//! The parts of a record: free fall, impact, what comes after.
+
+use super::record::Record;
+use super::{GRAVITY_M_S2, impact_speed_m_s};
+
+/// The ground is felt from here on, g.
+pub(super) const TRIGGER_G: f64 = 3.0;
+/// Length of the impact, s: the paper's drops have their peak within it, or hit twice.
+pub(super) const WINDOW_S: f64 = 0.025;
+/// Below this mean magnitude over [`FALL_SAMPLES`] a frame falls, g: held it feels 1 g, in free fall 0.3 g of noise.
+const FALL_G: f64 = 0.6;
+/// Samples that a fall is told by.
+const FALL_SAMPLES: usize = 5;
+/// Samples of the fall, its last, that the noise is told by: the first may hold the release.
+const NOISE_SAMPLES: usize = 200;
+/// The ground has let go when so long nothing above [`TRIGGER_G`] is felt, s.
+const QUIET_S: f64 = 0.005;
+
+/// What a record holds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Impact {
+    /// Sample before the first above 3 g; contact begins here or up to one step later.
+    pub trigger: usize,
+    /// Largest magnitude in the whole record.
+    pub peak: usize,
+    /// Largest magnitude, g.
+    pub peak_g: f64,
+    /// Largest acceleration along the axis, g.
+    pub peak_axial_g: f64,
+    /// Time from trigger to peak, s.
+    pub to_peak_s: f64,
+    /// Samples of the 25 ms after the trigger, as far as the record goes: from the trigger to this one, which is left out.
+    pub window_end: usize,
+    /// Impulse along the axis within the window over the mass, m/s.
+    pub impulse_m_s: f64,
+    /// The same of the magnitude.
+    pub impulse_magnitude_m_s: f64,
+    /// First sample after the window that is felt again after a rest: the frame has come down a second time.
+    pub second_hit: Option<usize>,
+    /// From release to second hit, s: how long the frame flew.
+    pub flight_s: Option<f64>,
+    /// Length of the free fall, s; `None` when the record begins in it.
+    pub fall_s: Option<f64>,
+    /// Standard deviation along the axis in free fall, g; `None` with fewer than five samples of it.
+    pub noise_g: Option<f64>,
+}
+
+impl Impact {
+    /// Finds the impact; `None` when nothing above 3 g is felt.
+    pub fn of(record: &Record) -> Option<Self> {
+        let size = |sample: usize| record.size_g(sample);
+        let count = record.len();
+        let first = (0..count).find(|sample| size(*sample) > TRIGGER_G)?;
+        let trigger = first.saturating_sub(1);
+        let peak = (trigger..count).max_by(|a, b| size(*a).total_cmp(&size(*b)).then(b.cmp(a)))?;
+        let after = |s: f64| record.t_s.partition_point(|t_s| *t_s < record.t_s[trigger] + s - 1e-6);
+        let window_end = after(WINDOW_S);
+        let impulse = |g: &dyn Fn(usize) -> f64| {
+            let steps = (trigger..window_end.min(count - 1)).map(|at| 0.5 * (g(at) + g(at + 1)) * (record.t_s[at + 1] - record.t_s[at]));
+            steps.sum::<f64>() * GRAVITY_M_S2
+        };
+        let (release, second_hit) = second_hit(record, trigger, window_end);
+        let (begin, seen) = fall(record, trigger);
+        // The two samples before the trigger may hold the first touch.
+        let end = trigger.saturating_sub(2).max(begin);
+        let falling = &record.accel_g[begin.max(end.saturating_sub(NOISE_SAMPLES))..end];
+        Some(Self {
+            trigger,
+            peak,
+            peak_g: size(peak),
+            peak_axial_g: record.accel_g[trigger..].iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            to_peak_s: record.t_s[peak] - record.t_s[trigger],
+            window_end,
+            impulse_m_s: impulse(&|at| record.accel_g[at]),
+            impulse_magnitude_m_s: impulse(&|at| record.size_g(at)),
+            second_hit,
+            flight_s: second_hit.zip(release).map(|(hit, release)| record.t_s[hit] - record.t_s[release]),
+            fall_s: seen.then(|| record.t_s[trigger] - record.t_s[begin]),
+            noise_g: deviation(falling),
+        })
+    }
+
+    /// Impulse along the axis over that of the speed before.
+    pub fn impulse_over_v0(&self, height_m: f64) -> f64 {
+        self.impulse_m_s / impact_speed_m_s(height_m)
+    }
+
+    /// Speed after over speed before, by the impulse. Gravity's part, at most g times the 25 ms, is left in.
+    pub fn restitution(&self, height_m: f64) -> f64 {
+        self.impulse_over_v0(height_m) - 1.0
+    }
+
+    /// Speed after over speed before, by the time until the second hit.
+    pub fn restitution_by_flight(&self, height_m: f64) -> Option<f64> {
+        self.flight_s.map(|flight_s| 0.5 * GRAVITY_M_S2 * flight_s / impact_speed_m_s(height_m))
+    }
+}
+
+/// The release, after which nothing is felt for a while, and the first sample that is felt then.
+fn second_hit(record: &Record, trigger: usize, window_end: usize) -> (Option<usize>, Option<usize>) {
+    let count = record.len();
+    let felt = |sample: &usize| record.size_g(*sample) > TRIGGER_G;
+    let mut last = (trigger..window_end.min(count)).rev().find(felt).unwrap_or(trigger);
+    for sample in window_end..count {
+        if felt(&sample) {
+            if record.t_s[sample] - record.t_s[last] > QUIET_S {
+                return (Some(last), Some(sample));
+            }
+            last = sample;
+        }
+    }
+    (Some(last), None)
+}
+
+/// First sample of the free fall before the trigger, and whether its begin is in the record.
+fn fall(record: &Record, trigger: usize) -> (usize, bool) {
+    let mut begin = trigger.saturating_sub(2);
+    while begin >= FALL_SAMPLES {
+        let before = begin - FALL_SAMPLES..begin;
+        if before.map(|sample| record.size_g(sample)).sum::<f64>() > FALL_G * FALL_SAMPLES as f64 {
+            return (begin, true);
+        }
+        begin -= 1;
+    }
+    (0, false)
+}
+
+/// Standard deviation of at least five values.
+fn deviation(values: &[f64]) -> Option<f64> {
+    let count = values.len() as f64;
+    if values.len() < 5 {
+        return None;
+    }
+    let mean = values.iter().sum::<f64>() / count;
+    Some((values.iter().map(|value| (value - mean) * (value - mean)).sum::<f64>() / (count - 1.0)).sqrt())
+}

@@ -1,0 +1,188 @@
+//! Why a file is no record: which, where, what, and the remedy.
+
+use std::fmt;
+
+/// Where in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The file as a whole.
+    Whole,
+    /// A line of a table, from 1.
+    Line(u64),
+    /// A sample of a logger's file, from 1.
+    Sample(usize),
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Fault {
+    /// The system does not give it.
+    #[error("cannot be read: {why}")]
+    Unreadable {
+        /// What the system says.
+        why: String,
+    },
+    /// Neither file nor folder, or an ending that no reader takes.
+    #[error("is {what}")]
+    Foreign {
+        /// What it is.
+        what: String,
+    },
+    /// A folder without records.
+    #[error("holds no record: {others} other files")]
+    NoRecords {
+        /// Files that are none.
+        others: usize,
+    },
+    /// Nothing in it.
+    #[error("is empty")]
+    Empty,
+    /// Too large for what it should be.
+    #[error("has {bytes} bytes, more than the {most} of any record")]
+    Huge {
+        /// Its size.
+        bytes: u64,
+        /// What is read.
+        most: u64,
+    },
+    /// A sample cut short.
+    #[error("ends in the middle of a sample: {bytes} bytes are no multiple of 10")]
+    Truncated {
+        /// Its size.
+        bytes: usize,
+    },
+    /// More counts than the converter has.
+    #[error("`{axis}` is {count} counts, more than the converter's {most}")]
+    Counts {
+        /// Axis.
+        axis: char,
+        /// Value.
+        count: u16,
+        /// Largest.
+        most: u16,
+    },
+    /// A folder that does not say the height.
+    #[error("lies in the folder `{folder}`, whose name does not say the height")]
+    NoHeight {
+        /// The folder.
+        folder: String,
+    },
+    /// Columns that a table must have.
+    #[error("lacks the column{} {}", if .missing.len() == 1 { "" } else { "s" }, .missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))]
+    NoColumn {
+        /// Their names.
+        missing: Vec<String>,
+    },
+    /// A column that is there twice.
+    #[error("has the column `{name}` twice")]
+    TwoColumns {
+        /// Its name.
+        name: String,
+    },
+    /// A row of another length than the header.
+    #[error("has {found} fields, the header has {expected}")]
+    Fields {
+        /// In the row.
+        found: u64,
+        /// In the header.
+        expected: u64,
+    },
+    /// Not a number.
+    #[error("`{column}` is `{value}`, no number")]
+    NoNumber {
+        /// Column.
+        column: &'static str,
+        /// What stands there.
+        value: String,
+    },
+    /// A number that cannot be.
+    #[error("`{column}` = {value} is out of bounds: {min} to {max} {unit}")]
+    OutOfBounds {
+        /// Column.
+        column: &'static str,
+        /// What stands there.
+        value: f64,
+        /// Least.
+        min: f64,
+        /// Most.
+        max: f64,
+        /// Unit.
+        unit: &'static str,
+    },
+    /// No trial.
+    #[error("`trial` is empty")]
+    NoTrial,
+    /// Time that stands still or goes back.
+    #[error("time does not ascend in trial `{trial}`: {t_s} s after {before_s} s")]
+    Unsorted {
+        /// Trial.
+        trial: String,
+        /// Before.
+        before_s: f64,
+        /// Here.
+        t_s: f64,
+    },
+    /// A trial with two heights.
+    #[error("trial `{trial}` has two heights: {before_m} m and {height_m} m")]
+    MixedHeights {
+        /// Trial.
+        trial: String,
+        /// Before.
+        before_m: f64,
+        /// Here.
+        height_m: f64,
+    },
+}
+
+impl Fault {
+    /// What to do.
+    pub fn remedy(&self) -> String {
+        match self {
+            Self::Unreadable { .. } => "name files and folders that are there and may be read".into(),
+            Self::Foreign { .. } | Self::NoRecords { .. } => {
+                "give .csv tables, .bin or .bhn files of the logger, or folders of them".into()
+            }
+            Self::Empty => "leave it out, or copy it again from the logger".into(),
+            Self::Huge { .. } => "split it: a drop of 2 s at 1 kHz has 20 000 bytes".into(),
+            Self::Truncated { .. } => "copy it again from the logger, or leave it out".into(),
+            Self::Counts { .. } => {
+                "a logger's file holds u32 t_us, u16 x, u16 y, u16 z, little-endian, 12 bits each axis: is it one?".into()
+            }
+            Self::NoHeight { .. } => "name the folder FRAME_HEIGHTcm, as in soft_050cm".into(),
+            Self::NoColumn { .. } => {
+                "the first line names the columns, with commas: trial,height_m,t_s,accel_g, and x,y,z if they are there".into()
+            }
+            Self::TwoColumns { .. } => "leave one of them".into(),
+            Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
+            Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),
+            Self::OutOfBounds { .. } => "look at the unit: m, s and g".into(),
+            Self::NoTrial => "give each drop a name or a number".into(),
+            Self::Unsorted { .. } => "sort the rows of each trial by t_s; two drops need two names".into(),
+            Self::MixedHeights { .. } => "give each drop a name of its own, and one height".into(),
+        }
+    }
+}
+
+/// A file that is no record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Malformed {
+    /// Which.
+    pub file: String,
+    /// Where.
+    pub place: Place,
+    /// What.
+    pub fault: Fault,
+}
+
+impl fmt::Display for Malformed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { file, place, fault } = self;
+        match place {
+            Place::Whole => write!(f, "{file} {fault}"),
+            Place::Line(line) => write!(f, "{file}, line {line}: {fault}"),
+            Place::Sample(sample) => write!(f, "{file}, sample {sample}: {fault}"),
+        }
+    }
+}
+
+impl std::error::Error for Malformed {}

@@ -1,0 +1,33 @@
+//! Drops as they were measured: reading records, finding the impact in each, judging it, summing up a height.
+//!
+//! [`read`] takes files and folders: the logger's `.bin` files, calibrated by a [`Calibration`], and CSV tables. It gives a
+//! [`DropSet`], records grouped by frame and height. [`Impact`] is what a record holds, [`Flag`] what is wrong with it,
+//! [`Summary`] what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
+//! positive while the ground pushes, 0 in free fall.
+
+mod flag;
+mod impact;
+mod logger;
+mod malformed;
+mod reading;
+mod record;
+mod spread;
+mod summary;
+mod table;
+
+pub use flag::{Flag, flags};
+pub use impact::Impact;
+pub use logger::Calibration;
+pub use malformed::{Fault, Malformed, Place};
+pub use reading::read;
+pub use record::{DropSet, Group, Record};
+pub use spread::Spread;
+pub use summary::{Drop, Summary, drops};
+
+/// Gravity, m/s².
+pub const GRAVITY_M_S2: f64 = 9.81;
+
+/// Speed after a fall without air, m/s.
+pub fn impact_speed_m_s(height_m: f64) -> f64 {
+    (2.0 * GRAVITY_M_S2 * height_m).sqrt()
+}

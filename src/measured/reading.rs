@@ -1,0 +1,153 @@
+//! Paths to records: files and folders, mixed.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+
+use super::logger::{self, Calibration, Label};
+use super::malformed::{Fault, Malformed, Place};
+use super::record::{DropSet, Record};
+use super::table;
+
+/// Folders within folders that are looked into.
+const DEPTH: usize = 4;
+/// Largest file of a logger, bytes: half an hour at 1 kHz.
+const MOST_LOGGED: u64 = 20_000_000;
+/// Largest table, bytes.
+const MOST_TABLE: u64 = 2_000_000_000;
+
+/// What reads a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Logger,
+    Table,
+}
+
+impl Kind {
+    fn of(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "bin" | "bhn" => Some(Self::Logger),
+            "csv" => Some(Self::Table),
+            _ => None,
+        }
+    }
+}
+
+/// Files that were found.
+#[derive(Default)]
+struct Found {
+    files: Vec<(PathBuf, Kind)>,
+    others: usize,
+}
+
+fn malformed(path: &Path, place: Place, fault: Fault) -> Malformed {
+    Malformed { file: path.display().to_string(), place, fault }
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Malformed {
+    malformed(path, Place::Whole, Fault::Unreadable { why: error.to_string() })
+}
+
+/// Reads every record of files and folders; in folders, files that are none are left aside.
+///
+/// # Errors
+/// The first file, in order of the paths and of names, that is no record though it should be one.
+pub fn read(paths: &[PathBuf], calibration: &Calibration) -> Result<DropSet, Malformed> {
+    let mut found = Found::default();
+    for path in paths {
+        let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+        if meta.is_dir() {
+            let before = found.files.len();
+            walk(path, DEPTH, &mut found)?;
+            if found.files.len() == before {
+                return Err(malformed(path, Place::Whole, Fault::NoRecords { others: found.others }));
+            }
+        } else {
+            let kind = Kind::of(path).ok_or_else(|| {
+                let what = "of no kind that is known by its ending".into();
+                malformed(path, Place::Whole, Fault::Foreign { what })
+            })?;
+            found.files.push((path.clone(), kind));
+        }
+    }
+    // A file that is named twice, or once with its folder, is one drop.
+    let mut seen = std::collections::BTreeSet::new();
+    found.files.retain(|(path, _)| seen.insert(fs::canonicalize(path).unwrap_or_else(|_| path.clone())));
+    let all: Vec<(Vec<Record>, Vec<String>)> = found
+        .files
+        .par_iter()
+        .map(|(path, kind)| read_file(path, *kind, calibration))
+        .collect::<Vec<_>>()
+        .into_iter()
+        .collect::<Result<_, _>>()?;
+    let (mut records, mut notes) = (Vec::new(), Vec::new());
+    for (some, said) in all {
+        records.extend(some);
+        notes.extend(said);
+    }
+    if found.others > 0 {
+        notes.push(format!("{} other files in the folders were left aside", found.others));
+    }
+    Ok(DropSet::of(records, notes))
+}
+
+/// Records of a folder, those in its folders, too; sorted by name, hidden ones left out.
+fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Malformed> {
+    let entries = fs::read_dir(folder).map_err(|error| unreadable(folder, &error))?;
+    let mut paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(|error| unreadable(folder, &error))?;
+    paths.sort();
+    for path in paths {
+        let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+        if hidden {
+            continue;
+        }
+        if path.is_dir() {
+            if depth > 0 {
+                walk(&path, depth - 1, found)?;
+            }
+            continue;
+        }
+        match Kind::of(&path) {
+            Some(kind) => found.files.push((path, kind)),
+            None => found.others += 1,
+        }
+    }
+    Ok(())
+}
+
+/// Reads a file, not more of it than a record can have.
+fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Malformed> {
+    let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
+    if !meta.is_file() {
+        // A pipe or a device may never end.
+        return Err(malformed(path, Place::Whole, Fault::Foreign { what: "no file".into() }));
+    }
+    if meta.len() > most {
+        return Err(malformed(path, Place::Whole, Fault::Huge { bytes: meta.len(), most }));
+    }
+    fs::read(path).map_err(|error| unreadable(path, &error))
+}
+
+fn read_file(path: &Path, kind: Kind, calibration: &Calibration) -> Result<(Vec<Record>, Vec<String>), Malformed> {
+    let source = path.display().to_string();
+    let parent = fs::canonicalize(path).ok().and_then(|whole| whole.parent()?.file_name().map(|name| name.to_string_lossy().into_owned()));
+    let folder = parent.unwrap_or_default();
+    let said = logger::frame_and_height(&folder);
+    let refused = |(place, fault)| malformed(path, place, fault);
+    match kind {
+        Kind::Logger => {
+            let (frame, height_m) = said.ok_or_else(|| malformed(path, Place::Whole, Fault::NoHeight { folder }))?;
+            let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+            let bytes = bytes_of(path, MOST_LOGGED)?;
+            let record = logger::record(&bytes, Label { trial, source, frame, height_m }, calibration).map_err(refused)?;
+            Ok((vec![record], Vec::new()))
+        }
+        Kind::Table => {
+            let bytes = bytes_of(path, MOST_TABLE)?;
+            let (records, others) = table::records(&bytes, &source, None).map_err(refused)?;
+            let note = (!others.is_empty()).then(|| format!("{source}: columns left aside: {}", others.join(", ")));
+            Ok((records, note.into_iter().collect()))
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! A record, and records by frame and height.
+
+/// One drop as it was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// Its name: the trial of a table, the file's stem of a logger.
+    pub trial: String,
+    /// Stated drop height, m.
+    pub height_m: f64,
+    /// What was dropped, where a folder's name says it.
+    pub frame: Option<String>,
+    /// The file.
+    pub source: String,
+    /// Time, s, strictly ascending.
+    pub t_s: Vec<f64>,
+    /// Proper acceleration along the axis, g; positive while the ground pushes.
+    pub accel_g: Vec<f64>,
+    /// Magnitude of all three axes, g, where they were measured.
+    pub magnitude_g: Option<Vec<f64>>,
+    /// How many samples stand at an end of the converter's range.
+    pub at_full_scale: usize,
+}
+
+impl Record {
+    /// Magnitude of the acceleration, g: of all axes, or of the one there is.
+    pub fn size_g(&self, sample: usize) -> f64 {
+        self.magnitude_g.as_ref().map_or_else(|| self.accel_g[sample].abs(), |magnitude| magnitude[sample])
+    }
+
+    /// Number of samples.
+    pub fn len(&self) -> usize {
+        self.t_s.len()
+    }
+
+    /// Whether there is none; readers give no such record.
+    pub fn is_empty(&self) -> bool {
+        self.t_s.is_empty()
+    }
+
+    /// The median step of time, s; `None` for fewer than two samples.
+    pub fn step_s(&self) -> Option<f64> {
+        let mut steps: Vec<f64> = self.t_s.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let middle = steps.len().checked_sub(1)? / 2;
+        Some(*steps.select_nth_unstable_by(middle, f64::total_cmp).1)
+    }
+}
+
+/// Records of one frame from one height, in the order in which they were read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// What was dropped, where that is known.
+    pub frame: Option<String>,
+    /// From where, m.
+    pub height_m: f64,
+    /// The records.
+    pub records: Vec<Record>,
+}
+
+/// All records that were read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DropSet {
+    /// By frame, then by height.
+    pub groups: Vec<Group>,
+    /// What was left aside in reading.
+    pub notes: Vec<String>,
+}
+
+impl DropSet {
+    /// Groups records.
+    pub fn of(records: Vec<Record>, notes: Vec<String>) -> Self {
+        let mut groups: Vec<Group> = Vec::new();
+        for record in records {
+            let order = |group: &Group| group.frame.as_ref().cmp(&record.frame.as_ref()).then(group.height_m.total_cmp(&record.height_m));
+            match groups.binary_search_by(order) {
+                Ok(at) => groups[at].records.push(record),
+                Err(at) => {
+                    let (frame, height_m) = (record.frame.clone(), record.height_m);
+                    groups.insert(at, Group { frame, height_m, records: vec![record] });
+                }
+            }
+        }
+        Self { groups, notes }
+    }
+
+    /// Every record, group by group.
+    pub fn records(&self) -> impl Iterator<Item = &Record> {
+        self.groups.iter().flat_map(|group| &group.records)
+    }
+
+    /// The frames that were dropped, each once.
+    pub fn frames(&self) -> Vec<Option<&str>> {
+        let mut frames: Vec<Option<&str>> = self.groups.iter().map(|group| group.frame.as_deref()).collect();
+        frames.dedup();
+        frames
+    }
+}

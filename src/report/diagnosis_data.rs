@@ -1,0 +1,148 @@
+//! A diagnosis as data.
+
+use serde_json::{Map, Value, json};
+
+use super::drop_data;
+use crate::diagnose::{Diagnosis, Estimate, Gaps, Ranked};
+
+/// What was compared, for the record.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// Channel that was used.
+    pub channel: &'static str,
+    /// Channel that the model states.
+    pub stated_channel: &'static str,
+    /// Why another was used.
+    pub channel_reason: Option<String>,
+    /// Drops used, by height, m.
+    pub drops: Vec<(f64, usize)>,
+    /// Drops left out, with the reason.
+    pub left_out: Vec<(String, String)>,
+    /// Heights that no fit saw, m.
+    pub held_out_heights_m: Vec<f64>,
+    /// Seed.
+    pub seed: u64,
+}
+
+/// Rounded to what a reader can use, so that the same input gives the same digits.
+fn rounded(value: f64) -> Value {
+    if value.is_finite() { json!(format!("{value:.6e}").parse::<f64>().unwrap_or(value)) } else { Value::Null }
+}
+
+/// Everything as JSON.
+pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
+    let effects: Vec<Value> = diagnosis
+        .contributions
+        .iter()
+        .map(|(id, taken)| {
+            let own: Map<String, Value> = diagnosis.estimates.iter().filter(|estimate| estimate.effect == *id).map(parameter).collect();
+            json!({ "id": id, "parameters": own, "contribution": rounded(*taken) })
+        })
+        .collect();
+    let effects = if diagnosis.verdict == crate::diagnose::Verdict::NothingMissing { Vec::new() } else { effects };
+    let base: Map<String, Value> = diagnosis
+        .estimates
+        .iter()
+        .filter(|estimate| ["linear_spring", "linear_damper"].contains(&estimate.effect))
+        .map(parameter)
+        .collect();
+    let alternatives: Vec<Value> = diagnosis
+        .alternatives
+        .iter()
+        .skip(1)
+        .map(|other| json!({ "effects": other.candidate.ids(), "weight": rounded(other.weight), "score": rounded(other.candidate.score) }))
+        .collect();
+    let keys: Vec<String> = diagnosis.estimates.iter().map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
+    let correlations: Vec<Vec<Value>> =
+        (0..keys.len()).map(|i| (0..keys.len()).map(|j| rounded(diagnosis.correlations[(i, j)])).collect()).collect();
+    json!({
+        "schema_version": 1,
+        "verdict": diagnosis.verdict.id(),
+        "reasons": diagnosis.reasons,
+        "effects": effects,
+        "base": { "effects": base, "body": { "mass_kg": diagnosis.base.model().body.mass_kg, "gap_mm": diagnosis.base.model().body.gap_m * 1e3, "from": drop_data::origin(&diagnosis.base.model().body) } },
+        "weight": diagnosis.alternatives.first().map(|best| rounded(best.weight)),
+        "alternatives": alternatives,
+        "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
+        "correlations": { "of": keys, "matrix": correlations },
+        "gap": gaps(diagnosis),
+        "where": place(diagnosis),
+        "lack_of_fit_p": rounded(diagnosis.adequacy.p),
+        "base_lack_of_fit": adequacy(&diagnosis.base_adequacy),
+        "lack_of_fit": adequacy(&diagnosis.adequacy),
+        "trend_over_trials_p": rounded(diagnosis.trend_p),
+        "observables": diagnosis.observables,
+        "flat_top": diagnosis.flat_top.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
+        "restoring_force_left": diagnosis.surface,
+        "next_experiment": diagnosis.experiments.first(),
+        "experiments": diagnosis.experiments,
+        "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
+        "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
+        "left_out": compared.left_out.iter().map(|(trial, reason)| json!({ "trial": trial, "reason": reason })).collect::<Vec<_>>(),
+        "held_out_heights_m": compared.held_out_heights_m,
+        "seed": compared.seed,
+    })
+}
+
+fn parameter(estimate: &Estimate) -> (String, Value) {
+    let ci95 = estimate.ci95.map(rounded);
+    (
+        estimate.key.to_string(),
+        json!({ "value": rounded(estimate.value), "unit": estimate.unit, "ci95": ci95, "at_bound": estimate.at_bound }),
+    )
+}
+
+fn ranked(ranked: &Ranked) -> Value {
+    let by_height = ranked.constancy.as_ref().map(|constancy| {
+        let parameters: Map<String, Value> = constancy
+            .parameters
+            .iter()
+            .map(|by| {
+                let values: Vec<Value> =
+                    by.values.iter().map(|(height_m, value, _)| json!({ "height_m": height_m, "value": rounded(*value) })).collect();
+                (format!("{}.{}", by.effect, by.key), json!({ "values": values, "slope_over_impact_speed": by.slope.map(rounded) }))
+            })
+            .collect();
+        json!({ "p": rounded(constancy.p), "parameters": parameters })
+    });
+    json!({
+        "id": ranked.id,
+        "score": rounded(ranked.score),
+        "left_out_g": ranked.left_out_g.map(rounded),
+        "constancy": by_height,
+        "reason_rejected": ranked.reason_rejected,
+    })
+}
+
+fn gaps(diagnosis: &Diagnosis) -> Value {
+    let raw = |gaps: &Gaps| json!({ "fitted": rounded(gaps.fitted.raw_g), "held_out": rounded(gaps.held_out.raw_g), "trials": rounded(gaps.trials.raw_g) });
+    let (before, after) = (&diagnosis.before, &diagnosis.after);
+    json!({
+        "unit": "g",
+        "floor": rounded(before.fitted.floor_g),
+        "before": rounded(before.fitted.net_g),
+        "after": rounded(after.fitted.net_g),
+        "held_out_floor": rounded(before.held_out.floor_g),
+        "held_out_before": rounded(before.held_out.net_g),
+        "held_out_after": rounded(after.held_out.net_g),
+        "held_out": if diagnosis.heights_held_out { "heights that no fit saw" } else { "each height, fitted to the others" },
+        "trials_before": rounded(before.trials.net_g),
+        "trials_after": rounded(after.trials.net_g),
+        "raw_before": raw(before),
+        "raw_after": raw(after),
+    })
+}
+
+fn place(diagnosis: &Diagnosis) -> Value {
+    json!({ "cells": diagnosis.place.cells, "worst": diagnosis.place.worst, "same_in": diagnosis.place.same_in })
+}
+
+fn adequacy(adequacy: &crate::diagnose::Adequacy) -> Value {
+    let [sum, effect, bump] = adequacy.single_p;
+    json!({
+        "p": rounded(adequacy.p),
+        "sum_of_squares": { "value": rounded(adequacy.statistics.sum), "p": rounded(sum) },
+        "largest_gain_by_an_effect": { "value": rounded(adequacy.statistics.effect), "p": rounded(effect) },
+        "largest_bump": { "value": rounded(adequacy.statistics.bump), "p": rounded(bump) },
+    })
+}

@@ -1,0 +1,75 @@
+//! The plots of measured drops: peaks as boxes, waves of a height laid at their trigger.
+
+use super::bands::Bands;
+use super::boxes::{Boxes, Group as BoxGroup, Values};
+use super::measure_data::name;
+use super::plot::{self, PlotError};
+use crate::measured::{Drop, Group, Spread};
+
+/// Samples before the trigger that are drawn.
+const BEFORE: usize = 5;
+/// Samples after it.
+const AFTER: usize = 30;
+
+/// Every plot, path and bytes.
+///
+/// # Errors
+/// When one cannot be drawn.
+pub fn plots(groups: &[(&Group, Vec<Drop>)]) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
+    let mut files = Vec::new();
+    files.extend(plot::files("peak", &peak(groups))?);
+    for (at, (group, drops)) in groups.iter().enumerate() {
+        if let Some(chart) = waves(group, drops, at) {
+            files.extend(plot::files(&format!("waves-{}", name(group).replace(' ', "-")), &chart)?);
+        }
+    }
+    Ok(files)
+}
+
+fn peak(groups: &[(&Group, Vec<Drop>)]) -> Boxes {
+    let all_axes = groups.iter().any(|(group, _)| group.records.iter().any(|record| record.magnitude_g.is_some()));
+    let values = |drops: &[Drop], value: fn(&crate::measured::Impact) -> f64| {
+        let values: Vec<(f64, bool)> =
+            drops.iter().filter_map(|drop| Some((value(drop.impact.as_ref()?), drop.flags.is_empty()))).collect();
+        Some(Values { spread: Spread::of(values.iter().map(|value| value.0))?, values })
+    };
+    let group = |(group, drops): &(&Group, Vec<Drop>)| {
+        let mut kinds = vec![values(drops, |impact| impact.peak_axial_g)];
+        if all_axes {
+            kinds.insert(0, values(drops, |impact| impact.peak_g));
+        }
+        BoxGroup { label: name(group), kinds }
+    };
+    let mut kinds = vec!["along the axis"];
+    if all_axes {
+        kinds.insert(0, "magnitude of all axes");
+    }
+    Boxes {
+        title: "Measured peaks: quartiles, ends, every drop (rings: flagged)".into(),
+        across: "frame and drop height",
+        up: "peak, g",
+        kinds,
+        groups: groups.iter().map(group).collect(),
+    }
+}
+
+fn waves(group: &Group, drops: &[Drop], colour: usize) -> Option<Bands> {
+    let clean: Vec<(&Drop, usize)> = drops.iter().filter_map(|drop| Some((drop, drop.clean()?.trigger))).collect();
+    let wave = |(drop, trigger): &(&Drop, usize)| {
+        let record = drop.record;
+        let samples = trigger.saturating_sub(BEFORE)..(trigger + AFTER + 1).min(record.len());
+        samples.map(|at| ((record.t_s[at] - record.t_s[*trigger]) * 1e3, record.accel_g[at])).collect::<Vec<_>>()
+    };
+    let quartiles = |offset: usize| {
+        let values = clean.iter().filter_map(|(drop, trigger)| drop.record.accel_g.get((trigger + offset).checked_sub(BEFORE)?).copied());
+        Spread::of(values).map(|spread| (offset as f64 - BEFORE as f64, [spread.q1, spread.median, spread.q3]))
+    };
+    (!clean.is_empty()).then(|| Bands {
+        title: format!("{}: {} clean drops along the axis, laid at their trigger", name(group), clean.len()),
+        across: "time from the trigger, ms",
+        up: "acceleration along the axis, g",
+        colour,
+        waves: clean.iter().map(wave).collect(),
+        quartiles: (0..=BEFORE + AFTER).filter_map(quartiles).collect(),
+    })
+}

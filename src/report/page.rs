@@ -1,0 +1,78 @@
+//! A page of headings, sentences, tables and figures, as Markdown and as one HTML file that needs nothing else.
+
+use std::fmt::Write;
+
+/// A part of a page.
+pub enum Block {
+    /// A heading below the title.
+    Heading(String),
+    /// A paragraph.
+    Text(String),
+    /// Lines, each an item.
+    List(Vec<String>),
+    /// A head and rows.
+    Table(Vec<String>, Vec<Vec<String>>),
+    /// An SVG figure with its file's name and caption.
+    Figure {
+        /// Name of the file beside the Markdown.
+        name: String,
+        /// The figure.
+        svg: String,
+        /// What it shows.
+        caption: String,
+    },
+}
+
+const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#111}\
+table{border-collapse:collapse;margin:1rem 0;font-size:14px}td,th{border:1px solid #999;padding:.25rem .5rem;text-align:left;vertical-align:top}\
+th{background:#eee}figure{margin:1rem 0}figure svg{width:100%;height:auto}figcaption{font-size:14px}\
+@media print{body{margin:0;max-width:none}figure,table{break-inside:avoid}}";
+
+/// The page as Markdown; figures are files beside it.
+pub fn markdown(title: &str, blocks: &[Block]) -> String {
+    let mut text = format!("# {title}\n");
+    for block in blocks {
+        // Writing to a string does not fail.
+        let _ = match block {
+            Block::Heading(heading) => write!(text, "\n## {heading}\n"),
+            Block::Text(paragraph) => write!(text, "\n{paragraph}\n"),
+            Block::List(items) => write!(text, "\n{}\n", items.iter().map(|item| format!("- {item}")).collect::<Vec<_>>().join("\n")),
+            Block::Table(head, rows) => {
+                let line = |cells: &[String]| format!("| {} |\n", cells.join(" | ").replace('\n', " "));
+                let rule = format!("|{}\n", "---|".repeat(head.len()));
+                write!(text, "\n{}{rule}{}", line(head), rows.iter().map(|row| line(row)).collect::<String>())
+            }
+            Block::Figure { name, caption, .. } => write!(text, "\n![{caption}]({name}.svg)\n"),
+        };
+    }
+    text
+}
+
+/// The page as HTML, figures inside.
+pub fn html(title: &str, blocks: &[Block]) -> String {
+    let title = escaped(title);
+    let mut text = format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title><style>{STYLE}</style></head><body>\n<h1>{title}</h1>\n"
+    );
+    for block in blocks {
+        text += &match block {
+            Block::Heading(heading) => format!("<h2>{}</h2>\n", escaped(heading)),
+            Block::Text(paragraph) => format!("<p>{}</p>\n", escaped(paragraph)),
+            Block::List(items) => {
+                format!("<ul>{}</ul>\n", items.iter().map(|item| format!("<li>{}</li>", escaped(item))).collect::<String>())
+            }
+            Block::Table(head, rows) => {
+                let line = |cells: &[String], tag: &str| {
+                    format!("<tr>{}</tr>\n", cells.iter().map(|cell| format!("<{tag}>{}</{tag}>", escaped(cell))).collect::<String>())
+                };
+                format!("<table>{}{}</table>\n", line(head, "th"), rows.iter().map(|row| line(row, "td")).collect::<String>())
+            }
+            Block::Figure { svg, caption, .. } => format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escaped(caption)),
+        };
+    }
+    text + "</body></html>\n"
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
