@@ -1,126 +1,183 @@
-//! How often the right effect is named, over effects, strengths, seeds and levels of noise.
+//! How often a diagnosis is right: over effects, strengths, seeds and three levels of noise, on drops with a known truth.
 //!
-//! `cargo bench --bench recovery -- --level 2 --seeds 0..3 --what singles,nulls,pairs,hidden`
+//! `cargo bench --bench recovery -- --level 2 --seeds 0..3 --what nulls,singles,pairs,hidden`: a line a case, then the table of
+//! docs/diagnosis.md. Strengths are noncentralities: squared whitened distances between the truth's noise-free mean waves
+//! and those of the base model refitted to them.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use flexframe::diagnose::{Ground, RARE, Search, Setting};
+use flexframe::diagnose::{Candidate, Diagnosis, Ground, Search, Setting, Settings, Verdict, diagnose};
 use flexframe::effects::{CATALOGUE, Model, by_id};
 use flexframe::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
-use flexframe::plant::{Plan, Scatter as Spread, clean, records};
+use flexframe::plant::{Hidden, Plan, Scatter as Spread, clean, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 1.5];
+const HELD_OUT_M: f64 = 2.0;
 const STRENGTHS: [f64; 5] = [5.0, 19.0, 71.0, 266.0, 1000.0];
+const DETECTABLE: f64 = 30.0;
 
+fn base() -> Model {
+    Model::load("paper").expect("the paper's model")
+}
+
+/// Drops of the base model at a level of noise, its k and c a little different for every seed.
 fn plan(level: usize, seed: u64) -> Plan {
     let (drops, share) = if level == 1 { (80, 0.5) } else { (20, 0.1) };
     let varied = if level == 3 { 0.1 } else { 0.0 };
     let mut rng = Pcg64::seed_from_u64(seed ^ 0x5eed);
-    let mut model = Model::load("paper").expect("the paper's model");
+    let mut model = base();
     let (k, c): (f64, f64) = (rng.random_range(0.8..1.25), rng.random_range(0.8..1.25));
     model.effects[0].values[0] *= k;
     model.effects[1].values[0] *= c;
-    let scatter = Spread { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: if level == 3 { 5.0 } else { 0.0 } };
+    let scatter = Spread { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
     Plan { model, hidden: None, heights_m: HEIGHTS_M.to_vec(), drops, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
 }
 
-/// An effect with as much of it as `amount` (1: a plain strength) says.
-fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<(Model, Vec<f64>)> {
+/// An effect with as much of it as `amount` says; its other parameters by chance.
+fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Model> {
     let spec = by_id(id)?;
     let side = if rng.random_bool(0.4) { -1.0 } else { 1.0 };
-    let sign = |both: bool| if both { side } else { 1.0 };
     let one = |value: f64| vec![value];
     let values = match id {
         "unilateral_contact" => one(1.0 - amount),
-        "bottoming" => vec![rng.random_range(5.0..16.0), 4e6 * amount, 0.3],
-        "cubic_stiffness" => one(sign(true) * 5e6 * amount),
-        "bilinear_stiffness" => vec![rng.random_range(4.0..16.0), sign(true) * 3e3 * amount],
-        "hunt_crossley_damping" => one(sign(true) * 1.5e3 * amount),
+        "bottoming" => vec![rng.random_range(5.0..14.0), 4e6 * amount, 0.3],
+        "cubic_stiffness" => one(side * 5e6 * amount),
+        "bilinear_stiffness" => vec![rng.random_range(4.0..14.0), side * 3e3 * amount],
+        "hunt_crossley_damping" => one(side * 1.5e3 * amount),
         "coulomb_friction" => one(20.0 * amount),
         "maxwell_branch" => vec![8e3 * amount, libm::exp(rng.random_range(-0.7..2.3))],
-        "quadratic_damping" => one(sign(true) * 5.0 * amount),
+        "quadratic_damping" => one(side * 5.0 * amount),
         "preload" => one(20.0 * amount),
-        "sensor_low_pass" => one(model.sensor.cutoff_hz * libm::exp(sign(true) * 0.5 * amount)),
-        "sensor_saturation" => one(100.0 / (0.2 + amount)),
-        "sensor_gain" => one(1.0 + sign(true) * 0.15 * amount),
+        "sensor_low_pass" => one(model.sensor.cutoff_hz * libm::exp(side * 0.5 * amount)),
+        "sensor_saturation" => one(250.0 * libm::exp(-amount)),
+        "sensor_gain" => one(1.0 + side * 0.15 * amount),
         "payload_mode" => vec![0.15 * amount, libm::exp(rng.random_range(4.0..5.8)), 0.05],
         "foot_stagger" => one(4.0 * amount),
-        "drop_height_error" => one(sign(true) * 0.12 * amount),
+        "drop_height_error" => one(side * 0.12 * amount),
         _ => one(0.2 * amount),
     };
     let inside = spec.parameters.iter().zip(&values).all(|(parameter, value)| (parameter.min..=parameter.max).contains(value));
-    inside.then(|| (model.clone().with(spec, &values, 0), values))
+    inside.then(|| model.clone().with(spec, &values, 0))
 }
 
-/// Squared whitened distance between a truth's mean waves and those of the base model refitted to them.
-fn noncentrality(plan: &Plan) -> Option<f64> {
-    let many = Plan { drops: 300, ..plan.clone() };
-    let waves = waves(&many);
-    let scatter = Scatter::of(&waves);
-    let counts = vec![plan.drops; HEIGHTS_M.len()];
-    let whitening = Whitening::of(&scatter.plain_covariances(), &counts)?;
-    let mut problem = Problem::of(&waves, whitening, 0.0);
-    let expected = Expected { spread: 0.0, ..problem.expected };
+fn waves(plan: &Plan) -> Waves {
+    let drop = |record: flexframe::plant::Record| Drop {
+        trial: record.trial,
+        height_m: record.height_m,
+        t_s: record.t_s,
+        accel_g: record.accel_g,
+    };
+    Waves::of(&records(plan).into_iter().map(drop).collect::<Vec<_>>()).expect("planted drops are usable")
+}
+
+/// A truth's noise-free mean waves with the generator's own covariance of the mean, read off many drops.
+fn noise_free(plan: &Plan) -> Option<(Problem, Scatter)> {
+    let many = waves(&Plan { drops: 300, ..plan.clone() });
+    let scatter = Scatter::of(&many);
+    let whitening = Whitening::of(&scatter.plain_covariances(), &vec![plan.drops; plan.heights_m.len()])?;
+    let mut problem = Problem::of(&many, whitening, 0.0);
+    let expected: Expected = problem.expected;
     if plan.scatter.stiffness == 0.0 {
         for (height_m, mean) in &mut problem.means {
             *mean = expected.mean_over_phases(&clean(plan, *height_m));
         }
     }
+    Some((problem, scatter))
+}
+
+fn noncentrality(plan: &Plan) -> Option<f64> {
+    let (problem, _) = noise_free(plan)?;
     let [k, c] = plan.model.stiffness_and_damping();
-    let base = Model::base(plan.model.body.clone(), plan.model.sensor, k, c);
-    Some(problem.fit(Layout::of(base), 25)?.chi2())
+    Some(problem.fit(Layout::of(Model::base(plan.model.body.clone(), plan.model.sensor, k, c)), 25)?.chi2())
 }
 
-fn waves(plan: &Plan) -> Waves {
-    let drops: Vec<Drop> = records(plan)
-        .into_iter()
-        .map(|record| Drop { trial: record.trial, height_m: record.height_m, t_s: record.t_s, accel_g: record.accel_g })
-        .collect();
-    Waves::of(&drops).expect("planted drops are usable")
+/// What the best catalogue fit, pairs included, leaves of a truth.
+fn left_by_catalogue(plan: &Plan) -> Option<f64> {
+    let (problem, _) = noise_free(plan)?;
+    let few = waves(plan);
+    let ground = Ground::of(&few, &base())?;
+    let setting = Setting { problem: &problem, scatter: &ground.scatter, family: &ground.family, most: 2, seed: 1 };
+    let search = Search::run(&setting, &base())?;
+    search.levels.iter().flat_map(|level| &level.candidates).map(|candidate: &Candidate| candidate.fitted.chi2()).min_by(f64::total_cmp)
 }
 
-struct Outcome {
-    first: Option<String>,
-    set: Vec<String>,
-    top: String,
-    weight: f64,
-    p: Vec<f64>,
-    parts: [f64; 3],
+struct Case {
+    diagnosis: Diagnosis,
     seconds: f64,
 }
 
-fn diagnosed(plan: &Plan) -> Outcome {
+fn diagnosed(plan: &Plan) -> Case {
+    let all = waves(plan);
     let from = Instant::now();
-    let waves = waves(plan);
-    let model = Model::load("paper").expect("the paper's model");
-    let Ground { problem, scatter, family, .. } = Ground::of(&waves, &model).expect("a base fit");
-    let setting = Setting { problem: &problem, scatter: &scatter, family: &family, most: 3, seed: 7 };
-    let search = Search::run(&setting, &model).expect("a search");
-    let seconds = from.elapsed().as_secs_f64();
-    let last = search.levels.last().expect("a level");
-    let something = search.levels[0].adequacy.p < RARE;
-    let ids = |at: usize| -> Vec<String> { last.candidates[at].ids().into_iter().map(String::from).collect() };
-    let weights: Vec<f64> = last.candidates.iter().map(|candidate| libm::exp(0.5 * (last.candidates[0].score - candidate.score))).collect();
-    if std::env::var_os("LOUD").is_some() {
-        for candidate in search.levels[1].candidates.iter().take(6) {
-            let listed: Vec<String> =
-                candidate.model().effects.iter().map(|listed| format!("{} {:.3?}", listed.spec.id, listed.values)).collect();
-            println!("      {:.1} {:.1} {}", candidate.score, candidate.fitted.chi2(), listed.join("; "));
+    let diagnosis = diagnose(&all, None, &base(), &Settings { most_effects: 3, seed: plan.seed }).expect("a diagnosis");
+    Case { diagnosis, seconds: from.elapsed().as_secs_f64() }
+}
+
+impl Case {
+    fn first(&self) -> Option<&'static str> {
+        (self.diagnosis.verdict != Verdict::NothingMissing).then(|| self.diagnosis.contributions.first().map(|one| one.0)).flatten()
+    }
+
+    fn set(&self) -> Vec<&'static str> {
+        self.diagnosis.chosen.ids()
+    }
+
+    /// Top of the ranking of single effects, whatever the verdict.
+    fn top(&self) -> &str {
+        self.diagnosis.ranking.iter().find(|one| !one.id.contains('+')).map_or("", |one| &one.id)
+    }
+
+    /// Parameters whose interval holds the truth, and how many there are; none when the set is not the true one.
+    fn covered(&self, truth: &Model) -> [usize; 2] {
+        if self.diagnosis.verdict == Verdict::NothingMissing || truth.effects.len() != self.diagnosis.chosen.model().effects.len() {
+            return [0, 0];
         }
+        let mut count = [0, 0];
+        for one in &self.diagnosis.estimates {
+            let Some(value) = truth.value(one.effect, one.key) else { return [0, 0] };
+            count[0] += usize::from((one.ci95[0]..=one.ci95[1]).contains(&value));
+            count[1] += 1;
+        }
+        count
     }
-    let top = search.levels[1].candidates[0].ids()[0].to_string();
-    Outcome {
-        first: something.then(|| top.clone()),
-        set: if something { ids(0) } else { Vec::new() },
-        top,
-        weight: 1.0 / weights.iter().sum::<f64>(),
-        parts: search.levels[0].adequacy.single_p,
-        p: search.levels.iter().map(|level| level.adequacy.p).collect(),
-        seconds,
+
+    /// Gap to the noise-free wave at a height that was not dropped from, after over before.
+    fn ratio(&self, plan: &Plan) -> Option<f64> {
+        let expected = Expected { step_s: 1e-3, samples: 31, spread: 0.0 };
+        let truth = expected.mean_over_phases(&clean(plan, HELD_OUT_M));
+        let apart = |model: &Model| {
+            let predicted = expected.window(&expected.system(model), HELD_OUT_M)?;
+            Some(truth.iter().zip(&predicted).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt())
+        };
+        Some(apart(self.diagnosis.chosen.model())? / apart(self.diagnosis.base.model())?)
     }
+
+    fn line(&self) -> String {
+        let weight = self.diagnosis.alternatives.first().map_or(0.0, |best| best.weight);
+        format!(
+            "{} set {:?} weight {weight:.2} p {:.3} then {:.3} trend {:.2} {:.2} s",
+            self.diagnosis.verdict.id(),
+            self.set(),
+            self.diagnosis.base_adequacy.p,
+            self.diagnosis.adequacy.p,
+            self.diagnosis.trend_p,
+            self.seconds
+        )
+    }
+}
+
+#[derive(Default)]
+struct Sums {
+    table: BTreeMap<String, Vec<[usize; 2]>>,
+    curve: BTreeMap<usize, [usize; 2]>,
+    confused: BTreeMap<(String, String), usize>,
+    ratios: Vec<f64>,
+    covered: [usize; 2],
+    seconds: Vec<f64>,
+    stronger: [usize; 2],
 }
 
 fn main() {
@@ -131,128 +188,187 @@ fn main() {
         let (from, to) = text.split_once("..").expect("a..b");
         (from.parse::<u64>().expect("a number"), to.parse::<u64>().expect("a number"))
     });
-    let what = option("--what").map_or("singles,nulls", String::as_str);
-    if what.contains("mean") {
-        mean_check();
-    }
-    if what.contains("scatter") {
-        scatter_check(level, from);
-    }
+    let what = option("--what").map_or("nulls", String::as_str);
+    let only = option("--only").map(String::as_str);
     if what.contains("nulls") {
-        let mut alarms = 0;
-        for seed in from..to {
-            let outcome = diagnosed(&plan(level, 1000 + seed));
-            alarms += usize::from(outcome.first.is_some());
-            println!("null {seed}: p {:.3?} parts {:.3?} top {} {:.2} s", outcome.p, outcome.parts, outcome.top, outcome.seconds);
-        }
-        println!("NULLS level {level}: {alarms} alarms of {}", to - from);
+        nulls(level, from, to);
     }
     if what.contains("singles") {
-        singles(level, from, to, option("--only").map(String::as_str));
+        singles(level, from, to, only);
     }
+    if what.contains("pairs") {
+        pairs(level, from, to);
+    }
+    if what.contains("hidden") {
+        hidden(level, from, to);
+    }
+}
+
+fn nulls(level: usize, from: u64, to: u64) {
+    let mut alarms = 0;
+    for seed in 10 * from..10 * to {
+        let case = diagnosed(&plan(level, 1000 + seed));
+        alarms += usize::from(case.diagnosis.verdict != Verdict::NothingMissing);
+        println!("null {seed}: {}", case.line());
+    }
+    println!("NULLS level {level}: {alarms} alarms of {}", 10 * (to - from));
+}
+
+/// The plan of an effect at a strength of the middle level, for a level; `None` when the bounds do not allow it.
+fn at_strength(id: &str, seed: u64, strength: f64, level: usize) -> Option<Plan> {
+    let own = |amount: f64, level: usize| {
+        let mut plan = plan(level, 7919 * seed + 17);
+        plan.model = with(&plan.model, id, amount, &mut Pcg64::seed_from_u64(seed * 31 + 5))?;
+        plan.seed = seed * 977 + strength as u64;
+        Some(plan)
+    };
+    let (mut low, mut high) = (1e-3_f64, 30.0_f64);
+    for _ in 0..12 {
+        let middle = (low * high).sqrt();
+        let enough = own(middle, 2).is_none_or(|plan| noncentrality(&plan).is_none_or(|found| found > strength));
+        if enough { high = middle } else { low = middle }
+    }
+    let reached = noncentrality(&own(low, 2)?)?;
+    if reached < 0.7 * strength {
+        return None;
+    }
+    let mut plan = own(low, level)?;
+    if level == 3 {
+        plan.scatter.tilt_deg = 5.0;
+    }
+    Some(plan)
 }
 
 fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
-    let mut table: BTreeMap<&str, Vec<[usize; 4]>> = BTreeMap::new();
-    let (mut seen, mut right, mut top_right) = ([0; 2], [0; 2], 0);
+    let mut sums = Sums::default();
     for spec in CATALOGUE.iter().filter(|spec| only.is_none_or(|only| only == spec.id)) {
         for seed in from..to {
-            for (strength, wanted) in STRENGTHS.iter().enumerate() {
-                let own = |amount: f64, level: usize| {
-                    let mut plan = plan(level, 7919 * seed + 17);
-                    let (model, values) = with(&plan.model, spec.id, amount, &mut Pcg64::seed_from_u64(seed * 31 + 5))?;
-                    plan.model = model;
-                    plan.seed = seed * 977 + strength as u64;
-                    Some((plan, values))
-                };
-                let (mut low, mut high) = (1e-3_f64, 30.0_f64);
-                for _ in 0..14 {
-                    let middle = (low * high).sqrt();
-                    let enough = own(middle, 2).map_or(true, |(plan, _)| noncentrality(&plan).is_none_or(|found| found > *wanted));
-                    if enough { high = middle } else { low = middle }
-                }
-                let Some((plan, values)) = own(low, level) else { continue };
+            for (at, strength) in STRENGTHS.iter().enumerate() {
+                let Some(plan) = at_strength(spec.id, seed, *strength, level) else { continue };
                 let found = noncentrality(&plan).unwrap_or(f64::NAN);
-                let outcome = diagnosed(&plan);
-                let good = outcome.first.as_deref() == Some(spec.id);
-                let detectable = usize::from(found > 30.0);
-                seen[detectable] += 1;
-                right[detectable] += usize::from(good);
-                top_right += usize::from(outcome.top == spec.id);
-                let row = table.entry(spec.id).or_insert_with(|| vec![[0; 4]; STRENGTHS.len()]);
-                row[strength][0] += 1;
-                row[strength][1] += usize::from(good);
+                let case = diagnosed(&plan);
+                let good = case.first() == Some(spec.id);
+                let ratio = case.ratio(&plan);
+                let values = plan.model.effects.last().map(|listed| listed.values.clone()).unwrap_or_default();
                 println!(
-                    "{} {} {values:.3?} nc {found:.0}: first {:?} top {} set {:?} weight {:.2} p {:.3?} {:.2} s",
+                    "{} {} {values:.3?} nc {found:.0} top {} ratio {:.2}: {}",
                     if good { "ok " } else { "BAD" },
                     spec.id,
-                    outcome.first,
-                    outcome.top,
-                    outcome.set,
-                    outcome.weight,
-                    outcome.p,
-                    outcome.seconds
+                    case.top(),
+                    ratio.unwrap_or(f64::NAN),
+                    case.line()
                 );
+                let row = sums.table.entry(spec.id.into()).or_insert_with(|| vec![[0; 2]; STRENGTHS.len()]);
+                row[at][0] += usize::from(good);
+                row[at][1] += 1;
+                let bin = sums.curve.entry((libm::log2(found.max(1.0)) as usize).min(10)).or_default();
+                bin[0] += usize::from(good);
+                bin[1] += 1;
+                if at > 0 {
+                    sums.stronger[0] += usize::from(good);
+                    sums.stronger[1] += 1;
+                }
+                if found > DETECTABLE {
+                    sums.ratios.extend(ratio);
+                    *sums.confused.entry((spec.id.into(), case.first().unwrap_or("nothing").into())).or_default() += 1;
+                }
+                let covered = case.covered(&plan.model);
+                sums.covered[0] += covered[0];
+                sums.covered[1] += covered[1];
+                sums.seconds.push(case.seconds);
             }
         }
     }
-    for (id, row) in &table {
-        println!("{id:24} {}", row.iter().map(|cell| format!("{}/{}", cell[1], cell[0])).collect::<Vec<_>>().join("  "));
+    summary(level, &mut sums);
+}
+
+fn summary(level: usize, sums: &mut Sums) {
+    println!("\n| effect | {} |", STRENGTHS.map(|strength| strength.to_string()).join(" | "));
+    for (id, row) in &sums.table {
+        println!("| {id} | {} |", row.iter().map(|cell| format!("{}/{}", cell[0], cell[1])).collect::<Vec<_>>().join(" | "));
     }
+    for (bin, [good, all]) in &sums.curve {
+        println!("CURVE level {level}: noncentrality {}..{}: {good}/{all}", 1 << bin, 1 << (bin + 1));
+    }
+    for ((truth, named), count) in sums.confused.iter().filter(|((truth, named), _)| truth != named) {
+        println!("CONFUSED level {level}: {truth} named {named}: {count}");
+    }
+    let (good, all) = sums.table.values().flatten().fold((0, 0), |(good, all), cell| (good + cell[0], all + cell[1]));
+    let wrong: usize = sums.confused.iter().filter(|((truth, named), _)| truth != named).map(|(_, count)| count).sum();
+    let detectable: usize = sums.confused.values().sum();
+    sums.ratios.sort_by(f64::total_cmp);
+    sums.seconds.sort_by(f64::total_cmp);
+    let middle = |values: &[f64], part: f64| values.get((values.len() as f64 * part) as usize).copied().unwrap_or(f64::NAN);
     println!(
-        "SINGLES level {level}: detectable {}/{} others {}/{} top {}/{}",
-        right[1],
-        seen[1],
-        right[0],
-        seen[0],
-        top_right,
-        seen[0] + seen[1]
+        "SINGLES level {level}: detectable {}/{detectable}, all {good}/{all}, four stronger {}/{}",
+        detectable - wrong,
+        sums.stronger[0],
+        sums.stronger[1]
     );
+    println!("COVERAGE level {level}: {}/{}", sums.covered[0], sums.covered[1]);
+    println!("HELD OUT level {level}: median ratio {:.3}, 90 % below {:.3}", middle(&sums.ratios, 0.5), middle(&sums.ratios, 0.9));
+    println!("TIME level {level}: median {:.2} s, 95 % below {:.2} s", middle(&sums.seconds, 0.5), middle(&sums.seconds, 0.95));
 }
 
-/// What an estimate from few drops makes of the scatter that many show.
-fn scatter_check(level: usize, seed: u64) {
-    let model = Model::load("paper").expect("the paper's model");
-    let few = plan(level, seed);
-    let waves_few = waves(&few);
-    let ground = Ground::of(&waves_few, &model).expect("ground");
-    let many_waves = waves(&Plan { drops: 3000, ..few.clone() });
-    let many_ground = Ground::of(&many_waves, &model).expect("ground");
-    let many = Scatter::of(&many_waves).plain_covariances();
-    let best = many_ground.family.nearest(&many);
-    let inverse = best[1].clone().cholesky().unwrap().inverse();
-    println!("family on many: {}", (inverse * &many[1]).diagonal().iter().map(|v| format!("{v:.2}")).collect::<Vec<_>>().join(" "));
-    let estimated = ground.scatter.covariances(&ground.family).expect("covariances");
-    for (many, estimated) in many.iter().zip(&estimated) {
-        let ratios: Vec<String> = (0..many.nrows()).map(|i| format!("{:.2}", many[(i, i)] / estimated[(i, i)])).collect();
-        println!("{}", ratios.join(" "));
-        let root = estimated.clone().cholesky().expect("positive").unpack();
-        let inverse = root.solve_lower_triangular(&nalgebra::DMatrix::identity(31, 31)).expect("regular");
-        let white = &inverse * many * inverse.transpose();
-        println!(
-            "   white {:.2}: {}",
-            white.trace() / 31.0,
-            (0..31).map(|i| format!("{:.2}", white[(i, i)])).collect::<Vec<_>>().join(" ")
-        );
+fn pairs(level: usize, from: u64, to: u64) {
+    let (mut exact, mut count) = (0, 0);
+    for seed in 10 * from..10 * to {
+        let mut rng = Pcg64::seed_from_u64(seed + 4242);
+        let (a, b) = (rng.random_range(0..CATALOGUE.len()), rng.random_range(0..CATALOGUE.len()));
+        if a == b {
+            continue;
+        }
+        let strength = 400.0;
+        let (Some(first), Some(second)) =
+            (at_strength(CATALOGUE[a].id, seed, strength, level), at_strength(CATALOGUE[b].id, seed, strength, level))
+        else {
+            continue;
+        };
+        let Some(added) = second.model.effects.iter().find(|listed| listed.spec.id == CATALOGUE[b].id) else { continue };
+        let mut plan = first.clone();
+        plan.model = plan.model.with(added.spec, &added.values, added.word);
+        plan.scatter.tilt_deg = 0.0;
+        let case = diagnosed(&plan);
+        let mut truth = vec![CATALOGUE[a].id, CATALOGUE[b].id];
+        truth.sort_by_key(|id| CATALOGUE.iter().position(|spec| spec.id == *id));
+        let good = case.set() == truth;
+        exact += usize::from(good);
+        count += 1;
+        println!("{} pair {truth:?}: {}", if good { "ok " } else { "BAD" }, case.line());
     }
+    println!("PAIRS level {level}: {exact}/{count} exact");
 }
 
-/// Many drops of a truth against what that truth predicts for their mean.
-fn mean_check() {
-    let mut truth = plan(2, 7919 + 17);
-    truth.model = truth.model.clone().with(by_id("cubic_stiffness").unwrap(), &[-3773027.503], 0);
-    let model = Model::load("paper").expect("the paper's model");
-    for drops in [20, 20, 20, 3000] {
-        truth.drops = drops;
-        truth.seed += 1;
-        let waves = waves(&truth);
-        let ground = Ground::of(&waves, &model).expect("ground");
-        let residual = ground.problem.residual(&truth.model).unwrap();
-        println!("{drops}: chi2 at truth {:.1}", residual.norm_squared());
-        let raw = ground.problem.measured() - ground.problem.prediction(&truth.model).unwrap();
-        println!("   raw {}", raw.iter().take(31).map(|v| format!("{v:.2}")).collect::<Vec<_>>().join(" "));
-        println!("   white {}", residual.iter().take(31).map(|v| format!("{v:.1}")).collect::<Vec<_>>().join(" "));
-        let fit = ground.problem.fit(Layout::of(truth.model.clone()), 25).unwrap();
-        println!("   fitted {:?} chi2 {:.1}", fit.model().effects.iter().map(|l| l.values[0]).collect::<Vec<_>>(), fit.chi2());
+fn hidden(level: usize, from: u64, to: u64) {
+    let (mut honest, mut count) = (0, 0);
+    for seed in 10 * from..10 * to {
+        let mut rng = Pcg64::seed_from_u64(seed + 999);
+        let mut plan = plan(level, 5000 + seed);
+        let strength = libm::exp(rng.random_range(0.0..1.5));
+        let kind = match seed % 4 {
+            0 => {
+                Hidden::TwoStage { x1_m: rng.random_range(0.004..0.010), stiffness_n_m: 6e3 * strength, loss: rng.random_range(0.6..0.95) }
+            }
+            1 => Hidden::TwoModes {
+                shares: [0.08 * strength, 0.08 * strength],
+                f_hz: [rng.random_range(60.0..110.0), rng.random_range(150.0..300.0)],
+                zeta: 0.04,
+            },
+            2 => Hidden::Wear { loss: 0.25 * strength },
+            _ => Hidden::Ringing { f_hz: rng.random_range(100.0..220.0), zeta: rng.random_range(0.1..0.3) },
+        };
+        plan.hidden = Some(kind);
+        let wears = matches!(kind, Hidden::Wear { .. });
+        let left = if wears { f64::INFINITY } else { left_by_catalogue(&plan).unwrap_or(0.0) };
+        if left < DETECTABLE {
+            println!("skip {kind:?}: the catalogue leaves {left:.0}");
+            continue;
+        }
+        let case = diagnosed(&plan);
+        let good = matches!(case.diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous);
+        honest += usize::from(good);
+        count += 1;
+        println!("{} {kind:.3?} left {left:.0}: {}", if good { "ok " } else { "BAD" }, case.line());
     }
+    println!("HIDDEN level {level}: {honest}/{count} none_suffices or ambiguous");
 }

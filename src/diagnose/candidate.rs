@@ -9,7 +9,7 @@ use crate::fit::{Fitted, Layout, Problem, inverse};
 /// What a free parameter has to earn, in the sum of squares.
 pub const PRICE: f64 = 5.0;
 /// Starts tried for each effect.
-const TRIES: usize = 3;
+const TRIES: usize = 4;
 /// Steps of a fit from a start.
 const STEPS: usize = 14;
 

@@ -165,7 +165,7 @@ const SLIGHT: f64 = 0.02;
 /// Weight that a set needs for its name, by its number of effects.
 const SUPPORT: [f64; 3] = [0.6, 0.6, 0.95];
 /// Chance below which a trend over trials is one.
-const TREND: f64 = 0.003;
+const TREND: f64 = 0.002;
 /// Chance below which parameters are not the same at all heights.
 const UNSTEADY: f64 = 1e-4;
 /// Sets whose parameters are looked at height by height.

@@ -14,6 +14,10 @@ use crate::fit::{Family, Problem, Scatter};
 pub const RARE: f64 = 0.02;
 /// Sets of one size that are carried on to the next.
 const CARRIED: usize = 5;
+/// Larger sets from which effects are taken out again.
+const DROPPED: usize = 4;
+/// By how much a score has to fall to count.
+const BETTER: f64 = 1.0;
 /// Sets of the next size that are fitted.
 const FITTED: usize = 14;
 
@@ -67,6 +71,14 @@ impl Search {
                 break;
             }
             candidates = setting.larger(&levels[size].candidates)?;
+            if setting.dropped(&candidates, &mut levels[size].candidates) {
+                let best = levels[size].candidates.first()?;
+                levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model())?)?;
+                if levels[size].adequacy.p >= RARE {
+                    break;
+                }
+                candidates = setting.larger(&levels[size].candidates)?;
+            }
         }
         Some(Self { levels })
     }
@@ -79,6 +91,26 @@ impl Setting<'_> {
         let seen = Seen { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
         judge(&deviation, &seen, self.scatter, self.family, self.seed)
+    }
+
+    /// Takes each effect out of the best sets and refits what stays: a smaller set that was caught in a worse minimum
+    /// is replaced. Whether the best of the smaller sets became another.
+    fn dropped(&self, larger: &[Candidate], smaller: &mut Vec<Candidate>) -> bool {
+        let Some(before) = smaller.first().map(|best| best.score) else { return false };
+        for from in larger.iter().take(DROPPED) {
+            for id in from.ids() {
+                let mut model = from.model().clone();
+                model.effects.retain(|listed| listed.spec.id != id);
+                let Some(again) = Candidate::best(self.problem, [model]) else { continue };
+                match smaller.iter_mut().find(|known| known.ids() == again.ids()) {
+                    Some(known) if known.score > again.score => *known = again,
+                    Some(_) => {}
+                    None => smaller.push(again),
+                }
+            }
+        }
+        smaller.sort_by(|a, b| a.score.total_cmp(&b.score));
+        smaller[0].score < before - BETTER
     }
 
     /// Every effect alone.

@@ -8,7 +8,7 @@ use rand_pcg::Pcg64;
 use crate::fit::{Waves, inverse};
 
 /// Orders drawn.
-const DRAWN: usize = 999;
+const DRAWN: usize = 1999;
 
 /// Chance that drops in random order follow their number as much as these do, along the changes that the model's own
 /// parameters would make (a height each, in g) and along the wave itself.
