@@ -55,6 +55,9 @@ fn analytic_drops_of_a_model_are_read_and_fitted_back() {
         }
         assert_eq!(fit, json("fit", folder.path(), &arguments), "the same seed gives the same result");
     }
+    for name in ["fit-0.5-m.svg", "fit-1-m.png", "fit-1.5-m.svg", "fit.json", "model.toml"] {
+        assert!(fs::read(folder.path().join("out/fit-paper-corrected").join(name)).expect("was written").len() > 100, "{name}");
+    }
     // The model that was written drops.
     let model = folder.path().join("out/fit-paper-corrected/model.toml").display().to_string();
     assert_eq!(run("drop", folder.path(), &["--model", &model]).status.code(), Some(0));

@@ -7,6 +7,7 @@ mod camera;
 pub mod drop_data;
 pub mod drop_plots;
 pub mod fit_data;
+pub mod fit_plots;
 mod lines;
 pub mod measure_data;
 pub mod measure_plots;
