@@ -217,3 +217,15 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
     }
     assert!(!place.join("out").exists());
 }
+
+#[cfg(unix)]
+#[test]
+fn planted_a_device_that_never_ends_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("soft_050cm")).expect("a folder");
+    std::os::unix::fs::symlink("/dev/zero", folder.path().join("soft_050cm/a.bin")).expect("can be linked");
+    let output = run("measure", folder.path(), &["soft_050cm"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("a.bin is no file"), "{said}");
+}
