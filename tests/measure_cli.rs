@@ -55,6 +55,9 @@ fn analytic_drops_of_a_model_are_read_and_fitted_back() {
         }
         assert_eq!(fit, json("fit", folder.path(), &arguments), "the same seed gives the same result");
     }
+    for name in ["fit-0.5-m.svg", "fit-1-m.png", "fit-1.5-m.svg", "fit.json", "model.toml"] {
+        assert!(fs::read(folder.path().join("out/fit-paper-corrected").join(name)).expect("was written").len() > 100, "{name}");
+    }
     // The model that was written drops.
     let model = folder.path().join("out/fit-paper-corrected/model.toml").display().to_string();
     assert_eq!(run("drop", folder.path(), &["--model", &model]).status.code(), Some(0));
@@ -213,4 +216,16 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         assert!(said.contains(says), "{says:?} is not in:\n{said}");
     }
     assert!(!place.join("out").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn planted_a_device_that_never_ends_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::create_dir(folder.path().join("soft_050cm")).expect("a folder");
+    std::os::unix::fs::symlink("/dev/zero", folder.path().join("soft_050cm/a.bin")).expect("can be linked");
+    let output = run("measure", folder.path(), &["soft_050cm"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("a.bin is no file"), "{said}");
 }

@@ -15,7 +15,7 @@ use crate::effects::{Channel, Model};
 use crate::fit::{self, Chosen, Fit, Keep, Layout, LeftOut, Likelihood, Paper, Unfit};
 use crate::measured;
 use crate::params::preset;
-use crate::report::{drop_data, fit_data};
+use crate::report::{drop_data, fit_data, fit_plots};
 
 /// Bootstrap samples at the most.
 const MOST_SAMPLES: usize = 100_000;
@@ -46,8 +46,10 @@ pub(super) fn fit(options: &FitOptions, common: &Common) -> Result<ExitCode, Fai
         seed: options.seed,
     };
     let json = fit_data::json(&run);
-    let files =
-        vec![("model.toml".to_string(), fitted.model.to_toml().into_bytes()), ("fit.json".to_string(), format!("{json:#}\n").into_bytes())];
+    let mut files = fit_plots::plots(&run)
+        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    files.push(("model.toml".into(), fitted.model.to_toml().into_bytes()));
+    files.push(("fit.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
     let place = output::write_folder(&options.output, &format!("fit-{}", fitted.model.name), &files)?;
     if common.json {

@@ -20,6 +20,8 @@ pub trait Objective: Sync + Sized {
     fn counts(&self) -> Vec<usize>;
     /// Numbers whose squares are summed; `None` where the model does not hold the body.
     fn residual(&self, model: &Model) -> Option<DVector<f64>>;
+    /// Height, m, and what a model reads from it at each sample from the trigger on, g.
+    fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)>;
     /// What the sum of squares is reported as.
     fn value(&self, sum: f64) -> f64;
     /// The same of other drops: for each height which ones, each as often as it is named.
@@ -54,6 +56,8 @@ pub struct Fit {
     pub estimates: Vec<Estimate>,
     /// The objective at the start and at the end.
     pub objective: [f64; 2],
+    /// What it reads: height, m, and a reading a sample from the trigger on, g.
+    pub waves: Vec<(f64, Vec<f64>)>,
     /// Resampled fits that ended.
     pub resampled: usize,
 }
@@ -83,8 +87,10 @@ pub fn fit(objective: &impl Objective, layout: &Layout, samples: usize, seed: u6
         ci95: interval(ended.iter().map(|values| outward(at, values[at]))),
         at_bound: best.at_bound[at],
     };
+    let model = layout.model_at(&best.at);
     Ok(Fit {
-        model: layout.model_at(&best.at),
+        waves: objective.waves(&model),
+        model,
         estimates: layout.free.iter().enumerate().map(estimate).collect(),
         objective: [objective.value(started), objective.value(best.sum)],
         resampled: ended.len(),

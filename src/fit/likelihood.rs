@@ -58,6 +58,12 @@ impl Objective for Likelihood {
         Some(DVector::from_vec(all))
     }
 
+    fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
+        let system = System::new(model);
+        let wave = |group: &super::waves::Group| Some((group.height_m, self.expected.window(&system, group.height_m)?));
+        self.waves.groups.iter().filter_map(wave).collect()
+    }
+
     fn value(&self, sum: f64) -> f64 {
         sum
     }

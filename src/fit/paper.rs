@@ -12,6 +12,9 @@ use super::fitting::Objective;
 use crate::effects::{GRAVITY_M_S2, Model};
 use crate::sim::{Settings, Stop, System, wave};
 
+/// Samples of a wave that is shown.
+const SHOWN: usize = 31;
+
 /// Drops up to their peaks.
 #[derive(Clone, Debug)]
 pub struct Paper {
@@ -71,6 +74,16 @@ impl Objective for Paper {
             }
         }
         Some(DVector::from_vec(all))
+    }
+
+    fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
+        let system = System::new(model);
+        let one = |height_m: f64| {
+            let mut readings = vec![0.0; SHOWN];
+            wave(&system, height_m, self.step_s, &Settings::FIT, &mut readings);
+            (height_m, readings)
+        };
+        self.heights.iter().map(|(height_m, _)| one(*height_m)).collect()
     }
 
     fn value(&self, sum: f64) -> f64 {

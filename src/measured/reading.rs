@@ -129,10 +129,17 @@ fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Malformed> {
     fs::read(path).map_err(|error| unreadable(path, &error))
 }
 
+/// The name of the folder that a file lies in: as it was given where that says frame and height, or else without links.
+fn folder_of(path: &Path) -> String {
+    let name = |folder: PathBuf| folder.file_name().map(|name| name.to_string_lossy().into_owned());
+    let parent = std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_path_buf)).unwrap_or_default();
+    let given = name(parent.clone()).filter(|name| logger::frame_and_height(name).is_some());
+    given.or_else(|| name(fs::canonicalize(parent).ok()?)).unwrap_or_default()
+}
+
 fn read_file(path: &Path, kind: Kind, calibration: &Calibration) -> Result<(Vec<Record>, Vec<String>), Malformed> {
     let source = path.display().to_string();
-    let parent = fs::canonicalize(path).ok().and_then(|whole| whole.parent()?.file_name().map(|name| name.to_string_lossy().into_owned()));
-    let folder = parent.unwrap_or_default();
+    let folder = folder_of(path);
     let said = logger::frame_and_height(&folder);
     let refused = |(place, fault)| malformed(path, place, fault);
     match kind {

@@ -54,22 +54,29 @@ fn peak(groups: &[(&Group, Vec<Drop>)]) -> Boxes {
 }
 
 fn waves(group: &Group, drops: &[Drop], colour: usize) -> Option<Bands> {
-    let clean: Vec<(&Drop, usize)> = drops.iter().filter_map(|drop| Some((drop, drop.clean()?.trigger))).collect();
-    let wave = |(drop, trigger): &(&Drop, usize)| {
-        let record = drop.record;
-        let samples = trigger.saturating_sub(BEFORE)..(trigger + AFTER + 1).min(record.len());
-        samples.map(|at| ((record.t_s[at] - record.t_s[*trigger]) * 1e3, record.accel_g[at])).collect::<Vec<_>>()
-    };
-    let quartiles = |offset: usize| {
-        let values = clean.iter().filter_map(|(drop, trigger)| drop.record.accel_g.get((trigger + offset).checked_sub(BEFORE)?).copied());
-        Spread::of(values).map(|spread| (offset as f64 - BEFORE as f64, [spread.q1, spread.median, spread.q3]))
-    };
+    let clean: Vec<(&[f64], usize)> = drops.iter().filter_map(|drop| Some((&drop.record.accel_g[..], drop.clean()?.trigger))).collect();
     (!clean.is_empty()).then(|| Bands {
         title: format!("{}: {} clean drops along the axis, laid at their trigger", name(group), clean.len()),
         across: "time from the trigger, ms",
         up: "acceleration along the axis, g",
         colour,
-        waves: clean.iter().map(wave).collect(),
-        quartiles: (0..=BEFORE + AFTER).filter_map(quartiles).collect(),
+        line: None,
+        quartiles: quartiles(&clean),
+        waves: clean.into_iter().map(wave).collect(),
     })
+}
+
+/// A record's part around its trigger: ms, g; samples are 1 ms apart, or the record is not clean.
+pub(super) fn wave((series, trigger): (&[f64], usize)) -> Vec<(f64, f64)> {
+    let samples = trigger.saturating_sub(BEFORE)..(trigger + AFTER + 1).min(series.len());
+    samples.map(|at| (at as f64 - trigger as f64, series[at])).collect()
+}
+
+/// Quartiles of records at each sample around their triggers.
+pub(super) fn quartiles(records: &[(&[f64], usize)]) -> Vec<(f64, [f64; 3])> {
+    let at = |offset: usize| {
+        let values = records.iter().filter_map(|(series, trigger)| series.get((trigger + offset).checked_sub(BEFORE)?).copied());
+        Spread::of(values).map(|spread| (offset as f64 - BEFORE as f64, [spread.q1, spread.median, spread.q3]))
+    };
+    (0..=BEFORE + AFTER).filter_map(at).collect()
 }

@@ -9,6 +9,7 @@ pub mod diagnosis_page;
 pub mod drop_data;
 pub mod drop_plots;
 pub mod fit_data;
+pub mod fit_plots;
 mod lines;
 pub mod measure_data;
 pub mod measure_plots;
