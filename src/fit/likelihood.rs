@@ -59,7 +59,7 @@ impl Objective for Likelihood {
     }
 
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
-        let system = System::new(model);
+        let system = self.expected.system(model);
         let wave = |group: &super::waves::Group| Some((group.height_m, self.expected.window(&system, group.height_m)?));
         self.waves.groups.iter().filter_map(wave).collect()
     }
