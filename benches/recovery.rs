@@ -75,12 +75,13 @@ fn waves(plan: &Plan) -> Waves {
 
 /// A truth's noise-free mean waves with the generator's own covariance of the mean, read off many drops.
 fn noise_free(plan: &Plan) -> Option<(Problem, Scatter)> {
-    let many = waves(&Plan { drops: 300, ..plan.clone() });
+    let drops = if plan.model.value("sensor_saturation", "limit_g").is_some() { 3000 } else { 300 };
+    let many = waves(&Plan { drops, ..plan.clone() });
     let scatter = Scatter::of(&many);
     let whitening = Whitening::of(&scatter.plain_covariances(), &vec![plan.drops; plan.heights_m.len()])?;
     let mut problem = Problem::of(&many, whitening, 0.0);
     let expected: Expected = problem.expected;
-    if plan.scatter.stiffness == 0.0 {
+    if plan.scatter.stiffness == 0.0 && plan.model.value("sensor_saturation", "limit_g").is_none() {
         for (height_m, mean) in &mut problem.means {
             *mean = expected.mean_over_phases(&clean(plan, *height_m));
         }
@@ -258,6 +259,17 @@ fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
                     ratio.unwrap_or(f64::NAN),
                     case.line()
                 );
+                if std::env::var_os("LOUD").is_some() {
+                    for one in case.diagnosis.ranking.iter().take(4) {
+                        let values: Vec<String> = one
+                            .constancy
+                            .iter()
+                            .flat_map(|constancy| &constancy.parameters)
+                            .map(|by| format!("{} {:?}", by.key, by.values))
+                            .collect();
+                        println!("      {:.2} {} {}", one.score, one.id, values.join("; "));
+                    }
+                }
                 let row = sums.table.entry(spec.id.into()).or_insert_with(|| vec![[0; 2]; STRENGTHS.len()]);
                 row[at][0] += usize::from(good);
                 row[at][1] += 1;

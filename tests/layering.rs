@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 16] = [
+const LAYERS: [(&str, &[&str]); 18] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -20,8 +20,10 @@ const LAYERS: [(&str, &[&str]); 16] = [
     ("sim", &["body", "effects"]),
     ("measured", &[]),
     ("fit", &["effects", "sim", "measured"]),
-    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit"]),
-    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "report"]),
+    ("diagnose", &["effects", "sim", "fit"]),
+    ("plant", &["params", "effects"]),
+    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose"]),
+    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose", "plant", "report"]),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
@@ -55,7 +57,7 @@ const CONFINED: [(&str, &str); 26] = [
 ];
 
 /// What makes a file differ from run to run.
-const NOWHERE: [&str; 4] = ["HashMap", "HashSet", "SystemTime", "rand::"];
+const NOWHERE: [&str; 6] = ["HashMap", "HashSet", "SystemTime", "rand::rng", "rand::random", "SysRng"];
 
 /// A line of the sources.
 struct Line<'a> {

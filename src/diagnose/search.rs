@@ -30,6 +30,9 @@ pub struct Level {
     pub adequacy: Adequacy,
 }
 
+/// A set of effects that is not fitted yet: its ids, and the models to start from with the sum of squares each promises.
+type Promised = (Vec<&'static str>, Vec<(f64, Model)>);
+
 /// All that was looked at.
 #[derive(Clone, Debug)]
 pub struct Search {
@@ -136,8 +139,7 @@ impl Setting<'_> {
                     promised.entry(ids(&model)).or_default().push((promise.sum, model));
                 }
             }
-            let mut sets: Vec<(Vec<&'static str>, Vec<(f64, Model)>)> =
-                promised.into_iter().filter(|(ids, _)| !found.contains_key(ids)).collect();
+            let mut sets: Vec<Promised> = promised.into_iter().filter(|(ids, _)| !found.contains_key(ids)).collect();
             sets.iter_mut().for_each(|(_, models)| models.sort_by(|a, b| a.0.total_cmp(&b.0)));
             sets.sort_by(|a, b| a.1[0].0.total_cmp(&b.1[0].0));
             let fitted: Vec<(Vec<&'static str>, Candidate)> = sets
