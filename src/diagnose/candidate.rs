@@ -8,6 +8,8 @@ use crate::fit::{Fitted, Layout, Problem, inverse};
 
 /// What a free parameter has to earn, in the sum of squares.
 pub const PRICE: f64 = 5.0;
+/// What parameters with a default have to earn beyond that: a default is what is known of them.
+const EARNS: f64 = 6.0;
 /// Starts tried for each effect.
 const TRIES: usize = 4;
 /// Steps of a fit from a start.
@@ -44,6 +46,20 @@ impl Candidate {
     pub fn best(problem: &Problem, models: impl IntoIterator<Item = Model>) -> Option<Self> {
         let fits = models.into_iter().filter_map(|model| problem.fit(Layout::of(model), STEPS));
         fits.min_by(|a, b| a.chi2().total_cmp(&b.chi2())).map(Self::of)
+    }
+
+    /// The same with parameters free that otherwise keep their default (a stop's damping, a payload's), where that earns
+    /// more than its price.
+    #[must_use]
+    pub fn freed(self, problem: &Problem) -> Self {
+        let layout = Layout::whole(self.model().clone());
+        if layout.free.len() == self.fitted.layout.free.len() {
+            return self;
+        }
+        match problem.fit(layout, STEPS).map(Self::of) {
+            Some(freed) if freed.score < self.score - EARNS => freed,
+            _ => self,
+        }
     }
 
     /// The base model on its own.

@@ -1,6 +1,7 @@
 //! From measured drops to a verdict with its reasons.
 
 use nalgebra::DMatrix;
+use rayon::prelude::*;
 
 use super::adequacy::Adequacy;
 use super::candidate::Candidate;
@@ -190,7 +191,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Setti
     let level = if nothing { &search.levels[0] } else { search.levels.last()? };
     let chosen = level.candidates[0].clone();
     let alternatives = alternatives(&level.candidates);
-    let ranking = ranking(problem, &search, &chosen, nothing);
+    let ranking = ranking(problem, fitted, &search, &chosen, nothing);
     let steady = constancy(problem, &chosen);
     let (verdict, reasons) = verdict(&Evidence {
         nothing,
@@ -348,16 +349,17 @@ fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<Estimate>, 
     Some((chosen.fitted.layout.free.iter().enumerate().map(one).collect(), correlations))
 }
 
-fn ranking(problem: &Problem, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
-    let mut all = Vec::new();
-    for level in search.levels.iter().skip(1) {
-        for (at, candidate) in level.candidates.iter().enumerate() {
-            let constancy = (at < LOOKED_AT).then(|| constancy(problem, candidate)).flatten();
-            let reason_rejected =
-                (nothing || candidate.ids() != chosen.ids()).then(|| reason(candidate, chosen, constancy.as_ref(), nothing));
-            all.push(Ranked { id: joined(candidate), score: candidate.score, left_out_g: None, constancy, reason_rejected });
-        }
-    }
+fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
+    let looked_at: Vec<(usize, &Candidate)> = search.levels.iter().skip(1).flat_map(|level| level.candidates.iter().enumerate()).collect();
+    let one = |(at, candidate): (usize, &Candidate)| {
+        let close = at < LOOKED_AT;
+        let constancy = close.then(|| constancy(problem, candidate)).flatten();
+        let left_out_g =
+            (close && problem.chosen.len() > 1).then(|| left_out_heights(problem, waves, candidate)).flatten().map(|gap| gap.net_g);
+        let reason_rejected = (nothing || candidate.ids() != chosen.ids()).then(|| reason(candidate, chosen, constancy.as_ref(), nothing));
+        Ranked { id: joined(candidate), score: candidate.score, left_out_g, constancy, reason_rejected }
+    };
+    let mut all: Vec<Ranked> = looked_at.into_par_iter().map(one).collect();
     all.sort_by(|a, b| a.score.total_cmp(&b.score));
     for spec in
         CATALOGUE.iter().filter(|spec| search.levels.get(1).is_some_and(|level| level.candidates.iter().all(|one| one.ids() != [spec.id])))

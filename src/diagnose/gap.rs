@@ -15,6 +15,10 @@ pub struct Gap {
     pub raw_g: f64,
     /// Root of the mean of SE², the standard error of the mean wave.
     pub floor_g: f64,
+    /// Root mean square of single records against the model.
+    pub records_g: f64,
+    /// The same against their own mean wave: no curve of height alone does better.
+    pub template_g: f64,
 }
 
 /// Steps of a refit that begins where all heights ended.
@@ -25,21 +29,30 @@ const STEPS: usize = 8;
 struct Sums {
     square: f64,
     error: f64,
+    scatter: f64,
     count: f64,
 }
 
 impl Sums {
-    fn add(&mut self, measured: &[f64], predicted: &[f64], errors: &[f64]) {
+    fn add(&mut self, measured: &[f64], predicted: &[f64], errors: &[f64], drops: usize) {
         for ((measured, predicted), error) in measured.iter().zip(predicted).zip(errors) {
             self.square += (measured - predicted) * (measured - predicted);
             self.error += error * error;
+            self.scatter += error * error * (drops as f64 - 1.0);
             self.count += 1.0;
         }
     }
 
     fn gap(self) -> Gap {
         let (square, error) = (self.square / self.count, self.error / self.count);
-        Gap { net_g: (square - error).max(0.0).sqrt(), raw_g: square.sqrt(), floor_g: error.sqrt() }
+        let scatter = self.scatter / self.count;
+        Gap {
+            net_g: (square - error).max(0.0).sqrt(),
+            raw_g: square.sqrt(),
+            floor_g: error.sqrt(),
+            records_g: (square + scatter).sqrt(),
+            template_g: scatter.sqrt(),
+        }
     }
 }
 
@@ -48,7 +61,7 @@ pub fn gap(problem: &Problem, waves: &Waves, model: &Model) -> Option<Gap> {
     let mut sums = Sums::default();
     let system = problem.expected.system(model);
     for group in &waves.groups {
-        sums.add(&group.mean, &problem.expected.window(&system, group.height_m)?, &errors(group));
+        sums.add(&group.mean, &problem.expected.window(&system, group.height_m)?, &errors(group), group.windows.len());
     }
     (sums.count > 0.0).then(|| sums.gap())
 }
@@ -61,7 +74,7 @@ pub fn left_out_heights(problem: &Problem, waves: &Waves, candidate: &Candidate)
         let others: Vec<usize> = all.iter().copied().filter(|height| height != out).collect();
         let refitted = problem.at(&others).fit(Layout::clone(&candidate.fitted.layout), STEPS)?;
         let predicted = problem.at(&[*out]).prediction(refitted.model())?;
-        sums.add(&waves.groups[*out].mean, predicted.as_slice(), &errors(&waves.groups[*out]));
+        sums.add(&waves.groups[*out].mean, predicted.as_slice(), &errors(&waves.groups[*out]), waves.groups[*out].windows.len());
     }
     Some(sums.gap())
 }
@@ -77,7 +90,7 @@ pub fn left_out_trials(problem: &Problem, waves: &Waves, candidate: &Candidate) 
         let refitted = half.fit(Layout::clone(&candidate.fitted.layout), STEPS)?;
         let predicted: DVector<f64> = half.prediction(refitted.model())?;
         for (at, group) in judged.groups.iter().enumerate() {
-            sums.add(&group.mean, &predicted.as_slice()[at * waves.samples..(at + 1) * waves.samples], &errors(group));
+            sums.add(&group.mean, &predicted.as_slice()[at * waves.samples..(at + 1) * waves.samples], &errors(group), group.windows.len());
         }
     }
     Some(sums.gap())

@@ -65,6 +65,7 @@ impl Search {
         let mut levels = vec![Level { candidates: vec![base], adequacy }];
         let mut candidates = singles;
         for size in 1..=setting.most {
+            candidates = setting.freed(candidates);
             let best = candidates.first()?;
             dictionary = Dictionary::on(setting.problem, best.model())?;
             let adequacy = setting.adequacy(best, &dictionary)?;
@@ -94,6 +95,12 @@ impl Setting<'_> {
         let seen = Seen { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
         judge(&deviation, &seen, self.scatter, self.family, self.seed)
+    }
+
+    /// Frees defaults of the best sets.
+    fn freed(&self, candidates: Vec<Candidate>) -> Vec<Candidate> {
+        let one = |(at, candidate): (usize, Candidate)| if at < CARRIED { candidate.freed(self.problem) } else { candidate };
+        ranked(candidates.into_par_iter().enumerate().map(one).collect())
     }
 
     /// Takes each effect out of the best sets and refits what stays: a smaller set that was caught in a worse minimum

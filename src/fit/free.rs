@@ -85,6 +85,16 @@ impl Layout {
         Self { model, free }
     }
 
+    /// Frees everything, defaults too.
+    pub fn whole(model: Model) -> Self {
+        let every = |listed: &crate::effects::Listed| {
+            let spec = listed.spec;
+            (0..spec.parameters.len()).map(move |at| Free::new(spec, at))
+        };
+        let free = model.effects.iter().flat_map(every).collect();
+        Self { model, free }
+    }
+
     /// Frees what is named alone; `None` when a name is not a parameter of the model.
     pub fn named(model: Model, keys: &[&str]) -> Option<Self> {
         let find = |key: &&str| {

@@ -128,6 +128,8 @@ fn gaps(diagnosis: &Diagnosis) -> Value {
         "held_out": if diagnosis.heights_held_out { "heights that no fit saw" } else { "each height, fitted to the others" },
         "trials_before": rounded(before.trials.net_g),
         "trials_after": rounded(after.trials.net_g),
+        "records": { "template": rounded(before.fitted.template_g), "before": rounded(before.fitted.records_g), "after": rounded(after.fitted.records_g) },
+        "held_out_records": { "template": rounded(before.held_out.template_g), "before": rounded(before.held_out.records_g), "after": rounded(after.held_out.records_g) },
         "raw_before": raw(before),
         "raw_after": raw(after),
     })
