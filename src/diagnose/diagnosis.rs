@@ -161,10 +161,12 @@ pub enum Undiagnosed {
     NoFit,
 }
 
+/// Readings that pile up this near to the model's own limit are that limit, g.
+const NEAR_LIMIT_G: f64 = 3.0;
 /// Weight below which a set is not worth a mention.
 const SLIGHT: f64 = 0.02;
 /// Weight that a set needs for its name, by its number of effects.
-const SUPPORT: [f64; 3] = [0.6, 0.6, 0.95];
+const SUPPORT: [f64; 3] = [0.7, 0.7, 0.95];
 /// Chance below which a trend over trials is one.
 const TREND: f64 = 0.002;
 /// Chance below which parameters are not the same at all heights.
@@ -183,14 +185,23 @@ pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, setting
 fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings) -> Option<Diagnosis> {
     let ground = Ground::of(fitted, model)?;
     let problem = &ground.problem;
-    let setting = Setting { problem, scatter: &ground.scatter, family: &ground.family, most: settings.most_effects, seed: settings.seed };
+    let limit_seen = ground.flat_top.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
+    let setting = Setting {
+        problem,
+        scatter: &ground.scatter,
+        family: &ground.family,
+        limit_seen,
+        most: settings.most_effects,
+        seed: settings.seed,
+    };
     let search = Search::run(&setting, model)?;
     let base = search.levels[0].candidates[0].clone();
     let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;
-    let nothing = search.levels[0].adequacy.p >= RARE;
+    let nothing = search.levels[0].adequacy.p >= RARE && !limit_seen;
     let level = if nothing { &search.levels[0] } else { search.levels.last()? };
     let chosen = level.candidates[0].clone();
-    let alternatives = alternatives(&level.candidates);
+    let able: Vec<Candidate> = level.candidates.iter().filter(|one| nothing || setting.may_be(one)).cloned().collect();
+    let alternatives = alternatives(&able);
     let ranking = ranking(problem, fitted, &search, &chosen, nothing);
     let steady = constancy(problem, &chosen);
     let (verdict, reasons) = verdict(&Evidence {

@@ -49,6 +49,8 @@ pub struct Setting<'a> {
     pub scatter: &'a Scatter,
     /// What it can look like.
     pub family: &'a Family,
+    /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
+    pub limit_seen: bool,
     /// Most effects.
     pub most: usize,
     /// Of the simulated data.
@@ -69,16 +71,16 @@ impl Search {
             let best = candidates.first()?;
             dictionary = Dictionary::on(setting.problem, best.model())?;
             let adequacy = setting.adequacy(best, &dictionary)?;
-            let enough = adequacy.p >= RARE;
+            let enough = adequacy.p >= RARE && setting.may_be(best);
             levels.push(Level { candidates, adequacy });
-            if enough || size == setting.most || levels[0].adequacy.p >= RARE {
+            if enough || size == setting.most || (levels[0].adequacy.p >= RARE && !setting.limit_seen) {
                 break;
             }
             candidates = setting.larger(&levels[size].candidates)?;
             if setting.dropped(&candidates, &mut levels[size].candidates) {
                 let best = levels[size].candidates.first()?;
                 levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model())?)?;
-                if levels[size].adequacy.p >= RARE {
+                if levels[size].adequacy.p >= RARE && setting.may_be(&levels[size].candidates[0]) {
                     break;
                 }
                 candidates = setting.larger(&levels[size].candidates)?;
@@ -100,7 +102,7 @@ impl Setting<'_> {
     /// Frees defaults of the best sets.
     fn freed(&self, candidates: Vec<Candidate>) -> Vec<Candidate> {
         let one = |(at, candidate): (usize, Candidate)| if at < CARRIED { candidate.freed(self.problem) } else { candidate };
-        ranked(candidates.into_par_iter().enumerate().map(one).collect())
+        self.ranked(candidates.into_par_iter().enumerate().map(one).collect())
     }
 
     /// Takes each effect out of the best sets and refits what stays: a smaller set that was caught in a worse minimum
@@ -119,15 +121,26 @@ impl Setting<'_> {
                 }
             }
         }
-        smaller.sort_by(|a, b| a.score.total_cmp(&b.score));
+        *smaller = self.ranked(std::mem::take(smaller));
         smaller[0].score < before - BETTER
+    }
+
+    /// Whether a set can explain what is seen in single readings.
+    pub fn may_be(&self, candidate: &Candidate) -> bool {
+        !self.limit_seen || candidate.ids().contains(&"sensor_saturation")
+    }
+
+    /// Best score first, sets that cannot be behind those that can.
+    fn ranked(&self, mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+        candidates.sort_by(|a, b| self.may_be(b).cmp(&self.may_be(a)).then(a.score.total_cmp(&b.score)));
+        candidates
     }
 
     /// Every effect alone.
     fn singles(&self, base: &Candidate, dictionary: &Dictionary) -> Option<Vec<Candidate>> {
         let promises = promises(self.problem, &base.fitted, dictionary)?;
         let fit = |id: &str| Candidate::best(self.problem, tries(&promises, id).into_iter().map(|start| start.on(base.model())));
-        Some(ranked(CATALOGUE.par_iter().filter_map(|spec| fit(spec.id)).collect()))
+        Some(self.ranked(CATALOGUE.par_iter().filter_map(|spec| fit(spec.id)).collect()))
     }
 
     /// Sets with one effect more, from the best of one size; each of the best is also swapped, as its effects come from
@@ -156,22 +169,17 @@ impl Setting<'_> {
                 .collect();
             found.extend(fitted);
             // The parts of the best set that were not carried: from there its other part could be swapped.
-            let best = found.values().min_by(|a, b| a.score.total_cmp(&b.score))?.ids();
+            let best = found.values().min_by(|a, b| self.may_be(b).cmp(&self.may_be(a)).then(a.score.total_cmp(&b.score)))?.ids();
             let done: Vec<Vec<&'static str>> = dictionaries.iter().map(|(from, _)| from.ids()).collect();
             open = smaller.iter().filter(|from| from.ids().iter().all(|id| best.contains(id)) && !done.contains(&from.ids())).collect();
             if open.is_empty() {
                 break;
             }
         }
-        Some(ranked(found.into_values().collect()))
+        Some(self.ranked(found.into_values().collect()))
     }
 }
 
 fn ids(model: &Model) -> Vec<&'static str> {
     model.effects.iter().map(|listed| listed.spec.id).collect()
-}
-
-fn ranked(mut candidates: Vec<Candidate>) -> Vec<Candidate> {
-    candidates.sort_by(|a, b| a.score.total_cmp(&b.score));
-    candidates
 }

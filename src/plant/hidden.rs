@@ -26,18 +26,18 @@ pub enum Hidden {
         /// Fall from the first to the last drop, part of the stiffness.
         loss: f64,
     },
-    /// The sensor's mounting rings: a second-order low-pass in front of the sensor's own.
-    Ringing {
-        /// Frequency, Hz.
-        f_hz: f64,
-        /// Damping ratio.
-        zeta: f64,
+    /// A member snaps through: once the compression has passed `x1_m`, the spring has lost a part for the rest of the drop.
+    Snap {
+        /// Where it snaps, m.
+        x1_m: f64,
+        /// Part of the stiffness that is lost.
+        loss: f64,
     },
 }
 
 impl Hidden {
     /// Names in plant files.
-    pub const NAMES: [&str; 4] = ["two_stage", "two_modes", "wear", "ringing"];
+    pub const NAMES: [&str; 4] = ["two_stage", "two_modes", "wear", "snap"];
 
     /// Its name.
     pub fn name(&self) -> &'static str {
@@ -45,7 +45,7 @@ impl Hidden {
             Self::TwoStage { .. } => Self::NAMES[0],
             Self::TwoModes { .. } => Self::NAMES[1],
             Self::Wear { .. } => Self::NAMES[2],
-            Self::Ringing { .. } => Self::NAMES[3],
+            Self::Snap { .. } => Self::NAMES[3],
         }
     }
 }

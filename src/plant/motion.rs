@@ -6,13 +6,21 @@ use crate::effects::Model;
 const G_M_S2: f64 = 9.81;
 /// Step of the method, s.
 const STEP_S: f64 = 2e-6;
-/// States: x, v, three filter stages, Maxwell's force, two payloads' lag and rate, the mounting's reading and its rate.
-const STATES: usize = 12;
+/// States: x, v, three filter stages, Maxwell's force, two payloads' lag and rate.
+const STATES: usize = 10;
 type State = [f64; STATES];
 const FILTER: usize = 2;
 const MAXWELL: usize = 5;
 const PAYLOADS: usize = 6;
-const MOUNT: usize = 10;
+
+/// What a drop remembers.
+#[derive(Clone, Copy, Debug)]
+struct Past {
+    /// Feet that have touched.
+    touched: usize,
+    /// Largest compression so far, m.
+    deepest_m: f64,
+}
 
 /// A payload on a spring of its own.
 #[derive(Clone, Copy, Debug)]
@@ -104,10 +112,10 @@ impl Motion {
     }
 
     /// Force of the frame on the body, N.
-    fn force_n(&self, y: &State, touched: usize) -> f64 {
+    fn force_n(&self, y: &State, past: Past) -> f64 {
         let (x, v) = (y[0], y[1]);
         let mut sum = if self.stagger_m > 0.0 {
-            (0..touched).map(|foot| 0.25 * (self.k * (x - self.stagger_m * foot as f64 / 3.0) + self.c * v)).sum()
+            (0..past.touched).map(|foot| 0.25 * (self.k * (x - self.stagger_m * foot as f64 / 3.0) + self.c * v)).sum()
         } else {
             self.k * x + self.c * v
         };
@@ -123,6 +131,11 @@ impl Motion {
             let kept = 1.0 - 0.5 * loss * (1.0 - libm::tanh(v / 0.05));
             sum += kept * stiffness_n_m * (x - x1_m).max(0.0);
         }
+        if let Some(Hidden::Snap { x1_m, loss }) = self.hidden
+            && past.deepest_m > x1_m
+        {
+            sum -= loss * self.k * x;
+        }
         if sum < 0.0 || x < 0.0 {
             sum *= self.tension_factor;
         }
@@ -131,12 +144,12 @@ impl Motion {
         sum + stop.max(0.0)
     }
 
-    fn rates(&self, y: &State, touched: usize) -> State {
+    fn rates(&self, y: &State, past: Past) -> State {
         let mut rates = [0.0; STATES];
         let pushed: Vec<f64> = self.riders.iter().enumerate().map(|(i, rider)| self.rider_m_s2(rider, y, i)).collect();
         let held: f64 = self.riders.iter().zip(&pushed).map(|(rider, a)| rider.share * a).sum();
         let free: f64 = 1.0 - self.riders.iter().map(|rider| rider.share).sum::<f64>();
-        let frame = (self.force_n(y, touched) / self.mass_kg - held) / free;
+        let frame = (self.force_n(y, past) / self.mass_kg - held) / free;
         rates[0] = y[1];
         rates[1] = G_M_S2 - frame;
         for (i, a) in pushed.iter().enumerate() {
@@ -145,12 +158,6 @@ impl Motion {
         }
         rates[MAXWELL] = self.maxwell[0] * y[1] - y[MAXWELL] / self.maxwell[1];
         let mut felt = if self.on_rider { pushed[0] } else { frame };
-        if let Some(Hidden::Ringing { f_hz, zeta }) = self.hidden {
-            let circular = 2.0 * std::f64::consts::PI * f_hz;
-            rates[MOUNT] = y[MOUNT + 1];
-            rates[MOUNT + 1] = circular * circular * (felt - y[MOUNT]) - 2.0 * zeta * circular * y[MOUNT + 1];
-            felt = y[MOUNT];
-        }
         for stage in FILTER..FILTER + self.order {
             rates[stage] = self.filter_1_s * (felt - y[stage]);
             felt = y[stage];
@@ -169,15 +176,15 @@ impl Motion {
         let step_s = every_s / steps as f64;
         let mut y = [0.0; STATES];
         y[1] = self.impact_speed_m_s(height_m);
-        let (mut touched, mut deepest) = (1, 0.0_f64);
+        let mut past = Past { touched: 1, deepest_m: 0.0 };
         let mut out = Vec::with_capacity(count);
         for _ in 0..count {
             out.push(self.gain * y[FILTER + self.order - 1] / G_M_S2);
             for _ in 0..steps {
-                y = self.step(&y, touched, step_s);
-                deepest = deepest.max(y[0]);
-                while touched < 4 && deepest > self.stagger_m * touched as f64 / 3.0 {
-                    touched += 1;
+                y = self.step(&y, past, step_s);
+                past.deepest_m = past.deepest_m.max(y[0]);
+                while past.touched < 4 && past.deepest_m > self.stagger_m * past.touched as f64 / 3.0 {
+                    past.touched += 1;
                 }
             }
         }
@@ -185,12 +192,12 @@ impl Motion {
     }
 
     /// One step of the classical method of order 4.
-    fn step(&self, y: &State, touched: usize, h: f64) -> State {
+    fn step(&self, y: &State, past: Past, h: f64) -> State {
         let along = |rates: &State, part: f64| std::array::from_fn(|i| y[i] + part * h * rates[i]);
-        let first = self.rates(y, touched);
-        let second = self.rates(&along(&first, 0.5), touched);
-        let third = self.rates(&along(&second, 0.5), touched);
-        let last = self.rates(&along(&third, 1.0), touched);
+        let first = self.rates(y, past);
+        let second = self.rates(&along(&first, 0.5), past);
+        let third = self.rates(&along(&second, 0.5), past);
+        let last = self.rates(&along(&third, 1.0), past);
         std::array::from_fn(|i| y[i] + h / 6.0 * (first[i] + 2.0 * second[i] + 2.0 * third[i] + last[i]))
     }
 }

@@ -57,14 +57,13 @@ const NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
     ("logger.rate_hz", [200.0, 100_000.0], "Hz", 1000.0),
     ("hidden.loss", [0.0, 1.0], "1", 0.5),
 ];
-const HIDDEN: [(&str, [f64; 2], &str); 8] = [
+const HIDDEN: [(&str, [f64; 2], &str); 7] = [
     ("hidden.x1_mm", [0.1, 60.0], "mm"),
     ("hidden.stiffness_n_m", [0.0, 1e6], "N/m"),
     ("hidden.share_1", [0.0, 0.45], "1"),
     ("hidden.share_2", [0.0, 0.45], "1"),
     ("hidden.f_1_hz", [20.0, 1000.0], "Hz"),
     ("hidden.f_2_hz", [20.0, 1000.0], "Hz"),
-    ("hidden.f_hz", [50.0, 5000.0], "Hz"),
     ("hidden.zeta", [0.005, 1.5], "1"),
 ];
 const HEIGHTS: &str = "drops.heights_m";
@@ -143,6 +142,6 @@ fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {
             zeta: stated("hidden.zeta")?,
         },
         "wear" => Hidden::Wear { loss },
-        _ => Hidden::Ringing { f_hz: stated("hidden.f_hz")?, zeta: stated("hidden.zeta")? },
+        _ => Hidden::Snap { x1_m: stated("hidden.x1_mm")? * 1e-3, loss },
     }))
 }
