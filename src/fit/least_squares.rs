@@ -1,6 +1,6 @@
 //! Least squares within bounds: the method of Levenberg and Marquardt on the parameters that no bound holds.
 //!
-//! D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431. Why not a library: docs/decisions/0012-least-squares.md.
+//! D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431. Why not a library: docs/decisions/0016-least-squares.md.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -1,0 +1,45 @@
+//! The real drops diagnosed: the traps in them are not fallen for.
+
+mod case;
+
+use case::Study;
+use flexframe::diagnose::Verdict;
+
+/// Whether the records are there; says loudly when they are not.
+fn is_there(test: &str) -> bool {
+    let folder = case::folder();
+    if !folder.is_dir() {
+        println!("SKIPPED {test}: no folder {}; set FLEXFRAME_DATA", folder.display());
+    }
+    folder.is_dir()
+}
+
+#[test]
+fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
+    if !is_there("docs/case-study.md") {
+        return;
+    }
+    let study = Study::made();
+    // The magnitude's impulse is impossible, the axis' is not.
+    assert!(study.magnitude.iter().any(|one| one.impossible) && study.axial.iter().all(|one| !one.impossible));
+    // The damper that goes with the filter, published and derived elsewhere: 46 at 79.6 Hz, 23.2 at 500 Hz.
+    assert!((study.damper_at[1].1 - 46.0).abs() < 3.0 && (study.damper_at[4].1 - 23.2).abs() < 2.0, "{:?}", study.damper_at);
+    assert!(study.free_cutoff.0 > 400.0, "the drops do not ask for the notebook's 79.6 Hz: {:?}", study.free_cutoff);
+    // A stop whose place is a time: refused, with slopes near 1.
+    for id in ["bottoming", "bilinear_stiffness"] {
+        let one = study.all.ranking.iter().find(|one| one.id == id).expect("was looked at");
+        let steady = one.constancy.as_ref().expect("was fitted by height");
+        assert!(steady.p < 1e-4 && one.reason_rejected.is_some(), "{id}: {}", steady.p);
+        let slope = steady.parameters[0].slope.expect("a slope");
+        assert!((0.6..1.3).contains(&slope), "{id}: {slope}");
+    }
+    let same = &study.all.place.same_in;
+    assert!(same.t > same.x && same.t > same.v, "{same:?}");
+    assert_eq!(study.all.verdict, Verdict::NoneSuffices);
+    // Judged on 150 cm: within a tenth of what the mean wave of 150 cm itself leaves.
+    let after = &study.judged.after.held_out;
+    assert!(after.records_g <= 1.1 * after.template_g, "{after:?}");
+    assert!(after.net_g < study.judged.before.held_out.net_g);
+    let kept = include_str!("../docs/case-study.md");
+    assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");
+}
