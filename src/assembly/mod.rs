@@ -2,6 +2,7 @@
 
 mod body;
 mod design;
+pub mod fold;
 pub mod mass;
 mod printed;
 

@@ -1,0 +1,20 @@
+//! The fold: how a frame is put together flat and closed by bending, as data.
+//!
+//! [`Task`]s say what there is to do, [`Rules`] from the geometry what may be done when, [`FoldSequence`] has the steps.
+//! [`Linkage`] follows the triangle of arms, strut and leg while it closes, [`Module`] says where every body is.
+
+mod hinge;
+mod linkage;
+mod member;
+mod posture;
+mod rules;
+mod sequence;
+mod task;
+
+pub use hinge::{HingeLoad, necks, web};
+pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
+pub use member::{Member, Side};
+pub use posture::{Module, Posture, bent_by};
+pub use rules::{Broken, Done, Rules};
+pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
+pub use task::{Motion, Task};
