@@ -45,6 +45,9 @@ pub(super) enum Command {
     /// Hold a frame against its limits; exits 1 when one is violated.
     #[command(after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json")]
     Check(CheckOptions),
+    /// Write how a frame is put together: fold.json, and fold.glb that shows it; exits 1 when it cannot be.
+    #[command(after_help = "Example:\n  flexframe fold cognifly-v8 -o folds")]
+    Fold(FoldOptions),
     /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
@@ -96,6 +99,17 @@ pub(super) struct CheckOptions {
     /// Print every finding, not only the tightest of those that are alike.
     #[arg(long)]
     pub all: bool,
+}
+
+/// Options of `fold`.
+#[derive(Debug, Args)]
+pub(super) struct FoldOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Folder that takes the folder `FRAME-fold`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
 }
 
 /// Options of `render`.

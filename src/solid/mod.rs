@@ -7,6 +7,7 @@ mod brep;
 mod feature;
 pub mod gate;
 mod mesh;
+mod mesh_cut;
 mod mesh_solid;
 mod profile;
 

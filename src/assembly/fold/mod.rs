@@ -10,6 +10,7 @@ mod posture;
 mod rules;
 mod sequence;
 mod task;
+mod timeline;
 
 pub use hinge::{HingeLoad, necks, web};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
@@ -18,3 +19,4 @@ pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
 pub use task::{Motion, Task};
+pub use timeline::{Moment, STEP_S, moments};
