@@ -123,7 +123,7 @@ build_presets() {
     local frame name
     for frame in params/frames/*.toml; do
         name=$(basename "$frame" .toml)
-        if "$binary" build "$frame" -q -o "$built" && [[ -s $built/$name/manifest.json ]]; then
+        if "$binary" build "$frame" -q -o "$built" && "$binary" fold "$frame" -q -o "$built" && [[ -s $built/$name/manifest.json ]]; then
             ok "build $name"
         else
             failed "build $name" "no result in $built/$name"
@@ -178,7 +178,7 @@ slicer_slices_stls() {
 khronos_validates_glbs() {
     heading "the Khronos validator reads every GLB"
     if from_npm; then
-        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/frame.glb | tee -a "$results" || true
+        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/*.glb | tee -a "$results" || true
     else
         skipped "Khronos glTF validator" "not installed"
     fi
