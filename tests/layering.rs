@@ -14,7 +14,7 @@ const LAYERS: [(&str, &[&str]); 11] = [
     ("parts", &["units", "params", "solid"]),
     ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
     ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly"]),
-    ("export", &["params", "skeleton", "solid", "assembly"]),
+    ("export", &["units", "params", "skeleton", "solid", "assembly"]),
     ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export"]),
     ("cli", &["params", "assembly", "checks", "export", "report"]),
 ];

@@ -27,6 +27,8 @@ const HINGED: [Member; 3] = [Member::HubJoint, Member::Corner(true), Member::Cor
 struct Actor {
     member: Member,
     module: usize,
+    /// From the first module's member, turned, to the body: a rod of another module is rolled about its axis.
+    roll: Isometry3<f64>,
     node: Index<Node>,
     chains: Vec<(Hinge, Vec<Index<Node>>)>,
 }
@@ -54,18 +56,14 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
     for body in &design.bodies {
         let member = member_of(body);
         let hinges = member.and_then(|(m, _)| hinged.iter().find(|(h, _)| *h == m)).map(|(_, hinges)| hinges.clone());
-        let node = match hinges {
-            Some(hinges) => {
-                let (node, chains) = file.add_skinned(body, hinges, &mut skinned);
-                actors.extend(member.map(|(member, module)| Actor { member, module, node, chains }));
-                node
-            }
-            None => {
-                let node = file.root.push(placed(&body.name, &body.pose, Some(Index::new(body.shape as u32))));
-                actors.extend(member.map(|(member, module)| Actor { member, module, node, chains: Vec::new() }));
-                node
-            }
+        let (node, chains) = match hinges {
+            Some(hinges) => file.add_skinned(body, hinges, &mut skinned),
+            None => (file.root.push(placed(&body.name, &body.pose, Some(Index::new(body.shape as u32)))), Vec::new()),
         };
+        actors.extend(member.map(|(member, module)| {
+            let roll = (module_turn(module) * fold.module.place(member)).inverse() * body.pose;
+            Actor { member, module, roll, node, chains }
+        }));
         children.push(node);
     }
     file.add_frame_node(&design.frame.name, children);
@@ -78,6 +76,10 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
 fn member_of(body: &Body) -> Option<(Member, usize)> {
     let module = body.module?;
     Member::ALL.into_iter().find(|m| m.body(module) == body.name).map(|m| (m, module))
+}
+
+fn module_turn(module: usize) -> UnitQuaternion<f64> {
+    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * module as f64)
 }
 
 fn placed(name: &str, pose: &Isometry3<f64>, mesh: Option<Index<gltf::json::Mesh>>) -> Node {
@@ -219,8 +221,8 @@ impl GlbFile {
         let mut animation =
             Animation { extensions: None, extras: None, channels: Vec::new(), name: Some(name.into()), samplers: Vec::new() };
         for actor in actors {
-            let about = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * actor.module as f64);
-            let poses: Vec<Isometry3<f64>> = shown.iter().map(|moment| about * moment.pose(actor.member)).collect();
+            let about = module_turn(actor.module);
+            let poses: Vec<Isometry3<f64>> = shown.iter().map(|moment| about * moment.pose(actor.member) * actor.roll).collect();
             let places: Vec<Vec<f32>> = poses.iter().map(|pose| metres(&pose.translation.vector).to_vec()).collect();
             let turns = steady(poses.iter().map(|pose| pose.rotation));
             self.add_track(&mut animation, input, actor.node, Property::Translation, &places);

@@ -160,7 +160,11 @@ impl<'a> Rules<'a> {
 
     /// Everything that is joined to a member.
     pub fn component(&self, of: Member, done: &Done) -> BTreeSet<Member> {
-        let contacts: Vec<(Member, Member)> = done.iter().flat_map(|task| task.contacts()).collect();
+        let mut contacts: Vec<(Member, Member)> = done.iter().flat_map(|task| task.contacts()).collect();
+        if done.contains(&Task::CloseRing) {
+            // The neighbours' cage rods hold this module's corners.
+            contacts.extend([true, false].map(|up| (Member::Corner(up), Member::Hub)));
+        }
         let mut found = BTreeSet::from([of]);
         loop {
             let before = found.len();
@@ -212,7 +216,11 @@ impl<'a> Rules<'a> {
         let mut order = Vec::new();
         while !left.is_empty() {
             let without = |task: &Task| left.iter().copied().filter(|t| t != task).collect::<Done>();
-            let undone = candidates.iter().rev().filter(|t| left.contains(*t)).find(|t| self.broken(&without(t), **t).is_none());
+            let undone = candidates
+                .iter()
+                .rev()
+                .filter(|t| left.contains(*t))
+                .find(|t| self.broken(&without(t), **t).is_none() && self.holds(&without(t)));
             let Some(task) = undone else {
                 return Err(left.iter().filter_map(|t| self.broken(&without(t), *t).map(|broken| (*t, broken))).collect());
             };
@@ -221,6 +229,11 @@ impl<'a> Rules<'a> {
         }
         order.reverse();
         Ok(order)
+    }
+
+    /// Whether every bend among these tasks still has what it is turned by: nothing else holds a hinge that springs back.
+    fn holds(&self, done: &Done) -> bool {
+        done.iter().filter_map(|task| task.lever()).all(|(part, lever)| self.component(part, done).contains(&lever))
     }
 
     fn broken_push(&self, done: &Done, task: Task) -> Option<Broken> {
