@@ -23,6 +23,9 @@ use crate::assembly::{Body, Design, Kind};
 /// Folded, flexible members.
 const HINGED: [Member; 3] = [Member::HubJoint, Member::Corner(true), Member::Corner(false)];
 
+/// The hinges of a body, each with the joints of its chain.
+type Chains = Vec<(Hinge, Vec<Index<Node>>)>;
+
 /// A body's node and, when it bends, the chains of its hinges.
 struct Actor {
     member: Member,
@@ -30,7 +33,7 @@ struct Actor {
     /// From the first module's member, turned, to the body: a rod of another module is rolled about its axis.
     roll: Isometry3<f64>,
     node: Index<Node>,
-    chains: Vec<(Hinge, Vec<Index<Node>>)>,
+    chains: Chains,
 }
 
 /// The fold of a design.
@@ -125,12 +128,7 @@ impl GlbFile {
     }
 
     /// A hinged body: its node with the chains below it, and a node at the root of the scene that carries the skin.
-    fn add_skinned(
-        &mut self,
-        body: &Body,
-        hinges: Vec<Hinge>,
-        roots: &mut Vec<Index<Node>>,
-    ) -> (Index<Node>, Vec<(Hinge, Vec<Index<Node>>)>) {
+    fn add_skinned(&mut self, body: &Body, hinges: Vec<Hinge>, roots: &mut Vec<Index<Node>>) -> (Index<Node>, Chains) {
         let (mut chains, mut firsts) = (Vec::new(), Vec::new());
         for hinge in hinges {
             let mut below: Option<Index<Node>> = None;
