@@ -4,19 +4,23 @@
 //! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
 //! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
 //! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
+//! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall.
 //! Only the command line in `cli` prints and writes files.
 //!
-//! Units are millimetres, grams and degrees, in the names of the fields. Axes: X right, Y front, Z up, origin where
+//! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI. Axes: X right, Y front, Z up, origin where
 //! the hub's axis crosses the plane of the arms.
 
 pub mod assembly;
+pub mod body;
 pub mod checks;
 pub mod cli;
+pub mod effects;
 pub mod export;
 pub mod figures;
 pub mod params;
 pub mod parts;
 pub mod report;
+pub mod sim;
 pub mod skeleton;
 pub mod solid;
 pub mod units;

@@ -114,7 +114,9 @@ proptest! {
         [frame.rods.cage_rod_length_mm, frame.rods.arm_rod_length_mm, frame.rods.strut_rod_length_mm] = lengths;
         let Ok(closure) = Closure::solve(&frame) else { return Ok(()) };
         prop_assert!((closure.strut_tilt.to_deg() - tilt).abs() < 1e-9);
-        prop_assert!((2.0 * (closure.ring_half_height_mm + closure.corner_radius_mm) - height_mm).abs() < 1e-9);
+        // A size is a limit: the frame stays under it by 2 µm, which its rounded corners may take.
+        let below_mm = height_mm - 2.0 * (closure.ring_half_height_mm + closure.corner_radius_mm);
+        prop_assert!((0.0..0.003).contains(&below_mm), "{below_mm}");
     }
 }
 

@@ -26,14 +26,19 @@ impl GroundClearance {
     }
 }
 
-pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+/// Measures the room; `None` without corners or a centre.
+pub(super) fn measure(scene: &Scene) -> Option<GroundClearance> {
     let ground = bounds_of(scene.placed.iter().filter(|p| p.is_part(PartName::BottomCorner))).map(|b| b.low[2]);
     let centre = scene.placed.iter().filter(|p| p.body.module.is_none());
     let lowest = centre.min_by(|a, b| a.bounds.low[2].total_cmp(&b.bounds.low[2]));
-    let (Some(ground), Some(lowest)) = (ground, lowest) else { return Vec::new() };
+    let (ground, lowest) = (ground?, lowest?);
     let clearance_mm = lowest.bounds.low[2] - ground;
     let limit_mm = scene.design.frame.limits.ground_clearance_mm;
-    vec![GroundClearance { lowest: lowest.body.name.clone(), clearance_mm, limit_mm }.finding()]
+    Some(GroundClearance { lowest: lowest.body.name.clone(), clearance_mm, limit_mm })
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    measure(scene).iter().map(GroundClearance::finding).collect()
 }
 
 #[cfg(test)]

@@ -66,6 +66,11 @@ pub fn check(design: &Design, masses: &MassTable) -> Vec<Finding> {
     found.into_iter().flatten().collect()
 }
 
+/// The room under the centre, as the rule measures it.
+pub fn ground_clearance(design: &Design, masses: &MassTable) -> Option<GroundClearance> {
+    ground::measure(&Scene::new(design, masses))
+}
+
 #[cfg(test)]
 mod planted;
 #[cfg(test)]

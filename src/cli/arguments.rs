@@ -32,6 +32,7 @@ const EXAMPLES: &str = "Examples:
   flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
   flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
   flexframe render cognifly
+  flexframe drop --model paper --height 0.5,1,1.5
   flexframe params --filter arm
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
@@ -48,6 +49,11 @@ pub(super) enum Command {
     /// Write how a frame is put together: fold.json, and fold.glb that shows it; exits 1 when it cannot be.
     #[command(after_help = "Example:\n  flexframe fold cognifly-v8 -o folds")]
     Fold(FoldOptions),
+    /// Drop the body of a model, or of a frame, and write peaks, energies and plots.
+    #[command(
+        after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
+    )]
+    Drop(DropOptions),
     /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
@@ -108,6 +114,28 @@ pub(super) struct FoldOptions {
     #[command(flatten)]
     pub frame: FrameOption,
     /// Folder that takes the folder `FRAME-fold`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Options of `drop`.
+#[derive(Debug, Args)]
+pub(super) struct DropOptions {
+    /// A preset's name or a TOML file: its mass and gap in place of the model's.
+    pub frame: Option<String>,
+    /// Material of the frame's rigid parts instead of the frame file's.
+    #[arg(long, value_name = "MATERIAL", requires = "frame")]
+    pub rigid: Option<String>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file.
+    #[arg(long, default_value = "paper", value_name = "MODEL")]
+    pub model: String,
+    /// Drop heights, m.
+    #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…")]
+    pub height: Vec<f64>,
+    /// With --json: the sensor's output, too, in steps of 0.05 ms for 60 ms.
+    #[arg(long)]
+    pub trace: bool,
+    /// Folder that takes the folder `drop-MODEL`, or `drop-MODEL-FRAME`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

@@ -3,6 +3,7 @@
 mod arguments;
 mod build;
 mod check;
+mod drop;
 mod fold;
 mod output;
 mod params;
@@ -46,6 +47,7 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Build(options) => build::build(options, &arguments.common),
         Command::Check(options) => check::check(options, &arguments.common),
         Command::Fold(options) => fold::fold(options, &arguments.common),
+        Command::Drop(options) => drop::drop(options, &arguments.common),
         Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),
         Command::Completions { shell } => {

@@ -16,7 +16,7 @@ const LONGEST_CHAIN: usize = 16;
 /// Largest parameter file read, bytes.
 const LARGEST_FILE: u64 = 1 << 20;
 
-/// A frame file could not be read at all.
+/// A frame file or a model file could not be read at all.
 #[derive(Debug, thiserror::Error)]
 pub enum LoadError {
     /// What it says is refused.
@@ -30,6 +30,14 @@ pub enum LoadError {
         /// The presets there are.
         presets: String,
     },
+    /// No file, no model that comes with the program.
+    #[error("there is no model `{name}`: neither a file nor one of those that come with the program ({models})")]
+    NoSuchModel {
+        /// What was asked for.
+        name: String,
+        /// The models there are.
+        models: String,
+    },
     /// The file cannot be read.
     #[error("cannot read {path}: {error}")]
     Unreadable {
@@ -38,8 +46,8 @@ pub enum LoadError {
         /// Why.
         error: std::io::Error,
     },
-    /// The file is too large to be a frame.
-    #[error("{path} has {bytes} bytes; a frame file has at most {LARGEST_FILE}")]
+    /// The file is too large to be one of parameters.
+    #[error("{path} has {bytes} bytes; a file of parameters has at most {LARGEST_FILE}")]
     TooLarge {
         /// The file.
         path: PathBuf,
@@ -60,6 +68,11 @@ pub enum Value {
 }
 
 impl Value {
+    /// Whether it is a table; only one with nothing in it is kept as a value.
+    pub fn is_table(&self) -> bool {
+        matches!(self, Self::Other(toml::Value::Table(_)))
+    }
+
     /// In TOML's own form.
     pub fn to_toml(&self) -> toml::Value {
         match self {
@@ -143,16 +156,9 @@ impl FrameFile {
 
     /// Adds a file's entries where no nearer file has them, then its base's.
     fn stack(&mut self, source: Arc<Source>, folder: Option<PathBuf>, chain: &mut Vec<String>) -> Result<(), LoadError> {
-        let table = DeTable::parse(&source.text).map_err(|error| {
-            let end = source.text.len();
-            let span = error.span().unwrap_or(0..end.min(1));
-            let place = Place { source: Arc::clone(&source), span: span.start.min(end)..span.end.min(end) };
-            Refusal { reason: Box::new(Reason::Syntax { message: error.message().to_string() }), place: Some(place) }
-        })?;
         let depth = chain.len();
         chain.push(source.name.clone());
-        let mut typed = BTreeMap::new();
-        flatten("", table.get_ref(), &source, depth, &mut typed)?;
+        let mut typed = typed_entries(&source, depth)?;
         let base = typed.remove("base");
         if depth > 0 {
             typed.remove("name");
@@ -213,14 +219,9 @@ fn open(frame: &str, here: Option<Here>) -> Result<(String, Arc<Source>, Option<
         None => frame.ends_with(".toml").then(|| PathBuf::from(frame)),
     };
     if let Some(path) = path {
-        let bytes = std::fs::metadata(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?.len();
-        if bytes > LARGEST_FILE {
-            return Err(LoadError::TooLarge { path, bytes });
-        }
-        let text = std::fs::read_to_string(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?;
-        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let parent = path.parent().map(Path::to_path_buf);
-        return Ok((stem, Arc::new(Source { name: path.display().to_string(), text }), parent));
+        let (stem, source) = read_source(path)?;
+        return Ok((stem, source, parent));
     }
     match preset::text(frame) {
         Some(text) => {
@@ -229,6 +230,30 @@ fn open(frame: &str, here: Option<Here>) -> Result<(String, Arc<Source>, Option<
         }
         None => Err(LoadError::NoSuchFrame { name: frame.into(), presets: preset::names().collect::<Vec<_>>().join(", ") }),
     }
+}
+
+/// A file's stem and its text.
+pub(super) fn read_source(path: PathBuf) -> Result<(String, Arc<Source>), LoadError> {
+    let bytes = std::fs::metadata(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?.len();
+    if bytes > LARGEST_FILE {
+        return Err(LoadError::TooLarge { path, bytes });
+    }
+    let text = std::fs::read_to_string(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?;
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    Ok((stem, Arc::new(Source { name: path.display().to_string(), text })))
+}
+
+/// The entries of a TOML text by dotted key, each with its place.
+pub(super) fn typed_entries(source: &Arc<Source>, depth: usize) -> Result<BTreeMap<String, Entry>, Refusal> {
+    let table = DeTable::parse(&source.text).map_err(|error| {
+        let end = source.text.len();
+        let span = error.span().unwrap_or(0..end.min(1));
+        let place = Place { source: Arc::clone(source), span: span.start.min(end)..span.end.min(end) };
+        Refusal { reason: Box::new(Reason::Syntax { message: error.message().to_string() }), place: Some(place) }
+    })?;
+    let mut typed = BTreeMap::new();
+    flatten("", table.get_ref(), source, depth, &mut typed)?;
+    Ok(typed)
 }
 
 fn flatten(
@@ -268,6 +293,6 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
         }
         DeValue::Table(inner) if inner.is_empty() => Ok(Value::Other(toml::Value::Table(toml::Table::new()))),
         DeValue::Datetime(date) => Ok(Value::Other(toml::Value::Datetime(*date))),
-        other => Err(format!("a {} has no place in a frame file", other.type_str())),
+        other => Err(format!("a {} has no place in a file of parameters", other.type_str())),
     }
 }

@@ -6,6 +6,7 @@ pub mod follows;
 pub mod frame;
 pub mod frame_file;
 pub mod groups;
+pub mod impact_file;
 pub mod parameter;
 pub mod part_name;
 pub mod preset;
@@ -14,4 +15,5 @@ mod relation;
 
 pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::{FrameFile, LoadError};
+pub use impact_file::ImpactFile;
 pub use part_name::PartName;

@@ -28,6 +28,12 @@ pub(super) const PRINTERS: [(&str, &str); 8] = [
     ("flsun-qqs-pro", include_str!("../../params/printers/flsun-qqs-pro.toml")),
 ];
 
+/// Name and text of each impact model; the first is the default.
+pub(super) const IMPACTS: [(&str, &str); 2] = [
+    ("paper", include_str!("../../params/impact/paper.toml")),
+    ("paper-corrected", include_str!("../../params/impact/paper-corrected.toml")),
+];
+
 /// The presets' names, the default first.
 pub fn names() -> impl Iterator<Item = &'static str> {
     PRESETS.iter().map(|(name, _)| *name)

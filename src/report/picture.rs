@@ -114,7 +114,7 @@ fn shadow(point: &Point3<f64>, camera: &Camera) -> [f64; 3] {
 }
 
 /// The bytes of a PNG file; empty if the encoder refuses, which it does not for these values.
-fn encoded(rgb: &[u8], width: u32, height: u32) -> Vec<u8> {
+pub(super) fn encoded(rgb: &[u8], width: u32, height: u32) -> Vec<u8> {
     let write = || -> Result<Vec<u8>, png::EncodingError> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, width.max(1), height.max(1));

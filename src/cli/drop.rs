@@ -1,0 +1,112 @@
+//! `flexframe drop`: a model's drops.
+
+use std::process::ExitCode;
+
+use super::arguments::{Common, DropOptions, FrameOption};
+use super::output;
+use super::progress::Progress;
+use super::session::{self, Failure};
+use super::terminal;
+use crate::assembly::mass;
+use crate::body::{Body, Origin};
+use crate::effects::Model;
+use crate::report::{drop_data, drop_plots};
+use crate::sim::{Balance, Settings, System, Trace, simulate};
+
+/// Drop heights that are allowed, m.
+const HEIGHTS_M: [f64; 2] = [0.01, 100.0];
+/// How many heights at once.
+const MOST_HEIGHTS: usize = 100;
+
+/// Drops a model and writes its folder.
+pub(super) fn drop(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let heights_m = heights(options)?;
+    let mut model = Model::load(&options.model)?;
+    let working = Progress::of("dropping", common);
+    if let Some(frame) = &options.frame {
+        let design = session::design(&FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })?;
+        model.body = Body::of(&design, &mass::table(&design));
+    }
+    let system = System::new(&model);
+    let traces: Vec<Trace> = heights_m.iter().map(|height_m| simulate(&system, *height_m, &Settings::REPORT)).collect();
+    let json = drop_data::json(&model, &traces, options.trace);
+    let mut files = drop_plots::plots(&model, &traces)
+        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    files.push(("results.csv".into(), drop_data::results_csv(&traces).into_bytes()));
+    files.push(("trace.csv".into(), drop_data::trace_csv(&traces).into_bytes()));
+    files.push(("samples.csv".into(), drop_data::samples_csv(&model, &traces).into_bytes()));
+    files.push(("model.toml".into(), model.to_toml().into_bytes()));
+    files.push(("drop.json".into(), format!("{json:#}\n").into_bytes()));
+    std::mem::drop(working);
+    let place = output::write_folder(&options.output, &folder(&model), &files)?;
+    if common.json {
+        terminal::print_json(&json)?;
+    } else if !common.quiet {
+        terminal::print(&format!("{}{}: {} files\n", table(&model, &traces), place.display(), files.len()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn heights(options: &DropOptions) -> Result<&[f64], Failure> {
+    let [min, max] = HEIGHTS_M;
+    if options.height.len() > MOST_HEIGHTS {
+        return Err(Failure::Usage { message: format!("--height takes at most {MOST_HEIGHTS} heights") });
+    }
+    match options.height.iter().find(|height| !(min..=max).contains(*height)) {
+        Some(height) => Err(Failure::Usage { message: format!("--height {height} is out of bounds: give {min} to {max} m") }),
+        None => Ok(&options.height),
+    }
+}
+
+fn folder(model: &Model) -> String {
+    match &model.body.origin {
+        Origin::Model(_) => format!("drop-{}", model.name),
+        Origin::Frame(frame) => format!("drop-{}-{frame}", model.name),
+    }
+}
+
+/// What came out, height by height, marks below.
+fn table(model: &Model, traces: &[Trace]) -> String {
+    let Body { mass_kg, gap_m, .. } = &model.body;
+    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&model.body));
+    text += "                ---------- peak, g ----------                     - balance, % of m g (h + x) -   - paper, % of m g h -\n";
+    text += "height   impact  coordinate   proper   sensor  contact  largest   stored    lost  motion  rigid   damper  spring  rigid\n";
+    text += "     m      m/s       |x''|      F/m               ms       mm\n";
+    for trace in traces {
+        text += &row(trace);
+    }
+    text.push('\n');
+    for trace in traces {
+        for mark in &trace.outside {
+            text += &format!("outside  {} m: {mark}\n", trace.height_m);
+        }
+    }
+    text
+}
+
+fn row(trace: &Trace) -> String {
+    let or_none = |value: Option<f64>, width: usize| value.map_or(format!("{:>width$}", "-"), |value| format!("{value:>width$.2}"));
+    let shares = trace.compression.as_ref().map_or([None; 4], |balance: &Balance| {
+        [balance.stored_j, balance.dissipated_j + balance.air_j, balance.kinetic_j, balance.collision_j]
+            .map(|part| Some(100.0 * part / balance.input_j))
+    });
+    let paper = trace.paper.map_or([None; 3], |paper| [paper.damper_percent, paper.spring_percent, paper.rigid_percent].map(Some));
+    let percent = |value: Option<f64>, width: usize| value.map_or(format!("{:>width$}", "-"), |value| format!("{:>width$.1}", value + 0.0));
+    format!(
+        "{:>6} {:>8.3} {:>11.1} {:>8.1} {:>8.1} {} {}  {} {} {} {}   {} {} {}\n",
+        trace.height_m,
+        trace.impact_speed_m_s,
+        trace.peak_coordinate_g,
+        trace.peak_proper_g,
+        trace.peak_sensor_g,
+        or_none(trace.contact_s.map(|t_s| t_s * 1e3), 8),
+        or_none(trace.max_displacement_m.map(|x_m| x_m * 1e3), 8),
+        percent(shares[0], 7),
+        percent(shares[1], 7),
+        percent(shares[2], 7),
+        percent(shares[3], 6),
+        percent(paper[0], 6),
+        percent(paper[1], 7),
+        percent(paper[2], 6),
+    )
+}

@@ -1,0 +1,38 @@
+//! Air drag in the fall: v' = g - β v², so v0² = g/β (1 - exp(-2 β h)).
+//!
+//! Source: drag of a bluff body, β = ρ C A / (2 m): for 1.2 kg/m³, C A = 0.02 m² and 0.241 kg it is 0.05 1/m. The fall
+//! takes acosh(exp(β h)) / √(g β). After first touch it does not act: the contact is short.
+//!
+//! *When it is wrong:* for a frame that turns as it falls, or with propellers that spin.
+
+use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+
+/// The catalogue entry.
+pub(super) const SPEC: Spec = Spec {
+    id: "air_drag",
+    title: "air drag in the fall",
+    stage: Stage::Arrangement,
+    parameters: &[Parameter {
+        key: "beta",
+        unit: "1/m",
+        si: 1.0,
+        min: 0.0,
+        max: 1.0,
+        off: Some(0.0),
+        default: None,
+        doc: "drag over mass",
+    }],
+    choice: None,
+    build: |values, _| Box::new(AirDrag { drag_1_m: values[0] }),
+};
+
+#[derive(Clone, Copy, Debug)]
+struct AirDrag {
+    drag_1_m: f64,
+}
+
+impl Effect for AirDrag {
+    fn arrange(&self, arrangement: &mut Arrangement) {
+        arrangement.fall.drag_1_m = self.drag_1_m;
+    }
+}

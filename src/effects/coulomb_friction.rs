@@ -1,0 +1,41 @@
+//! Coulomb friction: F = Fc tanh(v / 0.05 m/s).
+//!
+//! Source: dry friction of sockets on rods and of feet on the ground; the tanh in place of the sign is usual (see
+//! E. Pennestrì et al., *Review and comparison of dry friction force models*, Nonlinear Dyn. 83, 2016). All its work is lost.
+//!
+//! *When it is wrong:* below 0.05 m/s, where it creeps instead of sticking.
+
+use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+
+/// Speed over which the sign turns, m/s.
+const TURN_M_S: f64 = 0.05;
+
+/// The catalogue entry.
+pub(super) const SPEC: Spec = Spec {
+    id: "coulomb_friction",
+    title: "Coulomb friction",
+    stage: Stage::Force,
+    parameters: &[Parameter {
+        key: "f_c_n",
+        unit: "N",
+        si: 1.0,
+        min: 0.0,
+        max: 80.0,
+        off: Some(0.0),
+        default: None,
+        doc: "friction force",
+    }],
+    choice: None,
+    build: |values, _| Box::new(CoulombFriction { force_n: values[0] }),
+};
+
+#[derive(Clone, Copy, Debug)]
+struct CoulombFriction {
+    force_n: f64,
+}
+
+impl Effect for CoulombFriction {
+    fn force_n(&self, at: &Motion) -> f64 {
+        self.force_n * libm::tanh(at.v_m_s / TURN_M_S)
+    }
+}

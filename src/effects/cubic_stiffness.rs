@@ -1,0 +1,44 @@
+//! Cubic stiffness: F = k3 x³. It stores k3 x⁴/4.
+//!
+//! Source: the first term that a symmetric spring has beyond the linear one (Duffing); legs at a slope stiffen or soften
+//! as they turn.
+//!
+//! *When it is wrong:* far beyond the compressions it was fitted on. A negative k3 gives way for good where
+//! k x + k3 x³ turns, at 18.8 mm for k = 7040 N/m and k3 = -2e7 N/m³; the simulation then says that the body ran away.
+
+use super::effect::{Effect, Motion, Parameter, Spec, Stage};
+
+/// The catalogue entry.
+pub(super) const SPEC: Spec = Spec {
+    id: "cubic_stiffness",
+    title: "cubic stiffness",
+    stage: Stage::Force,
+    parameters: &[Parameter {
+        key: "k3",
+        unit: "N/m^3",
+        si: 1.0,
+        min: -2e7,
+        max: 2e8,
+        off: Some(0.0),
+        default: None,
+        doc: "cubic stiffness",
+    }],
+    choice: None,
+    build: |values, _| Box::new(CubicStiffness { k3_n_m3: values[0] }),
+};
+
+#[derive(Clone, Copy, Debug)]
+struct CubicStiffness {
+    k3_n_m3: f64,
+}
+
+impl Effect for CubicStiffness {
+    fn force_n(&self, at: &Motion) -> f64 {
+        self.k3_n_m3 * at.x_m * at.x_m * at.x_m
+    }
+
+    fn stored_j(&self, at: &Motion) -> f64 {
+        let square = at.x_m * at.x_m;
+        0.25 * self.k3_n_m3 * square * square
+    }
+}

@@ -1,0 +1,139 @@
+//! A model file of the drop as typed: every value with the place it was typed at.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::frame_file::{Entry, LoadError, Value, read_source, typed_entries};
+use super::preset::IMPACTS;
+use super::refusal::{Place, Reason, Refusal, Source, nearest};
+
+/// All entries of a model file by dotted key.
+#[derive(Clone, Debug)]
+pub struct ImpactFile {
+    /// Name of the model: the file's.
+    pub name: String,
+    /// The entries.
+    pub entries: BTreeMap<String, Entry>,
+    source: Arc<Source>,
+}
+
+impl ImpactFile {
+    /// The names of the models that come with the program, the default first.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        IMPACTS.iter().map(|(name, _)| *name)
+    }
+
+    /// Reads a model: a path to a TOML file, or the name of one that comes with the program.
+    ///
+    /// # Errors
+    /// When there is none, when it cannot be read, or when it is not TOML.
+    pub fn load(model: &str) -> Result<Self, LoadError> {
+        if model.ends_with(".toml") {
+            let (name, source) = read_source(PathBuf::from(model))?;
+            return Ok(Self::read(name, source)?);
+        }
+        let known = IMPACTS.iter().find(|(name, _)| *name == model);
+        let Some((name, text)) = known else {
+            return Err(LoadError::NoSuchModel { name: model.into(), models: Self::names().collect::<Vec<_>>().join(", ") });
+        };
+        let source = Source { name: format!("params/impact/{name}.toml"), text: (*text).into() };
+        Ok(Self::read((*name).into(), Arc::new(source))?)
+    }
+
+    /// Reads a model from text.
+    ///
+    /// # Errors
+    /// When it is not TOML.
+    pub fn parse(name: &str, text: &str) -> Result<Self, Refusal> {
+        Self::read(name.into(), Arc::new(Source { name: name.into(), text: text.into() }))
+    }
+
+    fn read(name: String, source: Arc<Source>) -> Result<Self, Refusal> {
+        let entries = typed_entries(&source, 0)?;
+        Ok(Self { name, entries, source })
+    }
+
+    /// A refusal that points at a key, or at the file's end when it lacks that key.
+    pub fn refuse(&self, key: &str, reason: Reason) -> Refusal {
+        let end = self.source.text.len();
+        let missing = || Place { source: Arc::clone(&self.source), span: end.saturating_sub(1)..end };
+        let place = self.entries.get(key).map_or_else(missing, |entry| entry.place.clone());
+        Refusal { reason: Box::new(reason), place: Some(place) }
+    }
+
+    /// A number that has to lie within bounds; `None` when it is not stated.
+    ///
+    /// # Errors
+    /// When it is no number, or outside.
+    pub fn number(&self, key: &str, bounds: [f64; 2], unit: &str) -> Result<Option<f64>, Refusal> {
+        let [min, max] = bounds;
+        match self.entries.get(key).map(|entry| &entry.value) {
+            None => Ok(None),
+            Some(Value::Number(value)) if (min..=max).contains(value) => Ok(Some(*value)),
+            Some(Value::Number(value)) => {
+                Err(self.refuse(key, Reason::OutOfBounds { key: key.into(), value: *value, min, max, unit: unit.into() }))
+            }
+            Some(other) => {
+                let expected = if unit == "1" { "a number".into() } else { format!("a number in {unit}") };
+                Err(self.refuse(key, Reason::WrongType { key: key.into(), found: other.kind().into(), expected }))
+            }
+        }
+    }
+
+    /// A number that has to be stated, within bounds.
+    ///
+    /// # Errors
+    /// When it is missing, no number, or outside.
+    pub fn stated(&self, key: &str, bounds: [f64; 2], unit: &str) -> Result<f64, Refusal> {
+        let missing = || {
+            let remedy = format!("state it: a number from {} to {} {unit}", bounds[0], bounds[1]);
+            self.refuse(key, Reason::Impossible { message: format!("`{key}` is not stated"), remedy })
+        };
+        self.number(key, bounds, unit)?.ok_or_else(missing)
+    }
+
+    /// The index of a word among those allowed; the first when it is not stated.
+    ///
+    /// # Errors
+    /// When it is no word, or none of them.
+    pub fn word(&self, key: &str, words: &[&str]) -> Result<usize, Refusal> {
+        let expected = || words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
+        let Some(entry) = self.entries.get(key) else { return Ok(0) };
+        let at = match &entry.value {
+            Value::Text(text) => words.iter().position(|word| word == text),
+            _ => None,
+        };
+        let found = match &entry.value {
+            Value::Text(text) => format!("\"{text}\""),
+            other => other.kind().into(),
+        };
+        at.ok_or_else(|| self.refuse(key, Reason::WrongType { key: key.into(), found, expected: expected() }))
+    }
+
+    /// Refuses every key that is not among the known ones.
+    ///
+    /// # Errors
+    /// The first such key.
+    pub fn only(&self, known: &[String], effects: &[&str]) -> Result<(), Refusal> {
+        let Some(key) = self.entries.keys().find(|key| !known.contains(key)) else { return Ok(()) };
+        let listed = key.strip_prefix("effects.").and_then(|rest| rest.split('.').next());
+        let reason = match listed.filter(|id| !effects.contains(id)) {
+            Some(id) => match nearest(id, effects.iter().copied()) {
+                near if near.is_empty() => Reason::Impossible {
+                    message: format!("there is no effect called `{id}`"),
+                    remedy: format!("the effects are {}", effects.join(", ")),
+                },
+                near => Reason::UnknownName { kind: "effect".into(), name: id.into(), nearest: near },
+            },
+            None => match nearest(key, known.iter().map(String::as_str)) {
+                near if near.is_empty() => Reason::Impossible {
+                    message: format!("unknown key `{key}`"),
+                    remedy: "docs/physics.md lists the keys of a model file".into(),
+                },
+                near => Reason::UnknownKey { key: key.clone(), nearest: near },
+            },
+        };
+        Err(self.refuse(key, reason))
+    }
+}
