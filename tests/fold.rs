@@ -4,7 +4,7 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use flexframe::assembly::fold::{Broken, FoldError, FoldSequence, Member, Task};
+use flexframe::assembly::fold::{Broken, FoldError, FoldSequence, Member, Task, sweeps};
 use flexframe::assembly::{Design, mass};
 use flexframe::export::{fold_glb, glb};
 use flexframe::params::Frame;
@@ -269,6 +269,21 @@ fn analytic_skins_bend_into_the_folded_parts() {
             let values: Vec<f64> = points.iter().map(|p| sign * p[along]).collect();
             let (least, most) = values.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
             assert!((least - low[axis]).abs() < 0.3 && (most - high[axis]).abs() < 0.3, "{name} {axis}: {least} {most} {low:?} {high:?}");
+        }
+    }
+}
+
+#[test]
+fn analytic_nothing_is_in_the_way() {
+    let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
+    let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let began = std::time::Instant::now();
+    let found = sweeps(&design, &sequence);
+    println!("{:?}", began.elapsed());
+    for (step, sweep) in sequence.steps.iter().zip(&found) {
+        println!("{} {}: {} {} {} {:.3}", step.number, step.title, sweep.places, sweep.pairs, sweep.comparisons, sweep.beyond_mm3);
+        for m in &sweep.meetings {
+            println!("   {m:?}");
         }
     }
 }

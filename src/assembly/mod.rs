@@ -4,6 +4,7 @@ mod body;
 mod design;
 pub mod fold;
 pub mod mass;
+pub mod press_fit;
 mod printed;
 
 pub use body::{Body, Kind, Shape};

@@ -6,9 +6,11 @@
 mod hinge;
 mod linkage;
 mod member;
+mod piece;
 mod posture;
 mod rules;
 mod sequence;
+mod sweep;
 mod task;
 mod timeline;
 
@@ -18,5 +20,6 @@ pub use member::{Member, Side};
 pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
+pub use sweep::{Meeting, Sweep, sweeps};
 pub use task::{Motion, Task};
-pub use timeline::{Moment, STEP_S, moments};
+pub use timeline::{Moment, STEP_S, moment, moments};

@@ -56,16 +56,17 @@ pub fn moments(rules: &Rules, order: &[Task], done: &Done, task: Task) -> Vec<Mo
         Motion::Bend => BEND_FRAMES,
         Motion::Close => 2 * BEND_FRAMES,
     };
-    let at = |i: u32| {
-        let way = f64::from(i) / f64::from(frames);
-        let posture = rules.posture(done, Some((task, way)));
-        Moment {
-            at_s: STEP_S * way,
-            poses: Member::ALL.iter().map(|m| (*m, waiting(rules, order, *m, done, (task, way), &posture))).collect(),
-            folds: [Member::HubJoint, Member::Corner(true), Member::Corner(false)].map(|m| (m, Module::folds(m, &posture))).into(),
-        }
-    };
-    (0..=frames).map(at).collect()
+    (0..=frames).map(|i| moment(rules, order, done, (task, f64::from(i) / f64::from(frames)))).collect()
+}
+
+/// The moment at a share of a task's way, after those that are done.
+pub fn moment(rules: &Rules, order: &[Task], done: &Done, (task, way): (Task, f64)) -> Moment {
+    let posture = rules.posture(done, Some((task, way)));
+    Moment {
+        at_s: STEP_S * way,
+        poses: Member::ALL.iter().map(|m| (*m, waiting(rules, order, *m, done, (task, way), &posture))).collect(),
+        folds: [Member::HubJoint, Member::Corner(true), Member::Corner(false)].map(|m| (m, Module::folds(m, &posture))).into(),
+    }
 }
 
 /// A member's place, off what it will be joined to by what is left of its way.

@@ -1,0 +1,95 @@
+//! A tree of boxes around a solid's facets: how far apart two solids are at least, without their meshes.
+
+use nalgebra::{Isometry3, Point3};
+
+use super::mesh_solid::MeshSolid;
+use super::oriented_box::OrientedBox;
+
+/// Facets in a leaf.
+const LEAF: usize = 4;
+
+/// Boxes along the solid's axes, each around two smaller ones.
+pub struct BoxTree {
+    /// A box and its children; the first is around everything.
+    nodes: Vec<(OrientedBox, Option<[usize; 2]>)>,
+}
+
+impl BoxTree {
+    /// Around a solid's facets.
+    pub fn of(solid: &MeshSolid) -> Self {
+        let mesh = solid.mesh();
+        let mut facets: Vec<[Point3<f64>; 3]> = mesh.triangles.iter().map(|t| mesh.corners(t)).collect();
+        let mut tree = Self { nodes: Vec::new() };
+        if !facets.is_empty() {
+            tree.add(&mut facets);
+        }
+        tree
+    }
+
+    fn add(&mut self, facets: &mut [[Point3<f64>; 3]]) -> usize {
+        let bounds = OrientedBox::around(facets.iter().flatten());
+        let at = self.nodes.len();
+        self.nodes.push((bounds, None));
+        if facets.len() > LEAF {
+            let axis = bounds.longest();
+            let middle = |f: &[Point3<f64>; 3]| f.iter().map(|p| p[axis]).sum::<f64>();
+            let half = facets.len() / 2;
+            facets.select_nth_unstable_by(half, |a, b| middle(a).total_cmp(&middle(b)));
+            let (low, high) = facets.split_at_mut(half);
+            let children = [self.add(low), self.add(high)];
+            self.nodes[at].1 = Some(children);
+        }
+        at
+    }
+
+    /// The box around everything; none around nothing.
+    pub fn bounds(&self) -> Option<&OrientedBox> {
+        self.nodes.first().map(|(bounds, _)| bounds)
+    }
+
+    /// A distance that the surfaces of the two are at least apart, mm, the other in a pose relative to this one's axes; 0 when
+    /// two of the smallest boxes meet.
+    pub fn apart_mm(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
+        let mut least = f64::INFINITY;
+        let mut open = vec![(0, 0, f64::NEG_INFINITY)];
+        if self.nodes.is_empty() || other.nodes.is_empty() {
+            return least;
+        }
+        while let Some((i, j, bound)) = open.pop() {
+            if bound >= least {
+                continue;
+            }
+            let ((a, mine), (b, its)) = (&self.nodes[i], &other.nodes[j]);
+            let apart = a.apart_mm(b, pose);
+            if apart >= least {
+                continue;
+            }
+            // The larger box is opened first.
+            match (mine, its) {
+                (None, None) if apart <= 0.0 => return 0.0,
+                (None, None) => least = apart,
+                (Some(mine), its) if its.is_none() || a.size_mm() >= b.size_mm() => open.extend(mine.map(|i| (i, j, apart))),
+                (_, Some(its)) => open.extend(its.map(|j| (i, j, apart))),
+                (Some(mine), None) => open.extend(mine.map(|i| (i, j, apart))),
+            }
+        }
+        least.max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solid::Feature;
+
+    #[test]
+    fn analytic_a_ball_above_the_bore_of_a_ring() {
+        let ring = Feature::cylinder(10.0, 2.0).minus([Feature::cylinder(5.0, 4.0).at(0.0, 0.0, -1.0)]);
+        let [ring, ball] = [ring, Feature::sphere(3.0)].map(|f| BoxTree::of(&MeshSolid::build(&f)));
+        let at = |x: f64, z: f64| ring.apart_mm(&ball, &Isometry3::translation(x, 0.0, z));
+        // In the middle of the bore, and 4 mm above the ring's face.
+        assert!((at(0.0, 1.0) - 2.0).abs() < 0.3 && at(0.0, 1.0) <= 2.0, "{}", at(0.0, 1.0));
+        assert!((at(7.5, 9.0) - 4.0).abs() < 0.3 && at(7.5, 9.0) <= 4.0, "{}", at(7.5, 9.0));
+        assert_eq!(at(3.0, 1.0), 0.0);
+    }
+}
