@@ -19,5 +19,4 @@ pub use brep::Brep;
 pub use feature::Feature;
 pub use mesh::Mesh;
 pub use mesh_solid::{Hit, MeshSolid, SEGMENTS_PER_TURN};
-pub use oriented_box::OrientedBox;
 pub use profile::{Contour, Profile, Segment};
