@@ -23,7 +23,7 @@ const LAYERS: [(&str, &[&str]); 14] = [
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 23] = [
+const CONFINED: [(&str, &str); 25] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -31,6 +31,8 @@ const CONFINED: [(&str, &str); 23] = [
     ("sha2", "export"),
     ("png::", "report"),
     ("plotters", "report"),
+    ("krilla", "report"),
+    ("ab_glyph", "report"),
     ("miette", "params"),
     ("toml::", "params"),
     ("read_to_string", "params"),

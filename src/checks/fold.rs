@@ -3,7 +3,7 @@
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
-use crate::assembly::fold::{FoldError, FoldSequence, LinkageError, MOST_PULLED};
+use crate::assembly::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, sweeps};
 
 /// Farthest that a strut may fold beyond the closing of its notch, degrees: a choice; the real frame does 25.
 const MOST_PRELOAD_DEG: f64 = 45.0;
@@ -39,6 +39,38 @@ fn preload(scene: &Scene) -> Finding {
     measure.at_most("fold: notch".into(), format!("the struts fold {beyond} deg beyond the closing of their notch, {most} deg are allowed"))
 }
 
+/// What is in the way of a step.
+fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
+    let sweeps = sweeps(scene.design, fold);
+    let worst = fold.steps.iter().zip(&sweeps).max_by(|a, b| a.1.beyond_mm3.total_cmp(&b.1.beyond_mm3));
+    let value = worst.map_or(0.0, |(_, sweep)| sweep.beyond_mm3);
+    let met = worst.and_then(|(step, sweep)| sweep.meetings.first().map(|meeting| (step, meeting)));
+    let pairs: usize = sweeps.iter().map(|sweep| sweep.pairs).sum();
+    let message = match met {
+        Some((step, m)) => {
+            let [a, b] = &m.bodies;
+            format!(
+                "step {}, {}: {a} and {b} share {:.2} mm3 on the way, {:.2} mm3 are meant",
+                step.number, step.title, m.shared_mm3, m.allowed_mm3
+            )
+        }
+        None => format!("nothing is in the way of any step: {pairs} pairs of pieces that move to each other"),
+    };
+    measure(value, 0.0, "mm3", &["motor_mount.motor_position_mm", "rods.strut_rod_length_mm"]).at_most("fold: way".into(), message)
+}
+
+/// The module on a table, before the first step.
+fn flat(scene: &Scene) -> Finding {
+    let flat = FlatState::new(scene.design);
+    let wrong = flat.check(scene.design);
+    let [x, y] = flat.size_mm();
+    let message = match wrong.first() {
+        Some(error) => error.to_string(),
+        None => format!("a module's parts lie flat on {x:.0} x {y:.0} mm, each as it is printed"),
+    };
+    measure(wrong.len() as f64, 0.0, "", &["rods.arm_rod_length_mm"]).at_most("fold: flat".into(), message)
+}
+
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let fold = match FoldSequence::new(&scene.design.frame, &scene.design.skeleton) {
         Ok(fold) => fold,
@@ -54,7 +86,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let error_mm = fold.steps.iter().filter_map(|step| step.loop_error_mm).fold(0.0, f64::max);
     let closed = measure(error_mm, CLOSED_MM, "mm", &[]);
     let closes = format!("the triangle of arms, strut and leg closes within {error_mm:.3} mm, {CLOSED_MM} mm are allowed");
-    vec![pulled.at_most("fold: hold".into(), told), closed.at_most("fold: closure".into(), closes), preload(scene)]
+    vec![
+        pulled.at_most("fold: hold".into(), told),
+        closed.at_most("fold: closure".into(), closes),
+        preload(scene),
+        flat(scene),
+        in_the_way(scene, &fold),
+    ]
 }
 
 #[cfg(test)]

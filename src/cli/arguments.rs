@@ -46,8 +46,8 @@ pub(super) enum Command {
     /// Hold a frame against its limits; exits 1 when one is violated.
     #[command(after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json")]
     Check(CheckOptions),
-    /// Write how a frame is put together: fold.json, and fold.glb that shows it; exits 1 when it cannot be.
-    #[command(after_help = "Example:\n  flexframe fold cognifly-v8 -o folds")]
+    /// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
+    #[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
     Fold(FoldOptions),
     /// Drop the body of a model, or of a frame, and write peaks, energies and plots.
     #[command(
@@ -113,6 +113,12 @@ pub(super) struct FoldOptions {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
+    /// One step only: its pictures before and after, into `FRAME-step-N`.
+    #[arg(long, value_name = "N", requires = "png")]
+    pub step: Option<usize>,
+    /// With --step: write the pictures.
+    #[arg(long, requires = "step")]
+    pub png: bool,
     /// Folder that takes the folder `FRAME-fold`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,

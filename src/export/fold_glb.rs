@@ -17,7 +17,7 @@ use serde_json::json;
 
 use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
-use crate::assembly::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
+use crate::assembly::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, module_turn, moments};
 use crate::assembly::{Body, Design, Kind};
 
 /// Folded, flexible members.
@@ -79,10 +79,6 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
 fn member_of(body: &Body) -> Option<(Member, usize)> {
     let module = body.module?;
     Member::ALL.into_iter().find(|m| m.body(module) == body.name).map(|m| (m, module))
-}
-
-fn module_turn(module: usize) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * module as f64)
 }
 
 fn placed(name: &str, pose: &Isometry3<f64>, mesh: Option<Index<gltf::json::Mesh>>) -> Node {

@@ -46,6 +46,13 @@ const TWIST_EDGE_MM: f64 = 1.2;
 const FACET_DEG: f64 = 7.5;
 
 impl Bend {
+    /// How far.
+    pub fn angle(&self) -> Angle {
+        match self {
+            Self::Web { angle, .. } | Self::Necks { angle, .. } => *angle,
+        }
+    }
+
     /// The rigid motion of what lies beyond the hinge, in the axes of the flat part.
     pub fn motion(&self) -> Isometry3<f64> {
         match self {

@@ -3,6 +3,7 @@
 //! [`Task`]s say what there is to do, [`Rules`] from the geometry what may be done when, [`FoldSequence`] has the steps.
 //! [`Linkage`] follows the triangle of arms, strut and leg while it closes, [`Module`] says where every body is.
 
+mod flat;
 mod hinge;
 mod linkage;
 mod member;
@@ -14,12 +15,14 @@ mod sweep;
 mod task;
 mod timeline;
 
+pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
 pub use hinge::{HingeLoad, necks, web};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
+pub use piece::{mesh_at, module_turn};
 pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
 pub use sweep::{Meeting, Sweep, sweeps};
 pub use task::{Motion, Task};
-pub use timeline::{Moment, STEP_S, moment, moments};
+pub use timeline::{Moment, STEP_S, exploded, moment, moments};

@@ -11,7 +11,7 @@ use super::task::Task;
 use super::timeline::Moment;
 use crate::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::assembly::{Body, Design, Kind};
-use crate::solid::{BoxTree, Feature, MeshSolid};
+use crate::solid::{BoxTree, Feature, Mesh, MeshSolid};
 
 /// A rigid piece of a body.
 pub(super) struct Piece {
@@ -36,7 +36,7 @@ pub(super) struct Piece {
 const ROD_END_MM: f64 = 0.5;
 
 /// A module's turn from the first one.
-pub(super) fn module_turn(module: usize) -> UnitQuaternion<f64> {
+pub fn module_turn(module: usize) -> UnitQuaternion<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * module as f64)
 }
 
@@ -57,7 +57,7 @@ pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
             module: body.module,
             hinge: side.hinge,
             place: body.pose,
-            kind: design.shape(body).kind.clone(),
+            kind: design.shape(body).kind,
             solid: side.solid.clone(),
             boxes: side.boxes.clone(),
         }));
@@ -92,6 +92,21 @@ fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) 
     }
     found.push(Side::new(None, rest));
     found
+}
+
+/// A member's mesh when its hinges are folded so far, degrees; of one without hinges its shape's.
+pub fn mesh_at(design: &Design, module: &Module, member: Member, folds_deg: &[f64]) -> Option<Mesh> {
+    let body = design.bodies.iter().find(|body| body.name == member.body(0) || body.name == member.body(0).trim_end_matches("_FR"))?;
+    let part = member.part().and_then(|name| design.part(name));
+    let bends = module.bends(member);
+    let assembled = bends.iter().zip(folds_deg).all(|(bend, deg)| (bend.angle().to_deg() - deg).abs() < 1e-3);
+    match part.filter(|_| !assembled) {
+        Some(part) => {
+            let bent = bends.iter().zip(folds_deg).filter(|(_, deg)| **deg > 1e-3);
+            Some(bent.fold(part.flat.clone(), |solid, (bend, deg)| bent_by(bend, *deg).apply(&solid)).mesh())
+        }
+        None => Some(design.shape(body).mesh.clone()),
+    }
 }
 
 impl Piece {

@@ -69,6 +69,13 @@ pub fn moment(rules: &Rules, order: &[Task], done: &Done, (task, way): (Task, f6
     }
 }
 
+/// Where each member stands when all is folded and nothing is joined yet: off what it will be joined to, by what it waits.
+pub fn exploded(rules: &Rules, order: &[Task]) -> Vec<(Member, Isometry3<f64>)> {
+    let posture = Posture { off_hub_mm: rules.off_hub_mm, ..rules.module.closed() };
+    let nothing = (Task::SeatMotor, 0.0);
+    Member::ALL.iter().map(|m| (*m, waiting(rules, order, *m, &Done::new(), nothing, &posture))).collect()
+}
+
 /// A member's place, off what it will be joined to by what is left of its way.
 fn waiting(rules: &Rules, order: &[Task], member: Member, done: &Done, doing: (Task, f64), posture: &Posture) -> Isometry3<f64> {
     let off = off_mm(rules, order, member, done, doing, posture);
