@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
-# outside, its files read by other people's software (admesh, the Khronos glTF validator, PrusaSlicer,
+# outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
 # trimesh and manifold3d).
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
@@ -136,9 +136,10 @@ same_bytes() {
     heading "the same bytes again"
     local once=$work/same/once threads
     rm -rf "$work/same"
-    "$binary" build -q -o "$once" || { failed "same bytes" "build failed"; return; }
+    { "$binary" build -q -o "$once" && "$binary" fold -q -o "$once"; } || { failed "same bytes" "build failed"; return; }
     for threads in 1 2; do
         if RAYON_NUM_THREADS=$threads "$binary" build -q -o "$work/same/$threads" &&
+            RAYON_NUM_THREADS=$threads "$binary" fold -q -o "$work/same/$threads" &&
             diff -r "$once" "$work/same/$threads"; then
             ok "same bytes on $threads thread(s)"
         else
@@ -184,6 +185,26 @@ khronos_validates_glbs() {
     fi
 }
 
+# Every page is there: one for the title and one a step.
+qpdf_reads_instructions() {
+    heading "qpdf reads the instructions"
+    if ! from_debian qpdf qpdf; then
+        skipped "qpdf" "not installed"
+        return
+    fi
+    local file pages steps name
+    for file in "$built"/*/instructions.pdf; do
+        name=${file#"$built/"}
+        steps=$(grep -c '"number":' "${file%/*}/fold.json")
+        pages=$(qpdf --show-npages "$file")
+        if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == $((steps + 1)) ]]; then
+            ok "qpdf $name"
+        else
+            failed "qpdf $name" "$pages pages for $steps steps; $(tail -1 "$work/qpdf.log")"
+        fi
+    done
+}
+
 python_agrees_with_manifests() {
     heading "trimesh and manifold3d agree with every manifest"
     if from_pypi; then
@@ -202,6 +223,7 @@ outside() {
     same_bytes
     admesh_reads_stls
     khronos_validates_glbs
+    qpdf_reads_instructions
     python_agrees_with_manifests
     slicer_slices_stls
 }

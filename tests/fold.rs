@@ -4,11 +4,14 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use flexframe::assembly::fold::{Broken, FoldError, FoldSequence, Member, Task, sweeps};
+use flexframe::assembly::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, TABLE_MM, Task, sweeps};
 use flexframe::assembly::{Design, mass};
-use flexframe::export::{fold_glb, glb};
-use flexframe::params::Frame;
+use flexframe::export::{fold_glb, glb, stl};
+use flexframe::params::{Frame, PartName};
+use flexframe::report::booklet::Booklet;
+use flexframe::report::{booklet_html, booklet_pdf};
 use flexframe::skeleton::Skeleton;
+use flexframe::solid::{Feature, MeshSolid};
 use gltf::animation::util::ReadOutputs;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -216,7 +219,7 @@ fn analytic_the_animation_ends_in_the_assembled_frame() {
 /// The last joint of a chain stands where the rigid motion of the bend takes the strut's side.
 fn strut_side_follows(played: &Played, design: &Design) {
     let shown = played.global(Some(("all", 1e9)));
-    let part = design.part(flexframe::params::PartName::TopCorner).expect("is printed");
+    let part = design.part(PartName::TopCorner).expect("is printed");
     let joint = shown
         .iter()
         .filter(|(name, _)| name.starts_with("top_corner_FR_strut_"))
@@ -273,17 +276,86 @@ fn analytic_skins_bend_into_the_folded_parts() {
     }
 }
 
+/// Steps of a design in which bodies meet, with their names.
+fn met(design: &Design) -> Vec<(Task, [String; 2])> {
+    let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let found = sweeps(design, &sequence);
+    let steps = sequence.steps.iter().zip(found);
+    steps.flat_map(|(step, sweep)| sweep.meetings.into_iter().map(|m| (step.task, m.bodies))).collect()
+}
+
+fn designed(name: &str) -> Design {
+    Design::new(Frame::load(name).expect("a preset").0).expect("designs")
+}
+
 #[test]
 fn analytic_nothing_is_in_the_way() {
-    let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
-    let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
-    let began = std::time::Instant::now();
-    let found = sweeps(&design, &sequence);
-    println!("{:?}", began.elapsed());
-    for (step, sweep) in sequence.steps.iter().zip(&found) {
-        println!("{} {}: {} {} {} {:.3}", step.number, step.title, sweep.places, sweep.pairs, sweep.comparisons, sweep.beyond_mm3);
-        for m in &sweep.meetings {
-            println!("   {m:?}");
-        }
+    for preset in ["cognifly", "cognifly-v8"] {
+        assert_eq!(met(&designed(preset)), [], "{preset}");
     }
+}
+
+#[test]
+fn planted_something_is_in_the_way() {
+    // A lump on the motor mount, where the leg swings and the arms end.
+    let mut lump = designed("cognifly");
+    let mount = lump.printed.iter_mut().find(|part| part.name == PartName::MotorMount).expect("is printed");
+    mount.flat = mount.flat.union(&MeshSolid::build(&Feature::sphere(9.0).at(0.0, 0.0, -20.0)));
+    let found = met(&lump);
+    assert!(found.iter().any(|(task, [a, b])| *task == Task::SlideMount && a.contains("mount") != b.contains("mount")), "{found:?}");
+    // Something of the centre where a hub joint comes in: seen only while the ring is closed.
+    let mut centre = designed("cognifly");
+    let body = centre.bodies.iter_mut().find(|body| body.name == "battery").expect("has one");
+    body.pose.translation.vector += Vector3::new(40.0, 40.0, 30.0);
+    let found = met(&centre);
+    assert!(!found.is_empty() && found.iter().all(|(task, _)| *task == Task::CloseRing), "{found:?}");
+    assert!(found.iter().all(|(_, bodies)| bodies.contains(&"battery".into())), "{found:?}");
+}
+
+#[test]
+fn planted_flat_states() {
+    let design = designed("cognifly");
+    let flat = FlatState::new(&design);
+    assert_eq!(flat.check(&design), []);
+    let at = |name: &str| flat.lying.iter().position(|l| l.body == name).expect("lies there");
+    let (knee, corner) = (at("knee_FR"), at("top_corner_FR"));
+    let planted = |change: &dyn Fn(&mut FlatState)| {
+        let mut state = flat.clone();
+        change(&mut state);
+        state.check(&design)
+    };
+    let off = planted(&|s| s.lying[knee].at.translation.vector.y += TABLE_MM[1]);
+    assert!(matches!(&off[..], [FlatError::OffTable { body, .. }] if body == "knee_FR"), "{off:?}");
+    let high = planted(&|s| s.lying[knee].at.translation.vector.z += 1.0);
+    assert!(matches!(&high[..], [FlatError::NotResting { .. }]), "{high:?}");
+    let both = planted(&|s| s.lying[knee].at = s.lying[corner].at);
+    assert!(both.iter().any(|e| matches!(e, FlatError::Overlap { bodies, .. } if bodies.contains(&"top_corner_FR".into()))), "{both:?}");
+    let folded = design.part(PartName::TopCorner).expect("is printed").folded.mesh();
+    let bent = planted(&|s| s.lying[corner].mesh = folded.clone());
+    assert!(bent.iter().any(|e| matches!(e, FlatError::NotAsPrinted { part: "top_corner", .. })), "{bent:?}");
+    for lying in &flat.lying {
+        let name = lying.body.trim_end_matches("_FR");
+        let Some(part) = design.printed.iter().find(|part| part.name.slug() == name) else { continue };
+        let (lies, written) = (stl::binary(&lying.mesh).expect("bytes"), stl::binary(&part.mesh).expect("bytes"));
+        assert!(lies == written, "{name}");
+    }
+}
+
+#[test]
+fn regress_instructions_have_every_step_and_need_nothing_else() {
+    let design = designed("cognifly-mini");
+    let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let booklet = Booklet::new(&design, &mass::table(&design), &sequence);
+    let page = booklet_html::html(&booklet);
+    assert!(!page.contains("http") && !page.contains("<script"), "fetches something");
+    assert_eq!(page.matches("<section>").count(), sequence.steps.len());
+    for step in &sequence.steps {
+        assert!(page.contains(step.title) && step.caution.is_none_or(|caution| page.contains(caution)), "{}", step.title);
+    }
+    for bend in sequence.steps.iter().flat_map(|s| &s.bends) {
+        assert!(page.contains(&format!("to {:.0}°", bend.to_deg)), "{bend:?}");
+    }
+    assert!(page.contains("Carbon dust") && page.contains("Never glue"));
+    let (once, again) = (booklet_pdf::pdf(&booklet).expect("a file"), booklet_pdf::pdf(&booklet).expect("a file"));
+    assert!(once.starts_with(b"%PDF-") && once == again);
 }

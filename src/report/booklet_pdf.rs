@@ -21,11 +21,11 @@ const MARGIN: f32 = 45.0;
 /// Size of the letters of headings, points; below of text and of tables.
 const HEADING: f32 = 20.0;
 const TEXT: f32 = 11.0;
-const SMALL: f32 = 8.5;
+const SMALL: f32 = 8.2;
 /// Distance of lines over the size of letters.
 const LEADING: f32 = 1.35;
 /// Width of a step's pictures and of the one on the title page, points.
-const WIDTHS: [f32; 2] = [420.0, 330.0];
+const WIDTHS: [f32; 2] = [420.0, 270.0];
 
 /// The PDF could not be made.
 #[derive(Debug, thiserror::Error)]

@@ -193,7 +193,7 @@ impl Stage<'_> {
                 .map(|m| (*m, self.middle(*m)))
                 .collect(),
         };
-        let modules = if task == Task::CloseRing { MODULE_NAMES.len() } else { 1 };
+        let modules = if self.is_whole() { MODULE_NAMES.len() } else { 1 };
         let mut arrows = Vec::new();
         for (member, point) in tracers {
             let way: Vec<Point3<f64>> =

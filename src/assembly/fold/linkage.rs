@@ -185,7 +185,15 @@ impl Linkage {
         let wanted = self.leg_hold_mm + BEFORE_MOUTH_MM;
         let at = |back_deg: f64| self.at(closed.strut_deg - back_deg, &closed);
         let mut far_deg = 0.25;
-        while at(far_deg)?.leg_out_mm < wanted {
+        loop {
+            let stance = at(far_deg)?;
+            if stance.leg_out_mm >= wanted {
+                break;
+            }
+            // Both only grow on the way back.
+            if stance.pulled > MOST_PULLED {
+                return Err(LinkageError::LegTooLong { way_mm: self.leg_hold_mm, pulled: stance.pulled });
+            }
             far_deg *= 2.0;
             if far_deg > 90.0 {
                 return Err(LinkageError::Lost { strut_deg: closed.strut_deg - far_deg });
