@@ -445,12 +445,12 @@ fn planted_folds_that_cannot_be_are_refused_with_the_reason() {
     let strained = violated("[corner]\ncorner_hinge_thickness_mm = 1.6\n");
     assert_says(
         &strained,
-        &["VIOLATED  hinge_strain", "strains the material by 179 %, 145 % are allowed", "corner.corner_hinge_thickness_mm"],
+        &["VIOLATED hinge_strain", "strains the material by 179 %, 145 % are allowed", "corner.corner_hinge_thickness_mm"],
     );
     let narrow = violated("[corner]\nnotch_half_angle_deg = 30.0\n");
-    assert_says(&narrow, &["VIOLATED  fold_sequence", "53.2 deg beyond the closing of their notch", "corner.notch_half_angle_deg"]);
+    assert_says(&narrow, &["VIOLATED fold_sequence", "53.2 deg beyond the closing of their notch", "corner.notch_half_angle_deg"]);
     let long = "[corner]\ncorner_socket_depth_mm = 13.0\n[hub_joint]\nhub_arm_socket_depth_mm = 8.0\n[fork]\nfork_socket_depth_mm = 7.0\n";
-    let reason = ["VIOLATED  fold_sequence", "the leg needs 13.0 mm to enter the foot", "85 % are allowed", "fork.fork_socket_depth_mm"];
+    let reason = ["VIOLATED fold_sequence", "the leg needs 13.0 mm to enter the foot", "85 % are allowed", "fork.fork_socket_depth_mm"];
     assert_says(&violated(long), &reason);
     let output = Bench::new(&format!("base = \"cognifly\"\n{long}")).run("fold", &[]);
     assert_eq!(output.status.code(), Some(1));

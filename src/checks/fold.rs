@@ -1,5 +1,6 @@
 //! The frame can be put together: an order of steps exists, the triangle of arms, strut and leg closes without leaving its
-//! bores, the plugs guide the modules while the rings close, and the strut's notch is wide enough for its fold.
+//! bores, the plugs guide the modules while the rings close, the strut's notch is wide enough for its fold, a module's parts lie
+//! flat on a table, and nothing is in the way of a step's motion.
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;

@@ -13,6 +13,9 @@ use crate::export::{fold_glb, fold_json};
 use crate::report::booklet::Booklet;
 use crate::report::{booklet_html, booklet_pdf, fold_scene};
 
+/// The file with the steps.
+const STEPS: &str = "fold.json";
+
 /// Writes `FRAME-fold`: the steps, the animation and the instructions; or the pictures of one step.
 pub(super) fn fold(options: &FoldOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("folding", common);
@@ -32,7 +35,10 @@ pub(super) fn fold(options: &FoldOptions, common: &Common) -> Result<ExitCode, F
     drop(working);
     let place = output::write_folder(&options.output, &folder, &files)?;
     if common.json {
-        let steps = fold_json::fold_json(&design, &sequence, &sweeps(&design, &sequence)).map_err(|error| failed(error.into()))?;
+        let steps = match files.iter().find(|(path, _)| path == STEPS) {
+            Some((_, steps)) => steps.clone(),
+            None => steps_as_json(&design, &sequence)?,
+        };
         terminal::print(&String::from_utf8_lossy(&steps))?;
     } else if !common.quiet {
         let steps = sequence.steps.iter().filter(|s| options.step.is_none_or(|number| number == s.number));
@@ -46,6 +52,10 @@ fn failed(error: std::io::Error) -> Failure {
     Failure::Machine { what: "cannot write the fold".into(), error }
 }
 
+fn steps_as_json(design: &Design, sequence: &FoldSequence) -> Result<Vec<u8>, Failure> {
+    fold_json::fold_json(design, sequence, &sweeps(design, sequence)).map_err(|error| failed(error.into()))
+}
+
 /// Before and after of one step.
 fn step_pictures(design: &Design, sequence: &FoldSequence, number: usize) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let Some(at) = number.checked_sub(1).filter(|at| *at < sequence.steps.len()) else {
@@ -56,12 +66,12 @@ fn step_pictures(design: &Design, sequence: &FoldSequence, number: usize) -> Res
 }
 
 fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let steps = fold_json::fold_json(design, sequence, &sweeps(design, sequence)).map_err(|error| failed(error.into()))?;
+    let steps = steps_as_json(design, sequence)?;
     let motion = fold_glb::fold(design, sequence).map_err(|error| failed(std::io::Error::other(error)))?;
     let booklet = Booklet::new(design, &mass::table(design), sequence);
     let paper = booklet_pdf::pdf(&booklet).map_err(|error| failed(std::io::Error::other(error)))?;
     let mut files = vec![
-        ("fold.json".to_string(), steps),
+        (STEPS.to_string(), steps),
         ("fold.glb".into(), motion),
         ("instructions.html".into(), booklet_html::html(&booklet).into_bytes()),
         ("instructions.pdf".into(), paper),

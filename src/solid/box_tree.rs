@@ -101,13 +101,14 @@ mod tests {
     use crate::solid::Feature;
 
     #[test]
-    fn analytic_a_ball_above_the_bore_of_a_ring() {
-        let ring = Feature::cylinder(10.0, 2.0).minus([Feature::cylinder(5.0, 4.0).at(0.0, 0.0, -1.0)]);
-        let [ring, ball] = [ring, Feature::sphere(3.0)].map(|f| BoxTree::of(&MeshSolid::build(&f)));
-        let at = |x: f64, z: f64| ring.apart_mm(&ball, &Isometry3::translation(x, 0.0, z));
-        // In the middle of the bore, and 4 mm above the ring's face.
-        assert!(at(0.0, 1.0) > 0.6 * 2.0 && at(0.0, 1.0) <= 2.0, "{}", at(0.0, 1.0));
-        assert!(at(7.5, 9.0) > 0.6 * 4.0 && at(7.5, 9.0) <= 4.0, "{}", at(7.5, 9.0));
-        assert_eq!(at(3.0, 1.0), 0.0);
+    fn analytic_a_ball_beside_a_plate() {
+        let [plate, ball] = [Feature::cuboid([20.0, 20.0, 2.0]), Feature::sphere(3.0)].map(|f| MeshSolid::build(&f));
+        let top_mm = plate.bounds_mm()[1][2];
+        let [plate, ball] = [plate, ball].map(|solid| BoxTree::of(&solid));
+        for gap_mm in [0.5, 2.0, 9.0] {
+            let told_mm = plate.apart_mm(&ball, &Isometry3::translation(0.0, 0.0, top_mm + 3.0 + gap_mm));
+            assert!(told_mm <= gap_mm && told_mm >= 0.6 * gap_mm, "{told_mm} of {gap_mm}");
+        }
+        assert_eq!(plate.apart_mm(&ball, &Isometry3::translation(0.0, 0.0, top_mm + 2.0)), 0.0);
     }
 }

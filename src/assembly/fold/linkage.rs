@@ -86,11 +86,11 @@ impl Linkage {
     /// When neither is enough.
     pub fn new(frame: &Frame, skeleton: &Skeleton) -> Result<Self, LinkageError> {
         let mut linkage = Self::of(frame, skeleton);
-        if linkage.entry().is_ok() {
-            return Ok(linkage);
-        }
+        let Err(first) = linkage.entry() else { return Ok(linkage) };
         linkage.struts_slide = true;
-        linkage.entry().map(|_| linkage)
+        // That the struts do not help says less than what the arms lack.
+        let told = |error| if matches!(error, LinkageError::Lost { .. }) { first } else { error };
+        linkage.entry().map_err(told).map(|_| linkage)
     }
 
     fn of(frame: &Frame, skeleton: &Skeleton) -> Self {

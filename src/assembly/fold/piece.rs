@@ -40,12 +40,12 @@ pub fn module_turn(module: usize) -> UnitQuaternion<f64> {
     UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * module as f64)
 }
 
-/// The pieces of a design.
+/// The pieces of a design. A propeller's disc is what it sweeps when it turns, not a body that is carried about.
 pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
     // Modules share their shapes: each is cut once.
     let mut cut: Vec<(usize, Vec<Side>)> = Vec::new();
     let mut found = Vec::new();
-    for body in &design.bodies {
+    for body in design.bodies.iter().filter(|body| design.shape(body).kind != Kind::Propeller) {
         let member = Member::ALL.into_iter().find(|m| m.body(body.module.unwrap_or(0)) == body.name);
         if !cut.iter().any(|(shape, _)| *shape == body.shape) {
             cut.push((body.shape, sides(design, body, member, module)));
