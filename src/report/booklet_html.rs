@@ -5,10 +5,10 @@ use std::fmt::Write;
 use super::booklet::{Booklet, Page};
 
 const STYLE: &str = "@page { size: A4; margin: 15mm } \
-body { font: 11pt/1.4 sans-serif; max-width: 180mm; margin: auto; color: #000; background: #fff } \
-section { break-before: page } img { width: 100%; border: 1px solid #888 } figure { margin: 2mm auto; max-width: 150mm } \
-figcaption { font-size: 9pt } table { border-collapse: collapse; font-size: 9pt } td { padding: 0 3mm 0 0; vertical-align: top } \
-.columns { display: grid; grid-template-columns: 3fr 2fr; gap: 8mm } ol { padding-left: 0; list-style: none; font-size: 9pt } \
+p { margin: 2mm 0 } h1, h2 { margin: 3mm 0 } body { font: 11pt/1.3 sans-serif; max-width: 180mm; margin: auto; color: #000; background: #fff } \
+section { break-before: page } img { width: 100%; border: 1px solid #888 } figure { margin: 1mm auto; max-width: 120mm } \
+figcaption { font-size: 9pt } table { border-collapse: collapse; font-size: 8.5pt; line-height: 1.2 } td { padding: 0 3mm 0 0; vertical-align: top } \
+.columns { display: grid; grid-template-columns: 3fr 2fr; gap: 8mm } ol { padding-left: 0; list-style: none; font-size: 8.5pt } .cover { max-width: 85mm } \
 .caution { border: 2px solid #000; padding: 2mm } .facts { font-weight: bold }";
 
 /// Names of the pictures, in their order, beside the page.
@@ -25,7 +25,7 @@ pub fn html(booklet: &Booklet) -> String {
         page,
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width\">\n\
          <title>{frame}: instructions</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{frame}: how to put it together</h1>\n\
-         <figure><img src=\"exploded.png\" alt=\"The frame taken apart\"></figure>\n"
+         <figure class=\"cover\"><img src=\"exploded.png\" alt=\"The frame taken apart\"></figure>\n"
     );
     booklet.preface.iter().for_each(|line| page.push_str(&format!("<p>{}</p>\n", escaped(line))));
     page.push_str("<div class=\"columns\">\n<div><h2>Parts</h2>\n<table>\n");
