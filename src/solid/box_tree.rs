@@ -57,8 +57,8 @@ impl BoxTree {
     }
 
     /// A distance that the surfaces of the two are at least apart, mm, the other in a pose relative to this one's axes; 0 when
-    /// two of the smallest boxes meet. It is told only as well as is needed to pass by: what is farther than [`NEAR_MM`] is not
-    /// looked at closer, and of what is near the answer may be less than the distance by a share of [`ROUGH`].
+    /// two of the smallest boxes meet. It is told only as well as is needed to pass by: what is farther than 3 mm is not
+    /// looked at closer, and of what is near the answer may be less than the distance by 30 %.
     pub fn apart_mm(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
         let between = Between::of(pose);
         let (Some(mine), Some(its)) = (self.bounds(), other.bounds()) else { return f64::INFINITY };
