@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
-# outside, its files read by other people's software (admesh, the Khronos glTF validator, PrusaSlicer,
+# outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
 # trimesh and manifold3d).
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
@@ -123,7 +123,7 @@ build_presets() {
     local frame name
     for frame in params/frames/*.toml; do
         name=$(basename "$frame" .toml)
-        if "$binary" build "$frame" -q -o "$built" && [[ -s $built/$name/manifest.json ]]; then
+        if "$binary" build "$frame" -q -o "$built" && "$binary" fold "$frame" -q -o "$built" && [[ -s $built/$name/manifest.json ]]; then
             ok "build $name"
         else
             failed "build $name" "no result in $built/$name"
@@ -136,9 +136,10 @@ same_bytes() {
     heading "the same bytes again"
     local once=$work/same/once threads
     rm -rf "$work/same"
-    "$binary" build -q -o "$once" || { failed "same bytes" "build failed"; return; }
+    { "$binary" build -q -o "$once" && "$binary" fold -q -o "$once"; } || { failed "same bytes" "build failed"; return; }
     for threads in 1 2; do
         if RAYON_NUM_THREADS=$threads "$binary" build -q -o "$work/same/$threads" &&
+            RAYON_NUM_THREADS=$threads "$binary" fold -q -o "$work/same/$threads" &&
             diff -r "$once" "$work/same/$threads"; then
             ok "same bytes on $threads thread(s)"
         else
@@ -178,10 +179,30 @@ slicer_slices_stls() {
 khronos_validates_glbs() {
     heading "the Khronos validator reads every GLB"
     if from_npm; then
-        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/frame.glb | tee -a "$results" || true
+        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/*.glb | tee -a "$results" || true
     else
         skipped "Khronos glTF validator" "not installed"
     fi
+}
+
+# Every page is there: one for the title and one a step.
+qpdf_reads_instructions() {
+    heading "qpdf reads the instructions"
+    if ! from_debian qpdf qpdf; then
+        skipped "qpdf" "not installed"
+        return
+    fi
+    local file pages steps name
+    for file in "$built"/*/instructions.pdf; do
+        name=${file#"$built/"}
+        steps=$(grep -c '"number":' "${file%/*}/fold.json")
+        pages=$(qpdf --show-npages "$file")
+        if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == $((steps + 1)) ]]; then
+            ok "qpdf $name"
+        else
+            failed "qpdf $name" "$pages pages for $steps steps; $(tail -1 "$work/qpdf.log")"
+        fi
+    done
 }
 
 python_agrees_with_manifests() {
@@ -202,6 +223,7 @@ outside() {
     same_bytes
     admesh_reads_stls
     khronos_validates_glbs
+    qpdf_reads_instructions
     python_agrees_with_manifests
     slicer_slices_stls
 }

@@ -432,3 +432,41 @@ fn analytic_target_size_is_met() {
     let far = refused("base = \"cognifly\"\n[target]\nwidth_mm = 100.0\nheight_mm = 300.0\nstrut_tilt_deg = 24.0\n");
     assert_says(&far, &["the target size needs", "frame.toml:3"]);
 }
+
+/// What `check` says of a frame that breaks a limit.
+fn violated(changes: &str) -> String {
+    let output = Bench::new(&format!("base = \"cognifly\"\n{changes}")).run("check", &[]);
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+#[test]
+fn planted_folds_that_cannot_be_are_refused_with_the_reason() {
+    let strained = violated("[corner]\ncorner_hinge_thickness_mm = 1.6\n");
+    assert_says(
+        &strained,
+        &["VIOLATED hinge_strain", "strains the material by 179 %, 145 % are allowed", "corner.corner_hinge_thickness_mm"],
+    );
+    let narrow = violated("[corner]\nnotch_half_angle_deg = 30.0\n");
+    assert_says(&narrow, &["VIOLATED fold_sequence", "53.2 deg beyond the closing of their notch", "corner.notch_half_angle_deg"]);
+    let long = "[corner]\ncorner_socket_depth_mm = 13.0\n[hub_joint]\nhub_arm_socket_depth_mm = 8.0\n[fork]\nfork_socket_depth_mm = 7.0\n";
+    let reason = ["VIOLATED fold_sequence", "the leg needs 13.0 mm to enter the foot", "85 % are allowed", "fork.fork_socket_depth_mm"];
+    assert_says(&violated(long), &reason);
+    let output = Bench::new(&format!("base = \"cognifly\"\n{long}")).run("fold", &[]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_says(&text(&output.stderr), &["cannot be folded: the leg needs 13.0 mm"]);
+}
+
+#[test]
+fn regress_fold_draws_one_step() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    let output = bench.run("fold", &["--step", "9", "--png", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let folder = Path::new(&bench.path("out")).join("frame-step-9");
+    for name in ["before.png", "after.png"] {
+        assert!(fs::read(folder.join(name)).expect("is written").starts_with(b"\x89PNG"), "{name}");
+    }
+    let output = bench.run("fold", &["--step", "16", "--png"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_says(&text(&output.stderr), &["there is no step 16", "1 to 15"]);
+}

@@ -14,7 +14,7 @@ const LAYERS: [(&str, &[&str]); 18] = [
     ("parts", &["units", "params", "solid"]),
     ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
     ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly"]),
-    ("export", &["params", "skeleton", "solid", "assembly"]),
+    ("export", &["units", "params", "skeleton", "solid", "assembly"]),
     ("body", &["assembly", "checks"]),
     ("effects", &["params", "body"]),
     ("sim", &["body", "effects"]),
@@ -27,7 +27,7 @@ const LAYERS: [(&str, &[&str]); 18] = [
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 26] = [
+const CONFINED: [(&str, &str); 27] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -35,6 +35,8 @@ const CONFINED: [(&str, &str); 26] = [
     ("sha2", "export"),
     ("png::", "report"),
     ("plotters", "report"),
+    ("krilla", "report"),
+    ("ab_glyph", "report"),
     ("miette", "params"),
     ("toml::", "params"),
     ("read_to_string", "params"),

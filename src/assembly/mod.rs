@@ -2,7 +2,9 @@
 
 mod body;
 mod design;
+pub mod fold;
 pub mod mass;
+pub mod press_fit;
 mod printed;
 
 pub use body::{Body, Kind, Shape};

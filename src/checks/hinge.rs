@@ -16,6 +16,7 @@
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
+use crate::assembly::fold::{self, HingeLoad};
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -38,21 +39,13 @@ pub struct HingeStrain {
 
 impl HingeStrain {
     fn web(hinge: &'static str, frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
-        let bore = frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm;
-        let radius = 0.5 * bore + frame.corner.corner_wall_mm;
-        let length_mm = 2.0 * frame.corner.corner_hinge_thickness_mm;
-        let strain_percent = 100.0 * radius * fold.to_rad() / length_mm;
+        let HingeLoad { length_mm, strain_percent, .. } = fold::web(frame, fold);
         let levers = &["corner.corner_hinge_thickness_mm", "corner.corner_wall_mm", "materials.flexible"];
         Self { hinge, fold, length_mm, strain_percent, limit_percent, levers }
     }
 
     fn neck(frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
-        let joint = &frame.hub_joint;
-        let chord = 0.5 * joint.arm_pitch_mm - joint.hub_joint_diameter_mm;
-        let length_mm = 0.5 * chord;
-        let shear = torsion_factor(joint.neck_thickness_mm, joint.arch_width_mm) * joint.neck_thickness_mm * fold.to_rad() / length_mm;
-        let stretch = 0.5 * shear + libm::sqrt(1.0 + 0.25 * shear * shear);
-        let strain_percent = 100.0 * (stretch - 1.0);
+        let HingeLoad { length_mm, strain_percent, .. } = fold::necks(frame, fold);
         let levers = &["hub_joint.neck_thickness_mm", "hub_joint.arm_pitch_mm", "materials.flexible"];
         Self { hinge: "hub joint necks", fold, length_mm, strain_percent, limit_percent, levers }
     }
@@ -67,14 +60,6 @@ impl HingeStrain {
         );
         measure.at_most((*hinge).into(), message)
     }
-}
-
-/// Largest shear of a twisted rectangular bar over thickness and twist per length.
-fn torsion_factor(thickness_mm: f64, width_mm: f64) -> f64 {
-    let q = thickness_mm.min(width_mm) / thickness_mm.max(width_mm);
-    let stiffness = 16.0 / 3.0 - 3.36 * q * (1.0 - libm::pow(q, 4.0) / 12.0);
-    let stress = 0.375 * (1.0 + q * (0.6095 + q * (0.8865 + q * (-1.8023 + q * 0.91))));
-    0.5 * stiffness * stress
 }
 
 /// How far a strut folds beyond the closing of its notch.
@@ -161,12 +146,6 @@ mod tests {
         let found = Planted::preset("cognifly-v8").found(check);
         assert!((found[0].value - 50.0 * Angle::deg(115.0).to_rad()).abs() < 0.1, "{found:?}");
         assert_eq!(violated(&found), []);
-    }
-
-    #[test]
-    fn analytic_torsion_of_a_square_bar() {
-        // Timoshenko: largest stress T / (0.208 a^3), stiffness 0.1406 a^4: 0.1406 / 0.208 = 0.676.
-        assert!((torsion_factor(1.0, 1.0) - 0.676).abs() < 0.01, "{}", torsion_factor(1.0, 1.0));
     }
 
     #[test]

@@ -1,24 +1,15 @@
 //! No two bodies share volume beyond the press fits that are meant.
 //!
-//! Measured by the kernel's boolean intersection. Meant are: a rod in a bore smaller than itself (the ring between the
-//! two circles over the engaged length) and a plug in a hub bore smaller than itself. The polygons that stand for
-//! circles change those rings by some percent, which [`ROUNDING`] allows; everything else is held to [`TOUCH_MM3`].
+//! Measured by the kernel's boolean intersection. What is meant is in [`press_fit`](crate::assembly::press_fit).
 //! Swept discs are the propeller rule's.
-
-use std::f64::consts::FRAC_PI_4;
 
 use rayon::prelude::*;
 
 use super::finding::{Finding, Measure};
 use super::scene::{Placed, Scene};
 use crate::assembly::Kind;
-use crate::params::{Frame, PartName};
-use crate::skeleton::Rod;
-
-/// Volume that faces in contact may share by rounding, mm³.
-const TOUCH_MM3: f64 = 0.05;
-/// What the polygons may add to a press fit.
-const ROUNDING: f64 = 1.03;
+use crate::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
+use crate::params::PartName;
 
 /// What two bodies share.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,25 +35,6 @@ impl SharedVolume {
     fn is_press_fit(&self) -> bool {
         self.limit_mm3 > TOUCH_MM3
     }
-}
-
-/// Volume of the ring between two diameters over a length, mm³; 0 when the inner one is larger.
-fn ring_mm3(outer_mm: f64, inner_mm: f64, length_mm: f64) -> f64 {
-    (FRAC_PI_4 * (outer_mm * outer_mm - inner_mm * inner_mm) * length_mm).max(0.0)
-}
-
-/// What the ends of a rod in a part are meant to share with it, mm³.
-fn gripped_mm3(rod: &Rod, diameter_mm: f64, part: PartName, module: Option<usize>) -> f64 {
-    let ends = rod.sockets.iter().zip([&rod.start, &rod.end]);
-    ends.filter(|(socket, _)| socket.part == part && Some(socket.module) == module)
-        .map(|(socket, end)| ring_mm3(diameter_mm, socket.bore_mm, socket.engagement_mm(end)))
-        .sum()
-}
-
-/// What a hub joint's two plugs are meant to share with the hub, mm³.
-fn plugs_mm3(frame: &Frame) -> f64 {
-    let plug = frame.hub_joint.hub_joint_diameter_mm;
-    2.0 * ring_mm3(plug, plug + frame.fit.plug_clearance_mm, frame.hub_joint.plug_length_mm)
 }
 
 fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]) {

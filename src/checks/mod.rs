@@ -9,6 +9,7 @@ mod centre_of_mass;
 mod clearance;
 mod envelope;
 mod finding;
+mod fold;
 mod ground;
 mod hinge;
 mod interference;
@@ -42,7 +43,7 @@ use scene::Scene;
 type Rule = fn(&Scene) -> Vec<Finding>;
 
 /// Every rule, in the order of the report.
-const RULES: [Rule; 12] = [
+const RULES: [Rule; 13] = [
     envelope::check,
     mass_budget::check,
     centre_of_mass::check,
@@ -52,6 +53,7 @@ const RULES: [Rule; 12] = [
     interference::check,
     ground::check,
     hinge::check,
+    fold::check,
     wall::check,
     cartridge::check,
     bed::check,

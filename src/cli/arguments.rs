@@ -48,6 +48,9 @@ pub(super) enum Command {
     /// Hold a frame against its limits; exits 1 when one is violated.
     #[command(after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json")]
     Check(CheckOptions),
+    /// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
+    #[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
+    Fold(FoldOptions),
     /// Drop the body of a model, or of a frame, and write peaks, energies and plots.
     #[command(
         after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
@@ -124,6 +127,23 @@ pub(super) struct CheckOptions {
     /// Print every finding, not only the tightest of those that are alike.
     #[arg(long)]
     pub all: bool,
+}
+
+/// Options of `fold`.
+#[derive(Debug, Args)]
+pub(super) struct FoldOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// One step only: its pictures before and after, into `FRAME-step-N`.
+    #[arg(long, value_name = "N", requires = "png")]
+    pub step: Option<usize>,
+    /// With --step: write the pictures.
+    #[arg(long, requires = "step")]
+    pub png: bool,
+    /// Folder that takes the folder `FRAME-fold`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
 }
 
 /// Options of `drop`.

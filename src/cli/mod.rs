@@ -6,6 +6,7 @@ mod check;
 mod diagnose;
 mod drop;
 mod fit;
+mod fold;
 mod measure;
 mod output;
 mod params;
@@ -51,6 +52,7 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Check(options) => check::check(options, &arguments.common),
         Command::Diagnose(options) => diagnose::diagnose(options, &arguments.common),
         Command::Plant(options) => plant::plant(options, &arguments.common),
+        Command::Fold(options) => fold::fold(options, &arguments.common),
         Command::Drop(options) => drop::drop(options, &arguments.common),
         Command::Fit(options) => fit::fit(options, &arguments.common),
         Command::Measure(options) => measure::measure(options, &arguments.common),

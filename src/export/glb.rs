@@ -13,6 +13,7 @@ use serde_json::{json, value::RawValue};
 
 use crate::assembly::mass::MassTable;
 use crate::assembly::{Body, Design, Kind, Shape};
+use crate::solid::Mesh;
 
 /// The file could not be put together.
 #[derive(Debug, thiserror::Error)]
@@ -23,7 +24,7 @@ pub enum GlbError {
 }
 
 /// Millimetres in a metre.
-const MM_PER_M: f64 = 1000.0;
+pub(super) const MM_PER_M: f64 = 1000.0;
 
 /// The assembled frame.
 ///
@@ -31,14 +32,14 @@ const MM_PER_M: f64 = 1000.0;
 /// When the header cannot be written as JSON.
 pub fn frame(design: &Design, masses: &MassTable) -> Result<Vec<u8>, GlbError> {
     let mut file = GlbFile::new();
-    file.root.asset.extras = Some(raw(&json!({
+    file.describe(&json!({
         "frame": design.frame.name,
         "description": design.frame.description,
         "units": "metre; the frame's own axes, X right, Y front, Z up, hang below the node `frame`",
         "total_mass_g": rounded(masses.total_g),
-    }))?);
+    }))?;
     for shape in &design.shapes {
-        file.add_shape(shape)?;
+        file.add_shape(shape);
     }
     let children = design.bodies.iter().map(|body| file.add_body(design, body, masses)).collect::<Result<Vec<_>, _>>()?;
     file.add_frame_node(&design.frame.name, children);
@@ -46,23 +47,36 @@ pub fn frame(design: &Design, masses: &MassTable) -> Result<Vec<u8>, GlbError> {
 }
 
 /// A header and its binary chunk while they grow together.
-struct GlbFile {
-    root: Root,
-    binary: Vec<u8>,
+pub(super) struct GlbFile {
+    pub(super) root: Root,
+    pub(super) binary: Vec<u8>,
+    /// What was last written as rows of numbers.
+    pub(super) last_numbers: Option<(Index<Accessor>, Vec<Vec<f32>>)>,
 }
 
 impl GlbFile {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let asset = Asset { generator: Some(format!("flexframe {}", env!("CARGO_PKG_VERSION"))), ..Asset::default() };
-        Self { root: Root { asset, ..Root::default() }, binary: Vec::new() }
+        Self { root: Root { asset, ..Root::default() }, binary: Vec::new(), last_numbers: None }
+    }
+
+    /// What a viewer can tell of the file.
+    pub(super) fn describe(&mut self, facts: &serde_json::Value) -> Result<(), GlbError> {
+        self.root.asset.extras = Some(raw(facts)?);
+        Ok(())
     }
 
     /// Adds a shape's material and mesh; both have the shape's index.
-    fn add_shape(&mut self, shape: &Shape) -> Result<(), GlbError> {
+    pub(super) fn add_shape(&mut self, shape: &Shape) {
+        self.add_mesh(shape, &shape.mesh);
+    }
+
+    /// The same with another mesh.
+    pub(super) fn add_mesh(&mut self, shape: &Shape, mesh: &Mesh) -> Index<GltfMesh> {
         let material = material(shape);
         let material = self.root.push(material);
-        let positions = self.positions(shape);
-        let indices = self.indices(shape);
+        let positions = self.positions(mesh);
+        let indices = self.indices(mesh);
         let primitive = Primitive {
             attributes: BTreeMap::from([(Checked::Valid(Semantic::Positions), positions)]),
             extensions: None,
@@ -73,15 +87,14 @@ impl GlbFile {
             targets: None,
         };
         let name = Some(shape.name.clone());
-        self.root.push(GltfMesh { extensions: None, extras: None, name, primitives: vec![primitive], weights: None });
-        Ok(())
+        self.root.push(GltfMesh { extensions: None, extras: None, name, primitives: vec![primitive], weights: None })
     }
 
-    fn positions(&mut self, shape: &Shape) -> Index<Accessor> {
+    fn positions(&mut self, mesh: &Mesh) -> Index<Accessor> {
         let metres = |v: f32| (f64::from(v) / MM_PER_M) as f32;
         let offset = self.binary.len();
         let (mut low, mut high) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
-        for vertex in &shape.mesh.vertices {
+        for vertex in &mesh.vertices {
             for axis in 0..3 {
                 let value = metres(vertex[axis]);
                 low[axis] = low[axis].min(value);
@@ -89,31 +102,31 @@ impl GlbFile {
                 self.binary.extend_from_slice(&value.to_le_bytes());
             }
         }
-        let view = self.view(offset, Target::ArrayBuffer);
-        let count = shape.mesh.vertices.len();
+        let view = self.view(offset, Some(Target::ArrayBuffer));
+        let count = mesh.vertices.len();
         let mut accessor = accessor(view, count, ComponentType::F32, Type::Vec3);
         accessor.min = Some(json!(low));
         accessor.max = Some(json!(high));
         self.root.push(accessor)
     }
 
-    fn indices(&mut self, shape: &Shape) -> Index<Accessor> {
+    fn indices(&mut self, mesh: &Mesh) -> Index<Accessor> {
         let offset = self.binary.len();
-        for index in shape.mesh.triangles.iter().flatten() {
+        for index in mesh.triangles.iter().flatten() {
             self.binary.extend_from_slice(&index.to_le_bytes());
         }
-        let view = self.view(offset, Target::ElementArrayBuffer);
-        self.root.push(accessor(view, 3 * shape.mesh.triangles.len(), ComponentType::U32, Type::Scalar))
+        let view = self.view(offset, Some(Target::ElementArrayBuffer));
+        self.root.push(accessor(view, 3 * mesh.triangles.len(), ComponentType::U32, Type::Scalar))
     }
 
-    fn view(&mut self, offset: usize, target: Target) -> Index<View> {
+    pub(super) fn view(&mut self, offset: usize, target: Option<Target>) -> Index<View> {
         self.root.push(View {
             buffer: Index::new(0),
             byte_length: USize64::from(self.binary.len() - offset),
             byte_offset: Some(USize64::from(offset)),
             byte_stride: None,
             name: None,
-            target: Some(Checked::Valid(target)),
+            target: target.map(Checked::Valid),
             extensions: None,
             extras: None,
         })
@@ -134,7 +147,7 @@ impl GlbFile {
     }
 
     /// The node that turns the frame's Z up to glTF's Y up.
-    fn add_frame_node(&mut self, name: &str, children: Vec<Index<Node>>) {
+    pub(super) fn add_frame_node(&mut self, name: &str, children: Vec<Index<Node>>) {
         let half = std::f32::consts::FRAC_1_SQRT_2;
         let node = Node {
             children: Some(children),
@@ -147,7 +160,14 @@ impl GlbFile {
         self.root.scene = Some(self.root.push(scene));
     }
 
-    fn into_bytes(mut self) -> Result<Vec<u8>, GlbError> {
+    /// Nodes beside the node `frame`.
+    pub(super) fn add_to_scene(&mut self, nodes: Vec<Index<Node>>) {
+        for scene in &mut self.root.scenes {
+            scene.nodes.extend(nodes.iter().copied());
+        }
+    }
+
+    pub(super) fn into_bytes(mut self) -> Result<Vec<u8>, GlbError> {
         let byte_length = USize64::from(self.binary.len());
         self.root.push(Buffer { byte_length, name: None, uri: None, extensions: None, extras: None });
         let mut header = self.root.to_vec()?;
@@ -167,7 +187,7 @@ impl GlbFile {
     }
 }
 
-fn accessor(view: Index<View>, count: usize, component: ComponentType, type_: Type) -> Accessor {
+pub(super) fn accessor(view: Index<View>, count: usize, component: ComponentType, type_: Type) -> Accessor {
     Accessor {
         buffer_view: Some(view),
         byte_offset: None,

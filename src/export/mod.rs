@@ -1,6 +1,9 @@
 //! A design as bytes: one file a format, value in, bytes out; nothing here opens a file.
 
 pub mod bom;
+pub mod fold_glb;
+pub mod fold_json;
+mod fold_skin;
 pub mod glb;
 pub mod manifest;
 pub mod stl;

@@ -46,6 +46,8 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         .filter(|estimate| ["linear_spring", "linear_damper"].contains(&estimate.effect))
         .map(parameter)
         .collect();
+    let [k, c] = diagnosis.base.model().stiffness_and_damping();
+    let before = json!({ "k": rounded(k), "c": rounded(c) });
     let alternatives: Vec<Value> = diagnosis
         .alternatives
         .iter()
@@ -60,7 +62,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "verdict": diagnosis.verdict.id(),
         "reasons": diagnosis.reasons,
         "effects": effects,
-        "base": { "effects": base, "body": { "mass_kg": diagnosis.base.model().body.mass_kg, "gap_mm": diagnosis.base.model().body.gap_m * 1e3, "from": drop_data::origin(&diagnosis.base.model().body) } },
+        "base": { "before": before, "after": base, "body": { "mass_kg": diagnosis.base.model().body.mass_kg, "gap_mm": diagnosis.base.model().body.gap_m * 1e3, "from": drop_data::origin(&diagnosis.base.model().body) } },
         "weight": diagnosis.alternatives.first().map(|best| rounded(best.weight)),
         "alternatives": alternatives,
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),

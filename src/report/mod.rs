@@ -1,7 +1,11 @@
 //! What is written about a frame: words and pictures.
 
+mod arrow;
 mod bands;
 mod bars;
+pub mod booklet;
+pub mod booklet_html;
+pub mod booklet_pdf;
 mod boxes;
 mod camera;
 pub mod diagnosis_data;
@@ -10,6 +14,8 @@ pub mod drop_data;
 pub mod drop_plots;
 pub mod fit_data;
 pub mod fit_plots;
+pub mod fold_scene;
+mod lettering;
 mod lines;
 pub mod measure_data;
 pub mod measure_plots;

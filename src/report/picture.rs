@@ -53,15 +53,24 @@ pub fn png_on_bed(items: &[Item], bed: &Bed, view: View, width: u32, height: u32
 /// Red, green, blue bytes of the picture.
 fn pixels(items: &[Item], bed: Option<&Bed>, view: View, size: [u32; 2]) -> Vec<u8> {
     let size = size.map(|s| s.max(1));
-    let corners = |item: &Item| item.mesh.vertices.iter().map(move |v| item.pose * Point3::from(v.map(f64::from))).collect::<Vec<_>>();
-    let mut points: Vec<Point3<f64>> = items.iter().flat_map(corners).collect();
+    let mut points = corners(items);
     points.extend(bed.iter().flat_map(|b| rectangle(b)));
     let camera = Camera::fit(view, bed.is_some(), &points, size);
     let mut fills = bed.map(|b| bed_fills(b, items, view, &camera)).unwrap_or_default();
-    let mut lines = Vec::new();
-    let mut translucent = Vec::new();
+    fills.extend(fills_of(items, &camera));
+    raster::rgb(&fills, size[0] as usize, size[1] as usize)
+}
+
+/// All corners of the items, mm.
+pub(super) fn corners(items: &[Item]) -> Vec<Point3<f64>> {
+    items.iter().flat_map(|item| item.mesh.vertices.iter().map(|v| item.pose * Point3::from(v.map(f64::from)))).collect()
+}
+
+/// What is drawn of the items: surfaces, lines, and last what lets others shine through, the farthest first.
+pub(super) fn fills_of(items: &[Item], camera: &Camera) -> Vec<Fill> {
+    let (mut fills, mut lines, mut translucent) = (Vec::new(), Vec::new(), Vec::new());
     for item in items {
-        let Drawn { facets, lines: own } = surface::drawn(item.mesh, &item.pose, item.colour, &camera);
+        let Drawn { facets, lines: own } = surface::drawn(item.mesh, &item.pose, item.colour, camera);
         if item.colour[3] < 1.0 { &mut translucent } else { &mut fills }.extend(facets);
         lines.extend(own);
     }
@@ -69,7 +78,7 @@ fn pixels(items: &[Item], bed: Option<&Bed>, view: View, size: [u32; 2]) -> Vec<
     translucent.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
     fills.extend(lines);
     fills.extend(translucent);
-    raster::rgb(&fills, size[0] as usize, size[1] as usize)
+    fills
 }
 
 /// Corners of the bed, counter-clockwise from the origin, mm.

@@ -6,7 +6,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
-use super::picture;
+use super::{lettering, picture};
 
 /// Size, pixels.
 const SIZE: (u32, u32) = (960, 600);
@@ -47,7 +47,7 @@ pub(super) fn files(name: &str, chart: &impl Chart) -> Result<[(String, Vec<u8>)
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         // Without it the text alone is missing; drawing then says so.
-        let _ = register_font(FONT, FontStyle::Normal, epaint_default_fonts::UBUNTU_LIGHT);
+        let _ = register_font(FONT, FontStyle::Normal, lettering::TYPEFACE);
     });
     let failed = |message: String| PlotError { name: name.into(), message };
     let mut svg = String::new();

@@ -46,11 +46,32 @@ const TWIST_EDGE_MM: f64 = 1.2;
 const FACET_DEG: f64 = 7.5;
 
 impl Bend {
+    /// How far.
+    pub fn angle(&self) -> Angle {
+        match self {
+            Self::Web { angle, .. } | Self::Necks { angle, .. } => *angle,
+        }
+    }
+
     /// The rigid motion of what lies beyond the hinge, in the axes of the flat part.
     pub fn motion(&self) -> Isometry3<f64> {
         match self {
             Self::Web { pivot, outward, towards, angle, .. } => about(*pivot, Unit::new_normalize(outward.cross(towards)), *angle),
             Self::Necks { pivot, axis, angle, .. } => about(*pivot, *axis, *angle),
+        }
+    }
+
+    /// What the bend leaves where it is, and what it moves: the flat solid in two, cut through web or necks.
+    pub fn sides(&self, flat: &MeshSolid) -> [MeshSolid; 2] {
+        match self {
+            Self::Web { pivot, outward, towards, half_width_mm, .. } => {
+                Hinge { pivot: *pivot, outward: *outward, towards: *towards, half_width_mm: *half_width_mm }.sides(flat)
+            }
+            Self::Necks { pivot, axis, inner_mm, outer_mm, .. } => {
+                let (a, at, middle) = (axis.into_inner(), pivot.coords.dot(axis), 0.5 * (inner_mm + outer_mm));
+                let moving = flat.half(a, at - middle).half(-a, -at - middle);
+                [flat.half(a, at + middle).union(&flat.half(-a, middle - at)), moving]
+            }
         }
     }
 
@@ -91,14 +112,19 @@ struct Hinge {
 
 impl Hinge {
     fn bent(&self, flat: &MeshSolid, angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
-        let region = self.moving_region();
-        let (moving, still) = (flat.intersection(&region).largest_body(), flat.minus(&region).largest_body());
+        let [still, moving] = self.sides(flat);
         let section = self.section(&moving);
         let joined = still.union(&moving.placed(motion)).union(&self.swept(&section, angle));
         match self.crease(&section) {
             Some(crease) => joined.union(&crease),
             None => joined,
         }
+    }
+
+    /// What stays and what moves.
+    fn sides(&self, flat: &MeshSolid) -> [MeshSolid; 2] {
+        let region = self.moving_region();
+        [flat.minus(&region).largest_body(), flat.intersection(&region).largest_body()]
     }
 
     /// What lies beyond the pivot, between two planes that open outwards from the moving side's edges at the pivot:

@@ -3,14 +3,18 @@
 //! This folder alone knows the mesh kernel (a port of Manifold) and the B-rep kernel (truck).
 
 mod bend;
+mod box_tree;
 mod brep;
 mod feature;
 pub mod gate;
 mod mesh;
+mod mesh_cut;
 mod mesh_solid;
+mod oriented_box;
 mod profile;
 
 pub use bend::Bend;
+pub use box_tree::BoxTree;
 pub use brep::Brep;
 pub use feature::Feature;
 pub use mesh::Mesh;

@@ -1,0 +1,28 @@
+//! The fold: how a frame is put together flat and closed by bending, as data.
+//!
+//! [`Task`]s say what there is to do, [`Rules`] from the geometry what may be done when, [`FoldSequence`] has the steps.
+//! [`Linkage`] follows the triangle of arms, strut and leg while it closes, [`Module`] says where every body is.
+
+mod flat;
+mod hinge;
+mod linkage;
+mod member;
+mod piece;
+mod posture;
+mod rules;
+mod sequence;
+mod sweep;
+mod task;
+mod timeline;
+
+pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
+pub use hinge::{HingeLoad, necks, web};
+pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
+pub use member::{Member, Side};
+pub use piece::{mesh_at, module_turn};
+pub use posture::{Module, Posture, bent_by};
+pub use rules::{Broken, Done, Rules};
+pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
+pub use sweep::{Meeting, Sweep, sweeps};
+pub use task::{Motion, Task};
+pub use timeline::{Moment, STEP_S, exploded, moment, moments};

@@ -1,0 +1,220 @@
+//! What there is to do: each task joins members or bends a hinge. Nothing here says in which order.
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use super::member::{Member, left, outward};
+
+/// A task in each module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Task {
+    /// The fork's bar into the knee's window.
+    ThreadKnee,
+    /// Arm rods into the hub joint.
+    PushArms,
+    /// Leg rod into the hub joint.
+    PushLeg,
+    /// The hub joint's leg bends down.
+    BendLeg,
+    /// The motor mount onto both arms.
+    SlideMount,
+    /// The fork onto both arms.
+    PushFork,
+    /// Struts into the knee.
+    PushStruts,
+    /// The bottom corner onto the lower strut.
+    PushFoot,
+    /// The foot's bend closes arms, strut and leg.
+    CloseTriangle,
+    /// The top corner onto the upper strut.
+    PushTop,
+    /// The top corner's strut hinge bends.
+    BendTop,
+    /// The bottom ring's rod into this module's corner.
+    PushBottomCage,
+    /// The top ring's rod into this module's corner.
+    PushTopCage,
+    /// Four modules into the hub, each cage rod into the next module's corner.
+    CloseRing,
+    /// Motor and propeller onto the mount.
+    SeatMotor,
+}
+
+/// How a task moves things.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motion {
+    /// Along a rod into a bore with a bottom, from the assembled side of the mouth.
+    Push,
+    /// Along rods through bores without a bottom: an end of each has to be free.
+    Slide,
+    /// One side of a hinge turns, with what is joined to it.
+    Bend,
+    /// Hinges turn and rods slide until a loop is closed.
+    Close,
+}
+
+impl Task {
+    /// Every task.
+    pub const ALL: [Self; 15] = [
+        Self::ThreadKnee,
+        Self::PushArms,
+        Self::PushLeg,
+        Self::BendLeg,
+        Self::SlideMount,
+        Self::PushFork,
+        Self::PushStruts,
+        Self::PushFoot,
+        Self::CloseTriangle,
+        Self::PushTop,
+        Self::BendTop,
+        Self::PushBottomCage,
+        Self::PushTopCage,
+        Self::CloseRing,
+        Self::SeatMotor,
+    ];
+
+    /// How it moves.
+    pub fn motion(self) -> Motion {
+        match self {
+            Self::ThreadKnee | Self::SlideMount => Motion::Slide,
+            Self::BendLeg | Self::BendTop => Motion::Bend,
+            Self::CloseTriangle | Self::CloseRing => Motion::Close,
+            _ => Motion::Push,
+        }
+    }
+
+    /// What touches when it is done: what moves, and what it is joined to.
+    pub fn contacts(self) -> Vec<(Member, Member)> {
+        use Member::*;
+        match self {
+            Self::ThreadKnee => vec![(Knee, Fork)],
+            Self::PushArms => vec![(Arm(true), HubJoint), (Arm(false), HubJoint)],
+            Self::PushLeg => vec![(Leg, HubJoint)],
+            Self::SlideMount => vec![(Mount, Arm(true)), (Mount, Arm(false))],
+            Self::PushFork => vec![(Fork, Arm(true)), (Fork, Arm(false))],
+            Self::PushStruts => vec![(Strut(true), Knee), (Strut(false), Knee)],
+            Self::PushFoot => vec![(Corner(false), Strut(false))],
+            Self::CloseTriangle => vec![(Corner(false), Leg)],
+            Self::PushTop => vec![(Corner(true), Strut(true))],
+            Self::PushBottomCage => vec![(Cage(false), Corner(false))],
+            Self::PushTopCage => vec![(Cage(true), Corner(true))],
+            Self::CloseRing => vec![(HubJoint, Hub)],
+            Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor)],
+            Self::BendLeg | Self::BendTop => Vec::new(),
+        }
+    }
+
+    /// The members that it brings to those they are joined to.
+    pub fn brings(self) -> Vec<Member> {
+        if self.motion() == Motion::Close { Vec::new() } else { self.contacts().into_iter().map(|(moving, _)| moving).collect() }
+    }
+
+    /// What has to be there for a bend: the member whose hinge it is and what is held to turn it.
+    pub fn lever(self) -> Option<(Member, Member)> {
+        match self {
+            Self::BendLeg => Some((Member::HubJoint, Member::Leg)),
+            Self::BendTop => Some((Member::Corner(true), Member::Strut(true))),
+            _ => None,
+        }
+    }
+
+    /// For a slide: what is slid onto, and who closes each of its two ends, one pair a rail.
+    pub fn rails(self) -> Vec<[(Member, Member); 2]> {
+        use Member::*;
+        match self {
+            Self::SlideMount => [true, false].map(|l| [(Arm(l), HubJoint), (Fork, Arm(l))]).into(),
+            // The fork is a rail itself: both its legs end in the arms' bores.
+            Self::ThreadKnee => vec![[(Fork, Arm(true)), (Fork, Arm(false))]],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Direction from which a member comes, in the axes of the assembled first module.
+    pub fn comes_along(self, mover: Member, strut_up: impl Fn(bool) -> Vector3<f64>) -> Vector3<f64> {
+        match (self, mover) {
+            (Self::ThreadKnee, _) => left(),
+            (Self::PushStruts, Member::Strut(up)) | (Self::PushFoot | Self::PushTop, Member::Corner(up)) => strut_up(up),
+            (Self::PushBottomCage | Self::PushTopCage, _) => -Vector3::x(),
+            (Self::SeatMotor, _) => Vector3::z(),
+            _ => outward(),
+        }
+    }
+
+    /// A few words.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::ThreadKnee => "Fork through knee",
+            Self::PushArms => "Arm rods into hub joint",
+            Self::PushLeg => "Leg rod into hub joint",
+            Self::BendLeg => "Bend the leg down",
+            Self::SlideMount => "Motor mount onto the arms",
+            Self::PushFork => "Fork onto the arms",
+            Self::PushStruts => "Struts into the knee",
+            Self::PushFoot => "Bottom corner onto the lower strut",
+            Self::CloseTriangle => "Bend the foot and close the triangle",
+            Self::PushTop => "Top corner onto the upper strut",
+            Self::BendTop => "Bend the top corner",
+            Self::PushBottomCage => "Bottom cage rod into its corner",
+            Self::PushTopCage => "Top cage rod into its corner",
+            Self::CloseRing => "Four modules into the hub, rods into the rings",
+            Self::SeatMotor => "Motor and propeller",
+        }
+    }
+
+    /// What a person does, with the trick it takes.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::ThreadKnee => {
+                "Squeeze one leg of the fork flat with thin pliers, pull it through the knee's window and on until the bar sits in it."
+            }
+            Self::PushArms => "Push two arm rods to the bottom of the outer bores of the hub joint, then draw them out by the stated way.",
+            Self::PushLeg => "Push the leg rod to the bottom of the middle bore.",
+            Self::BendLeg => "Bend the leg down out of the way of what comes onto the arms; the two necks twist.",
+            Self::SlideMount => "Slide the motor mount from the outer ends onto both arms, its flat face up.",
+            Self::PushFork => "Push the fork with its knee onto both arm rods; leave the stated way open.",
+            Self::PushStruts => "Push a strut rod into each bore of the knee.",
+            Self::PushFoot => "Push the bottom corner straight onto the lower strut, by the bore opposite the long one.",
+            Self::CloseTriangle => {
+                "Bend the foot at both its notches until the leg stands before the long bore, then go on bending and push the fork home: leg and arms slide to the bottom of their bores together."
+            }
+            Self::PushTop => "Push the top corner straight onto the upper strut.",
+            Self::BendTop => "Bend the top corner inwards until its bores lie level.",
+            Self::PushBottomCage => "Push a cage rod into the bottom corner, towards the next module.",
+            Self::PushTopCage => "Push a cage rod into the top corner, towards the next module.",
+            Self::CloseRing => {
+                "Lay the four modules as a cross around the hub and start all plugs. Go round in small steps: plugs and cage rods slide home together."
+            }
+            Self::SeatMotor => "Screw the motor onto its mount, then put on the propeller.",
+        }
+    }
+
+    /// The tool or trick.
+    pub fn tool(self) -> &'static str {
+        match self {
+            Self::ThreadKnee => "thin pliers",
+            Self::SeatMotor => "screwdriver",
+            _ => "hands",
+        }
+    }
+
+    /// What to take care of.
+    pub fn caution(self) -> Option<&'static str> {
+        match self {
+            Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => Some(
+                "Ends of cut carbon rods splinter: wear gloves and a dust mask, wipe the ends before pushing. Glue only a rod that is loose.",
+            ),
+            Self::CloseRing => Some("Never glue the plugs to the hub: they are what lets go in a crash."),
+            _ => None,
+        }
+    }
+
+    /// Time for one module, minutes: an estimate of ours.
+    pub fn minutes(self) -> f64 {
+        match self {
+            Self::ThreadKnee | Self::CloseTriangle | Self::SeatMotor => 3.0,
+            Self::CloseRing => 4.0,
+            _ => 1.0,
+        }
+    }
+}

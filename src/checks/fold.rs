@@ -1,0 +1,119 @@
+//! The frame can be put together: an order of steps exists, the triangle of arms, strut and leg closes without leaving its
+//! bores, the plugs guide the modules while the rings close, the strut's notch is wide enough for its fold, a module's parts lie
+//! flat on a table, and nothing is in the way of a step's motion.
+
+use super::finding::{Finding, Measure};
+use super::scene::Scene;
+use crate::assembly::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, sweeps};
+
+/// Farthest that a strut may fold beyond the closing of its notch, degrees: a choice; the real frame does 25.
+const MOST_PRELOAD_DEG: f64 = 45.0;
+
+/// Farthest that the leg's end may be from its place in the foot, mm.
+const CLOSED_MM: f64 = 0.05;
+
+const HOLDS: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
+
+fn measure(value: f64, limit: f64, unit: &'static str, levers: &'static [&'static str]) -> Measure {
+    Measure { rule: "fold_sequence", value, limit, unit, levers }
+}
+
+/// Why there is no sequence, as a broken limit.
+fn refused(error: &FoldError) -> Finding {
+    let levers: &[&str] = &["rods.strut_rod_length_mm", "motor_mount.motor_position_mm", "corner.corner_node_to_bottom_mm"];
+    let (value, limit, unit, levers) = match error {
+        FoldError::Linkage(LinkageError::LegTooLong { pulled, .. }) => (*pulled, MOST_PULLED, "", HOLDS),
+        FoldError::PlugTooShort { needed_mm, plug_mm } => {
+            (*needed_mm, *plug_mm, "mm", &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"][..])
+        }
+        FoldError::NoOrder { blocked } => (blocked.len() as f64, 0.0, "steps", levers),
+        FoldError::Linkage(LinkageError::Lost { .. }) => (1.0, 0.0, "steps", levers),
+    };
+    measure(value, limit, unit, levers).at_most("fold".into(), error.to_string())
+}
+
+fn preload(scene: &Scene) -> Finding {
+    let (frame, closure) = (&scene.design.frame, &scene.design.skeleton.closure);
+    let value = 90.0 + closure.strut_tilt.to_deg() - 2.0 * frame.corner.notch_half_angle_deg;
+    let measure = measure(value, MOST_PRELOAD_DEG, "deg", &["corner.notch_half_angle_deg"]);
+    let [beyond, most] = measure.figures(1);
+    measure.at_most("fold: notch".into(), format!("the struts fold {beyond} deg beyond the closing of their notch, {most} deg are allowed"))
+}
+
+/// What is in the way of a step.
+fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
+    let sweeps = sweeps(scene.design, fold);
+    let worst = fold.steps.iter().zip(&sweeps).max_by(|a, b| a.1.beyond_mm3.total_cmp(&b.1.beyond_mm3));
+    let value = worst.map_or(0.0, |(_, sweep)| sweep.beyond_mm3);
+    let met = worst.and_then(|(step, sweep)| sweep.meetings.first().map(|meeting| (step, meeting)));
+    let pairs: usize = sweeps.iter().map(|sweep| sweep.pairs).sum();
+    let message = match met {
+        Some((step, m)) => {
+            let [a, b] = &m.bodies;
+            format!(
+                "step {}, {}: {a} and {b} share {:.2} mm3 on the way, {:.2} mm3 are meant",
+                step.number, step.title, m.shared_mm3, m.allowed_mm3
+            )
+        }
+        None => format!("nothing is in the way of any step: {pairs} pairs of pieces that move to each other"),
+    };
+    measure(value, 0.0, "mm3", &["motor_mount.motor_position_mm", "rods.strut_rod_length_mm"]).at_most("fold: way".into(), message)
+}
+
+/// The module on a table, before the first step.
+fn flat(scene: &Scene) -> Finding {
+    let flat = FlatState::new(scene.design);
+    let wrong = flat.check(scene.design);
+    let [x, y] = flat.size_mm();
+    let message = match wrong.first() {
+        Some(error) => error.to_string(),
+        None => format!("a module's parts lie flat on {x:.0} x {y:.0} mm, each as it is printed"),
+    };
+    measure(wrong.len() as f64, 0.0, "", &["rods.arm_rod_length_mm"]).at_most("fold: flat".into(), message)
+}
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let fold = match FoldSequence::new(&scene.design.frame, &scene.design.skeleton) {
+        Ok(fold) => fold,
+        Err(error) => return vec![refused(&error), preload(scene)],
+    };
+    let pulled = measure(fold.entry.pulled, MOST_PULLED, "", HOLDS);
+    let told = format!(
+        "{} steps; while the triangle closes its rods stand out by {:.0} % of their hold, {:.0} % are allowed",
+        fold.steps.len(),
+        100.0 * fold.entry.pulled,
+        100.0 * MOST_PULLED
+    );
+    let error_mm = fold.steps.iter().filter_map(|step| step.loop_error_mm).fold(0.0, f64::max);
+    let closed = measure(error_mm, CLOSED_MM, "mm", &[]);
+    let closes = format!("the triangle of arms, strut and leg closes within {error_mm:.3} mm, {CLOSED_MM} mm are allowed");
+    vec![
+        pulled.at_most("fold: hold".into(), told),
+        closed.at_most("fold: closure".into(), closes),
+        preload(scene),
+        flat(scene),
+        in_the_way(scene, &fold),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_folds_that_cannot_be() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+        let narrow = Planted::frame(|frame| frame.corner.notch_half_angle_deg = 32.0).found(check);
+        assert_eq!(violated(&narrow)[0].subject, "fold: notch");
+        let short = Planted::frame(|frame| frame.hub_joint.plug_length_mm = 5.0).found(check);
+        assert!(violated(&short)[0].message.contains("plugs"), "{short:?}");
+        let deep = Planted::frame(|frame| {
+            frame.corner.corner_socket_depth_mm = 12.0;
+            frame.hub_joint.hub_arm_socket_depth_mm = 6.0;
+            frame.fork.fork_socket_depth_mm = 5.0;
+            frame.knee.knee_socket_depth_mm = 5.0;
+        });
+        assert!(deep.found(check).iter().all(|f| f.value.is_finite()));
+    }
+}

@@ -1,0 +1,86 @@
+//! `flexframe fold`: how a frame is put together, as data, as motion, and on paper.
+
+use std::process::ExitCode;
+
+use super::arguments::{Common, FoldOptions};
+use super::output;
+use super::progress::Progress;
+use super::session::{self, Failure};
+use super::terminal;
+use crate::assembly::fold::{FoldSequence, sweeps};
+use crate::assembly::{Design, mass};
+use crate::export::{fold_glb, fold_json};
+use crate::report::booklet::Booklet;
+use crate::report::{booklet_html, booklet_pdf, fold_scene};
+
+/// The file with the steps.
+const STEPS: &str = "fold.json";
+
+/// Writes `FRAME-fold`: the steps, the animation and the instructions; or the pictures of one step.
+pub(super) fn fold(options: &FoldOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let working = Progress::of("folding", common);
+    let design = session::design(&options.frame)?;
+    let sequence = match FoldSequence::new(&design.frame, &design.skeleton) {
+        Ok(sequence) => sequence,
+        Err(error) => {
+            terminal::tell(&format!("error: {} cannot be folded: {error}", design.frame.name));
+            return Ok(ExitCode::from(1));
+        }
+    };
+    let name = &design.frame.name;
+    let (folder, files) = match options.step {
+        Some(number) => (format!("{name}-step-{number}"), step_pictures(&design, &sequence, number)?),
+        None => (format!("{name}-fold"), everything(&design, &sequence)?),
+    };
+    drop(working);
+    let place = output::write_folder(&options.output, &folder, &files)?;
+    if common.json {
+        let steps = match files.iter().find(|(path, _)| path == STEPS) {
+            Some((_, steps)) => steps.clone(),
+            None => steps_as_json(&design, &sequence)?,
+        };
+        terminal::print(&String::from_utf8_lossy(&steps))?;
+    } else if !common.quiet {
+        let steps = sequence.steps.iter().filter(|s| options.step.is_none_or(|number| number == s.number));
+        let lines = steps.map(|s| format!("{:>2}  {} x  {}\n", s.number, s.repeats, s.title));
+        terminal::print(&format!("{}{}: {} files\n", lines.collect::<String>(), place.display(), files.len()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn failed(error: std::io::Error) -> Failure {
+    Failure::Machine { what: "cannot write the fold".into(), error }
+}
+
+fn steps_as_json(design: &Design, sequence: &FoldSequence) -> Result<Vec<u8>, Failure> {
+    fold_json::fold_json(design, sequence, &sweeps(design, sequence)).map_err(|error| failed(error.into()))
+}
+
+/// Before and after of one step.
+fn step_pictures(design: &Design, sequence: &FoldSequence, number: usize) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let Some(at) = number.checked_sub(1).filter(|at| *at < sequence.steps.len()) else {
+        return Err(Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {}", sequence.steps.len()) });
+    };
+    let [before, after] = fold_scene::step(design, sequence, at);
+    Ok(vec![("before.png".into(), before.png()), ("after.png".into(), after.png())])
+}
+
+fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let steps = steps_as_json(design, sequence)?;
+    let motion = fold_glb::fold(design, sequence).map_err(|error| failed(std::io::Error::other(error)))?;
+    let booklet = Booklet::new(design, &mass::table(design), sequence);
+    let paper = booklet_pdf::pdf(&booklet).map_err(|error| failed(std::io::Error::other(error)))?;
+    let mut files = vec![
+        (STEPS.to_string(), steps),
+        ("fold.glb".into(), motion),
+        ("instructions.html".into(), booklet_html::html(&booklet).into_bytes()),
+        ("instructions.pdf".into(), paper),
+        ("exploded.png".into(), booklet.apart.png()),
+    ];
+    for (index, page) in booklet.pages.iter().enumerate() {
+        for (picture, after) in page.pictures.iter().zip([false, true]) {
+            files.push((booklet_html::picture_name(index + 1, after), picture.png()));
+        }
+    }
+    Ok(files)
+}

@@ -1,0 +1,71 @@
+//! The fold sequence as JSON.
+
+use serde_json::{Value, json};
+
+use crate::assembly::Design;
+use crate::assembly::fold::{FlatState, FoldSequence, STEP_S, Sweep, TABLE_MM};
+
+/// Version of the file's form.
+const SCHEMA_VERSION: u32 = 1;
+
+/// The steps of a frame's fold.
+///
+/// # Errors
+/// When a number in it is none.
+pub fn fold_json(design: &Design, fold: &FoldSequence, sweeps: &[Sweep]) -> Result<Vec<u8>, serde_json::Error> {
+    let mut steps = serde_json::to_value(&fold.steps)?;
+    for (step, sweep) in steps.as_array_mut().into_iter().flatten().zip(sweeps) {
+        step["sweep"] = serde_json::to_value(sweep)?;
+    }
+    let [arm_hub, arm_fork] = fold.module.linkage.arm_holds_mm.map(|hold| hold * fold.entry.pulled);
+    let [strut_knee, strut_corner] = fold.module.linkage.strut_out_mm(fold.entry.pulled);
+    let mut value = json!({
+        "schema_version": SCHEMA_VERSION,
+        "frame": design.frame.name,
+        "units": "mm, degrees from flat, N mm, minutes, seconds",
+        "axes": "bodies are those of module FR in frame axes: X right, Y front, Z up; the other modules are the same, turned",
+        "centre": "what is mounted on the hub is put together beforehand and is no part of the fold",
+        "step_shown_s": STEP_S,
+        "triangle": {
+            "closes_from_strut_fold_deg": fold.entry.strut_deg,
+            "leg_way_mm": fold.module.linkage.leg_way_mm(),
+            "left_out_mm": {
+                "arm_in_hub_joint": arm_hub,
+                "arm_in_fork": arm_fork,
+                "strut_in_knee": strut_knee,
+                "strut_in_corner": strut_corner,
+            },
+        },
+        "module_stands_off_hub_mm": fold.off_hub_mm,
+        "minutes": fold.steps.iter().map(|step| step.minutes).sum::<f64>(),
+        "flat": flat(design),
+        "steps": steps,
+    });
+    round(&mut value);
+    let mut bytes = serde_json::to_vec_pretty(&value)?;
+    bytes.push(b'\n');
+    Ok(bytes)
+}
+
+/// The module on the table before the first step.
+fn flat(design: &Design) -> Value {
+    let flat = FlatState::new(design);
+    let lying = flat.lying.iter().map(|l| json!({ "body": l.body, "at_mm": [l.at.translation.x, l.at.translation.y] })).collect::<Vec<_>>();
+    let wrong: Vec<String> = flat.check(design).iter().map(ToString::to_string).collect();
+    json!({ "table_mm": TABLE_MM, "takes_mm": flat.size_mm(), "lying": lying, "wrong": wrong })
+}
+
+/// To a millionth, so that the last bits of a computation do not reach the file.
+fn round(value: &mut Value) {
+    match value {
+        Value::Array(all) => all.iter_mut().for_each(round),
+        Value::Object(all) => all.values_mut().for_each(round),
+        Value::Number(number) => {
+            if let Some(x) = number.as_f64().filter(|_| number.is_f64()) {
+                let rounded = (x * 1e6).round() / 1e6;
+                *value = json!(if rounded == 0.0 { 0.0 } else { rounded });
+            }
+        }
+        _ => {}
+    }
+}
