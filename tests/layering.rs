@@ -27,7 +27,7 @@ const LAYERS: [(&str, &[&str]); 18] = [
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 27] = [
+const CONFINED: [(&str, &str); 28] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
