@@ -261,17 +261,6 @@ fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
                     ratio.unwrap_or(f64::NAN),
                     case.line()
                 );
-                if std::env::var_os("LOUD").is_some() {
-                    for one in case.diagnosis.ranking.iter().take(4) {
-                        let values: Vec<String> = one
-                            .constancy
-                            .iter()
-                            .flat_map(|constancy| &constancy.parameters)
-                            .map(|by| format!("{} {:?}", by.key, by.values))
-                            .collect();
-                        println!("      {:.2} {} {}", one.score, one.id, values.join("; "));
-                    }
-                }
                 let row = sums.table.entry(spec.id.into()).or_insert_with(|| vec![[0; 2]; STRENGTHS.len()]);
                 row[at][0] += usize::from(good);
                 row[at][1] += 1;

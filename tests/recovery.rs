@@ -137,7 +137,7 @@ fn planted_pairs_are_named() {
 fn planted_nothing_is_nothing() {
     // k and c of the drops are not those of the model that is diagnosed: that alone is nothing.
     let alarms: Vec<u64> = (0..8_u64).into_par_iter().filter(|seed| diagnosis("", 80 + seed).1 != 0).collect();
-    // Each alarms with a chance of 2 %.
+    // Each alarms with a chance of 1 %.
     assert!(alarms.len() <= 1, "{alarms:?}");
 }
 

@@ -11,7 +11,7 @@ use crate::effects::{CATALOGUE, Model};
 use crate::fit::{Family, Problem, Scatter};
 
 /// Chance below which something is missing.
-pub const RARE: f64 = 0.02;
+pub const RARE: f64 = 0.01;
 /// Sets of one size that are carried on to the next.
 const CARRIED: usize = 5;
 /// Larger sets from which effects are taken out again.
