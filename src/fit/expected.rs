@@ -30,7 +30,7 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// A model made ready; where single readings scatter, the sensor's limit is left to [`limited_mean`].
+    /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead.
     pub fn system(&self, model: &Model) -> (System, f64) {
         let mut system = System::new(model);
         let limit_g = system.arrangement().sensor.limit_g;

@@ -1,0 +1,161 @@
+//! Each statistical step of a diagnosis on a case whose answer is known.
+
+use flexframe::diagnose::{Ground, Settings, Verdict, diagnose, flat_top, trend_p};
+use flexframe::effects::{Model, by_id};
+use flexframe::fit::{Drop, Expected, Scatter, Waves, Whitening, minimise};
+use flexframe::plant::{Hidden, Plan, Scatter as Spread, clean, records};
+use nalgebra::{DMatrix, DVector};
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
+
+fn base() -> Model {
+    Model::load("paper").expect("the paper's model")
+}
+
+fn plan(seed: u64) -> Plan {
+    let scatter = Spread { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let heights_m = vec![0.5, 1.0, 1.5];
+    Plan { model: base(), hidden: None, heights_m, drops: 20, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
+}
+
+fn waves(plan: &Plan) -> Waves {
+    let drops: Vec<Drop> = records(plan)
+        .into_iter()
+        .map(|record| Drop { trial: record.trial, height_m: record.height_m, t_s: record.t_s, accel_g: record.accel_g })
+        .collect();
+    Waves::of(&drops).expect("usable")
+}
+
+#[test]
+fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
+    let fine = clean(&plan(1), 1.0);
+    let expected = Expected { step_s: 1e-3, samples: 31, spread: 0.0 };
+    let at = |t_s: f64| {
+        let place = t_s.max(0.0) / 5e-5;
+        let left = place.floor() as usize;
+        if t_s <= 0.0 { 0.0 } else { fine[left] + (place - left as f64) * (fine[left + 1] - fine[left]) }
+    };
+    let mut mean = vec![0.0; 31];
+    const PHASES: usize = 4000;
+    for phase in 0..PHASES {
+        let offset_s = (phase as f64 + 0.5) / PHASES as f64 * 1e-3;
+        let first = (0..40).find(|i| at(offset_s + f64::from(*i) * 1e-3).abs() > 3.0).expect("an impact");
+        for (i, sum) in mean.iter_mut().enumerate() {
+            *sum += at(offset_s + (f64::from(first) + i as f64 - 1.0) * 1e-3) / PHASES as f64;
+        }
+    }
+    for (ours, theirs) in expected.mean_over_phases(&fine).iter().zip(&mean) {
+        assert!((ours - theirs).abs() < 0.05, "{ours} {theirs}");
+    }
+}
+
+#[test]
+fn analytic_bounds_and_units_do_not_stop_a_minimum() {
+    // A minimum at (2, 3e-8 · 1e8 = 3) whose second parameter is eight orders smaller, and one that lies behind a bound.
+    let residual = |x: &[f64]| Some(DVector::from_vec(vec![x[0] - 2.0, 1e8 * x[1] - 3.0, 0.1 * (x[0] - 2.0) * (1e8 * x[1] - 3.0)]));
+    let found = minimise(residual, &[0.0, 0.0], &[[-9.0, 9.0], [0.0, 1e-7]], &[1e-6, 1e-14], 50).expect("a value");
+    assert!((found.at[0] - 2.0).abs() < 1e-3 && (1e8 * found.at[1] - 3.0).abs() < 1e-3 && !found.at_bound[1], "{:?}", found.at);
+    let held = minimise(residual, &[0.0, 0.0], &[[-9.0, 1.0], [0.0, 1e-7]], &[1e-6, 1e-14], 50).expect("a value");
+    assert!(held.at[0] == 1.0 && held.at_bound[0] && (1e8 * held.at[1] - 3.0).abs() < 1e-3, "{:?}", held.at);
+}
+
+#[test]
+fn analytic_whitened_means_scatter_with_variance_one() {
+    // One estimate of the scatter from 20 drops a height, judged by the means of many other sets of the same truth.
+    let ground = Ground::of(&waves(&plan(5)), &base()).expect("a fit");
+    let sums: Vec<f64> = (0..24_u64)
+        .into_par_iter()
+        .map(|seed| {
+            let others = waves(&plan(100 + seed));
+            let mut problem = ground.problem.clone();
+            problem.means = others.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
+            problem.residual(&base()).expect("it holds the body").norm_squared() / problem.len() as f64
+        })
+        .collect();
+    let mean = sums.iter().sum::<f64>() / sums.len() as f64;
+    // 93 numbers in 24 sets: 0.03 by chance; the estimate from 57 records brings about 0.1.
+    assert!((0.8..1.3).contains(&mean), "{mean}");
+}
+
+#[test]
+fn analytic_drawn_scatter_is_that_of_the_covariance() {
+    let covariance = DMatrix::from_fn(4, 4, |i, j| if i == j { 2.0 } else { 0.5 });
+    let mut rng = Pcg64::seed_from_u64(3);
+    // Few records are drawn one by one, many by a triangle: both have the covariance that was asked for.
+    for count in [4, 40] {
+        let sets = 4000;
+        let mut mean = DMatrix::<f64>::zeros(4, 4);
+        for _ in 0..sets {
+            let drawn = Scatter::drawn(std::slice::from_ref(&covariance), &[count], &mut rng).expect("positive definite");
+            let error = &drawn.standard_errors()[0];
+            mean[(0, 0)] += error[0] * error[0] * count as f64 / sets as f64;
+        }
+        assert!((mean[(0, 0)] - 2.0).abs() < 0.1, "{count}: {}", mean[(0, 0)]);
+    }
+    let whitening = Whitening::of(std::slice::from_ref(&covariance), &[1]).expect("positive definite");
+    let white = whitening.height(0) * &covariance * whitening.height(0).transpose();
+    assert!((white - DMatrix::identity(4, 4)).norm() < 1e-12);
+}
+
+#[test]
+fn analytic_chances_are_even_and_intervals_cover_where_nothing_is_missing() {
+    let truth = base().stiffness_and_damping();
+    let found: Vec<(f64, usize)> = (0..16_u64)
+        .into_par_iter()
+        .map(|seed| {
+            let found = diagnose(&waves(&plan(300 + seed)), None, &base(), &Settings { most_effects: 1, seed }).expect("a diagnosis");
+            let covered = found
+                .estimates
+                .iter()
+                .zip(truth)
+                .filter(|(one, truth)| found.verdict != Verdict::NothingMissing || (one.ci95[0]..=one.ci95[1]).contains(truth));
+            (found.base_adequacy.p, covered.count())
+        })
+        .collect();
+    let mut chances: Vec<f64> = found.iter().map(|one| one.0).collect();
+    chances.sort_by(f64::total_cmp);
+    let count = chances.len() as f64;
+    let apart = chances.iter().enumerate().map(|(i, p)| (p - (i as f64 + 0.5) / count).abs()).fold(0.0, f64::max);
+    // Kolmogorov's bound for 16 numbers at 1 %.
+    assert!(apart < 0.39, "{chances:?}");
+    let covered: usize = found.iter().map(|one| one.1).sum();
+    assert!(covered >= 27, "{covered} of 32 intervals of 95 %");
+}
+
+#[test]
+fn planted_wear_is_a_trend_and_scatter_is_none() {
+    let changes = |plan: &Plan| {
+        let waves = waves(plan);
+        let ground = Ground::of(&waves, &base()).expect("a fit");
+        let fitted = ground.problem.fit(flexframe::fit::Layout::of(base()), 20).expect("a fit");
+        let changes = ground.problem.sensitivity(&fitted).expect("it holds the body");
+        trend_p(&waves, &changes, 1).expect("a chance")
+    };
+    let wearing = Plan { hidden: Some(Hidden::Wear { loss: 0.4 }), ..plan(7) };
+    assert!(changes(&wearing) < 0.002);
+    assert!(changes(&plan(8)) > 0.01);
+}
+
+#[test]
+fn planted_limits_show_and_scatter_does_not() {
+    let mut limited = plan(9);
+    limited.model = limited.model.with(by_id("sensor_saturation").expect("an effect"), &[60.0], 0);
+    let found = flat_top(&waves(&limited)).expect("readings pile up");
+    assert!((found.level_g - 60.0).abs() < 0.5 && found.readings > 20, "{found:?}");
+    for seed in 10..20 {
+        assert_eq!(flat_top(&waves(&plan(seed))), None);
+    }
+}
+
+#[test]
+fn planted_pair_whose_first_choice_is_wrong_is_found_all_the_same() {
+    let mut planted = plan(41);
+    for (id, values) in [("maxwell_branch", &[6e3, 3.0][..]), ("sensor_low_pass", &[110.0])] {
+        planted.model = planted.model.with(by_id(id).expect("an effect"), values, 0);
+    }
+    let found = diagnose(&waves(&planted), None, &base(), &Settings { most_effects: 3, seed: 1 }).expect("a diagnosis");
+    let first = found.ranking.iter().find(|one| !one.id.contains('+')).expect("singles were ranked");
+    assert_eq!(first.id, "bilinear_stiffness", "the best single effect is neither of the two");
+    assert_eq!(found.chosen.ids(), ["maxwell_branch", "sensor_low_pass"]);
+}
