@@ -120,7 +120,8 @@ fn shrunk(correlation: &DMatrix<f64>, freedom: f64) -> DMatrix<f64> {
     // Sums over a diagonal divided by the whole length keep the target positive definite.
     let by_lag: Vec<f64> =
         (0..samples).map(|lag| (lag..samples).map(|i| correlation[(i, i - lag)]).sum::<f64>() / samples as f64).collect();
-    let target = |i: usize, j: usize| if i == j { correlation[(i, i)] } else { by_lag[i.abs_diff(j)] };
+    // A sample that hardly scatters goes together with none.
+    let target = |i: usize, j: usize| by_lag[i.abs_diff(j)] * (correlation[(i, i)] * correlation[(j, j)]).sqrt();
     let (mut uncertain, mut apart) = (0.0, 0.0);
     for i in 0..samples {
         for j in 0..i {
@@ -130,7 +131,7 @@ fn shrunk(correlation: &DMatrix<f64>, freedom: f64) -> DMatrix<f64> {
         }
     }
     let weight = if apart > 0.0 { (uncertain / apart).clamp(0.02, 1.0) } else { 1.0 };
-    DMatrix::from_fn(samples, samples, |i, j| (1.0 - weight) * correlation[(i, j)] + weight * target(i, j))
+    DMatrix::from_fn(samples, samples, |i, j| if i == j { 1.0 } else { (1.0 - weight) * correlation[(i, j)] + weight * target(i, j) })
 }
 
 fn normal(rows: usize, columns: usize, rng: &mut impl Rng) -> DMatrix<f64> {
