@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 use std::time::Instant;
 
-use flexframe::diagnose::{Candidate, Diagnosis, Ground, Search, Setting, Settings, Verdict, diagnose};
+use flexframe::diagnose::{Candidate, Diagnosis, Ground, Nulls, Search, Setting, Settings, Verdict, diagnose};
 use flexframe::effects::{CATALOGUE, Model, by_id};
 use flexframe::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
 use flexframe::plant::{Hidden, Plan, Scatter as Spread, clean, records};
@@ -102,7 +102,8 @@ fn left_by_catalogue(plan: &Plan) -> Option<f64> {
     let (problem, _) = noise_free(plan)?;
     let few = waves(plan);
     let ground = Ground::of(&few, &base())?;
-    let setting = Setting { problem: &problem, scatter: &ground.scatter, family: &ground.family, limit_seen: false, most: 2, seed: 1 };
+    let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
+    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, most: 2 };
     let search = Search::run(&setting, &base())?;
     search.levels.iter().flat_map(|level| &level.candidates).map(|candidate: &Candidate| candidate.fitted.chi2()).min_by(f64::total_cmp)
 }

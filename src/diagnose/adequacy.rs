@@ -2,19 +2,14 @@
 //!
 //! Three statistics of the whitened residual: its sum of squares, the largest part of it that one effect of the
 //! catalogue would take away, and the largest that a bump at one time of one height would take away. Their chance is
-//! read off data simulated from the fitted model: mean waves drawn with the measured scatter, and that scatter drawn and
-//! estimated anew each time, since a covariance of as many numbers as there are samples is itself uncertain.
+//! read off simulated data sets ([`Nulls`]).
 
 use nalgebra::{DMatrix, DVector};
-use rand::Rng;
-use rand_distr::{Distribution, StandardNormal};
-use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use crate::fit::{Family, Scatter, Whitening, inverse};
+use super::nulls::{NULLS, Nulls};
+use crate::fit::{Whitening, inverse};
 
-/// Simulated data sets.
-pub const NULLS: usize = 400;
 /// Widths of a bump, samples.
 const WIDTHS: [f64; 3] = [0.6, 1.5, 3.5];
 /// Part of a column that must be left when what the fit can do itself is taken out of it.
@@ -61,23 +56,11 @@ pub struct Adequacy {
     pub ratio95: Vec<f64>,
 }
 
-/// Judges measured mean waves.
-pub fn judge(deviation: &DVector<f64>, seen: &Seen, scatter: &Scatter, family: &Family, seed: u64) -> Option<Adequacy> {
-    let covariances = scatter.covariances(family)?;
-    let whitening = Whitening::of(&covariances, scatter.counts())?;
-    let (statistics, _) = statistics(deviation, seen, &whitening)?;
-    let roots: Vec<DMatrix<f64>> = covariances
-        .iter()
-        .zip(scatter.counts())
-        .map(|(covariance, count)| Some((covariance / *count as f64).cholesky()?.unpack()))
-        .collect::<Option<_>>()?;
-    let nulls: Vec<(Statistics, Vec<f64>)> = (0..NULLS)
-        .into_par_iter()
-        .filter_map(|null| {
-            let mut rng = Pcg64::new(u128::from(seed), 2 * null as u128 + 1);
-            simulated(seen, scatter, family, &covariances, &roots, &mut rng)
-        })
-        .collect();
+/// Judges measured mean waves less a model's.
+pub fn judge(deviation: &DVector<f64>, seen: &Seen, nulls: &Nulls) -> Option<Adequacy> {
+    let (statistics, _) = statistics(deviation, seen, &nulls.whitening)?;
+    let nulls: Vec<(Statistics, Vec<f64>)> =
+        nulls.each.par_iter().filter_map(|null| self::statistics(&null.deviation, seen, &null.whitening)).collect();
     if nulls.len() < NULLS / 2 {
         return None;
     }
@@ -89,23 +72,6 @@ pub fn judge(deviation: &DVector<f64>, seen: &Seen, scatter: &Scatter, family: &
     let as_rare = nulls.iter().filter(|(null, _)| least(*null) <= found).count();
     let ratio95 = (0..seen.jacobian.ncols()).map(|i| quantile(&sorted(nulls.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
     Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (nulls.len() as f64 + 1.0), ratio95 })
-}
-
-fn simulated(
-    seen: &Seen,
-    scatter: &Scatter,
-    family: &Family,
-    covariances: &[DMatrix<f64>],
-    roots: &[DMatrix<f64>],
-    rng: &mut impl Rng,
-) -> Option<(Statistics, Vec<f64>)> {
-    let drawn = Scatter::drawn(covariances, scatter.counts(), rng)?;
-    let mut deviation = DVector::zeros(seen.jacobian.nrows());
-    for (at, root) in roots.iter().enumerate() {
-        let white = DVector::from_fn(seen.samples, |_, _| StandardNormal.sample(rng));
-        deviation.rows_mut(at * seen.samples, seen.samples).copy_from(&(root * white));
-    }
-    statistics(&deviation, seen, &Whitening::of(&drawn.covariances(family)?, scatter.counts())?)
 }
 
 /// The statistics, and each free parameter's error over its stated standard error.

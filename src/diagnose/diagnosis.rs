@@ -10,6 +10,7 @@ use super::experiment::{Experiment, experiments};
 use super::flat_top::FlatTop;
 use super::gap::{Gap, gap, left_out_heights, left_out_trials};
 use super::ground::Ground;
+use super::nulls::Nulls;
 use super::observable::{Observable, observables};
 use super::place::{Place, Point, place, points};
 use super::search::{RARE, Search, Setting};
@@ -186,8 +187,8 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Setti
     let ground = Ground::of(fitted, model)?;
     let problem = &ground.problem;
     let limit_seen = ground.flat_top.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
-    let setting =
-        Setting { problem, scatter: &ground.scatter, family: &ground.family, limit_seen, most: settings.most_effects, seed: settings.seed };
+    let nulls = Nulls::of(&ground.scatter, &ground.family, settings.seed)?;
+    let setting = Setting { problem, nulls: &nulls, limit_seen, most: settings.most_effects };
     let search = Search::run(&setting, model)?;
     let base = search.levels[0].candidates[0].clone();
     let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;

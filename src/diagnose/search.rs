@@ -7,8 +7,9 @@ use rayon::prelude::*;
 use super::adequacy::{Adequacy, Seen, judge};
 use super::candidate::{Candidate, promises, tries};
 use super::dictionary::Dictionary;
+use super::nulls::Nulls;
 use crate::effects::{CATALOGUE, Model};
-use crate::fit::{Family, Problem, Scatter};
+use crate::fit::Problem;
 
 /// Chance below which something is missing.
 pub const RARE: f64 = 0.01;
@@ -45,16 +46,12 @@ pub struct Search {
 pub struct Setting<'a> {
     /// Mean waves.
     pub problem: &'a Problem,
-    /// Scatter of the records.
-    pub scatter: &'a Scatter,
-    /// What it can look like.
-    pub family: &'a Family,
+    /// What could have been measured if nothing were missing.
+    pub nulls: &'a Nulls,
     /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
     pub limit_seen: bool,
     /// Most effects.
     pub most: usize,
-    /// Of the simulated data.
-    pub seed: u64,
 }
 
 impl Search {
@@ -96,7 +93,7 @@ impl Setting<'_> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
         let seen = Seen { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
-        judge(&deviation, &seen, self.scatter, self.family, self.seed)
+        judge(&deviation, &seen, self.nulls)
     }
 
     /// Frees defaults of the best sets.
