@@ -103,7 +103,7 @@ fn left_by_catalogue(plan: &Plan) -> Option<f64> {
     let few = waves(plan);
     let ground = Ground::of(&few, &base())?;
     let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
-    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, most: 2 };
+    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, most: 2, stage: &|_| () };
     let search = Search::run(&setting, &base())?;
     search.levels.iter().flat_map(|level| &level.candidates).map(|candidate: &Candidate| candidate.fitted.chi2()).min_by(f64::total_cmp)
 }

@@ -231,6 +231,9 @@ pub(super) struct DiagnoseOptions {
     /// Heights that no fit sees, m: the gap there says what a name is worth.
     #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…")]
     pub hold_out_heights: Vec<f64>,
+    /// A static test of the same frame, CSV of `displacement_mm,force_n`: compared with each model, not fitted.
+    #[arg(long, value_name = "CSV")]
+    pub static_test: Option<PathBuf>,
     /// Most effects on top of spring and damper, 1 to 3.
     #[arg(long, default_value_t = 3, value_name = "N")]
     pub max_effects: usize,

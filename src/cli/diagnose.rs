@@ -1,5 +1,6 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use super::arguments::{Common, DiagnoseOptions, FrameOption};
@@ -11,11 +12,11 @@ use super::session::{self, Failure};
 use super::terminal;
 use crate::assembly::mass;
 use crate::body::Body;
-use crate::diagnose::{self, Diagnosis, Settings, Verdict, observables};
+use crate::diagnose::{self, Diagnosis, Settings, Stage, Verdict, observables};
 use crate::effects::{Channel, Model};
 use crate::fit::{Chosen, Keep, Unfit, Waves};
-use crate::measured;
-use crate::report::diagnosis_data::{self, Compared};
+use crate::measured::{self, Fall, Malformed, StaticTest};
+use crate::report::diagnosis_data::{self, Compared, Pressed};
 use crate::report::page::{Block, html, markdown};
 use crate::report::{diagnosis_page, drop_data};
 
@@ -26,13 +27,15 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     }
     let (frame, paths) = frame_and_paths(&options.drops)?;
     let mut model = Model::load(&options.model)?;
-    let working = Progress::of("diagnosing", common);
+    let most = options.max_effects;
+    let working = Progress::staged("diagnosing", Stage::count(most), common);
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
         model.body = Body::of(&design, &mass::table(&design));
     }
     let set = measured::read(&paths, &calibration(&options.calibration)?)?;
-    let (waves, compared) = compared(&set, &mut model, options).map_err(usage)?;
+    let pressed = options.static_test.as_deref().map(static_test).transpose()?;
+    let (waves, mut compared) = compared(&set, &mut model, options).map_err(usage)?;
     let held = |height_m: f64| options.hold_out_heights.iter().any(|out| (out - height_m).abs() < 1e-6);
     if let Some(unknown) =
         options.hold_out_heights.iter().find(|out| waves.groups.iter().all(|group| (group.height_m - **out).abs() >= 1e-6))
@@ -46,9 +49,12 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     if fitted.groups.is_empty() {
         return Err(Failure::Usage { message: "--hold-out-heights leaves no height to fit".into() });
     }
-    let settings = Settings { most_effects: options.max_effects, seed: options.seed };
+    let settings = Settings { most_effects: most, seed: options.seed };
     let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
-    let found = diagnose::diagnose(&fitted, held_out, &model, &settings).map_err(|error| Failure::Usage { message: error.to_string() })?;
+    let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
+    let found =
+        diagnose::watched(&fitted, held_out, &model, &settings, &stage).map_err(|error| Failure::Usage { message: error.to_string() })?;
+    compared.static_test = pressed.map(|test| Pressed::of(&test, &found));
     let json = diagnosis_data::json(&found, &compared);
     let files = files(&found, &compared, &json)?;
     drop(working);
@@ -59,6 +65,17 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
         terminal::print(&format!("{}{}: {} files\n", summary(&found, &compared), place.display(), files.len()))?;
     }
     Ok(if found.verdict == Verdict::NothingMissing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Reads a static test.
+fn static_test(path: &Path) -> Result<StaticTest, Failure> {
+    let name = path.display().to_string();
+    let unreadable = |error: std::io::Error| Malformed {
+        file: name.clone(),
+        place: measured::Place::Whole,
+        fault: measured::Fault::Unreadable { why: error.to_string() },
+    };
+    Ok(StaticTest::parse(&std::fs::read_to_string(path).map_err(unreadable)?, &name)?)
 }
 
 fn usage(error: Unfit) -> Failure {
@@ -105,6 +122,8 @@ fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOption
         left_out: chosen.left_out.iter().map(|left| (left.trial.clone(), left.reason.clone())).collect(),
         held_out_heights_m: options.hold_out_heights.clone(),
         seed: options.seed,
+        falls: Fall::of(set),
+        static_test: None,
     };
     Ok((waves, compared))
 }
@@ -132,6 +151,9 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", body.mass_kg * 1e3, body.gap_m * 1e3, drop_data::origin(body));
     let drops: Vec<String> = compared.drops.iter().map(|(height_m, count)| format!("{count} from {height_m} m")).collect();
     text += &format!("{} acceleration of {}\n", compared.channel, drops.join(", "));
+    for sentence in compared.observed() {
+        text += &format!("{sentence}\n");
+    }
     if let Some(reason) = &compared.channel_reason {
         text += &format!("{reason}\n");
     }

@@ -1,36 +1,60 @@
 //! Word of what is being done, for work that takes longer than a person waits.
 
 use std::io::IsTerminal;
-use std::sync::mpsc::{Sender, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
 use super::arguments::Common;
-use super::terminal;
 
 /// How long work may take before it is announced.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// Announces a piece of work on standard error when it takes over a second; nothing when the work ends before, when
-/// standard error is no terminal, or when silence was asked for.
+/// A bar on standard error for a piece of work that takes over a second; nothing when the work ends before, when standard
+/// error is no terminal, or when silence was asked for.
 pub(super) struct Progress {
+    bar: ProgressBar,
     done: Option<Sender<()>>,
     watcher: Option<JoinHandle<()>>,
 }
 
 impl Progress {
-    /// Starts to watch.
+    /// Work whose length is not known.
     pub(super) fn of(work: &'static str, common: &Common) -> Self {
+        Self::begun(ProgressBar::new_spinner(), "{prefix} … {elapsed}", work, common)
+    }
+
+    /// Work of so many stages.
+    pub(super) fn staged(work: &'static str, stages: usize, common: &Common) -> Self {
+        Self::begun(ProgressBar::new(stages as u64), "{prefix} [{bar:24}] {pos}/{len} {msg} {elapsed}", work, common)
+    }
+
+    fn begun(bar: ProgressBar, style: &str, work: &'static str, common: &Common) -> Self {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
         if common.quiet || !std::io::stderr().is_terminal() {
-            return Self { done: None, watcher: None };
+            return Self { bar, done: None, watcher: None };
         }
+        if let Ok(style) = ProgressStyle::with_template(style) {
+            bar.set_style(style.progress_chars("=> "));
+        }
+        bar.set_prefix(work);
         let (done, ended) = channel::<()>();
+        let shown = bar.clone();
         let watcher = std::thread::spawn(move || {
-            if ended.recv_timeout(PATIENCE) == Err(std::sync::mpsc::RecvTimeoutError::Timeout) {
-                terminal::tell(&format!("{work} …"));
+            if ended.recv_timeout(PATIENCE) == Err(RecvTimeoutError::Timeout) {
+                shown.set_draw_target(ProgressDrawTarget::stderr());
+                shown.enable_steady_tick(PATIENCE / 4);
             }
         });
-        Self { done: Some(done), watcher: Some(watcher) }
+        Self { bar, done: Some(done), watcher: Some(watcher) }
+    }
+
+    /// So many stages are done, and this one has begun.
+    pub(super) fn stage(&self, before: usize, words: String) {
+        self.bar.set_message(words);
+        self.bar.set_position(before as u64);
     }
 }
 
@@ -41,5 +65,6 @@ impl Drop for Progress {
             // A watcher that panicked has nothing left to say.
             let _ = watcher.join();
         }
+        self.bar.finish_and_clear();
     }
 }

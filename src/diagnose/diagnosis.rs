@@ -14,6 +14,7 @@ use super::nulls::Nulls;
 use super::observable::{Observable, observables};
 use super::place::{Place, Point, place, points};
 use super::search::{RARE, Search, Setting};
+use super::stage::Stage;
 use super::surface::{Patch, surface};
 use super::trend::trend_p;
 use crate::effects::{CATALOGUE, Model};
@@ -180,16 +181,33 @@ const LOOKED_AT: usize = 6;
 /// # Errors
 /// [`Undiagnosed`] when no fit is possible.
 pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings) -> Result<Diagnosis, Undiagnosed> {
-    run(fitted, held_out, model, settings).ok_or(Undiagnosed::NoFit)
+    watched(fitted, held_out, model, settings, &|_| ())
 }
 
-fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings) -> Option<Diagnosis> {
+/// The same, telling `stage` what is being done.
+///
+/// # Errors
+/// [`Undiagnosed`] when no fit is possible.
+pub fn watched(
+    fitted: &Waves,
+    held_out: Option<&Waves>,
+    model: &Model,
+    settings: &Settings,
+    stage: &dyn Fn(Stage),
+) -> Result<Diagnosis, Undiagnosed> {
+    run(fitted, held_out, model, settings, stage).ok_or(Undiagnosed::NoFit)
+}
+
+fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
+    stage(Stage::Scatter);
     let ground = Ground::of(fitted, model)?;
     let problem = &ground.problem;
     let limit_seen = ground.flat_top.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
+    stage(Stage::Nulls);
     let nulls = Nulls::of(&ground.scatter, &ground.family, settings.seed)?;
-    let setting = Setting { problem, nulls: &nulls, limit_seen, most: settings.most_effects };
+    let setting = Setting { problem, nulls: &nulls, limit_seen, most: settings.most_effects, stage };
     let search = Search::run(&setting, model)?;
+    stage(Stage::Gates);
     let base = search.levels[0].candidates[0].clone();
     let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;
     let nothing = search.levels[0].adequacy.p >= RARE && !limit_seen;

@@ -8,6 +8,7 @@ use super::adequacy::{Adequacy, Seen, judge};
 use super::candidate::{Candidate, promises, tries};
 use super::dictionary::Dictionary;
 use super::nulls::Nulls;
+use super::stage::Stage;
 use crate::effects::{CATALOGUE, Model};
 use crate::fit::Problem;
 
@@ -42,7 +43,6 @@ pub struct Search {
 }
 
 /// What a search needs.
-#[derive(Debug)]
 pub struct Setting<'a> {
     /// Mean waves.
     pub problem: &'a Problem,
@@ -52,6 +52,8 @@ pub struct Setting<'a> {
     pub limit_seen: bool,
     /// Most effects.
     pub most: usize,
+    /// Told what is being done.
+    pub stage: &'a dyn Fn(Stage),
 }
 
 impl Search {
@@ -59,6 +61,7 @@ impl Search {
     pub fn run(setting: &Setting, model: &Model) -> Option<Self> {
         let base = Candidate::base(setting.problem, model)?;
         let mut dictionary = Dictionary::on(setting.problem, base.model())?;
+        (setting.stage)(Stage::Effects(1));
         let adequacy = setting.adequacy(&base, &dictionary)?;
         let singles = setting.singles(&base, &dictionary)?;
         let mut levels = vec![Level { candidates: vec![base], adequacy }];
@@ -73,6 +76,7 @@ impl Search {
             if enough || size == setting.most || (levels[0].adequacy.p >= RARE && !setting.limit_seen) {
                 break;
             }
+            (setting.stage)(Stage::Effects(size + 1));
             candidates = setting.larger(&levels[size].candidates)?;
             if setting.dropped(&candidates, &mut levels[size].candidates) {
                 let best = levels[size].candidates.first()?;

@@ -5,6 +5,7 @@
 //! [`Summary`] what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
 //! positive while the ground pushes, 0 in free fall.
 
+mod fall;
 mod flag;
 mod impact;
 mod logger;
@@ -12,9 +13,11 @@ mod malformed;
 mod reading;
 mod record;
 mod spread;
+mod static_test;
 mod summary;
 mod table;
 
+pub use fall::Fall;
 pub use flag::{Flag, flags};
 pub use impact::Impact;
 pub use logger::Calibration;
@@ -22,6 +25,7 @@ pub use malformed::{Fault, Malformed, Place};
 pub use reading::read;
 pub use record::{DropSet, Group, Record};
 pub use spread::Spread;
+pub use static_test::StaticTest;
 pub use summary::{Drop, Summary, drops};
 
 /// Gravity, m/s².

@@ -1,9 +1,12 @@
 //! A diagnosis as data.
 
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::drop_data;
-use crate::diagnose::{Diagnosis, Estimate, Gaps, Ranked};
+use crate::diagnose::{Candidate, Diagnosis, Estimate, Gaps, Ranked, joined};
+use crate::measured::{Fall, StaticTest};
+use crate::sim::System;
 
 /// What was compared, for the record.
 #[derive(Clone, Debug)]
@@ -22,6 +25,65 @@ pub struct Compared {
     pub held_out_heights_m: Vec<f64>,
     /// Seed.
     pub seed: u64,
+    /// How long drops fell, a height each.
+    pub falls: Vec<Fall>,
+    /// A static test beside the models.
+    pub static_test: Option<Pressed>,
+}
+
+impl Compared {
+    /// What falls and static test say, in sentences.
+    pub fn observed(&self) -> Vec<String> {
+        let falls = self.falls.iter().map(|fall| {
+            format!(
+                "the fall from {} m lasted {:.0} ± {:.0} ms, {:.0} ms are expected: {}",
+                fall.height_m,
+                1e3 * fall.fall_s,
+                1e3 * fall.error_s,
+                1e3 * fall.expected_s,
+                if fall.agrees() { "it agrees with the height" } else { "the height is not what was stated, or the release was not free" }
+            )
+        });
+        falls.chain(self.static_test.iter().flat_map(Pressed::sentences)).collect()
+    }
+}
+
+/// A static test beside the models of a diagnosis. It is compared, not fitted.
+#[derive(Clone, Debug, Serialize)]
+pub struct Pressed {
+    /// Points.
+    pub points: usize,
+    /// Straight line through the origin, N/m.
+    pub line_n_m: f64,
+    /// What that leaves, rms, N.
+    pub line_off_n: f64,
+    /// What the base model leaves, its spring fitted to the drops, rms, N.
+    pub base_off_n: f64,
+    /// What the sets of effects leave, the chosen one first, rms, N.
+    pub sets_off_n: Vec<(String, f64)>,
+}
+
+impl Pressed {
+    /// Compares.
+    pub fn of(test: &StaticTest, diagnosis: &Diagnosis) -> Self {
+        let off_n = |candidate: &Candidate| {
+            let system = System::new(candidate.model());
+            test.off_n(|x_m| system.slow_force_n(x_m))
+        };
+        let (line_n_m, line_off_n) = test.line_through_origin();
+        let sets = diagnosis.alternatives.iter().map(|set| &set.candidate).filter(|set| !set.ids().is_empty());
+        let sets_off_n = sets.map(|set| (joined(set), off_n(set))).collect();
+        Self { points: test.points.len(), line_n_m, line_off_n, base_off_n: off_n(&diagnosis.base), sets_off_n }
+    }
+
+    fn sentences(&self) -> Vec<String> {
+        let line = format!(
+            "static test, {} points: its own straight line, {:.0} N/m, leaves {:.1} N, the base model {:.1} N",
+            self.points, self.line_n_m, self.line_off_n, self.base_off_n
+        );
+        let sets = self.sets_off_n.iter().map(|(ids, off_n)| format!("static test: {ids} leaves {off_n:.1} N"));
+        std::iter::once(line).chain(sets).collect()
+    }
 }
 
 /// Rounded to what a reader can use, so that the same input gives the same digits.
@@ -74,6 +136,8 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "lack_of_fit": adequacy(&diagnosis.adequacy),
         "trend_over_trials_p": rounded(diagnosis.trend_p),
         "observables": diagnosis.observables,
+        "falls": compared.falls,
+        "static_test": compared.static_test,
         "flat_top": diagnosis.flat_top.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
         "restoring_force_left": diagnosis.surface,
         "next_experiment": diagnosis.experiments.first(),

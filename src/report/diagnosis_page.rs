@@ -57,6 +57,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("What the drops say before any model".into()), Block::Table(head, rows)];
     let mut lines = vec![format!("Channel: {} (the model was fitted to: {}).", compared.channel, compared.stated_channel)];
     lines.extend(compared.channel_reason.clone());
+    lines.extend(compared.observed());
     if let Some(flat) = diagnosis.flat_top {
         lines.push(format!("{} readings pile up at {:.1} g with nothing above: a limit.", flat.readings, flat.level_g));
     }

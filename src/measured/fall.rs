@@ -1,0 +1,63 @@
+//! How long drops fell, against what their height says.
+
+use serde::Serialize;
+
+use super::record::DropSet;
+use super::spread::Spread;
+use super::summary::{Drop, drops};
+use super::{GRAVITY_M_S2, Group};
+
+/// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is told by a threshold.
+const RELEASE_S: f64 = 0.015;
+/// Fewest falls that say something.
+const FEWEST: usize = 4;
+
+/// The falls from one height.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Fall {
+    /// Stated height, m.
+    pub height_m: f64,
+    /// Drops whose release was recorded.
+    pub drops: usize,
+    /// Median from release to first touch, s.
+    pub fall_s: f64,
+    /// Its standard error, from the quartiles, s.
+    pub error_s: f64,
+    /// Of a free fall from the stated height, s.
+    pub expected_s: f64,
+}
+
+impl Fall {
+    /// Of every height from which releases were recorded. Clean drops alone: others may have touched something.
+    pub fn of(set: &DropSet) -> Vec<Self> {
+        drops(set).into_iter().filter_map(|(group, all)| Self::of_group(group, &all)).collect()
+    }
+
+    fn of_group(group: &Group, all: &[Drop]) -> Option<Self> {
+        let spread = Spread::of(all.iter().filter_map(Drop::clean).filter_map(|impact| impact.fall_s))?;
+        // A normal quantity's quartiles lie 1.349 standard deviations apart, its median scatters by 1.253 of the mean's error.
+        let error_s = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
+        let expected_s = (2.0 * group.height_m / GRAVITY_M_S2).sqrt();
+        let fall = Self { height_m: group.height_m, drops: spread.count, fall_s: spread.median, error_s, expected_s };
+        (spread.count >= FEWEST).then_some(fall)
+    }
+
+    /// Whether the fall lasted as long as its height says, within the release and three standard errors.
+    pub fn agrees(&self) -> bool {
+        (self.fall_s - self.expected_s).abs() <= RELEASE_S + 3.0 * self.error_s
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_a_fall_agrees_within_release_and_error() {
+        let expected_s = (2.0_f64 / GRAVITY_M_S2).sqrt();
+        let of = |fall_s: f64, error_s: f64| Fall { height_m: 1.0, drops: 20, fall_s, error_s, expected_s };
+        assert!(of(expected_s + 0.014, 0.0).agrees() && of(expected_s - 0.020, 0.002).agrees());
+        // From 0.8 m it takes 48 ms less.
+        assert!(!of((1.6_f64 / GRAVITY_M_S2).sqrt(), 0.003).agrees());
+    }
+}
