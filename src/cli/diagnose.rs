@@ -1,6 +1,5 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
-use std::path::Path;
 use std::process::ExitCode;
 
 use super::arguments::{Common, DiagnoseOptions, FrameOption};
@@ -15,7 +14,7 @@ use crate::body::Body;
 use crate::diagnose::{self, Diagnosis, Settings, Stage, Verdict, observables};
 use crate::effects::{Channel, Model};
 use crate::fit::{Chosen, Keep, Unfit, Waves};
-use crate::measured::{self, Fall, Malformed, StaticTest};
+use crate::measured::{self, Fall, StaticTest};
 use crate::report::diagnosis_data::{self, Compared, Pressed};
 use crate::report::page::{Block, html, markdown};
 use crate::report::{diagnosis_page, drop_data};
@@ -34,7 +33,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
         model.body = Body::of(&design, &mass::table(&design));
     }
     let set = measured::read(&paths, &calibration(&options.calibration)?)?;
-    let pressed = options.static_test.as_deref().map(static_test).transpose()?;
+    let pressed = options.static_test.as_deref().map(StaticTest::read).transpose()?;
     let (waves, mut compared) = compared(&set, &mut model, options).map_err(usage)?;
     let held = |height_m: f64| options.hold_out_heights.iter().any(|out| (out - height_m).abs() < 1e-6);
     if let Some(unknown) =
@@ -65,17 +64,6 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
         terminal::print(&format!("{}{}: {} files\n", summary(&found, &compared), place.display(), files.len()))?;
     }
     Ok(if found.verdict == Verdict::NothingMissing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
-
-/// Reads a static test.
-fn static_test(path: &Path) -> Result<StaticTest, Failure> {
-    let name = path.display().to_string();
-    let unreadable = |error: std::io::Error| Malformed {
-        file: name.clone(),
-        place: measured::Place::Whole,
-        fault: measured::Fault::Unreadable { why: error.to_string() },
-    };
-    Ok(StaticTest::parse(&std::fs::read_to_string(path).map_err(unreadable)?, &name)?)
 }
 
 fn usage(error: Unfit) -> Failure {

@@ -1,6 +1,8 @@
 //! A static test: the force at which a frame stands when it is pressed slowly, `displacement_mm,force_n`.
 
+use std::fs;
 use std::ops::RangeInclusive;
+use std::path::Path;
 
 use super::malformed::{Fault, Malformed, Place};
 use super::table::number;
@@ -22,6 +24,18 @@ pub struct StaticTest {
 }
 
 impl StaticTest {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`Malformed`] with the line.
+    pub fn read(path: &Path) -> Result<Self, Malformed> {
+        let file = path.display().to_string();
+        let refused = |why: String| Malformed { file: file.clone(), place: Place::Whole, fault: Fault::Unreadable { why } };
+        let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
+        let text = std::str::from_utf8(&bytes).map_err(|error| refused(error.to_string()))?;
+        Self::parse(text, &file)
+    }
+
     /// Reads a CSV table.
     ///
     /// # Errors
