@@ -150,7 +150,7 @@ impl Case {
 
     /// Gap to the noise-free wave at a height that was not dropped from, after over before.
     fn ratio(&self, plan: &Plan) -> Option<f64> {
-        let expected = Expected { step_s: 1e-3, samples: 31, spread: 0.0 };
+        let expected = Expected { step_s: 1e-3, samples: 31, spread: 0.0, varied: [0.0; 2] };
         let truth = expected.mean_over_phases(&clean(plan, HELD_OUT_M));
         let apart = |model: &Model| {
             let predicted = expected.window(&expected.system(model), HELD_OUT_M)?;

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::candidate::Candidate;
 use super::flat_top::{FlatTop, flat_top};
 use crate::effects::Model;
-use crate::fit::{Family, Problem, Scatter, Waves, Whitening};
+use crate::fit::{Expected, Family, Problem, Scatter, Waves, Whitening};
 use crate::sim::System;
 
 /// How often scatter is compared in units of what it was found to be.
@@ -45,6 +45,12 @@ impl Ground {
             family = family.near(&near);
         }
         let whitening = Whitening::of(&scatter.covariances(&family)?, scatter.counts())?;
-        Some(Self { problem: Problem { whitening, ..problem }, scatter, family, flat_top })
+        // Stiffness is fitted as its logarithm, damping as it is.
+        let varied = match scatter.changing(&family)[..] {
+            [stiffness, damping, ..] => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
+            _ => [0.0; 2],
+        };
+        let expected = Expected { varied, ..problem.expected };
+        Some(Self { problem: Problem { whitening, expected, ..problem }, scatter, family, flat_top })
     }
 }

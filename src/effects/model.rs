@@ -74,6 +74,16 @@ impl Model {
         [("linear_spring", "k"), ("linear_damper", "c")].map(|(effect, key)| self.value(effect, key).unwrap_or(0.0))
     }
 
+    /// The model with stiffness and damping of the base multiplied by factors.
+    #[must_use]
+    pub fn scaled(&self, factors: [f64; 2]) -> Self {
+        let mut model = self.clone();
+        for (effect, factor) in ["linear_spring", "linear_damper"].into_iter().zip(factors) {
+            model.effects.iter_mut().filter(|listed| listed.spec.id == effect).for_each(|listed| listed.values[0] *= factor);
+        }
+        model
+    }
+
     /// How fall, contact and sensor are arranged.
     pub fn arrangement(&self) -> Arrangement {
         let mut arrangement = Arrangement { fall: Fall::default(), tension_factor: 1.0, feet: None, payload: None, sensor: self.sensor };

@@ -10,6 +10,10 @@ use crate::sim::{Settings, Stop, System, wave};
 const FINE_S: f64 = 5e-5;
 /// Longest time from first touch to the trigger that is followed, s.
 const ONSET_S: f64 = 5e-3;
+/// Scatter of stiffness or damping that changes a mean by less than anybody can see.
+const SLIGHT: f64 = 0.04;
+/// Most scatter of stiffness or damping that is believed: beyond it the three points leave what a frame can be.
+const MOST_VARIED: f64 = 0.25;
 /// Phases over which a covariance is averaged.
 const PHASES: usize = 20;
 
@@ -27,31 +31,58 @@ pub struct Expected {
     pub samples: usize,
     /// Scatter of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
     pub spread: f64,
+    /// Scatter of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
+    /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
+    pub varied: [f64; 2],
+}
+
+/// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
+#[derive(Debug)]
+pub struct Ready {
+    systems: Vec<(f64, System)>,
+    limit_g: f64,
 }
 
 impl Expected {
-    /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead.
-    pub fn system(&self, model: &Model) -> (System, f64) {
-        let mut system = System::new(model);
-        let limit_g = system.arrangement().sensor.limit_g;
-        if self.spread > 0.0 {
-            system.lift_limit();
+    /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
+    /// stiffness or damping scatter, the mean is taken over them (Gauss and Hermite, three points each).
+    pub fn system(&self, model: &Model) -> Ready {
+        let ready = |model: &Model| {
+            let mut system = System::new(model);
+            if self.spread > 0.0 {
+                system.lift_limit();
+            }
+            system
+        };
+        let limit_g = model.arrangement().sensor.limit_g;
+        let mut systems = vec![(1.0, ready(model))];
+        for (at, varied) in self.varied.into_iter().enumerate().filter(|(_, varied)| *varied > SLIGHT) {
+            systems[0].0 -= 1.0 / 3.0;
+            for side in [-1.0, 1.0] {
+                let mut factors = [1.0; 2];
+                factors[at] += side * 3f64.sqrt() * varied.min(MOST_VARIED);
+                systems.push((1.0 / 6.0, ready(&model.scaled(factors))));
+            }
         }
-        (system, limit_g)
+        Ready { systems, limit_g }
     }
 
     /// The mean window from a height, g; `None` where the model does not hold the body.
-    pub fn window(&self, (system, limit_g): &(System, f64), height_m: f64) -> Option<Vec<f64>> {
-        let mut fine = self.fine(system, height_m)?;
-        if self.spread > 0.0 {
-            fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, *limit_g));
+    pub fn window(&self, ready: &Ready, height_m: f64) -> Option<Vec<f64>> {
+        let mut mean = vec![0.0; self.samples];
+        for (weight, system) in &ready.systems {
+            let mut fine = self.fine(system, height_m)?;
+            if self.spread > 0.0 {
+                fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
+            }
+            mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
         }
-        Some(self.mean_over_phases(&fine))
+        Some(mean)
     }
 
     /// From first touch to the trigger, s; `None` where the model does not hold the body.
-    pub fn onset_s(&self, (system, _): &(System, f64), height_m: f64) -> Option<f64> {
-        Some(crossing_s(&self.fine(system, height_m)?).min(ONSET_S))
+    pub fn onset_s(&self, ready: &Ready, height_m: f64) -> Option<f64> {
+        Some(crossing_s(&self.fine(&ready.systems.first()?.1, height_m)?).min(ONSET_S))
     }
 
     /// The wave itself, at steps of 0.05 ms; `None` where the model does not hold the body.

@@ -9,6 +9,8 @@ use super::waves::{BEFORE, Waves};
 const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
 /// Most sets tried.
 const ROUNDS: usize = 60;
+/// Kinds before those of changing parameters.
+const FIXED: usize = 5;
 /// Keeps kinds apart that are nearly the same.
 const RIDGE: f64 = 1e-9;
 
@@ -17,6 +19,8 @@ const RIDGE: f64 = 1e-9;
 pub struct Family {
     /// Kind by kind, height by height, g².
     kinds: Vec<Vec<DMatrix<f64>>>,
+    /// How many of them are changes of parameters.
+    changes: usize,
     /// The metric in which covariances are compared.
     metric: Metric,
 }
@@ -82,20 +86,30 @@ impl Family {
             kinds.push(groups().map(|group| coloured(&|_| peak(group))).collect());
         }
         let metric = Metric::of(&kinds, near)?;
-        Some(Self { kinds, metric })
+        Some(Self { kinds, changes: changes.first().map_or(0, DMatrix::ncols), metric })
     }
 
     /// The same, comparing in units of other covariances.
     #[must_use]
     pub fn near(self, near: &[DMatrix<f64>]) -> Self {
         let metric = Metric::of(&self.kinds, near);
-        Self { metric: metric.unwrap_or(self.metric), kinds: self.kinds }
+        Self { metric: metric.unwrap_or(self.metric), ..self }
+    }
+
+    /// Standard deviations of the parameters of change in the sum that is nearest to covariances, on their own scales.
+    pub fn changing(&self, covariances: &[DMatrix<f64>]) -> Vec<f64> {
+        let amounts = self.amounts(covariances);
+        (0..self.changes).map(|change| amounts[FIXED + change].max(0.0).sqrt()).collect()
+    }
+
+    fn amounts(&self, covariances: &[DMatrix<f64>]) -> DVector<f64> {
+        let right = self.metric.columns.transpose() * flat(&self.metric.inverse_roots, covariances);
+        not_negative(&self.metric.gram, &right)
     }
 
     /// The sum of the kinds that is nearest to covariances, no kind less than nothing.
     pub fn nearest(&self, covariances: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
-        let right = self.metric.columns.transpose() * flat(&self.metric.inverse_roots, covariances);
-        let amounts = not_negative(&self.metric.gram, &right);
+        let amounts = self.amounts(covariances);
         let sum = |height: usize| self.kinds.iter().zip(amounts.iter()).map(|(kind, amount)| &kind[height] * *amount).sum();
         (0..covariances.len()).map(sum).collect()
     }

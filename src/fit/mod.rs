@@ -23,7 +23,7 @@ mod scatter;
 mod waves;
 
 pub use chosen::{Chosen, Keep, LeftOut, Unfit};
-pub use expected::Expected;
+pub use expected::{Expected, Ready};
 pub use family::{Family, inverse_root};
 pub use fitting::{Estimate, Fit, Objective, fit};
 pub use free::{Free, Layout};

@@ -64,6 +64,11 @@ impl Scatter {
         nearest.into_iter().map(|nearest| nearest.cholesky().map(|root| root.l() * &inner * root.l().transpose())).collect()
     }
 
+    /// Standard deviations between records of the family's parameters of change, on their own scales.
+    pub fn changing(&self, family: &Family) -> Vec<f64> {
+        family.changing(&self.sampled())
+    }
+
     /// The family's nearest sum alone.
     pub fn nearest(&self, family: &Family) -> Vec<DMatrix<f64>> {
         let mut nearest = family.nearest(&self.sampled());
