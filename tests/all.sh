@@ -61,7 +61,7 @@ from_debian() {
 gltf_validator=$work/node/node_modules/gltf-validator
 gltf_validator_version=2.0.0-dev.3.10
 taplo=$work/node/node_modules/.bin/taplo
-sarif_schema=$work/node/node_modules/@microsoft/jest-sarif/dist/sarif-schema-2.1.0.json
+sarif_schema=$work/node/node_modules/@microsoft/jest-sarif/lib/schemas/sarif-2.1.0-rtm.5.json
 
 from_npm() {
     [[ -f $gltf_validator/package.json && -x $taplo && -f $sarif_schema ]] && return

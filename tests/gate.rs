@@ -70,17 +70,29 @@ fn planted_several_frames_at_once_and_the_worst_exit_code() {
 
 #[test]
 fn planted_annotations_point_at_what_drives_the_limit() {
-    let bench = Bench::new(&[("heavy.toml", HEAVY), ("wide.toml", WIDE), ("wrong.toml", WRONG), ("tight.toml", "base = \"good\"\n[limits]\nmass_budget_g = 100.0\n"), ("good.toml", GOOD)]);
+    let bench = Bench::new(&[
+        ("heavy.toml", HEAVY),
+        ("wide.toml", WIDE),
+        ("wrong.toml", WRONG),
+        ("tight.toml", "base = \"good\"\n[limits]\nmass_budget_g = 100.0\n"),
+        ("good.toml", GOOD),
+    ]);
     let errors = |frame: &str| -> Vec<String> {
         let (_, out, _) = bench.check(&[frame, "--format", "github"]);
         out.lines().filter(|line| line.starts_with("::error ")).map(String::from).collect()
     };
     let heavy = errors("heavy.toml");
     assert_eq!(heavy.len(), 1, "{heavy:?}");
-    assert!(heavy[0].starts_with("::error file=heavy.toml,line=10,col=1,title=heavy%3A mass_budget::the frame takes off with 26"), "{heavy:?}");
+    assert!(
+        heavy[0].starts_with("::error file=heavy.toml,line=10,col=1,title=heavy%3A mass_budget::the frame takes off with 26"),
+        "{heavy:?}"
+    );
     assert!(heavy[0].contains("the largest are battery 90.0 g"), "{heavy:?}");
     let wide = errors("wide.toml");
-    assert!(wide.iter().any(|line| line.contains("file=wide.toml,line=5,col=1,title=wide%3A envelope::the frame's width")), "the cage rod: {wide:?}");
+    assert!(
+        wide.iter().any(|line| line.contains("file=wide.toml,line=5,col=1,title=wide%3A envelope::the frame's width")),
+        "the cage rod: {wide:?}"
+    );
     let wrong = errors("wrong.toml");
     assert!(wrong.len() == 1 && wrong[0].contains("file=wrong.toml,line=3,col=1,title=refused::wrong.toml: unknown key"), "{wrong:?}");
     let tight = errors("tight.toml");
@@ -144,7 +156,8 @@ fn analytic_every_form_is_the_same_bytes_with_and_without_kept_findings() {
 fn analytic_kept_findings_are_quick_and_never_another_frames() {
     let bench = Bench::new(&[("heavy.toml", HEAVY)]);
     let first = bench.check(&["heavy.toml"]);
-    let slots = || fs::read_dir(bench.folder.path().join("cache")).expect("was made").map(|e| e.expect("is there").path()).collect::<Vec<_>>();
+    let slots =
+        || fs::read_dir(bench.folder.path().join("cache")).expect("was made").map(|e| e.expect("is there").path()).collect::<Vec<_>>();
     assert_eq!(slots().len(), 1);
     // The aim of 50 ms is that of a machine at rest; the best of several is told, with room for one that is not.
     let time = |_| {
@@ -159,7 +172,9 @@ fn analytic_kept_findings_are_quick_and_never_another_frames() {
     // Damage in any place makes the slot useless, not the answer wrong.
     let slot = &slots()[0];
     let kept = fs::read_to_string(slot).expect("text");
-    for damaged in [kept.replace("heavy", "havvy"), kept.replace("263.", "163."), kept[..kept.len() / 2].into(), String::new(), "x".repeat(2 << 20)] {
+    for damaged in
+        [kept.replace("heavy", "havvy"), kept.replace("263.", "163."), kept[..kept.len() / 2].into(), String::new(), "x".repeat(2 << 20)]
+    {
         fs::write(slot, damaged).expect("can be written");
         assert_eq!(bench.check(&["heavy.toml"]), first);
         assert!(fs::read_to_string(slot).expect("text") == kept, "is made anew");

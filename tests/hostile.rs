@@ -110,7 +110,16 @@ fn planted_chains_of_bases_that_grow_or_turn() {
     let bench = Bench::new();
     // Sixteen files that each name the next and double their content: nothing is expanded twice.
     for at in 0..15 {
-        bench.write(&format!("f{at}.toml"), format!("base = \"f{}\"\n{}", at + 1, (0..500).map(|n| format!("[extras.e{at}x{n}]\nmass_g = 0.0\nmass_basis = \"estimate\"\nsource = \"s\"\n")).collect::<String>()));
+        bench.write(
+            &format!("f{at}.toml"),
+            format!(
+                "base = \"f{}\"\n{}",
+                at + 1,
+                (0..500)
+                    .map(|n| format!("[extras.e{at}x{n}]\nmass_g = 0.0\nmass_basis = \"estimate\"\nsource = \"s\"\n"))
+                    .collect::<String>()
+            ),
+        );
     }
     bench.write("f15.toml", "base = \"cognifly\"\n");
     bench.ends(&["check", "f0.toml"], 2, "the chain of bases does not end");
@@ -177,7 +186,8 @@ fn planted_places_that_cannot_be_written() {
     bench.ends(&["check", "frame.toml", "--baseline", "/proc/x.json", "--update-baseline"], 3, "cannot write /proc/x.json");
     for arguments in [&["schema"][..], &["params"], &["check", "--format", "sarif"], &["bom"], &["explain", "battery_mass_g"]] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("is there");
-        let output = Command::new(cargo_bin("flexframe")).args(arguments).env("FLEXFRAME_CACHE", "off").stdout(full).output().expect("starts");
+        let output =
+            Command::new(cargo_bin("flexframe")).args(arguments).env("FLEXFRAME_CACHE", "off").stdout(full).output().expect("starts");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.code() == Some(3) && said.contains("cannot print"), "{arguments:?}: {said}");
     }

@@ -76,7 +76,9 @@ fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
     let names = |list: &str| -> Vec<String> {
         json[list].as_array().expect("a list").iter().map(|c| c["name"].as_str().expect("a name").to_string()).collect()
     };
-    assert!(names("parameters").contains(&"bought.battery".to_string()) && names("parameters").contains(&"battery.battery_mass_g".to_string()));
+    assert!(
+        names("parameters").contains(&"bought.battery".to_string()) && names("parameters").contains(&"battery.battery_mass_g".to_string())
+    );
     assert!(names("masses").contains(&"battery".to_string()) && !names("masses").contains(&"knee".to_string()), "{:?}", names("masses"));
     let measure = |name: &str| json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == name).expect("is there").clone();
     assert_eq!(measure("mass")["trend"], "better");
@@ -85,10 +87,13 @@ fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
     assert!(json["peak"].as_str().expect("text").contains("reacts to mass and gap only"));
     assert_eq!(measure("envelope.width")["trend"], "neither");
 
-    let (code, _, err) = bench.run(&["diff", "light.toml", "cognifly", "--fail-on-increase", "mass=2g", "--fail-on-increase", "wall=0.1mm"]);
+    let (code, _, err) =
+        bench.run(&["diff", "light.toml", "cognifly", "--fail-on-increase", "mass=2g", "--fail-on-increase", "wall=0.1mm"]);
     assert_eq!(code, 1);
     assert!(err.starts_with("mass grew by ") && err.contains("; 2 g are allowed") && err.lines().count() == 1, "{err}");
-    for (wrong, says) in [("mas=2g", "did you mean `mass`"), ("mass=2mm", "mass is measured in g"), ("mass", "does not read"), ("mass=-1", "does not read")] {
+    for (wrong, says) in
+        [("mas=2g", "did you mean `mass`"), ("mass=2mm", "mass is measured in g"), ("mass", "does not read"), ("mass=-1", "does not read")]
+    {
         let (code, out, err) = bench.run(&["diff", "cognifly", "light.toml", "--fail-on-increase", wrong]);
         assert!(code == 2 && out.is_empty() && err.contains(says), "{wrong}: {err}");
     }
@@ -102,7 +107,11 @@ fn analytic_diff_writes_page_and_picture() {
     assert!(out.ends_with("diff.md, diff.json, diff.png\n"), "{out}");
     let folder = bench.path("out/diff-cognifly-cognifly-mini");
     let page = fs::read_to_string(folder.join("diff.md")).expect("is there");
-    assert!(page.starts_with("## cognifly to cognifly-mini\n") && page.contains("| envelope.width mm | 209.49 | 182.") && page.contains("(diff.png)"));
+    assert!(
+        page.starts_with("## cognifly to cognifly-mini\n")
+            && page.contains("| envelope.width mm | 209.49 | 182.")
+            && page.contains("(diff.png)")
+    );
     let rows = page.lines().filter(|line| line.starts_with('|'));
     assert!(rows.clone().all(|row| row.matches('|').count() == 6), "{:?}", rows.collect::<Vec<_>>());
     let picture = fs::read(folder.join("diff.png")).expect("is there");
@@ -144,7 +153,16 @@ fn analytic_explain_says_what_follows_from_five_percent() {
     let bench = Bench::new(&[("mine.toml", "base = \"cognifly\"\n[hub_joint]\narm_pitch_mm = 26.0\n")]);
     let (code, out, err) = bench.run(&["explain", "arm_pitch_mm", "mine.toml"]);
     assert_eq!(code, 0, "{err}");
-    for part in ["hub_joint.arm_pitch_mm", "Distance between the two parallel arm rods.", "26 mm (mine.toml:3)", "18 to 34 mm", "hub_joint, fork, motor_mount", "24.7", "27.3", "peak"] {
+    for part in [
+        "hub_joint.arm_pitch_mm",
+        "Distance between the two parallel arm rods.",
+        "26 mm (mine.toml:3)",
+        "18 to 34 mm",
+        "hub_joint, fork, motor_mount",
+        "24.7",
+        "27.3",
+        "peak",
+    ] {
         assert!(out.contains(part), "{part}: {out}");
     }
     // A battery's mass is a mass: 5 % of 58 g more is 2.9 g more, and nothing else moves.
@@ -165,13 +183,26 @@ fn analytic_explain_says_what_follows_from_five_percent() {
 #[test]
 fn planted_solve_finds_a_lighter_frame_that_keeps_every_limit() {
     let bench = Bench::new(&[]);
-    let arguments = ["solve", "--minimise", "mass", "--vary", "arm_rod=78..86,cage_rod=180..195", "--subject-to", "clearance.propeller>=3.5mm", "--frames", "40", "-o", "light"];
+    let arguments = [
+        "solve",
+        "--minimise",
+        "mass",
+        "--vary",
+        "arm_rod=78..86,cage_rod=180..195",
+        "--subject-to",
+        "clearance.propeller>=3.5mm",
+        "--frames",
+        "40",
+        "-o",
+        "light",
+    ];
     let (code, out, err) = bench.run(&arguments);
     assert_eq!(code, 0, "{out}{err}");
     assert!(out.contains("what holds it back") && out.ends_with("light.toml: written\n"), "{out}");
     assert_eq!(bench.run(&["check", "-q", "light.toml"]).0, 0, "{out}");
     let json = bench.json(&["diff", "cognifly", "light.toml", "--json"]);
-    let measure = |name: &str| json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == name).expect("is there")["values"].clone();
+    let measure =
+        |name: &str| json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == name).expect("is there")["values"].clone();
     assert!(measure("mass")[1].as_f64() < measure("mass")[0].as_f64(), "{json:#}");
     assert!(measure("clearance.propeller")[1].as_f64().expect("a number") >= 3.5);
     let (code, _, err) = bench.run(&arguments);
@@ -197,7 +228,18 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
     let text = fs::read_to_string(bench.path("easy.toml")).expect("is there");
     assert!(text.contains("[bought]\nbattery = \"battery-2s-850\" # asked for\n") && !text.contains("[rods]"), "{text}");
     // Smaller propellers and a smaller box: rods and motors have to move.
-    let (code, out, err) = bench.run(&["new", "small", "--propeller", "propeller-65mm", "--motor", "motor-1103", "--envelope", "195x195x112", "--frames", "80"]);
+    let (code, out, err) = bench.run(&[
+        "new",
+        "small",
+        "--propeller",
+        "propeller-65mm",
+        "--motor",
+        "motor-1103",
+        "--envelope",
+        "195x195x112",
+        "--frames",
+        "80",
+    ]);
     assert_eq!(code, 0, "{out}{err}");
     assert!(out.contains("as asked for: the frame's width without propellers is 209.49 mm, the envelope 195.00 mm"), "{out}");
     let text = fs::read_to_string(bench.path("small.toml")).expect("is there");
@@ -219,10 +261,21 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
 
 #[test]
 fn analytic_bill_in_every_form() {
-    let bench = Bench::new(&[("priced.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n")]);
+    let bench = Bench::new(&[(
+        "priced.toml",
+        "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n",
+    )]);
     let (code, page, _) = bench.run(&["bom"]);
     assert_eq!(code, 0);
-    for part in ["# Bill of materials: cognifly", "| knee | 4 | tpu-95a |", "g of filament, at least", "(M2 x 4 mm)", "no price with a source", "| 1 | leg ", "no plan needs fewer"] {
+    for part in [
+        "# Bill of materials: cognifly",
+        "| knee | 4 | tpu-95a |",
+        "g of filament, at least",
+        "(M2 x 4 mm)",
+        "no price with a source",
+        "| 1 | leg ",
+        "no plan needs fewer",
+    ] {
         assert!(page.contains(part), "{part}: {page}");
     }
     let bill = bench.json(&["bom", "priced.toml", "--json"]);
@@ -255,13 +308,17 @@ fn analytic_schemas_name_every_parameter_and_its_bounds() {
         assert_eq!(bench.json(&["schema", kind])["type"], "object", "{kind}");
     }
     let part = &bench.json(&["schema", "bought"])["properties"]["parts"]["additionalProperties"];
-    assert_eq!((part["additionalProperties"].clone(), part["properties"]["mass_g"]["description"].clone()), (false.into(), "Mass of one, g.".into()));
+    assert_eq!(
+        (part["additionalProperties"].clone(), part["properties"]["mass_g"]["description"].clone()),
+        (false.into(), "Mass of one, g.".into())
+    );
 }
 
 #[test]
 fn analytic_watch_says_what_a_save_changes() {
     let bench = Bench::new(&[("mine.toml", LIGHT)]);
-    let mut child = bench.command(&["watch", "mine.toml", "--saves", "3"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+    let mut child =
+        bench.command(&["watch", "mine.toml", "--saves", "3"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
     let out = BufReader::new(child.stdout.take().expect("is piped"));
     let (told, lines) = channel();
     std::thread::spawn(move || out.lines().map_while(Result::ok).try_for_each(|line| told.send(line)));

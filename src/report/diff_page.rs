@@ -75,7 +75,9 @@ pub fn markdown(difference: &Difference) -> String {
     if difference.is_empty() {
         page += "\nNo difference.";
     }
-    page.push('\n');
+    if !page.ends_with('\n') {
+        page.push('\n');
+    }
     for (at, (title, changes)) in TITLES.into_iter().zip(sections(difference)).enumerate() {
         let shown: Vec<&Changed> = changes.iter().filter(|c| at > 0 || c.trend != Trend::Neither).collect();
         if shown.is_empty() {
@@ -86,8 +88,11 @@ pub fn markdown(difference: &Difference) -> String {
         page += "\n| | a | b | b - a | |\n|---|---:|---:|---:|---|\n";
         for change in shown {
             let [before, after] = change.told.each_ref().map(|told| cell(told));
-            let unit = if change.unit.is_empty() { String::new() } else { format!(" {}", change.unit) };
-            let _ = writeln!(page, "| {}{unit} | {before} | {after} | {} |{} |", cell(&change.name), change.grown_told(), word(change));
+            // Keys of numbers end in their unit.
+            let told = change.unit.is_empty() || at == 1;
+            let unit = if told { String::new() } else { format!(" {}", change.unit) };
+            let _ =
+                writeln!(page, "| {}{unit} | {before} | {after} | {} | {} |", cell(&change.name), change.grown_told(), word(change).trim());
         }
         if folded {
             page += "\n</details>\n";
