@@ -4,7 +4,8 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
 use super::body::{Body, Kind, Shape};
-use super::printed::Printed;
+use super::printed::{Printed, Recipe, recipe};
+use super::workshop::Workshop;
 use crate::params::frame::TargetSize;
 use crate::params::{Frame, PartName};
 use crate::parts::Centre;
@@ -63,27 +64,41 @@ impl Design {
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
-    pub fn new(mut frame: Frame) -> Result<Self, DesignError> {
-        let Some(target) = frame.target else { return Self::of_lengths(frame) };
+    pub fn new(frame: Frame) -> Result<Self, DesignError> {
+        Self::with(frame, &mut Workshop::default())
+    }
+
+    /// Designs a frame with the parts of former ones where they are the same; the result is that of [`Design::new`].
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn with(mut frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
+        let Some(target) = frame.target else { return Self::of_lengths(frame, workshop) };
         solve_target(&mut frame, target)?;
-        let design = Self::of_lengths(frame.clone())?;
+        let design = Self::of_lengths(frame.clone(), workshop)?;
         let over_mm = design.modules_width_mm() - target.width_mm;
         if over_mm <= 0.0 {
             return Ok(design);
         }
         // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
         solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
-        Self::of_lengths(frame)
+        Self::of_lengths(frame, workshop)
     }
 
-    fn of_lengths(frame: Frame) -> Result<Self, DesignError> {
+    fn of_lengths(frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
-        let make =
-            |name: &PartName| Printed::make(*name, &frame, &skeleton, &centre).map_err(|error| DesignError::Part { part: *name, error });
-        let names: Vec<PartName> = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame)).collect();
-        let made: Vec<Result<Printed, DesignError>> = names.par_iter().map(make).collect();
+        let names = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame));
+        let recipes: Vec<(PartName, Recipe)> = names.map(|name| (name, recipe(name, &frame, &skeleton, &centre))).collect();
+        let make = |(name, recipe): &(PartName, Recipe)| match workshop.find(*name, recipe) {
+            Some(part) => Ok(part),
+            None => Printed::by(*name, recipe.clone()).map_err(|error| DesignError::Part { part: *name, error }),
+        };
+        let made: Vec<Result<Printed, DesignError>> = recipes.par_iter().map(make).collect();
         let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
+        for ((_, recipe), part) in recipes.into_iter().zip(&printed) {
+            workshop.keep(recipe, part.clone());
+        }
         let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
         design.place_printed();
         design.place_rods();

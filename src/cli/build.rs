@@ -45,7 +45,7 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bo
     }
     let frame = glb::frame(design, masses).map_err(std::io::Error::other).map_err(failed("cannot make frame.glb".into()))?;
     files.push(("frame.glb".into(), frame));
-    files.push(("bom.csv".into(), bom::csv(design, masses).into_bytes()));
+    files.push(("bom.csv".into(), bom::csv(design, masses, bom::KERF_MM).into_bytes()));
     if pictures {
         files.extend(scene::pictures(design));
     }

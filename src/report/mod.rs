@@ -10,6 +10,7 @@ mod boxes;
 mod camera;
 pub mod diagnosis_data;
 pub mod diagnosis_page;
+pub mod diff_page;
 pub mod drop_data;
 pub mod drop_plots;
 pub mod fit_data;
@@ -24,6 +25,7 @@ pub mod picture;
 mod plot;
 mod raster;
 pub mod scene;
+pub mod side_by_side;
 pub mod summary;
 mod surface;
 
