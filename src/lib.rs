@@ -3,6 +3,7 @@
 //! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be; [`skeleton`] closes the
 //! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
 //! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
+//! [`plates`] lays the parts on the printer's bed;
 //! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
 //! [`gate`] judges findings for build servers, [`variant`] compares frames and searches for better ones.
 //! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
@@ -27,6 +28,7 @@ pub mod measured;
 pub mod params;
 pub mod parts;
 pub mod plant;
+pub mod plates;
 pub mod report;
 pub mod schema;
 pub mod sim;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, junitparser, jsonschema, taplo), and the steps of docs/ci on a sample repository.
+# trimesh, manifold3d, lib3mf, junitparser, jsonschema, taplo), and the steps of docs/ci on a sample repository.
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
 # named and counted as skipped. With CI=true a skip is a failure, except that of the reference records,
@@ -76,14 +76,14 @@ from_npm() {
 python=$work/venv/bin/python
 
 from_pypi() {
-    local imports='import trimesh, numpy, manifold3d, junitparser, jsonschema, yaml'
+    local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml'
     [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
     from_debian python3 python3 || return
-    echo "installing trimesh, numpy, manifold3d, junitparser, jsonschema, pyyaml"
+    echo "installing trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, pyyaml"
     python3 -m venv "$work/venv" >"$work/venv.log" 2>&1 ||
         { as_root apt-get -qq install -y python3-venv >>"$work/venv.log" 2>&1 &&
             python3 -m venv "$work/venv" >>"$work/venv.log" 2>&1; } || return
-    "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d junitparser jsonschema pyyaml \
+    "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d lib3mf junitparser jsonschema pyyaml \
         >"$work/pip.log" 2>&1 || true
     "$python" -c "$imports" 2>/dev/null
 }
@@ -216,6 +216,26 @@ python_agrees_with_manifests() {
     fi
 }
 
+# Plates by the library of the 3MF Consortium, in strict mode.
+lib3mf_reads_plates() {
+    heading "lib3mf reads every plate"
+    if from_pypi; then
+        "$python" tests/external/check_3mf.py "$built"/*/ | tee -a "$results" || failed "lib3mf" "exit code $?"
+    else
+        skipped "lib3mf" "not installed"
+    fi
+}
+
+# Plates as a person opens them, under a profile that contradicts them.
+slicer_slices_plates() {
+    heading "PrusaSlicer slices the plates of the default frame"
+    if from_debian prusa-slicer prusa-slicer; then
+        bash tests/external/slice_plate.sh "$built/cognifly" "$work" | tee -a "$results" || failed "plates" "exit code $?"
+    else
+        skipped "PrusaSlicer on plates" "not installed"
+    fi
+}
+
 # JUnit by junitparser, SARIF by its schema.
 others_read_reports() {
     heading "junitparser and SARIF's schema read the gate's reports"
@@ -259,6 +279,8 @@ outside() {
     khronos_validates_glbs
     qpdf_reads_instructions
     python_agrees_with_manifests
+    lib3mf_reads_plates
+    slicer_slices_plates
     others_read_reports
     others_read_schemas
     ci_gates

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::body::{Body, Kind, Shape};
 use super::printed::{Printed, Recipe, recipe};
 use super::workshop::Workshop;
-use crate::params::frame::TargetSize;
+use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::parts::Centre;
 use crate::parts::bought_solids::BoughtPart;
@@ -112,6 +112,11 @@ impl Design {
         self.printed.iter().find(|part| part.name == name)
     }
 
+    /// What a printed part is made of.
+    pub fn material_of(&self, name: PartName) -> &NamedMaterial {
+        if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid }
+    }
+
     /// Width of all that the four modules are made of, without what the propellers sweep, mm.
     fn modules_width_mm(&self) -> f64 {
         let bodies = self.bodies.iter().filter(|body| body.module.is_some() && self.shape(body).kind != Kind::Propeller);
@@ -147,7 +152,7 @@ impl Design {
         for index in 0..self.printed.len() {
             let part = &self.printed[index];
             let (name, solid, exact_mm3) = (part.name, part.folded.clone(), part.exact_volume_mm3);
-            let material = if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid };
+            let material = self.material_of(name);
             let (material, colour) = (material.name.clone(), material.material.colour);
             let mesh = solid.mesh();
             let shape =

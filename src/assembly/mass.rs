@@ -81,7 +81,7 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
         .printed
         .iter()
         .map(|part| {
-            let material = if part.name.is_flexible() { &design.frame.flexible } else { &design.frame.rigid };
+            let material = design.material_of(part.name);
             let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
             let each_g = solid_g * material.material.print_factor;
             let quantity = part.name.quantity();

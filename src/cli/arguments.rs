@@ -147,6 +147,12 @@ pub(super) struct BuildOptions {
     /// Leave out the pictures.
     #[arg(long)]
     pub no_pictures: bool,
+    /// Plates of one printed part alone, to print it again, into the folder `FRAME-PART`.
+    #[arg(long, value_name = "PART")]
+    pub part: Option<String>,
+    /// How many of it, 1 when nothing is said.
+    #[arg(long, value_name = "N", requires = "part")]
+    pub quantity: Option<usize>,
 }
 
 /// How `check` says what it found.

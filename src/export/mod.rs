@@ -11,3 +11,4 @@ mod fold_skin;
 pub mod glb;
 pub mod manifest;
 pub mod stl;
+pub mod three_mf;

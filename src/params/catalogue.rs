@@ -45,6 +45,22 @@ pub struct Material {
     pub most_flow_mm3_s: Option<f64>,
     /// Where that comes from.
     pub flow_source: Option<String>,
+    /// Height of a printed layer, mm.
+    pub layer_mm: Option<f64>,
+    /// Walls around the infill.
+    pub perimeters: Option<f64>,
+    /// Printing speed, mm/s.
+    pub speed_mm_s: Option<f64>,
+    /// Heat of the nozzle, °C.
+    pub nozzle_c: Option<f64>,
+    /// Heat of the bed, °C.
+    pub bed_c: Option<f64>,
+    /// Most of the fan, %.
+    pub fan_percent: Option<f64>,
+    /// Brim around a part, mm; 0 for none.
+    pub brim_mm: Option<f64>,
+    /// Where the print settings come from.
+    pub print_source: Option<String>,
 }
 
 impl Material {
@@ -52,9 +68,13 @@ impl Material {
     pub fn is_sound(&self) -> bool {
         let optional =
             [self.elongation_at_break_percent, self.elongation_across_layers_percent, self.tensile_modulus_mpa, self.tensile_strength_mpa];
+        let printing = [self.layer_mm, self.perimeters, self.speed_mm_s, self.nozzle_c, self.bed_c, self.fan_percent];
+        let brimmed = self.brim_mm.is_none_or(|brim_mm| (0.0..=20.0).contains(&brim_mm));
         let coloured = self.colour.iter().all(|share| (0.0..=1.0).contains(share));
         all_positive([Some(self.density_g_cm3), Some(self.print_factor), self.most_flow_mm3_s])
             && all_positive(optional)
+            && all_positive(printing)
+            && brimmed
             && self.density_g_cm3 < 25.0
             && coloured
     }

@@ -54,7 +54,7 @@ impl Job<'_> {
 }
 
 fn colour(design: &Design, part: &Printed) -> [f32; 4] {
-    if part.name.is_flexible() { design.frame.flexible.material.colour } else { design.frame.rigid.material.colour }
+    design.material_of(part.name).material.colour
 }
 
 pub(super) fn assembled(design: &Design) -> Vec<Item<'_>> {
