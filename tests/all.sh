@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh and manifold3d).
+# trimesh, manifold3d, lib3mf, junitparser, jsonschema, taplo), and the steps of docs/ci on a sample repository.
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
 # named and counted as skipped. With CI=true a skip is a failure, except that of the reference records,
@@ -60,28 +60,30 @@ from_debian() {
 
 gltf_validator=$work/node/node_modules/gltf-validator
 gltf_validator_version=2.0.0-dev.3.10
+taplo=$work/node/node_modules/.bin/taplo
+sarif_schema=$work/node/node_modules/@microsoft/jest-sarif/lib/schemas/sarif-2.1.0-rtm.5.json
 
 from_npm() {
-    [[ -f $gltf_validator/package.json ]] && return
+    [[ -f $gltf_validator/package.json && -x $taplo && -f $sarif_schema ]] && return
     from_debian node nodejs && from_debian npm npm || return
-    echo "installing gltf-validator $gltf_validator_version"
+    echo "installing gltf-validator $gltf_validator_version, taplo and the schema of SARIF"
     mkdir -p "$work/node"
-    npm install --silent --no-save --no-audit --no-fund --prefix "$work/node" \
-        "gltf-validator@$gltf_validator_version" >"$work/npm.log" 2>&1 || true
-    [[ -f $gltf_validator/package.json ]]
+    npm install --silent --no-save --no-audit --no-fund --legacy-peer-deps --prefix "$work/node" \
+        "gltf-validator@$gltf_validator_version" @taplo/cli@0.7.0 @microsoft/jest-sarif@1.0.0-beta.0 >"$work/npm.log" 2>&1 || true
+    [[ -f $gltf_validator/package.json && -x $taplo && -f $sarif_schema ]]
 }
 
 python=$work/venv/bin/python
 
 from_pypi() {
-    local imports='import trimesh, numpy, manifold3d'
+    local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml'
     [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
     from_debian python3 python3 || return
-    echo "installing trimesh, numpy, manifold3d"
+    echo "installing trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, pyyaml"
     python3 -m venv "$work/venv" >"$work/venv.log" 2>&1 ||
         { as_root apt-get -qq install -y python3-venv >>"$work/venv.log" 2>&1 &&
             python3 -m venv "$work/venv" >>"$work/venv.log" 2>&1; } || return
-    "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d \
+    "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d lib3mf junitparser jsonschema pyyaml \
         >"$work/pip.log" 2>&1 || true
     "$python" -c "$imports" 2>/dev/null
 }
@@ -214,6 +216,58 @@ python_agrees_with_manifests() {
     fi
 }
 
+# Plates by the library of the 3MF Consortium, in strict mode.
+lib3mf_reads_plates() {
+    heading "lib3mf reads every plate"
+    if from_pypi; then
+        "$python" tests/external/check_3mf.py "$built"/*/ | tee -a "$results" || failed "lib3mf" "exit code $?"
+    else
+        skipped "lib3mf" "not installed"
+    fi
+}
+
+# Plates as a person opens them, under a profile that contradicts them.
+slicer_slices_plates() {
+    heading "PrusaSlicer slices the plates of the default frame"
+    if from_debian prusa-slicer prusa-slicer; then
+        bash tests/external/slice_plate.sh "$built/cognifly" "$work" | tee -a "$results" || failed "plates" "exit code $?"
+    else
+        skipped "PrusaSlicer on plates" "not installed"
+    fi
+}
+
+# JUnit by junitparser, SARIF by its schema.
+others_read_reports() {
+    heading "junitparser and SARIF's schema read the gate's reports"
+    if from_npm && from_pypi; then
+        mkdir -p "$work/reports"
+        "$python" tests/external/check_reports.py "$PWD/$binary" "$sarif_schema" "$work/reports" | tee -a "$results" || failed "reports" "exit code $?"
+    else
+        skipped "junitparser and SARIF's schema" "not installed"
+    fi
+}
+
+# What comes with the program fits its schemas, and what is wrong does not.
+others_read_schemas() {
+    heading "taplo and jsonschema check files by our schemas"
+    if from_npm && from_pypi; then
+        mkdir -p "$work/schemas"
+        "$python" tests/external/check_schemas.py "$PWD/$binary" "$taplo" "$work/schemas" | tee -a "$results" || failed "schemas" "exit code $?"
+    else
+        skipped "taplo and jsonschema" "not installed"
+    fi
+}
+
+# The steps of docs/ci on a sample repository.
+ci_gates() {
+    heading "the steps of docs/ci"
+    if from_pypi; then
+        CARGO_TARGET_DIR=$PWD/$target "$python" tests/external/ci.py "$PWD" "$work" | tee -a "$results" || failed "docs/ci" "exit code $?"
+    else
+        skipped "docs/ci" "pyyaml is not installed"
+    fi
+}
+
 outside() {
     if ! cargo build --release; then
         failed "cargo build" "the program does not build; nothing was tested from outside"
@@ -225,6 +279,11 @@ outside() {
     khronos_validates_glbs
     qpdf_reads_instructions
     python_agrees_with_manifests
+    lib3mf_reads_plates
+    slicer_slices_plates
+    others_read_reports
+    others_read_schemas
+    ci_gates
     slicer_slices_stls
 }
 

@@ -303,13 +303,13 @@ fn analytic_json_is_json_and_holds_the_findings() {
     let check = flexframe(&["check", "cognifly-v8", "--json"]);
     assert_eq!(check.status.code(), Some(1));
     let report: serde_json::Value = serde_json::from_slice(&check.stdout).expect("JSON");
-    assert_eq!(report["schema_version"], 1);
-    let findings = report["findings"].as_array().expect("a list");
+    assert_eq!(report["schema_version"], 2);
+    let findings = report["frames"][0]["findings"].as_array().expect("a list");
     let broken = findings.iter().filter(|f| f["verdict"] == "violated").count();
-    assert_eq!(report["violations"].as_u64(), Some(broken as u64));
+    assert_eq!(report["frames"][0]["violations"].as_u64(), Some(broken as u64));
     let width = findings.iter().find(|f| f["subject"] == "width without propellers").expect("is measured");
     assert!((width["margin"].as_f64().expect("a number") + 1.93).abs() < 0.02);
-    let total = report["masses"]["total_g"].as_f64().expect("a number");
+    let total = report["frames"][0]["masses"]["total_g"].as_f64().expect("a number");
     assert!((total - 241.0).abs() < 0.05, "{total}");
     let params: serde_json::Value = serde_json::from_slice(&flexframe(&["params", "--json"]).stdout).expect("JSON");
     assert!(params.as_array().expect("a list").len() > 150);
@@ -363,7 +363,7 @@ fn planted_folder_that_cannot_be_written_is_exit_3_and_the_last_result_stays() {
 fn analytic_another_material_changes_the_mass() {
     let mass = |arguments: &[&str]| {
         let report: serde_json::Value = serde_json::from_slice(&flexframe(arguments).stdout).expect("JSON");
-        report["masses"]["total_g"].as_f64().expect("a number")
+        report["frames"][0]["masses"]["total_g"].as_f64().expect("a number")
     };
     let (abs, pla) = (mass(&["check", "--json"]), mass(&["check", "--json", "--rigid", "pla"]));
     // 27 cm³ of rigid parts at 1.24 instead of 1.04 g/cm³.
@@ -420,7 +420,7 @@ fn analytic_target_size_is_met() {
     assert_eq!(check.status.code(), Some(0), "a limit equal to the target is kept");
     let report: serde_json::Value = serde_json::from_slice(&check.stdout).expect("JSON");
     let value = |subject: &str| {
-        let findings = report["findings"].as_array().expect("a list");
+        let findings = report["frames"][0]["findings"].as_array().expect("a list");
         findings.iter().find(|f| f["subject"] == subject).and_then(|f| f["value"].as_f64()).expect("is measured")
     };
     assert!((value("width without propellers") - 230.0).abs() < 0.05, "{}", value("width without propellers"));

@@ -78,10 +78,10 @@ fn regress_readme_states_mass_and_size_of_each_preset() {
         let report: serde_json::Value = serde_json::from_slice(&flexframe(&["check", name, "--json"]).stdout).expect("JSON");
         let size = ["width", "depth", "height"].map(|axis| {
             let subject = format!("{axis} without propellers");
-            let findings = report["findings"].as_array().expect("a list");
+            let findings = report["frames"][0]["findings"].as_array().expect("a list");
             findings.iter().find(|f| f["subject"] == subject.as_str()).and_then(|f| f["value"].as_f64()).expect("is measured")
         });
-        let mass = report["masses"]["total_g"].as_f64().expect("a number");
+        let mass = report["frames"][0]["masses"]["total_g"].as_f64().expect("a number");
         let row = format!("| `{name}` | {mass:.1} | {:.1} x {:.1} x {:.1} |", size[0], size[1], size[2]);
         assert!(readme.contains(&row), "README.md should state\n{row}");
     }

@@ -235,10 +235,10 @@ fn reading(effect: &Effect, design: &Design, skeleton: &Skeleton) -> Option<f64>
 }
 
 /// What the findings of each rule are held against.
-fn limits(design: &Design) -> BTreeMap<&'static str, f64> {
+fn limits(design: &Design) -> BTreeMap<String, f64> {
     let mut limits = BTreeMap::new();
     for finding in checks::check(design, &mass::table(design)) {
-        *limits.entry(finding.rule).or_insert(0.0) += finding.limit;
+        *limits.entry(finding.rule.into_owned()).or_insert(0.0) += finding.limit;
     }
     limits
 }

@@ -84,7 +84,7 @@ fn findings(findings: &[Finding]) -> String {
         let finding = shown.finding;
         let verdict = format!("{:?}", finding.verdict).to_lowercase();
         let (value, limit) = (rounded(finding.value), rounded(finding.limit));
-        let (rule, subject, unit, of) = (finding.rule, one_of_many(&finding.subject), finding.unit, shown.of);
+        let (rule, subject, unit, of) = (&finding.rule, one_of_many(&finding.subject), &finding.unit, shown.of);
         let _ = writeln!(text, "{verdict:<8} {rule:<19} {value:>9.2} of {limit:>7.2} {unit:<4} {subject} (1 of {of})");
     }
     text

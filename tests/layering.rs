@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 18] = [
+const LAYERS: [(&str, &[&str]); 22] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -14,7 +14,9 @@ const LAYERS: [(&str, &[&str]); 18] = [
     ("parts", &["units", "params", "solid"]),
     ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
     ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly"]),
-    ("export", &["units", "params", "skeleton", "solid", "assembly"]),
+    ("plates", &["params", "assembly"]),
+    ("export", &["units", "params", "skeleton", "solid", "assembly", "plates"]),
+    ("gate", &["params", "assembly", "checks"]),
     ("body", &["assembly", "checks"]),
     ("effects", &["params", "body"]),
     ("sim", &["body", "effects"]),
@@ -22,12 +24,26 @@ const LAYERS: [(&str, &[&str]); 18] = [
     ("fit", &["effects", "sim", "measured"]),
     ("diagnose", &["effects", "sim", "fit"]),
     ("plant", &["params", "effects"]),
-    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose"]),
-    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose", "plant", "report"]),
+    ("variant", &["figures", "params", "skeleton", "assembly", "checks", "body", "effects", "sim"]),
+    ("schema", &["params", "effects", "plant"]),
+    (
+        "report",
+        &[
+            "figures", "skeleton", "solid", "assembly", "checks", "plates", "export", "body", "effects", "sim", "measured", "fit",
+            "diagnose", "variant",
+        ],
+    ),
+    (
+        "cli",
+        &[
+            "figures", "gate", "schema", "variant", "params", "assembly", "checks", "plates", "export", "body", "effects", "sim",
+            "measured", "fit", "diagnose", "plant", "report",
+        ],
+    ),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 28] = [
+const CONFINED: [(&str, &str); 37] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -43,6 +59,15 @@ const CONFINED: [(&str, &str); 28] = [
     ("fs::read(", "measured"),
     ("read_dir", "measured"),
     ("csv::", "measured"),
+    ("quick_junit", "gate"),
+    ("cobyla", "variant"),
+    ("crunch::", "plates"),
+    ("quick_xml", "export"),
+    ("zip::", "export"),
+    ("indicatif", "cli"),
+    ("glob::", "cli"),
+    ("notify::", "cli"),
+    ("Command::new", "cli"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

@@ -4,8 +4,9 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
 use super::body::{Body, Kind, Shape};
-use super::printed::Printed;
-use crate::params::frame::TargetSize;
+use super::printed::{Printed, Recipe, recipe};
+use super::workshop::Workshop;
+use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::parts::Centre;
 use crate::parts::bought_solids::BoughtPart;
@@ -63,27 +64,41 @@ impl Design {
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
-    pub fn new(mut frame: Frame) -> Result<Self, DesignError> {
-        let Some(target) = frame.target else { return Self::of_lengths(frame) };
+    pub fn new(frame: Frame) -> Result<Self, DesignError> {
+        Self::with(frame, &mut Workshop::default())
+    }
+
+    /// Designs a frame with the parts of former ones where they are the same; the result is that of [`Design::new`].
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn with(mut frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
+        let Some(target) = frame.target else { return Self::of_lengths(frame, workshop) };
         solve_target(&mut frame, target)?;
-        let design = Self::of_lengths(frame.clone())?;
+        let design = Self::of_lengths(frame.clone(), workshop)?;
         let over_mm = design.modules_width_mm() - target.width_mm;
         if over_mm <= 0.0 {
             return Ok(design);
         }
         // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
         solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
-        Self::of_lengths(frame)
+        Self::of_lengths(frame, workshop)
     }
 
-    fn of_lengths(frame: Frame) -> Result<Self, DesignError> {
+    fn of_lengths(frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
-        let make =
-            |name: &PartName| Printed::make(*name, &frame, &skeleton, &centre).map_err(|error| DesignError::Part { part: *name, error });
-        let names: Vec<PartName> = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame)).collect();
-        let made: Vec<Result<Printed, DesignError>> = names.par_iter().map(make).collect();
+        let names = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame));
+        let recipes: Vec<(PartName, Recipe)> = names.map(|name| (name, recipe(name, &frame, &skeleton, &centre))).collect();
+        let make = |(name, recipe): &(PartName, Recipe)| match workshop.find(*name, recipe) {
+            Some(part) => Ok(part),
+            None => Printed::by(*name, recipe.clone()).map_err(|error| DesignError::Part { part: *name, error }),
+        };
+        let made: Vec<Result<Printed, DesignError>> = recipes.par_iter().map(make).collect();
         let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
+        for ((_, recipe), part) in recipes.into_iter().zip(&printed) {
+            workshop.keep(recipe, part.clone());
+        }
         let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
         design.place_printed();
         design.place_rods();
@@ -95,6 +110,11 @@ impl Design {
     /// A printed part by name.
     pub fn part(&self, name: PartName) -> Option<&Printed> {
         self.printed.iter().find(|part| part.name == name)
+    }
+
+    /// What a printed part is made of.
+    pub fn material_of(&self, name: PartName) -> &NamedMaterial {
+        if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid }
     }
 
     /// Width of all that the four modules are made of, without what the propellers sweep, mm.
@@ -132,7 +152,7 @@ impl Design {
         for index in 0..self.printed.len() {
             let part = &self.printed[index];
             let (name, solid, exact_mm3) = (part.name, part.folded.clone(), part.exact_volume_mm3);
-            let material = if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid };
+            let material = self.material_of(name);
             let (material, colour) = (material.name.clone(), material.material.colour);
             let mesh = solid.mesh();
             let shape =

@@ -1,7 +1,9 @@
 //! The mass table: what weighs how much, how that is known, and where it sits.
 
+use std::borrow::Cow;
+
 use nalgebra::{Matrix3, Point3, Vector3};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::body::{Kind, Shape};
 use super::design::Design;
@@ -9,12 +11,12 @@ use crate::params::catalogue::MassBasis;
 use crate::units::Density;
 
 /// A line of the table.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MassLine {
     /// What: a part, a rod, a role.
     pub name: String,
     /// `printed`, `rod`, `bought` or `extra`.
-    pub kind: &'static str,
+    pub kind: Cow<'static, str>,
     /// Material or catalogue name.
     pub material: String,
     /// How many.
@@ -28,7 +30,7 @@ pub struct MassLine {
 }
 
 /// Masses of a frame and where they sit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MassTable {
     /// Line by line.
     pub lines: Vec<MassLine>,
@@ -79,7 +81,7 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
         .printed
         .iter()
         .map(|part| {
-            let material = if part.name.is_flexible() { &design.frame.flexible } else { &design.frame.rigid };
+            let material = design.material_of(part.name);
             let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
             let each_g = solid_g * material.material.print_factor;
             let quantity = part.name.quantity();
@@ -126,7 +128,7 @@ fn extra_lines(design: &Design) -> Vec<MassLine> {
 
 fn line(name: &str, kind: &'static str, material: &str, quantity: u32, each_g: f64, basis: &str) -> MassLine {
     let total_g = each_g * f64::from(quantity);
-    MassLine { name: name.into(), kind, material: material.into(), quantity, each_g, total_g, basis: basis.into() }
+    MassLine { name: name.into(), kind: kind.into(), material: material.into(), quantity, each_g, total_g, basis: basis.into() }
 }
 
 fn basis(basis: MassBasis) -> &'static str {

@@ -6,7 +6,9 @@ pub mod fold;
 pub mod mass;
 pub mod press_fit;
 mod printed;
+mod workshop;
 
 pub use body::{Body, Kind, Shape};
 pub use design::{Design, DesignError};
 pub use printed::Printed;
+pub use workshop::Workshop;

@@ -43,7 +43,12 @@ impl Printed {
     /// When its mesh does not pass the export gate, or the B-rep kernel makes another solid of it: its parameters
     /// contradict each other.
     pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
-        let Recipe { feature, bends, print_turn } = recipe(name, frame, skeleton, centre);
+        Self::by(name, recipe(name, frame, skeleton, centre))
+    }
+
+    /// Makes a part by its recipe; nothing else enters.
+    pub(super) fn by(name: PartName, recipe: Recipe) -> Result<Self, GateError> {
+        let Recipe { feature, bends, print_turn } = recipe;
         let flat = MeshSolid::build(&feature).melted();
         let turned = flat.placed(&Isometry3::from_parts(Translation3::identity(), print_turn));
         if turned.is_empty() {
@@ -79,13 +84,15 @@ fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
 }
 
 /// A part before it is made.
-struct Recipe {
+#[derive(Clone, PartialEq)]
+pub(super) struct Recipe {
     feature: Feature,
     bends: Vec<Bend>,
     print_turn: UnitQuaternion<f64>,
 }
 
-fn recipe(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Recipe {
+/// How a part of a frame is made.
+pub(super) fn recipe(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Recipe {
     let closure = &skeleton.closure;
     let rigid = |feature, print_turn| Recipe { feature, bends: Vec::new(), print_turn };
     match name {

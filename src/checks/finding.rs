@@ -1,6 +1,8 @@
 //! What a rule found.
 
-use serde::Serialize;
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
 
 use crate::figures::{decimals, told_apart};
 
@@ -16,7 +18,7 @@ pub(super) fn falls_short_mm(value_mm: f64, limit_mm: f64) -> bool {
 }
 
 /// How a finding ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// The limit is kept.
@@ -28,10 +30,10 @@ pub enum Verdict {
 }
 
 /// What a rule found, with its numbers.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
     /// The rule.
-    pub rule: &'static str,
+    pub rule: Cow<'static, str>,
     /// What it looked at.
     pub subject: String,
     /// How it ends.
@@ -44,11 +46,11 @@ pub struct Finding {
     /// when by more.
     pub margin: f64,
     /// Unit of the three numbers.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// One sentence with the numbers in it.
     pub message: String,
     /// The keys that change it most directly, three at the most.
-    pub levers: &'static [&'static str],
+    pub levers: Vec<Cow<'static, str>>,
 }
 
 /// Findings that say the same of different places, shown by their tightest.
@@ -66,7 +68,7 @@ pub fn tightest(findings: &[Finding]) -> Vec<Tightest<'_>> {
     for finding in findings {
         let alike = |t: &Tightest| {
             let (a, b) = (t.finding, finding);
-            a.verdict == Verdict::Holds && (a.rule, a.unit) == (b.rule, b.unit) && a.limit == b.limit && a.aspect() == b.aspect()
+            a.verdict == Verdict::Holds && (&a.rule, &a.unit) == (&b.rule, &b.unit) && a.limit == b.limit && a.aspect() == b.aspect()
         };
         match shown.iter_mut().find(|t| finding.verdict == Verdict::Holds && alike(t)) {
             Some(group) => {
@@ -133,7 +135,8 @@ impl Measure {
         let mismeasured = if unit == "mm" { MEASURING_MM } else { 0.0 };
         let margin = if (-mismeasured..0.0).contains(&margin) { 0.0 } else { margin };
         let verdict = if margin >= 0.0 { Verdict::Holds } else { Verdict::Violated };
-        Finding { rule, subject, verdict, value, limit, margin, unit, message, levers }
+        let levers = levers.iter().copied().map(Cow::Borrowed).collect();
+        Finding { rule: rule.into(), subject, verdict, value, limit, margin, unit: unit.into(), message, levers }
     }
 }
 

@@ -45,8 +45,10 @@ pub(super) enum Command {
     /// Write STL, GLB, bill of materials, manifest, report and pictures of a frame.
     #[command(after_help = "Examples:\n  flexframe build\n  flexframe build my-frame.toml -o frames --rigid pla")]
     Build(BuildOptions),
-    /// Hold a frame against its limits; exits 1 when one is violated.
-    #[command(after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json")]
+    /// Hold frames against their limits; exits 1 when one is violated.
+    #[command(
+        after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json\n  flexframe check 'frames/*.toml' --format github --baseline accepted.json\n\nFindings of a frame that was held before by this program are taken from FLEXFRAME_CACHE, else XDG_CACHE_HOME/flexframe,\nelse ~/.cache/flexframe."
+    )]
     Check(CheckOptions),
     /// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
     #[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
@@ -84,6 +86,35 @@ pub(super) enum Command {
         after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json\n  flexframe params --markdown > docs/parameters.md"
     )]
     Params(ParamsOptions),
+    /// Compare two frames, or a frame with its former self: what differs, and what is better or worse.
+    #[command(
+        after_help = "Examples:\n  flexframe diff cognifly light.toml\n  flexframe diff --git HEAD~1 light.toml --format markdown --fail-on-increase mass=2g\n  flexframe diff cognifly cognifly-mini -o out\n\nWhat may not grow is a measure by its name; `flexframe solve --help` lists them."
+    )]
+    Diff(DiffOptions),
+    /// Say what a parameter is, what it drives, and what 5 % less and more of it do.
+    #[command(after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json")]
+    Explain(ExplainOptions),
+    /// Write a variant of a frame, with what has to change to keep every limit.
+    #[command(
+        after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 260\n\nRods and motors are moved as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
+    )]
+    New(NewOptions),
+    /// Search for the frame with the least of a measure that keeps every limit.
+    #[command(
+        after_help = "Examples:\n  flexframe solve --minimise mass --vary arm_rod,cage_rod,strut_rod,motor_position -o light\n  flexframe solve cognifly --minimise envelope.volume --subject-to 'clearance.propeller>=3mm' --vary arm_rod=70..90,cage_rod\n\nMeasures: mass, mass.printed, mass.rods, envelope.width, envelope.depth, envelope.height, envelope.volume, clearance.propeller,\nclearance.part, clearance.ground, engagement, hinge.strain, wall, printed.volume, peak. It is a local search: another start may\nlead elsewhere. Exit code 1 when no frame keeps every limit."
+    )]
+    Solve(SolveOptions),
+    /// Say at every save of a frame file what it changed.
+    #[command(after_help = "Example:\n  flexframe watch light.toml")]
+    Watch(WatchOptions),
+    /// List what to print, to buy and to cut.
+    #[command(after_help = "Examples:\n  flexframe bom light.toml\n  flexframe bom light.toml --format csv --kerf 1.5 > bom.csv")]
+    Bom(BomOptions),
+    /// Print the JSON Schema of a kind of file, for editors.
+    #[command(
+        after_help = "Example:\n  flexframe schema frame > frame.schema.json\n\nA frame file that begins with the line\n  #:schema ./frame.schema.json\nis then completed and checked by editors with Taplo, such as VS Code with Even Better TOML."
+    )]
+    Schema(SchemaOptions),
     /// Print a shell's completion script.
     Completions {
         /// The shell.
@@ -116,17 +147,217 @@ pub(super) struct BuildOptions {
     /// Leave out the pictures.
     #[arg(long)]
     pub no_pictures: bool,
+    /// Plates of one printed part alone, to print it again, into the folder `FRAME-PART`.
+    #[arg(long, value_name = "PART")]
+    pub part: Option<String>,
+    /// How many of it, 1 when nothing is said.
+    #[arg(long, value_name = "N", requires = "part")]
+    pub quantity: Option<usize>,
+}
+
+/// How `check` says what it found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum CheckFormat {
+    /// A table for a person.
+    Text,
+    /// Everything.
+    Json,
+    /// JUnit XML: a suite a frame, a case a finding.
+    Junit,
+    /// Annotations of GitHub Actions.
+    Github,
+    /// A page for a pull request or a job's summary.
+    Markdown,
+    /// SARIF 2.1.0, for code scanning.
+    Sarif,
 }
 
 /// Options of `check`.
 #[derive(Debug, Args)]
 pub(super) struct CheckOptions {
-    /// Which frame.
-    #[command(flatten)]
-    pub frame: FrameOption,
+    /// Presets' names, TOML files, or patterns of files such as 'frames/**/*.toml'.
+    #[arg(default_value = "cognifly", value_name = "FRAME")]
+    pub frames: Vec<String>,
+    /// Material of the rigid parts instead of the frame files': a name of params/materials.toml.
+    #[arg(long, value_name = "MATERIAL")]
+    pub rigid: Option<String>,
     /// Print every finding, not only the tightest of those that are alike.
     #[arg(long)]
     pub all: bool,
+    /// How to say it; --json is the same as --format json.
+    #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
+    pub format: Option<CheckFormat>,
+    /// Notes beyond their figure fail, too.
+    #[arg(long)]
+    pub strict: bool,
+    /// A list of accepted findings: only what is not on it, or is worse than there, fails.
+    #[arg(long, value_name = "FILE")]
+    pub baseline: Option<PathBuf>,
+    /// Write what fails now into the list of --baseline; nothing fails then.
+    #[arg(long, requires = "baseline")]
+    pub update_baseline: bool,
+    /// Do not keep findings, nor use those that were kept (FLEXFRAME_CACHE=off does the same).
+    #[arg(long)]
+    pub no_cache: bool,
+}
+
+/// How a comparison is said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum PageFormat {
+    /// A table for a person.
+    Text,
+    /// Everything.
+    Json,
+    /// A page for a pull request.
+    Markdown,
+}
+
+/// Options of `diff`.
+#[derive(Debug, Args)]
+pub(super) struct DiffOptions {
+    /// Two presets' names or TOML files; one file with --git.
+    #[arg(required = true, num_args = 1..=2, value_name = "FRAME")]
+    pub frames: Vec<String>,
+    /// Compare a file with what it was at this revision of its git repository.
+    #[arg(long, value_name = "REVISION")]
+    pub git: Option<String>,
+    /// Exit 1 when a measure grows by more than this; may be given several times.
+    #[arg(long, value_name = "MEASURE=AMOUNT")]
+    pub fail_on_increase: Vec<String>,
+    /// How to say it; --json is the same as --format json.
+    #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
+    pub format: Option<PageFormat>,
+    /// Write diff.md, diff.json and a picture of both frames into the folder `diff-A-B` of this one.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
+/// Options of `explain`.
+#[derive(Debug, Args)]
+pub(super) struct ExplainOptions {
+    /// The parameter: its key with or without table, or a beginning of it.
+    #[arg(value_name = "KEY")]
+    pub key: String,
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+}
+
+/// Options of `new`.
+#[derive(Debug, Args)]
+pub(super) struct NewOptions {
+    /// Name of the variant; NAME.toml is written.
+    pub name: String,
+    /// The frame that it comes from.
+    #[arg(long, default_value = "cognifly", value_name = "FRAME")]
+    pub from: String,
+    /// Another battery: a name of params/bought.toml.
+    #[arg(long, value_name = "PART")]
+    pub battery: Option<String>,
+    /// Another propeller.
+    #[arg(long, value_name = "PART")]
+    pub propeller: Option<String>,
+    /// Another motor.
+    #[arg(long, value_name = "PART")]
+    pub motor: Option<String>,
+    /// Another rod.
+    #[arg(long, value_name = "PART")]
+    pub rod: Option<String>,
+    /// Size to stay within, mm.
+    #[arg(long, value_name = "WxDxH")]
+    pub envelope: Option<String>,
+    /// Mass to stay within, g.
+    #[arg(long, value_name = "G")]
+    pub mass: Option<f64>,
+    /// Most frames to look at.
+    #[arg(long, default_value_t = 120, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
+    pub frames: u16,
+}
+
+/// Options of `solve`.
+#[derive(Debug, Args)]
+pub(super) struct SolveOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// What to make small: a measure.
+    #[arg(long, value_name = "MEASURE")]
+    pub minimise: String,
+    /// What to keep besides the frame's limits, such as 'clearance.propeller>=3mm'; may be given several times.
+    #[arg(long, value_delimiter = ',', value_name = "GOAL")]
+    pub subject_to: Vec<String>,
+    /// What may vary: keys, each with bounds where they are to be closer, such as arm_rod=70..90.
+    #[arg(long, value_delimiter = ',', required = true, value_name = "KEY,…")]
+    pub vary: Vec<String>,
+    /// Most frames to look at.
+    #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
+    pub frames: u16,
+    /// Write the answer as NAME.toml.
+    #[arg(short, long, value_name = "NAME")]
+    pub output: Option<String>,
+}
+
+/// Options of `watch`.
+#[derive(Debug, Args)]
+pub(super) struct WatchOptions {
+    /// Which frame: a TOML file.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// End after so many saves.
+    #[arg(long, value_name = "N")]
+    pub saves: Option<u32>,
+}
+
+/// Forms of a bill of materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum BomFormat {
+    /// A page.
+    Markdown,
+    /// A table, as in `bom.csv`.
+    Csv,
+    /// Everything.
+    Json,
+}
+
+/// Options of `bom`.
+#[derive(Debug, Args)]
+pub(super) struct BomOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// How to say it; --json is the same as --format json.
+    #[arg(long, value_enum, default_value = "markdown", value_name = "FORMAT")]
+    pub format: BomFormat,
+    /// Width of a saw cut instead of 1 mm.
+    #[arg(long, value_name = "MM")]
+    pub kerf: Option<f64>,
+}
+
+/// Kinds of files that have a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum SchemaKind {
+    /// A frame file.
+    Frame,
+    /// An impact model.
+    Model,
+    /// A plan of planted drops.
+    Plan,
+    /// The form of params/bought.toml.
+    Bought,
+    /// The form of params/materials.toml.
+    Materials,
+    /// A printer.
+    Printer,
+    /// A list of accepted findings.
+    Baseline,
+}
+
+/// Options of `schema`.
+#[derive(Debug, Args)]
+pub(super) struct SchemaOptions {
+    /// Of which kind of file.
+    #[arg(value_enum, default_value = "frame")]
+    pub kind: SchemaKind,
 }
 
 /// Options of `fold`.

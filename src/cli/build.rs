@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::process::ExitCode;
 
+use rayon::prelude::*;
+
 use super::arguments::{BuildOptions, Common};
 use super::output;
 use super::progress::Progress;
@@ -11,13 +13,22 @@ use super::terminal;
 use crate::assembly::mass::{self, MassTable};
 use crate::assembly::{Design, Printed};
 use crate::checks::{self, Finding, Verdict};
-use crate::export::{bom, glb, manifest, stl};
-use crate::report::{scene, summary};
+use crate::export::{bom, glb, manifest, stl, three_mf};
+use crate::params::PartName;
+use crate::params::refusal::nearest;
+use crate::plates::{self, Plate, Wanted};
+use crate::report::{plate_picture, print_settings, scene, summary};
+
+/// Most copies of one part.
+const MOST_COPIES: usize = 100;
 
 /// Builds a frame and writes its folder; a violated limit is a warning here, `check` gates.
 pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("building", common);
     let design = session::design(&options.frame)?;
+    if let Some(part) = &options.part {
+        return one_part(&design, part, options, common);
+    }
     let masses = mass::table(&design);
     let findings = checks::check(&design, &masses);
     let files = files(&design, &masses, &findings, !options.no_pictures)?;
@@ -45,7 +56,12 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bo
     }
     let frame = glb::frame(design, masses).map_err(std::io::Error::other).map_err(failed("cannot make frame.glb".into()))?;
     files.push(("frame.glb".into(), frame));
-    files.push(("bom.csv".into(), bom::csv(design, masses).into_bytes()));
+    files.push(("bom.csv".into(), bom::csv(design, masses, bom::KERF_MM).into_bytes()));
+    // What lies on no bed is a finding of `check`; the parts are written all the same.
+    if let Ok(plates) = plates::arrange(design, &plates::all(design)) {
+        files.extend(plate_files(design, &plates)?);
+        files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
+    }
     if pictures {
         files.extend(scene::pictures(design));
     }
@@ -56,6 +72,52 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bo
     text.push('\n');
     files.push(("manifest.json".into(), text.into_bytes()));
     Ok(files)
+}
+
+/// Pixels of a plate's picture.
+const PLATE_SIZE: [u32; 2] = [480, 360];
+
+fn plate_files(design: &Design, plates: &[Plate]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let files = |plate: &Plate| {
+        let failed = |error| Failure::Machine { what: format!("cannot make {}.3mf", plate.name()), error };
+        let picture = plate_picture::png(design, plate, PLATE_SIZE);
+        let bytes = three_mf::plate(design, plate, &picture).map_err(failed)?;
+        Ok([(format!("plates/{}.3mf", plate.name()), bytes), (format!("plates/{}.png", plate.name()), picture)])
+    };
+    let all = plates.par_iter().map(files).collect::<Result<Vec<_>, Failure>>()?;
+    Ok(all.into_iter().flatten().collect())
+}
+
+/// Plates of a part that has to be printed again.
+fn one_part(design: &Design, part: &str, options: &BuildOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let usage = |message: String| Failure::Usage { message };
+    let known = || design.printed.iter().map(|printed| printed.name.slug());
+    let Some(name) = PartName::ALL.into_iter().find(|name| name.slug() == part && design.part(*name).is_some()) else {
+        let near = nearest(part, known());
+        let near = if near.is_empty() { ".".into() } else { format!(", did you mean {}?", near.join(" or ")) };
+        return Err(usage(format!(
+            "--part {part}: the frame has no such printed part{near} It has {}",
+            known().collect::<Vec<_>>().join(", ")
+        )));
+    };
+    let quantity = options.quantity.unwrap_or(1);
+    if !(1..=MOST_COPIES).contains(&quantity) {
+        return Err(usage(format!("--quantity {quantity} is out of bounds: give 1 to {MOST_COPIES}")));
+    }
+    let wanted: [Wanted; 1] = [(name, quantity)];
+    let plates = plates::arrange(design, &wanted).map_err(|error| usage(format!("{error}: choose another printer in the frame file")))?;
+    let mut files = plate_files(design, &plates)?;
+    files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
+    let place = output::write_folder(&options.output, &format!("{}-{part}", design.frame.name), &files)?;
+    if !common.quiet {
+        terminal::print(&format!(
+            "{}: {quantity} {part} on {} plate{}\n",
+            place.display(),
+            plates.len(),
+            if plates.len() == 1 { "" } else { "s" }
+        ))?;
+    }
+    Ok(ExitCode::SUCCESS)
 }
 
 /// What was built, part by part.

@@ -1,41 +1,186 @@
 //! `flexframe check`: the gate.
 
+use std::fs;
 use std::process::ExitCode;
 
-use super::arguments::{CheckOptions, Common};
+use super::arguments::{CheckFormat, CheckOptions, Common, FrameOption};
+use super::cache::{Cache, Kept};
 use super::progress::Progress;
 use super::session::{self, Failure};
-use super::{table, terminal};
+use super::{frames, output, table, terminal};
 use crate::assembly::mass;
-use crate::checks::{self, Tightest, Verdict};
+use crate::checks::{self, Finding, Tightest};
+use crate::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
+use crate::params::LoadError;
+use crate::params::frame_file::read_source;
 
-/// Prints the findings; exits 1 when a limit is violated.
+/// Holds frames against their limits; exits 1 when one is violated, 2 when one does not read.
 pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let names = frames::expand(&options.frames)?;
+    let baseline = baseline(options)?;
+    let rules = Rules { strict: options.strict, baseline: baseline.as_ref() };
+    let cache = Cache::new(!options.no_cache);
     let working = Progress::of("checking", common);
-    let design = session::design(&options.frame)?;
-    let masses = mass::table(&design);
-    let findings = checks::check(&design, &masses);
+    let mut told = Vec::new();
+    let outcomes: Vec<Outcome> = names
+        .into_iter()
+        .map(|asked| {
+            let result = hold(&asked, options, rules, &cache).map_err(|failure| {
+                told.push(failure.render());
+                refused(&failure)
+            });
+            Outcome { asked, result }
+        })
+        .collect();
     drop(working);
-    let violated = findings.iter().filter(|finding| finding.verdict == Verdict::Violated).count();
-    if common.json {
-        let report = serde_json::json!({
-            "schema_version": 1,
-            "frame": design.frame.name,
-            "violations": violated,
-            "findings": findings,
-            "masses": masses,
-        });
-        terminal::print_json(&report)?;
-    } else if !common.quiet {
-        let every = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
-        let (frame, mass_g, count) = (&design.frame.name, masses.total_g, findings.len());
-        let table = table::findings(&if options.all { every } else { checks::tightest(&findings) });
-        terminal::print(&format!("{table}{frame}: {mass_g:.1} g; {violated} of {count} findings violate a limit\n"))?;
+    for message in &told {
+        terminal::tell(message.trim_end());
     }
-    if common.quiet && !common.json {
-        for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
-            terminal::tell(&finding.message);
+    if options.update_baseline {
+        return update(options, common, &outcomes);
+    }
+    say(options, common, &outcomes)?;
+    if let (Some(list), Some(path)) = (&baseline, &options.baseline) {
+        for done in list.done(&outcomes) {
+            let line = format!("note: {}: {} of {} is good now; strike it from {}", done.frame, done.rule, done.subject, path.display());
+            terminal::tell(&line);
         }
     }
-    Ok(if violated > 0 { ExitCode::from(1) } else { ExitCode::SUCCESS })
+    Ok(ExitCode::from(outcomes.iter().map(Outcome::exit_code).max().unwrap_or(0)))
+}
+
+/// One frame's findings, kept ones where there are any.
+fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Result<Held, Failure> {
+    let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: options.rigid.clone() })?;
+    let Kept { findings, masses } = match cache.get(&frame) {
+        Some(kept) => kept,
+        None => {
+            let design = session::designed(frame.clone(), &file)?;
+            let masses = mass::table(&design);
+            let kept = Kept { findings: checks::check(&design, &masses), masses };
+            cache.put(&frame, &kept);
+            kept
+        }
+    };
+    Ok(Held::new(&frame, &file, findings, masses, rules))
+}
+
+fn refused(failure: &Failure) -> Refused {
+    match failure {
+        Failure::Input(LoadError::Refused(refusal)) => Refused::of(refusal),
+        other => Refused {
+            message: other.to_string(),
+            remedy: "`flexframe check --help` says what a frame is".into(),
+            spot: None,
+            machine: other.exit_code() == 3,
+        },
+    }
+}
+
+/// The list of accepted findings, when there is one to read.
+fn baseline(options: &CheckOptions) -> Result<Option<Baseline>, Failure> {
+    let Some(path) = options.baseline.as_ref().filter(|path| !options.update_baseline || path.exists()) else { return Ok(None) };
+    let (_, source) = read_source(path.clone())?;
+    let wrong = |error| Failure::Usage {
+        message: format!("{} is no list of accepted findings: {error}; --update-baseline writes one", path.display()),
+    };
+    // A list that is replaced still has to be one: the path may be a slip.
+    let list = Baseline::parse(&source.text).map_err(wrong)?;
+    Ok((!options.update_baseline).then_some(list))
+}
+
+/// Writes the list of what fails now. A frame that does not read keeps the list from being written.
+fn update(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<ExitCode, Failure> {
+    let Some(path) = &options.baseline else { return Ok(ExitCode::SUCCESS) };
+    if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
+        return Ok(ExitCode::from(code));
+    }
+    let list = Baseline::of_outcomes(outcomes);
+    let failed = |error| Failure::Machine { what: format!("cannot write {}", path.display()), error };
+    if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
+        fs::create_dir_all(parent).map_err(failed)?;
+    }
+    output::replace_file(path, list.text().as_bytes()).map_err(failed)?;
+    if !common.quiet {
+        terminal::print(&format!("{}: written\n", path.display()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn say(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure> {
+    let format = if common.json { CheckFormat::Json } else { options.format.unwrap_or(CheckFormat::Text) };
+    let xml =
+        || junit::xml(outcomes).map_err(|e| Failure::Machine { what: "cannot make the report".into(), error: std::io::Error::other(e) });
+    match format {
+        CheckFormat::Text if common.quiet => {
+            for held in outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok()) {
+                let name = if outcomes.len() > 1 { format!("{}: ", held.frame) } else { String::new() };
+                held.of(Standing::Fails).for_each(|judged| terminal::tell(&format!("{name}{}", judged.finding.message)));
+            }
+            Ok(())
+        }
+        CheckFormat::Text => terminal::print(&text(options, outcomes)),
+        CheckFormat::Json => terminal::print_json(&json(outcomes)),
+        CheckFormat::Junit => terminal::print(&xml()?),
+        CheckFormat::Github => terminal::print(&github::annotations(outcomes)),
+        CheckFormat::Markdown => terminal::print(&markdown::page(outcomes)),
+        CheckFormat::Sarif => terminal::print(&sarif::log(outcomes)),
+    }
+}
+
+fn text(options: &CheckOptions, outcomes: &[Outcome]) -> String {
+    let mut text = String::new();
+    for Outcome { asked, result } in outcomes {
+        if outcomes.len() > 1 {
+            text += &format!("== {asked}\n");
+        }
+        text += &match result {
+            Ok(held) => frame_text(options, held),
+            Err(refused) => format!("refused: {}\n", refused.message),
+        };
+    }
+    if outcomes.len() > 1 {
+        let of = |code: u8| outcomes.iter().filter(|outcome| outcome.exit_code() == code).count();
+        let (good, over, bad) = (of(0), of(1), of(2) + of(3));
+        text += &format!("{} frames: {good} keep their limits, {over} violate one, {bad} do not read\n", outcomes.len());
+    }
+    text
+}
+
+fn frame_text(options: &CheckOptions, held: &Held) -> String {
+    let findings: Vec<Finding> = held.findings.iter().map(|judged| judged.finding.clone()).collect();
+    let every: Vec<Tightest> = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
+    let table = table::findings(&if options.all { every } else { checks::tightest(&findings) });
+    let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));
+    let (frame, mass_g, count) = (&held.frame, held.masses.total_g, findings.len());
+    let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };
+    let how = if options.strict { "violate a limit or warn" } else { "violate a limit" };
+    format!("{table}{frame}: {mass_g:.1} g; {fails} of {count} findings {how}{known}\n")
+}
+
+fn json(outcomes: &[Outcome]) -> serde_json::Value {
+    let finding = |judged: &crate::gate::Judged| {
+        let mut value = serde_json::json!(judged.finding);
+        value["fails"] = (judged.standing == Standing::Fails).into();
+        value["accepted"] = (judged.standing == Standing::Accepted).into();
+        let place =
+            |spot: &crate::gate::Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
+        value["places"] = judged.spots.iter().map(place).collect::<Vec<_>>().into();
+        value
+    };
+    let frame = |outcome: &Outcome| match &outcome.result {
+        Ok(held) => serde_json::json!({
+            "asked": outcome.asked,
+            "frame": held.frame,
+            "violations": held.count(Standing::Fails),
+            "findings": held.findings.iter().map(finding).collect::<Vec<_>>(),
+            "masses": held.masses,
+        }),
+        Err(refused) => {
+            let place =
+                refused.spot.as_ref().map(|spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column }));
+            serde_json::json!({ "asked": outcome.asked, "refused": refused.message, "remedy": refused.remedy, "place": place })
+        }
+    };
+    serde_json::json!({ "schema_version": 2, "frames": outcomes.iter().map(frame).collect::<Vec<_>>() })
 }

@@ -1,21 +1,32 @@
 //! The command line: the only place that prints, and that opens files for writing.
 
 mod arguments;
+mod bom;
 mod build;
+mod cache;
 mod check;
 mod diagnose;
+mod diff;
 mod drop;
+mod explain;
 mod fit;
 mod fold;
+mod frame_text;
+mod frames;
 mod measure;
+mod new;
 mod output;
 mod params;
 mod plant;
 mod progress;
 mod render;
+mod revision;
+mod schema;
 mod session;
+mod solve;
 mod table;
 mod terminal;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -48,6 +59,13 @@ pub fn run() -> ExitCode {
 
 fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
     match &arguments.command {
+        Command::Bom(options) => bom::bom(options, &arguments.common),
+        Command::Diff(options) => diff::diff(options, &arguments.common),
+        Command::Explain(options) => explain::explain(options, &arguments.common),
+        Command::New(options) => new::new(options, &arguments.common),
+        Command::Schema(options) => schema::print(options),
+        Command::Solve(options) => solve::run(options, &arguments.common),
+        Command::Watch(options) => watch::watch(options, &arguments.common),
         Command::Build(options) => build::build(options, &arguments.common),
         Command::Check(options) => check::check(options, &arguments.common),
         Command::Diagnose(options) => diagnose::diagnose(options, &arguments.common),

@@ -1,7 +1,7 @@
 //! A folder that is written whole or not at all.
 
 use std::fs;
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::session::Failure;
@@ -74,4 +74,22 @@ fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure
         fs::write(&path, bytes).map_err(failed)?;
     }
     Ok(())
+}
+
+/// Writes a file beside its place and puts it there in one step: a reader sees the former one or the new one, whole.
+pub(super) fn replace_file(place: &Path, bytes: &[u8]) -> io::Result<()> {
+    let name = place.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let staging = place.with_file_name(format!(".{name}.{}.new", std::process::id()));
+    let done = write_new(&staging, bytes).and_then(|()| fs::rename(&staging, place));
+    if done.is_err() {
+        // The new file is of no use; that it cannot be removed either changes nothing.
+        let _ = fs::remove_file(&staging);
+    }
+    done
+}
+
+/// Writes a file that is not there yet, so that no link that lies in its place is followed.
+pub(super) fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = fs::OpenOptions::new().write(true).create_new(true).open(path)?;
+    file.write_all(bytes)
 }

@@ -6,7 +6,8 @@ use super::arguments::FrameOption;
 use crate::assembly::{Design, DesignError};
 use crate::measured::Malformed;
 use crate::params::frame_file::{Entry, Value};
-use crate::params::refusal::{Place, Reason, Refusal, Source};
+use crate::params::parameter::Parameter;
+use crate::params::refusal::{Place, Reason, Refusal, Source, nearest};
 use crate::params::{Frame, FrameFile, LoadError, parameters};
 
 /// Why a command did not do its work.
@@ -56,7 +57,45 @@ impl Failure {
 /// Loads, resolves and designs a frame; every refusal points into the file.
 pub(super) fn design(option: &FrameOption) -> Result<Design, Failure> {
     let (frame, file) = load(option)?;
-    Ok(Design::new(frame).map_err(|error| LoadError::Refused(refusal(&file, &error)))?)
+    designed(frame, &file)
+}
+
+/// Designs a frame that was read from a file.
+pub(super) fn designed(frame: Frame, file: &FrameFile) -> Result<Design, Failure> {
+    Design::new(frame).map_err(|error| refused(file, &error))
+}
+
+/// A design error as a refusal of the file that caused it.
+pub(super) fn refused(file: &FrameFile, error: &DesignError) -> Failure {
+    LoadError::Refused(refusal(file, error)).into()
+}
+
+/// A parameter by its key, with or without its table; the ending `_length_mm` or `_mm` may be left out, and a beginning is
+/// enough where only one key has it.
+pub(super) fn parameter(key: &str) -> Result<&'static Parameter, Failure> {
+    let whole = |p: &&Parameter| key == p.key || key == format!("{}.{}", p.table, p.key);
+    let bare = key.rsplit('.').next().unwrap_or(key);
+    let table = key.rsplit_once('.').map(|(table, _)| table);
+    let within = |p: &&Parameter| table.is_none_or(|table| table == p.table);
+    let short = |p: &&Parameter| within(p) && ["_length_mm", "_mm", "_deg", "_g"].iter().any(|unit| p.key == format!("{bare}{unit}"));
+    for fits in [&whole as &dyn Fn(&&Parameter) -> bool, &short] {
+        if let Some(found) = parameters().find(|p| fits(p)) {
+            return Ok(found);
+        }
+    }
+    let begun: Vec<&'static Parameter> = parameters().filter(|p| within(p) && !bare.is_empty() && p.key.starts_with(bare)).collect();
+    match begun[..] {
+        [only] => Ok(only),
+        [] => {
+            let near = nearest(bare, parameters().map(|p| p.key));
+            let meant = near.first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+            Err(Failure::Usage { message: format!("there is no parameter `{key}`{meant}; `flexframe params` lists them") })
+        }
+        _ => {
+            let names: Vec<String> = begun.iter().take(6).map(|p| format!("`{}`", p.key)).collect();
+            Err(Failure::Usage { message: format!("`{key}` may be any of {}", names.join(", ")) })
+        }
+    }
 }
 
 /// Loads and resolves a frame with the command line's changes on top.
@@ -69,6 +108,11 @@ pub(super) fn load(option: &FrameOption) -> Result<(Frame, FrameFile), Failure> 
         let entry = Entry { value: Value::Text(rigid.clone()), place: Place { source, span }, depth: 0 };
         file.entries.insert("materials.rigid".into(), entry);
     }
+    resolved(file)
+}
+
+/// Resolves a frame that was read.
+pub(super) fn resolved(file: FrameFile) -> Result<(Frame, FrameFile), Failure> {
     let frame = Frame::resolve(&file).map_err(LoadError::Refused)?;
     Ok((frame, file))
 }

@@ -1,5 +1,6 @@
 //! Tables for a terminal: readable without colour, coloured only on one.
 
+use std::borrow::Cow;
 use std::io::IsTerminal;
 
 use crate::checks::{Finding, Tightest, Verdict};
@@ -22,7 +23,7 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
             unit = finding.unit
         );
         if finding.verdict == Verdict::Violated {
-            let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(finding.levers)) };
+            let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(&finding.levers)) };
             text += &format!("          {}{mend}\n", finding.message);
         }
         if finding.verdict == Verdict::Note && finding.margin < 0.0 {
@@ -33,10 +34,10 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
 }
 
 /// Keys as alternatives: `a, b or c`.
-fn one_of(keys: &[&str]) -> String {
+fn one_of(keys: &[Cow<'static, str>]) -> String {
     match keys {
         [] => String::new(),
-        [key] => (*key).into(),
+        [key] => key.clone().into_owned(),
         [first @ .., last] => format!("{} or {last}", first.join(", ")),
     }
 }

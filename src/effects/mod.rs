@@ -39,6 +39,7 @@ pub use foot_stagger::Feet;
 pub use linear_damper::LinearDamper;
 pub use linear_spring::LinearSpring;
 pub use model::{Listed, Model};
+pub use model_text::{CHANNEL, PLAIN_NUMBERS, channel_words};
 pub use payload_mode::Payload;
 pub use sensor::{Channel, Sensor};
 

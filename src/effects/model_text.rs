@@ -20,7 +20,23 @@ const GAP: Plain = Plain { key: "gap_mm", bounds: [0.0, 1000.0], unit: "mm" };
 const CUTOFF: Plain = Plain { key: "sensor.cutoff_hz", bounds: [1.0, 20_000.0], unit: "Hz" };
 const ORDER: Plain = Plain { key: "sensor.order", bounds: [1.0, 3.0], unit: "1" };
 const LIMIT: Plain = Plain { key: "sensor.limit_g", bounds: [1.0, 100_000.0], unit: "g" };
-const CHANNEL: &str = "sensor.channel";
+/// Numbers of a model file that belong to no effect: key, bounds, unit, and what each is.
+pub const PLAIN_NUMBERS: [(&str, [f64; 2], &str, &str); 5] = [
+    (MASS.key, MASS.bounds, MASS.unit, "Mass that falls."),
+    (GAP.key, GAP.bounds, GAP.unit, "Room under what hangs lowest; it adds no force."),
+    (CUTOFF.key, CUTOFF.bounds, CUTOFF.unit, "Corner of the sensor's low pass."),
+    (ORDER.key, ORDER.bounds, ORDER.unit, "Order of the sensor's low pass."),
+    (LIMIT.key, LIMIT.bounds, LIMIT.unit, "Full scale of the sensor."),
+];
+
+/// Key of what the sensor reads.
+pub const CHANNEL: &str = "sensor.channel";
+
+/// What the sensor may read.
+pub fn channel_words() -> [&'static str; 2] {
+    CHANNELS.map(|(word, _)| word)
+}
+
 const CHANNELS: [(&str, Channel); 2] = [("axial", Channel::Axial), ("magnitude", Channel::Magnitude)];
 
 impl Plain {

@@ -1,5 +1,6 @@
 //! `bom.csv`: what to print, what to buy, and how to cut the rods from stock lengths.
 
+use super::cutting::{self, Stock, TooLong};
 use crate::assembly::Design;
 use crate::assembly::mass::MassTable;
 use crate::skeleton::RodRole;
@@ -7,52 +8,28 @@ use crate::skeleton::RodRole;
 /// Width of a saw cut, mm.
 pub const KERF_MM: f64 = 1.0;
 
-/// One stock length and what is cut from it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Stock {
-    /// Pieces in the order of cutting: role and length, mm.
-    pub pieces: Vec<(RodRole, f64)>,
-    /// What is left, mm.
-    pub rest_mm: f64,
-}
-
-/// A piece longer than the stock.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("a {} rod of {length_mm:.1} mm is longer than the stock of {stock_mm:.0} mm", role.slug())]
-pub struct TooLong {
-    /// Role of the rod.
-    pub role: RodRole,
-    /// Its length, mm.
-    pub length_mm: f64,
-    /// Length that rods are sold in, mm.
-    pub stock_mm: f64,
-}
-
-/// Cuts all rods from stock lengths, longest first, each from the first stock with room (first fit decreasing).
+/// Cuts all rods of a design from stock lengths.
 ///
 /// # Errors
 /// When a rod is longer than the stock.
 pub fn cutting_plan(design: &Design, stock_mm: f64) -> Result<Vec<Stock>, TooLong> {
-    let mut pieces: Vec<(RodRole, f64)> = design.skeleton.rods.iter().map(|rod| (rod.role, rod.length_mm())).collect();
-    pieces.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-    let mut plan: Vec<Stock> = Vec::new();
-    for (role, length_mm) in pieces {
-        if length_mm > stock_mm {
-            return Err(TooLong { role, length_mm, stock_mm });
-        }
-        match plan.iter_mut().find(|stock| stock.rest_mm >= length_mm) {
-            Some(stock) => {
-                stock.rest_mm = (stock.rest_mm - length_mm - KERF_MM).max(0.0);
-                stock.pieces.push((role, length_mm));
-            }
-            None => plan.push(Stock { pieces: vec![(role, length_mm)], rest_mm: (stock_mm - length_mm - KERF_MM).max(0.0) }),
-        }
-    }
-    Ok(plan)
+    cut(design, stock_mm, KERF_MM)
+}
+
+/// The stock length that a design's rods are cut from, mm, and how, with saw cuts of a width.
+pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>, TooLong>) {
+    let rod = design.frame.bought.get("rod");
+    let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
+    (stock_mm, cut(design, stock_mm, kerf_mm))
+}
+
+fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    let count = |role: RodRole| u8::try_from(design.skeleton.rods_of(role).count()).unwrap_or(u8::MAX);
+    cutting::plan(&RodRole::ALL.map(|role| (role, design.skeleton.length_mm(role), count(role))), stock_mm, kerf_mm)
 }
 
 /// The bill of materials as CSV (comma, quotes where needed, `\n`).
-pub fn csv(design: &Design, masses: &MassTable) -> String {
+pub fn csv(design: &Design, masses: &MassTable, kerf_mm: f64) -> String {
     let mut rows = vec!["kind,name,quantity,material,length_mm,mass_each_g,mass_total_g,mass_basis,source".to_string()];
     for line in &masses.lines {
         let length =
@@ -72,15 +49,15 @@ pub fn csv(design: &Design, masses: &MassTable) -> String {
             quoted(&source)
         ));
     }
-    rows.extend(cut_rows(design));
+    rows.extend(cut_rows(design, kerf_mm));
     rows.join("\n") + "\n"
 }
 
 /// A row a stock length: what to cut from it.
-fn cut_rows(design: &Design) -> Vec<String> {
+fn cut_rows(design: &Design, kerf_mm: f64) -> Vec<String> {
     let Some(rod) = design.frame.bought.get("rod") else { return Vec::new() };
-    let stock_mm = rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]);
-    match cutting_plan(design, stock_mm) {
+    let (stock_mm, plan) = rod_plan(design, kerf_mm);
+    match plan {
         Ok(plan) => plan
             .iter()
             .enumerate()

@@ -147,7 +147,7 @@ fn part_entries(design: &Design, masses: &MassTable) -> Vec<PartEntry> {
         .map(|part| PartEntry {
             name: part.name.to_string(),
             quantity: part.name.quantity(),
-            material: if part.name.is_flexible() { design.frame.flexible.name.clone() } else { design.frame.rigid.name.clone() },
+            material: design.material_of(part.name).name.clone(),
             volume_mm3: rounded(part.volume_mm3),
             mass_g: rounded(mass_of(masses, part.name.slug())),
             bbox_mm: part.mesh.size_mm().map(rounded),

@@ -1,9 +1,14 @@
 //! A design as bytes: one file a format, value in, bytes out; nothing here opens a file.
 
+pub mod bill;
+pub mod bill_page;
 pub mod bom;
+pub mod cutting;
+pub mod fingerprint;
 pub mod fold_glb;
 pub mod fold_json;
 mod fold_skin;
 pub mod glb;
 pub mod manifest;
 pub mod stl;
+pub mod three_mf;

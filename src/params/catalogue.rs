@@ -1,9 +1,10 @@
 //! What a frame file refers to by name: materials, bought parts, printers.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How a figure of mass is known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum MassBasis {
     /// On a scale.
@@ -15,7 +16,7 @@ pub enum MassBasis {
 }
 
 /// A material of printed parts or rods.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// `printed` or `rod`.
@@ -40,6 +41,26 @@ pub struct Material {
     pub tensile_strength_mpa: Option<f64>,
     /// Where modulus and strength come from.
     pub mechanical_source: Option<String>,
+    /// Most that a usual printer melts of it, mm³/s.
+    pub most_flow_mm3_s: Option<f64>,
+    /// Where that comes from.
+    pub flow_source: Option<String>,
+    /// Height of a printed layer, mm.
+    pub layer_mm: Option<f64>,
+    /// Walls around the infill.
+    pub perimeters: Option<f64>,
+    /// Printing speed, mm/s.
+    pub speed_mm_s: Option<f64>,
+    /// Heat of the nozzle, °C.
+    pub nozzle_c: Option<f64>,
+    /// Heat of the bed, °C.
+    pub bed_c: Option<f64>,
+    /// Most of the fan, %.
+    pub fan_percent: Option<f64>,
+    /// Brim around a part, mm; 0 for none.
+    pub brim_mm: Option<f64>,
+    /// Where the print settings come from.
+    pub print_source: Option<String>,
 }
 
 impl Material {
@@ -47,13 +68,20 @@ impl Material {
     pub fn is_sound(&self) -> bool {
         let optional =
             [self.elongation_at_break_percent, self.elongation_across_layers_percent, self.tensile_modulus_mpa, self.tensile_strength_mpa];
+        let printing = [self.layer_mm, self.perimeters, self.speed_mm_s, self.nozzle_c, self.bed_c, self.fan_percent];
+        let brimmed = self.brim_mm.is_none_or(|brim_mm| (0.0..=20.0).contains(&brim_mm));
         let coloured = self.colour.iter().all(|share| (0.0..=1.0).contains(share));
-        all_positive([Some(self.density_g_cm3), Some(self.print_factor)]) && all_positive(optional) && self.density_g_cm3 < 25.0 && coloured
+        all_positive([Some(self.density_g_cm3), Some(self.print_factor), self.most_flow_mm3_s])
+            && all_positive(optional)
+            && all_positive(printing)
+            && brimmed
+            && self.density_g_cm3 < 25.0
+            && coloured
     }
 }
 
 /// A part that is bought.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoughtPart {
     /// What it is: motor, propeller, battery …
@@ -102,6 +130,12 @@ pub struct BoughtPart {
     pub head_diameter_mm: Option<f64>,
     /// Height of a screw's head, mm.
     pub head_height_mm: Option<f64>,
+    /// Price of one; with a currency and a source, or not at all.
+    pub price: Option<f64>,
+    /// Currency of the price, such as EUR.
+    pub currency: Option<String>,
+    /// Where the price comes from, and when.
+    pub price_source: Option<String>,
 }
 
 impl BoughtPart {
@@ -111,12 +145,20 @@ impl BoughtPart {
         let holes = [self.hole_pcd_mm, self.hole_diameter_mm, self.shaft_hole_diameter_mm, self.hole_pitch_mm, self.capacity_mah];
         let screw = [self.thread_mm, self.length_mm, self.head_diameter_mm, self.head_height_mm];
         let weighed = self.mass_g.is_finite() && self.mass_g >= 0.0;
-        weighed && all_positive(self.size_mm.map(Some)) && all_positive(lengths) && all_positive(holes) && all_positive(screw)
+        let priced = [self.price.is_some(), self.currency.is_some(), self.price_source.is_some()];
+        let whole = priced == [true; 3] || priced == [false; 3];
+        whole
+            && self.price.is_none_or(|price| price.is_finite() && price >= 0.0)
+            && weighed
+            && all_positive(self.size_mm.map(Some))
+            && all_positive(lengths)
+            && all_positive(holes)
+            && all_positive(screw)
     }
 }
 
 /// The shape of a printer's bed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Bed {
     /// Length by width.
@@ -126,7 +168,7 @@ pub enum Bed {
 }
 
 /// A printer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Printer {
     /// What to call it.

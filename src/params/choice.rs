@@ -69,7 +69,14 @@ impl Catalogues {
                 return Err(file.refuse(&key, Reason::Unfit { key: key.clone(), name, found, expected, fits }));
             }
             if !part.is_sound() {
-                return Err(bad_override(file, &key, "bought part", "parts", &name, "a mass or size of it is negative or no number"));
+                return Err(bad_override(
+                    file,
+                    &key,
+                    "bought part",
+                    "parts",
+                    &name,
+                    "a mass or size of it is negative or no number, or its price lacks currency or price_source",
+                ));
             }
             items.insert(role.into(), BoughtItem { name, quantity, part });
         }

@@ -9,6 +9,7 @@ use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
 use super::refusal::{Reason, Refusal, nearest};
+use super::renamed;
 
 /// A frame, checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,7 +96,7 @@ pub struct BoughtItem {
 }
 
 /// A mass that is no part of the catalogue.
-#[derive(Clone, Debug, PartialEq, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Extra {
     /// Mass, g.
@@ -252,7 +253,10 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
         let inside = known.iter().find(|k| key.strip_prefix(k.as_str()).is_some_and(|rest| rest.starts_with('.')));
         let reason = match inside {
             Some(parent) => Reason::TableForValue { key: key.clone(), parent: parent.clone(), expected: expected(parent) },
-            None => Reason::UnknownKey { key: key.clone(), nearest: meant(key, &known) },
+            None => match renamed::now(key) {
+                Some(now) => Reason::Renamed { key: key.clone(), now: now.into() },
+                None => Reason::UnknownKey { key: key.clone(), nearest: meant(key, &known) },
+            },
         };
         return Err(file.refuse(key, reason));
     }
@@ -333,14 +337,16 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     Err(file.refuse(if typed { &key } else { &chosen }, reason))
 }
 
+/// Keys of a target size, each with its least and its most.
+pub const TARGET_BOUNDS: [(&str, f64, f64); 3] =
+    [("target.width_mm", 80.0, 600.0), ("target.height_mm", 40.0, 400.0), ("target.strut_tilt_deg", 10.0, 35.0)];
+
 fn target(file: &FrameFile) -> Result<Option<TargetSize>, Refusal> {
-    const BOUNDS: [(&str, f64, f64); 3] =
-        [("target.width_mm", 80.0, 600.0), ("target.height_mm", 40.0, 400.0), ("target.strut_tilt_deg", 10.0, 35.0)];
     if !file.entries.keys().any(|key| key.starts_with("target.")) {
         return Ok(None);
     }
     let mut values = [0.0; 3];
-    for (value, (key, min, max)) in values.iter_mut().zip(BOUNDS) {
+    for (value, (key, min, max)) in values.iter_mut().zip(TARGET_BOUNDS) {
         let unit = if key.ends_with("deg") { "°" } else { "mm" };
         *value = match file.entries.get(key).map(|entry| &entry.value) {
             Some(Value::Number(number)) if (min..=max).contains(number) => *number,

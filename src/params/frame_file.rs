@@ -7,6 +7,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::files::{Disk, Files};
 use super::preset;
 use super::refusal::{Place, Reason, Refusal, Source, nearest};
 
@@ -47,12 +48,10 @@ pub enum LoadError {
         error: std::io::Error,
     },
     /// The file is too large to be one of parameters.
-    #[error("{path} has {bytes} bytes; a file of parameters has at most {LARGEST_FILE}")]
+    #[error("{path} is too large; a file of parameters has at most {LARGEST_FILE} bytes")]
     TooLarge {
         /// The file.
         path: PathBuf,
-        /// Its size.
-        bytes: u64,
     },
 }
 
@@ -116,6 +115,10 @@ pub struct FrameFile {
     pub name: String,
     /// The entries.
     pub entries: BTreeMap<String, Entry>,
+    /// What was read from disk, the frame file first; presets come with the program and are not among them.
+    pub files: Vec<Arc<Source>>,
+    /// Where the frame file names its base.
+    pub base: Option<Place>,
 }
 
 impl FrameFile {
@@ -124,8 +127,16 @@ impl FrameFile {
     /// # Errors
     /// When there is none, when it cannot be read, or when it is not TOML.
     pub fn load(frame: &str) -> Result<Self, LoadError> {
-        let (name, source, folder) = open(frame, None)?;
-        Self::read(name, source, folder)
+        Self::load_from(frame, &Disk)
+    }
+
+    /// The same with files from somewhere else than the disk.
+    ///
+    /// # Errors
+    /// When there is none, when it cannot be read, or when it is not TOML.
+    pub fn load_from(frame: &str, files: &dyn Files) -> Result<Self, LoadError> {
+        let (name, source, folder) = open(frame, None, files)?;
+        Self::read(name, source, folder, files)
     }
 
     /// Reads a frame from text; its base, if it has one, is a preset or a file of the working directory.
@@ -134,12 +145,12 @@ impl FrameFile {
     /// When it is not TOML or a base cannot be read.
     pub fn parse(name: &str, text: &str) -> Result<Self, LoadError> {
         let source = Arc::new(Source { name: name.into(), text: text.into() });
-        Self::read(name.into(), source, None)
+        Self::read(name.into(), source, None, &Disk)
     }
 
-    fn read(name: String, source: Arc<Source>, folder: Option<PathBuf>) -> Result<Self, LoadError> {
-        let mut file = Self { name, entries: BTreeMap::new() };
-        file.stack(source, folder, &mut Vec::new())?;
+    fn read(name: String, source: Arc<Source>, folder: Option<PathBuf>, files: &dyn Files) -> Result<Self, LoadError> {
+        let mut file = Self { name, entries: BTreeMap::new(), files: Vec::new(), base: None };
+        file.stack(source, folder, files, &mut Vec::new())?;
         if let Some(Entry { value: Value::Text(name), .. }) = file.entries.get("name") {
             let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !name.starts_with('.');
             if !plain {
@@ -155,9 +166,12 @@ impl FrameFile {
     }
 
     /// Adds a file's entries where no nearer file has them, then its base's.
-    fn stack(&mut self, source: Arc<Source>, folder: Option<PathBuf>, chain: &mut Vec<String>) -> Result<(), LoadError> {
+    fn stack(&mut self, source: Arc<Source>, folder: Option<PathBuf>, files: &dyn Files, chain: &mut Vec<String>) -> Result<(), LoadError> {
         let depth = chain.len();
         chain.push(source.name.clone());
+        if folder.is_some() {
+            self.files.push(Arc::clone(&source));
+        }
         let mut typed = typed_entries(&source, depth)?;
         let base = typed.remove("base");
         if depth > 0 {
@@ -168,12 +182,15 @@ impl FrameFile {
             self.entries.entry(key).or_insert(entry);
         }
         let Some(base) = base else { return Ok(()) };
+        if depth == 0 {
+            self.base = Some(base.place.clone());
+        }
         let Value::Text(base_name) = &base.value else {
             let reason = Reason::WrongType { key: "base".into(), found: base.value.kind().into(), expected: "the name of a frame".into() };
             return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
         };
         let here = folder.as_deref().map(|folder| Here { folder, file: &source.name });
-        let (_, source, folder) = open(base_name, here).map_err(|error| match error {
+        let (_, source, folder) = open(base_name, here, files).map_err(|error| match error {
             LoadError::NoSuchFrame { .. } => {
                 let reason =
                     Reason::UnknownName { kind: "base".into(), name: base_name.clone(), nearest: nearest(base_name, preset::names()) };
@@ -185,7 +202,23 @@ impl FrameFile {
             let reason = Reason::BaseChain { chain: format!("{} -> {}", chain.join(" -> "), source.name) };
             return Err(Refusal { reason: Box::new(reason), place: Some(base.place) }.into());
         }
-        self.stack(source, folder, chain)
+        self.stack(source, folder, files, chain)
+    }
+
+    /// Sets a value, as if the frame file stated it; a refusal of it still points to where the key was typed.
+    pub fn set(&mut self, key: &str, value: Value) {
+        let typed = self.entries.get(key).map(|entry| entry.place.clone());
+        let place = typed.unwrap_or_else(|| {
+            let text = format!("{key} = {}", value.to_toml());
+            let span = 0..text.len();
+            Place { source: Arc::new(Source { name: "command line".into(), text }), span }
+        });
+        self.entries.insert(key.into(), Entry { value, place, depth: 0 });
+    }
+
+    /// Sets a number.
+    pub fn set_number(&mut self, key: &str, value: f64) {
+        self.set(key, Value::Number(value));
     }
 
     /// A refusal that points at a key, or at nothing when no file states it.
@@ -203,24 +236,24 @@ struct Here<'a> {
 
 impl Here<'_> {
     /// The file beside this one that a base's name means; a preset's name never means this file itself.
-    fn beside(&self, base: &str) -> Option<PathBuf> {
+    fn beside(&self, base: &str, files: &dyn Files) -> Option<PathBuf> {
         let whole = base.ends_with(".toml");
         let path = self.folder.join(if whole { base.to_string() } else { format!("{base}.toml") });
         let preset = !whole && preset::text(base).is_some() && path.display().to_string() == self.file;
-        (path.is_file() && !preset).then_some(path)
+        (files.is_file(&path) && !preset).then_some(path)
     }
 }
 
 /// Finds a frame: its name, its text, and the folder of its bases. One named on the command line is a path or a preset,
 /// a base is a file beside the one that names it, or a preset.
-fn open(frame: &str, here: Option<Here>) -> Result<(String, Arc<Source>, Option<PathBuf>), LoadError> {
+fn open(frame: &str, here: Option<Here>, files: &dyn Files) -> Result<(String, Arc<Source>, Option<PathBuf>), LoadError> {
     let path = match here {
-        Some(here) => here.beside(frame),
+        Some(here) => here.beside(frame, files),
         None => frame.ends_with(".toml").then(|| PathBuf::from(frame)),
     };
     if let Some(path) = path {
         let parent = path.parent().map(Path::to_path_buf);
-        let (stem, source) = read_source(path)?;
+        let (stem, source) = read_from(path, files)?;
         return Ok((stem, source, parent));
     }
     match preset::text(frame) {
@@ -233,12 +266,23 @@ fn open(frame: &str, here: Option<Here>) -> Result<(String, Arc<Source>, Option<
 }
 
 /// A file's stem and its text.
-pub(super) fn read_source(path: PathBuf) -> Result<(String, Arc<Source>), LoadError> {
-    let bytes = std::fs::metadata(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?.len();
-    if bytes > LARGEST_FILE {
-        return Err(LoadError::TooLarge { path, bytes });
+///
+/// # Errors
+/// When it cannot be read, is larger than a file of parameters, or is not UTF-8.
+pub fn read_source(path: PathBuf) -> Result<(String, Arc<Source>), LoadError> {
+    read_from(path, &Disk)
+}
+
+fn read_from(path: PathBuf, files: &dyn Files) -> Result<(String, Arc<Source>), LoadError> {
+    let unreadable = |error| LoadError::Unreadable { path: path.clone(), error };
+    let bytes = files.bytes(&path, LARGEST_FILE + 1).map_err(unreadable)?;
+    if bytes.len() as u64 > LARGEST_FILE {
+        return Err(LoadError::TooLarge { path });
     }
-    let text = std::fs::read_to_string(&path).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        unreadable(std::io::Error::new(std::io::ErrorKind::InvalidData, format!("byte {at} is not UTF-8")))
+    })?;
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     Ok((stem, Arc::new(Source { name: path.display().to_string(), text })))
 }

@@ -2,6 +2,7 @@
 
 pub mod catalogue;
 mod choice;
+pub mod files;
 pub mod follows;
 pub mod frame;
 pub mod frame_file;
@@ -12,6 +13,7 @@ pub mod part_name;
 pub mod preset;
 pub mod refusal;
 mod relation;
+mod renamed;
 
 pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::{FrameFile, LoadError};

@@ -43,3 +43,25 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 pub fn text(name: &str) -> Option<&'static str> {
     PRESETS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
+
+/// The printers' names.
+pub fn printer_names() -> impl Iterator<Item = &'static str> {
+    PRINTERS.iter().map(|(name, _)| *name)
+}
+
+/// The names of the materials of a kind: `printed` or `rod`.
+pub fn material_names(kind: &str) -> Vec<String> {
+    names_of(MATERIALS, "materials", kind)
+}
+
+/// The names of the bought parts of a kind.
+pub fn part_names(kind: &str) -> Vec<String> {
+    names_of(BOUGHT, "parts", kind)
+}
+
+fn names_of(catalogue: &str, table: &str, kind: &str) -> Vec<String> {
+    let all: toml::Table = toml::from_str(catalogue).unwrap_or_default();
+    let entries = all.get(table).and_then(toml::Value::as_table).cloned().unwrap_or_default();
+    let of_kind = |entry: &toml::Value| entry.get("kind").and_then(toml::Value::as_str) == Some(kind);
+    entries.iter().filter(|(_, entry)| of_kind(entry)).map(|(name, _)| name.clone()).collect()
+}

@@ -23,6 +23,17 @@ pub struct Place {
     pub span: Range<usize>,
 }
 
+impl Place {
+    /// Line and column of its first character, both from 1; columns count characters.
+    pub fn line_column(&self) -> [usize; 2] {
+        let text = &self.source.text;
+        let start = (0..=self.span.start.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+        let before = &text[..start];
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
+    }
+}
+
 /// What is wrong with a frame file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Reason {
@@ -39,6 +50,14 @@ pub enum Reason {
         key: String,
         /// The nearest known ones.
         nearest: Vec<String>,
+    },
+    /// A key that former versions knew.
+    #[error("`{key}` is no key of a frame any more")]
+    Renamed {
+        /// The key with its table.
+        key: String,
+        /// What to write instead.
+        now: String,
     },
     /// A value of the wrong type.
     #[error("`{key}` is {found}, it must be {expected}")]
@@ -145,6 +164,7 @@ impl Reason {
         match self {
             Self::Syntax { .. } => "mend the line; https://toml.io shows the form".into(),
             Self::UnknownKey { nearest: n, .. } => nearest(n),
+            Self::Renamed { now, .. } => now.clone(),
             Self::UnknownName { kind, nearest: n, .. } if n.is_empty() => known_names(kind),
             Self::UnknownName { nearest: n, .. } => nearest(n),
             Self::WrongType { expected, .. } | Self::TableForValue { expected, .. } => format!("give {expected}"),

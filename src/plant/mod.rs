@@ -10,5 +10,5 @@ mod records;
 
 pub use hidden::Hidden;
 pub use motion::Motion;
-pub use plan::{Plan, Scatter};
+pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, Scatter};
 pub use records::{Record, clean, records};

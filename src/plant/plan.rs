@@ -44,7 +44,7 @@ pub struct Plan {
 }
 
 /// A plain number of a plant file: key, bounds, unit, and what holds when it is not stated.
-const NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
+pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
     ("drops.seed", [0.0, 9e15], "1", 1.0),
     ("scatter.share", [0.0, 2.0], "1", 0.1),
@@ -57,7 +57,8 @@ const NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
     ("logger.rate_hz", [200.0, 100_000.0], "Hz", 1000.0),
     ("hidden.loss", [0.0, 1.0], "1", 0.5),
 ];
-const HIDDEN: [(&str, [f64; 2], &str); 7] = [
+/// What a hidden truth takes: key, bounds, unit.
+pub const HIDDEN_NUMBERS: [(&str, [f64; 2], &str); 7] = [
     ("hidden.x1_mm", [0.1, 60.0], "mm"),
     ("hidden.stiffness_n_m", [0.0, 1e6], "N/m"),
     ("hidden.share_1", [0.0, 0.45], "1"),
@@ -66,9 +67,12 @@ const HIDDEN: [(&str, [f64; 2], &str); 7] = [
     ("hidden.f_2_hz", [20.0, 1000.0], "Hz"),
     ("hidden.zeta", [0.005, 1.5], "1"),
 ];
-const HEIGHTS: &str = "drops.heights_m";
-const HEIGHT_BOUNDS_M: [f64; 2] = [0.01, 100.0];
-const KIND: &str = "hidden.kind";
+/// Key of the heights.
+pub const HEIGHTS: &str = "drops.heights_m";
+/// Least and highest drop, m.
+pub const HEIGHT_BOUNDS_M: [f64; 2] = [0.01, 100.0];
+/// Key of what is hidden.
+pub const KIND: &str = "hidden.kind";
 const OWN: [&str; 4] = ["drops.", "scatter.", "logger.", "hidden."];
 
 impl Plan {
@@ -86,17 +90,17 @@ impl Plan {
     /// What it says that cannot be, with its place.
     pub fn resolve(file: &ImpactFile) -> Result<Self, Refusal> {
         let own = |key: &str| OWN.iter().any(|table| key.starts_with(table));
-        let known: Vec<String> = NUMBERS
+        let known: Vec<String> = PLAN_NUMBERS
             .iter()
             .map(|number| number.0)
-            .chain(HIDDEN.iter().map(|number| number.0))
+            .chain(HIDDEN_NUMBERS.iter().map(|number| number.0))
             .chain([HEIGHTS, KIND])
             .map(String::from)
             .collect();
         file.part(own).only(&known, &[])?;
         let model = Model::resolve(&file.part(|key| !own(key)))?;
         let number = |key: &str| -> Result<f64, Refusal> {
-            let (_, bounds, unit, default) = NUMBERS[NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
+            let (_, bounds, unit, default) = PLAN_NUMBERS[PLAN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
             Ok(file.number(key, bounds, unit)?.unwrap_or(default))
         };
         let whole = |key: &str| -> Result<u64, Refusal> {
@@ -131,7 +135,7 @@ fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {
         return Ok(None);
     }
     let stated = |key: &str| -> Result<f64, Refusal> {
-        let (_, bounds, unit) = HIDDEN[HIDDEN.iter().position(|known| known.0 == key).unwrap_or(0)];
+        let (_, bounds, unit) = HIDDEN_NUMBERS[HIDDEN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
         file.stated(key, bounds, unit)
     };
     Ok(Some(match Hidden::NAMES[file.word(KIND, &Hidden::NAMES)?] {

@@ -54,10 +54,10 @@ impl Job<'_> {
 }
 
 fn colour(design: &Design, part: &Printed) -> [f32; 4] {
-    if part.name.is_flexible() { design.frame.flexible.material.colour } else { design.frame.rigid.material.colour }
+    design.material_of(part.name).material.colour
 }
 
-fn assembled(design: &Design) -> Vec<Item<'_>> {
+pub(super) fn assembled(design: &Design) -> Vec<Item<'_>> {
     let item = |body: &crate::assembly::Body| {
         let shape = &design.shapes[body.shape];
         Item { mesh: &shape.mesh, pose: body.pose, colour: shape.colour }

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# install.sh FOLDER: puts the program of this source tree into FOLDER/bin, unless it is there already.
+# FOLDER is what a job keeps from run to run; key.sh says when to begin a new one.
+set -euo pipefail
+folder=$1
+source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+key=$(bash "$source/docs/ci/key.sh")
+
+if [[ -x $folder/bin/flexframe && $(cat "$folder/key" 2>/dev/null) == "$key" ]]; then
+    echo "flexframe $key was kept"
+    exit
+fi
+cargo build --release --locked --manifest-path "$source/Cargo.toml"
+mkdir -p "$folder/bin"
+cp "${CARGO_TARGET_DIR:-$source/target}/release/flexframe" "$folder/bin/flexframe"
+echo "$key" >"$folder/key"

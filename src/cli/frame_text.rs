@@ -1,0 +1,109 @@
+//! A frame file as it is written: a base, and what differs, each with the reason.
+
+use std::path::{Path, PathBuf};
+
+use super::output;
+use super::session::Failure;
+use crate::params::frame_file::Value;
+
+/// A line of a frame file.
+pub(super) struct Line {
+    /// Key with its table.
+    pub key: String,
+    /// Its value.
+    pub value: Value,
+    /// Why it stands there.
+    pub why: String,
+}
+
+/// Where a frame of a name is written: in the working directory, or at a path. Nothing may be there yet.
+pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
+    let path = PathBuf::from(if name.ends_with(".toml") { name.to_string() } else { format!("{name}.toml") });
+    let usage = |message: String| Failure::Usage { message };
+    let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+    let plain = !stem.is_empty() && stem.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !stem.starts_with('.');
+    if !plain {
+        return Err(usage(format!("the name {stem:?} cannot be a folder's name: use letters, digits, '-', '_' and '.'")));
+    }
+    // A link that leads nowhere is something, too.
+    if path.symlink_metadata().is_ok() {
+        return Err(usage(format!("{} is there already: choose another name", path.display())));
+    }
+    Ok(path)
+}
+
+/// Writes a frame file.
+pub(super) fn write(place: &Path, base: &str, description: &str, lines: &[Line]) -> Result<(), Failure> {
+    let text = text(&base_for(place, base), description, lines);
+    output::write_new(place, text.as_bytes()).map_err(|error| Failure::Machine { what: format!("cannot write {}", place.display()), error })
+}
+
+/// A base as a file in another folder names it: a preset's name, the name of a file beside it, or a whole path.
+fn base_for(place: &Path, base: &str) -> String {
+    if !base.ends_with(".toml") {
+        return base.into();
+    }
+    let folder = |path: &Path| std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_path_buf));
+    let file = Path::new(base);
+    match (folder(place), folder(file), file.file_name()) {
+        (Some(a), Some(b), Some(name)) if a == b => name.to_string_lossy().into_owned(),
+        _ => std::path::absolute(file).unwrap_or(file.to_path_buf()).display().to_string(),
+    }
+}
+
+fn text(base: &str, description: &str, lines: &[Line]) -> String {
+    let mut text =
+        format!("# {description}.\n# What does not stand here is that of the base; `flexframe explain KEY` says what a key does.\n");
+    text += &format!("base = {}\ndescription = {}\n", quoted(base), quoted(description));
+    let mut tables: Vec<&str> = Vec::new();
+    for line in lines {
+        let (table, _) = line.key.rsplit_once('.').unwrap_or(("", &line.key));
+        if !tables.contains(&table) {
+            tables.push(table);
+        }
+    }
+    for table in tables {
+        text += &format!("\n[{table}]\n");
+        for line in lines.iter().filter(|line| line.key.rsplit_once('.').is_some_and(|(of, _)| of == table)) {
+            let key = line.key.rsplit('.').next().unwrap_or_default();
+            let why = line.why.replace(['\n', '\r'], " ");
+            text += &format!("{key} = {} # {why}\n", told(&line.value));
+        }
+    }
+    text
+}
+
+fn told(value: &Value) -> String {
+    match value {
+        Value::Number(number) => format!("{number:?}"),
+        Value::Text(text) => quoted(text),
+        Value::Other(other) => other.to_string(),
+    }
+}
+
+/// A basic string of TOML: JSON's escapes are among its own.
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::FrameFile;
+
+    #[test]
+    fn analytic_what_is_written_reads() {
+        let line = |key: &str, value: Value| Line { key: key.into(), value, why: "because\nof this".into() };
+        let lines = [
+            line("rods.arm_rod_length_mm", Value::Number(80.0)),
+            line("bought.battery", Value::Text("battery-2s-850".into())),
+            line("rods.cage_rod_length_mm", Value::Number(190.125)),
+        ];
+        let text = text("cognifly", "A \"quoted\" \\ description", &lines);
+        let file = FrameFile::parse("mine", &text).expect(&text);
+        for Line { key, value, .. } in &lines {
+            assert_eq!(&file.entries[key].value, value, "{text}");
+        }
+        assert_eq!(file.entries["description"].value, Value::Text("A \"quoted\" \\ description".into()));
+    }
+}

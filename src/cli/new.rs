@@ -1,0 +1,116 @@
+//! `flexframe new`: a variant of a frame, solved to keep its limits.
+
+use std::process::ExitCode;
+
+use super::arguments::{Common, FrameOption, NewOptions};
+use super::frame_text::{self, Line};
+use super::progress::Progress;
+use super::session::{self, Failure};
+use super::terminal;
+use crate::params::LoadError;
+use crate::params::frame_file::Value;
+use crate::variant::{CreateError, Creation, Request, SolveError, create};
+
+/// Writes a variant; exits 1, and writes nothing, when no frame near by keeps every limit.
+pub(super) fn new(options: &NewOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let place = frame_text::place(&options.name)?;
+    let (from, mut file) = session::load(&FrameOption { frame: options.from.clone(), rigid: None })?;
+    let envelope_mm = options.envelope.as_deref().map(envelope).transpose()?;
+    let mut lines = wishes(options, envelope_mm);
+    if lines.is_empty() {
+        return Err(Failure::Usage {
+            message: "say what is to be different: --battery, --propeller, --motor, --rod, --envelope or --mass".into(),
+        });
+    }
+    for Line { key, value, .. } in &lines {
+        file.set(key, value.clone());
+    }
+    file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let working = Progress::of("solving", common);
+    let request = Request { file: &file, from: &from, envelope_mm: envelope_mm.map(|[x, _, z]| [x, z]), most: usize::from(options.frames) };
+    let created = create(&request);
+    drop(working);
+    let creation = match created {
+        Ok(creation) => creation,
+        Err(CreateError::Refused(refusal)) => return Err(LoadError::Refused(refusal).into()),
+        Err(CreateError::Unsolved(error @ SolveError::Infeasible { .. })) => {
+            terminal::tell(&format!("no such variant was found: {error}\nask for less, or free more parameters with `flexframe solve`"));
+            return Ok(ExitCode::from(1));
+        }
+        Err(CreateError::Unsolved(error)) => return Err(Failure::Usage { message: error.to_string() }),
+    };
+    for moved in &creation.moved {
+        let why = format!("was {}; moved to keep every limit", moved.before);
+        lines.push(Line { key: moved.key.clone(), value: Value::Number(moved.after), why });
+    }
+    frame_text::write(&place, &options.from, &format!("Variant of {}", from.name), &lines)?;
+    if common.json {
+        terminal::print_json(&json(&creation, &place.display().to_string()))?;
+    } else if !common.quiet {
+        terminal::print(&told(&creation, &lines, &place.display().to_string()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What was asked for, as lines of the file.
+fn wishes(options: &NewOptions, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
+    let choices = [
+        ("bought.battery", &options.battery),
+        ("bought.propeller", &options.propeller),
+        ("bought.motor", &options.motor),
+        ("bought.rod", &options.rod),
+    ];
+    let asked = "asked for";
+    let choice = |(key, name): (&str, &Option<String>)| {
+        name.as_ref().map(|name| Line { key: key.into(), value: Value::Text(name.clone()), why: asked.into() })
+    };
+    let mut lines: Vec<Line> = choices.into_iter().filter_map(choice).collect();
+    if let Some([x, _, z]) = envelope_mm {
+        for (key, value) in [("limits.envelope_width_mm", x), ("limits.envelope_height_mm", z)] {
+            lines.push(Line { key: key.into(), value: Value::Number(value), why: asked.into() });
+        }
+    }
+    lines.extend(options.mass.map(|mass| Line { key: "limits.mass_budget_g".into(), value: Value::Number(mass), why: asked.into() }));
+    lines
+}
+
+/// `180x180x110`: width, depth and height, mm. The frame is as deep as it is wide.
+fn envelope(text: &str) -> Result<[f64; 3], Failure> {
+    let wrong = || Failure::Usage {
+        message: format!("--envelope {text}: give width x depth x height in mm, such as 180x180x110, as deep as wide"),
+    };
+    let sides: Vec<f64> = text.split('x').filter_map(|side| side.trim().parse().ok()).collect();
+    match sides[..] {
+        [x, y, z] if text.split('x').count() == 3 && x == y && [x, z].iter().all(|side: &f64| side.is_finite()) => Ok([x, y, z]),
+        _ => Err(wrong()),
+    }
+}
+
+fn told(creation: &Creation, lines: &[Line], place: &str) -> String {
+    let mut text = String::new();
+    for message in &creation.why {
+        text += &format!("as asked for: {message}\n");
+    }
+    for line in lines {
+        let value = match &line.value {
+            Value::Number(number) => number.to_string(),
+            Value::Text(name) => name.clone(),
+            Value::Other(other) => other.to_string(),
+        };
+        text += &format!("{:<34} {value:>16}  {}\n", line.key, line.why);
+    }
+    let fails = "keeps every limit";
+    format!("{text}{place}: {:.1} g, {fails}; {} frames were looked at\n", creation.evaluation.masses.total_g, creation.looked_at)
+}
+
+fn json(creation: &Creation, place: &str) -> serde_json::Value {
+    let moved = |m: &crate::variant::Moved| serde_json::json!({ "key": m.key, "before": m.before, "after": m.after });
+    serde_json::json!({
+        "schema_version": 1,
+        "file": place,
+        "as_asked_for": creation.why,
+        "moved": creation.moved.iter().map(moved).collect::<Vec<_>>(),
+        "mass_g": creation.evaluation.masses.total_g,
+        "looked_at": creation.looked_at,
+    })
+}

@@ -1,0 +1,93 @@
+//! Files as they were at a revision of a git repository, read by the `git` that is installed.
+
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use super::session::Failure;
+use crate::params::files::Files;
+
+/// A revision of the repository that holds a file.
+pub(super) struct Revision {
+    /// The commit, as git names it.
+    commit: String,
+    /// The repository's top folder.
+    top: PathBuf,
+}
+
+impl Revision {
+    /// A revision, by any name that git knows, of the repository around a file.
+    pub fn of(file: &Path, name: &str) -> Result<Self, Failure> {
+        let folder = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let usage = |message: String| Failure::Usage { message };
+        let top = git(folder, &["rev-parse", "--show-toplevel"])?
+            .ok_or_else(|| usage(format!("{} lies in no git repository", file.display())))?;
+        // Without --end-of-options a name that begins with a dash would be taken for an option.
+        let commit = git(folder, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")])?;
+        let commit = commit.ok_or_else(|| usage(format!("this repository has no revision `{name}`")))?;
+        Ok(Self { commit, top: PathBuf::from(top) })
+    }
+
+    /// The first digits of the commit.
+    pub fn short(&self) -> &str {
+        self.commit.get(..9).unwrap_or(&self.commit)
+    }
+
+    /// What git calls a file of this revision; none when it lies outside the repository.
+    fn object(&self, path: &Path) -> Option<String> {
+        let absolute = std::path::absolute(path).ok()?;
+        // The top folder is named without links; so is the part of the path that exists.
+        let parent = absolute.parent().and_then(|parent| parent.canonicalize().ok());
+        let absolute = match (parent, absolute.file_name()) {
+            (Some(parent), Some(name)) => parent.join(name),
+            _ => plain(&absolute),
+        };
+        let below = absolute.strip_prefix(&self.top).ok()?.to_str()?.replace('\\', "/");
+        Some(format!("{}:{below}", self.commit))
+    }
+}
+
+/// A path without `.` and `..`.
+fn plain(path: &Path) -> PathBuf {
+    let mut plain = PathBuf::new();
+    for component in path.components() {
+        match component {
+            Component::ParentDir => drop(plain.pop()),
+            Component::CurDir => {}
+            other => plain.push(other),
+        }
+    }
+    plain
+}
+
+impl Files for Revision {
+    fn is_file(&self, path: &Path) -> bool {
+        let object = self.object(path);
+        object.is_some_and(|object| matches!(git(&self.top, &["cat-file", "-t", &object]), Ok(Some(kind)) if kind == "blob"))
+    }
+
+    fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+        let nowhere = || io::Error::new(io::ErrorKind::NotFound, format!("it is not in {}", self.short()));
+        let object = self.object(path).ok_or_else(nowhere)?;
+        let mut child = command(&self.top, &["cat-file", "blob", &object]).stdout(Stdio::piped()).spawn()?;
+        let mut bytes = Vec::new();
+        if let Some(out) = child.stdout.take() {
+            io::Read::read_to_end(&mut io::Read::take(out, most), &mut bytes)?;
+        }
+        // A longer file leaves git with a closed pipe, which is not its failure.
+        let status = child.wait()?;
+        if status.success() || bytes.len() as u64 >= most { Ok(bytes) } else { Err(nowhere()) }
+    }
+}
+
+fn command(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new("git");
+    command.arg("-C").arg(folder).args(arguments).stdin(Stdio::null()).stderr(Stdio::null());
+    command
+}
+
+/// What git prints, without the line's end; none when it fails.
+fn git(folder: &Path, arguments: &[&str]) -> Result<Option<String>, Failure> {
+    let output = command(folder, arguments).output().map_err(|error| Failure::Machine { what: "cannot run git".into(), error })?;
+    Ok(output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim_end().to_string()))
+}

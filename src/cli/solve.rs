@@ -1,0 +1,106 @@
+//! `flexframe solve`: a search for a better frame.
+
+use std::process::ExitCode;
+
+use super::arguments::{Common, SolveOptions};
+use super::frame_text::{self, Line};
+use super::progress::Progress;
+use super::session::{self, Failure};
+use super::terminal;
+use crate::params::frame_file::Value;
+use crate::variant::{Aim, Goal, MEASURES, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve};
+
+/// Searches, says what it found, and writes it when asked to; exits 1 when no frame keeps every limit.
+pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let usage = |message: String| Failure::Usage { message };
+    let aim = measure(&options.minimise)
+        .ok_or_else(|| usage(format!("--minimise: there is no measure `{}`; there are {}", options.minimise, measure_names())))?;
+    let goals = options.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
+    let goals = goals.map_err(|error| usage(format!("--subject-to: {error}")))?;
+    let vary = options.vary.iter().map(|text| vary(text)).collect::<Result<Vec<_>, _>>()?;
+    let place = options.output.as_ref().map(|name| frame_text::place(name)).transpose()?;
+    let (before, file) = session::load(&options.frame)?;
+    let working = Progress::of("searching", common);
+    let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most: usize::from(options.frames) };
+    let found = solve(&problem);
+    drop(working);
+    let solution = match found {
+        Ok(solution) => solution,
+        Err(error @ SolveError::Infeasible { .. }) => {
+            terminal::tell(&format!("no answer: {error}"));
+            return Ok(ExitCode::from(1));
+        }
+        Err(error) => return Err(usage(error.to_string())),
+    };
+    if common.json {
+        terminal::print_json(&json(&solution))?;
+    } else if !common.quiet {
+        terminal::print(&told(&solution, &before.name))?;
+    }
+    if let Some(place) = place {
+        let lines: Vec<Line> = solution.values.iter().map(|(vary, before, after)| line(vary, *before, *after)).collect();
+        let what = format!("{} made small by flexframe solve", aim.doc);
+        frame_text::write(&place, &options.frame.frame, &what, &lines)?;
+        if !common.quiet && !common.json {
+            terminal::print(&format!("{}: written\n", place.display()))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A parameter that varies: `arm_rod` or `arm_rod=70..90`.
+fn vary(text: &str) -> Result<Vary, Failure> {
+    let (key, range) = text.split_once('=').map_or((text, None), |(key, range)| (key, Some(range)));
+    let parameter = session::parameter(key.trim())?;
+    let mut bounds = [parameter.min, parameter.max];
+    if let Some(range) = range {
+        let wrong =
+            || Failure::Usage { message: format!("--vary {text}: give bounds as {key}=LEAST..MOST within {} to {}", bounds[0], bounds[1]) };
+        let (least, most) = range.split_once("..").ok_or_else(wrong)?;
+        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| (bounds[0]..=bounds[1]).contains(value));
+        let stated = [number(least).ok_or_else(wrong)?, number(most).ok_or_else(wrong)?];
+        if stated[0] > stated[1] {
+            return Err(wrong());
+        }
+        bounds = stated;
+    }
+    Ok(Vary { parameter, bounds })
+}
+
+fn line(vary: &Vary, before: f64, after: f64) -> Line {
+    Line { key: vary.key(), value: Value::Number(after), why: format!("was {before}") }
+}
+
+fn told(solution: &Solution, before: &str) -> String {
+    let mut text = format!("{} frames were looked at\n\n{:<34} {:>10} {:>10}\n", solution.looked_at, "", before, "solved");
+    for (vary, before, after) in &solution.values {
+        text += &format!("{:<34} {before:>10.3} {after:>10.3} {}\n", vary.key(), vary.parameter.unit());
+    }
+    text.push('\n');
+    for measure in &MEASURES {
+        text += &format!("{:<20} {:>10} {}\n", measure.name, measure.told(measure.of(&solution.evaluation)), measure.unit);
+    }
+    text += "\nwhat holds it back\n";
+    for binding in &solution.binding {
+        text += &format!("  {} (room {:.3} {})\n", binding.what, binding.margin, binding.unit);
+    }
+    if solution.binding.is_empty() {
+        text += "  nothing that was looked at: a minimum inside the bounds, or the search ended early\n";
+    }
+    format!("{text}\n{PEAK_CAVEAT}\n")
+}
+
+fn json(solution: &Solution) -> serde_json::Value {
+    let value = |(vary, before, after): &(Vary, f64, f64)| serde_json::json!({ "key": vary.key(), "before": before, "after": after });
+    let binding = |b: &crate::variant::Binding| serde_json::json!({ "what": b.what, "margin": b.margin, "unit": b.unit });
+    let measures: serde_json::Map<String, serde_json::Value> =
+        MEASURES.iter().map(|m| (m.name.to_string(), serde_json::json!(m.of(&solution.evaluation)))).collect();
+    serde_json::json!({
+        "schema_version": 1,
+        "looked_at": solution.looked_at,
+        "values": solution.values.iter().map(value).collect::<Vec<_>>(),
+        "measures": measures,
+        "binding": solution.binding.iter().map(binding).collect::<Vec<_>>(),
+        "peak": PEAK_CAVEAT,
+    })
+}

@@ -1,0 +1,152 @@
+//! `flexframe watch`: what each save of a frame file changes.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+use notify::{RecursiveMode, Watcher};
+
+use super::arguments::{Common, FrameOption, WatchOptions};
+use super::session::{self, Failure};
+use super::terminal;
+use crate::assembly::Workshop;
+use crate::checks::Verdict;
+use crate::params::LoadError;
+use crate::report::diff_page;
+use crate::variant::{Difference, Evaluation, Side};
+
+/// How long nothing has to happen before a save is over: editors write a file, or another one and rename it.
+const QUIET: Duration = Duration::from_millis(40);
+
+/// Holds the frame again at every save, with the parts that are the same as before, and says what changed; ends when it is
+/// interrupted, or after so many saves.
+pub(super) fn watch(options: &WatchOptions, common: &Common) -> Result<ExitCode, Failure> {
+    if !options.frame.frame.ends_with(".toml") {
+        return Err(Failure::Usage {
+            message: format!("{} is a preset: watch a file, such as one with base = \"{0}\"", options.frame.frame),
+        });
+    }
+    let mut workshop = Workshop::default();
+    let (mut last, mut files) = match evaluated(&options.frame, &mut workshop) {
+        Ok((evaluation, files)) => (Some(evaluation), files),
+        Err(failure @ (Failure::Machine { .. } | Failure::Input(LoadError::Unreadable { .. }))) => return Err(failure),
+        Err(failure) => {
+            terminal::tell(failure.render().trim_end());
+            (None, vec![PathBuf::from(&options.frame.frame)])
+        }
+    };
+    let saves = Saves::new()?;
+    let mut watched = saves.follow(Vec::new(), &files)?;
+    terminal::print(&format!("{}\nwatching {}\n", last.as_ref().map_or("refused".into(), state), named(&files)))?;
+    let mut count = 0;
+    while options.saves.is_none_or(|most| count < most) {
+        let Some(saved) = saves.next(&files) else { break };
+        count += 1;
+        match evaluated(&options.frame, &mut workshop) {
+            Ok((evaluation, now)) => {
+                (last, files) = (Some(tell(last, evaluation, saved, common)?), now);
+                watched = saves.follow(watched, &files)?;
+            }
+            Err(failure) => {
+                terminal::tell(failure.render().trim_end());
+                terminal::print(&format!("refused after {:.2} s\n", saved.elapsed().as_secs_f64()))?;
+            }
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The frame by all rules but the slow one, and the files that it is made of.
+fn evaluated(option: &FrameOption, workshop: &mut Workshop) -> Result<(Evaluation, Vec<PathBuf>), Failure> {
+    let (frame, file) = session::load(option)?;
+    let files = file.files.iter().map(|source| PathBuf::from(&source.name)).collect();
+    let evaluation = Evaluation::quick(frame, workshop).map_err(|error| session::refused(&file, &error))?;
+    Ok((evaluation, files))
+}
+
+/// Says what a save changed.
+fn tell(last: Option<Evaluation>, now: Evaluation, saved: Instant, common: &Common) -> Result<Evaluation, Failure> {
+    let now = match last {
+        Some(last) => {
+            let sides = [Side { name: "before".into(), evaluation: last }, Side { name: "now".into(), evaluation: now }];
+            let difference = Difference::of(&sides);
+            if !common.quiet {
+                terminal::print(&diff_page::changes(&difference))?;
+            }
+            let [_, Side { evaluation, .. }] = sides;
+            evaluation
+        }
+        None => now,
+    };
+    terminal::print(&format!("{}; {:.2} s after the save\n", state(&now), saved.elapsed().as_secs_f64()))?;
+    Ok(now)
+}
+
+fn state(evaluation: &Evaluation) -> String {
+    let violated = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).count();
+    let (name, mass_g) = (&evaluation.design.frame.name, evaluation.masses.total_g);
+    format!("{name}: {mass_g:.1} g, {violated} limits violated (`check` moves the parts through the fold, too)")
+}
+
+fn named(files: &[PathBuf]) -> String {
+    files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>().join(", ")
+}
+
+/// Saves of files, told by the system.
+struct Saves {
+    events: Receiver<notify::Result<notify::Event>>,
+    watcher: std::cell::RefCell<notify::RecommendedWatcher>,
+}
+
+impl Saves {
+    fn new() -> Result<Self, Failure> {
+        let (told, events) = channel();
+        let watcher = notify::recommended_watcher(told).map_err(|error| machine("cannot watch files", error))?;
+        Ok(Self { events, watcher: std::cell::RefCell::new(watcher) })
+    }
+
+    /// Watches the folders of the files: an editor that renames a new file into place leaves a watch of the old one behind.
+    fn follow(&self, watched: Vec<PathBuf>, files: &[PathBuf]) -> Result<Vec<PathBuf>, Failure> {
+        let mut watched = watched;
+        for folder in files.iter().map(|file| folder(file)) {
+            if !watched.contains(&folder) {
+                let done = self.watcher.borrow_mut().watch(&folder, RecursiveMode::NonRecursive);
+                done.map_err(|error| machine(&format!("cannot watch {}", folder.display()), error))?;
+                watched.push(folder);
+            }
+        }
+        Ok(watched)
+    }
+
+    /// When one of the files was saved next; none when nothing can be told any more.
+    fn next(&self, files: &[PathBuf]) -> Option<Instant> {
+        let ours = |event: &notify::Result<notify::Event>| {
+            let Ok(event) = event else { return false };
+            !event.kind.is_access() && event.paths.iter().any(|path| files.iter().any(|file| file.file_name() == path.file_name()))
+        };
+        loop {
+            let event = self.events.recv().ok()?;
+            if !ours(&event) {
+                continue;
+            }
+            let mut saved = Instant::now();
+            loop {
+                match self.events.recv_timeout(QUIET) {
+                    Ok(event) if ours(&event) => saved = Instant::now(),
+                    Ok(_) => {}
+                    Err(RecvTimeoutError::Timeout) => return Some(saved),
+                    Err(RecvTimeoutError::Disconnected) => return None,
+                }
+            }
+        }
+    }
+}
+
+fn folder(file: &Path) -> PathBuf {
+    file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new(".")).to_path_buf()
+}
+
+fn machine(what: &str, error: notify::Error) -> Failure {
+    Failure::Machine { what: what.into(), error: std::io::Error::other(error) }
+}

@@ -1,0 +1,171 @@
+//! The bill of materials as a value: what to print, what to buy, and how to cut the rods.
+
+use serde::Serialize;
+
+use super::bom::{KERF_MM, rod_plan};
+use crate::assembly::Design;
+use crate::assembly::mass::MassTable;
+use crate::params::frame::NamedMaterial;
+
+/// A printed part.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PrintLine {
+    /// Which.
+    pub part: &'static str,
+    /// How many.
+    pub quantity: u32,
+    /// Name of its material.
+    pub material: String,
+    /// Volume of all copies, mm³.
+    pub volume_mm3: f64,
+    /// Mass of all copies, g.
+    pub mass_g: f64,
+    /// Least time for all copies, minutes; none where the material's flow is not known.
+    pub at_least_min: Option<f64>,
+}
+
+/// Something bought.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BuyLine {
+    /// Its role.
+    pub role: String,
+    /// Its name in the catalogue.
+    pub name: String,
+    /// What it is.
+    pub kind: String,
+    /// How many; of rods, stock lengths.
+    pub quantity: u32,
+    /// Thread and length under the head of a screw, mm.
+    pub screw_mm: Option<[f64; 2]>,
+    /// Mass of all, g; none for rods, whose cut pieces weigh.
+    pub mass_g: Option<f64>,
+    /// Price of one, where the catalogue has one.
+    pub price: Option<f64>,
+    /// Currency of the price.
+    pub currency: Option<String>,
+    /// Where the price comes from.
+    pub price_source: Option<String>,
+    /// Where size and mass come from.
+    pub source: String,
+}
+
+/// A stock length and what is cut from it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CutLine {
+    /// Role and length of each piece, mm.
+    pub pieces: Vec<(&'static str, f64)>,
+    /// What is left, mm.
+    pub rest_mm: f64,
+}
+
+/// A bill of materials.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Bill {
+    /// Version of this form.
+    pub schema_version: u32,
+    /// Name of the frame.
+    pub frame: String,
+    /// What to print.
+    pub print: Vec<PrintLine>,
+    /// What to buy.
+    pub buy: Vec<BuyLine>,
+    /// Length that rods are sold in, mm.
+    pub stock_mm: f64,
+    /// Width of a saw cut, mm.
+    pub kerf_mm: f64,
+    /// How to cut the rods.
+    pub cut: Vec<CutLine>,
+    /// Why they cannot be cut from that stock.
+    pub cut_error: Option<String>,
+    /// Mass of all printed parts, g.
+    pub printed_g: f64,
+    /// Least time to print them, hours, with one nozzle.
+    pub print_at_least_h: Option<f64>,
+    /// Sum of the prices there are, by currency, and how many lines have none.
+    pub prices: Vec<(String, f64)>,
+    /// Lines without a price.
+    pub without_price: usize,
+}
+
+/// The bill of a design.
+pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
+    let kerf_mm = kerf_mm.unwrap_or(KERF_MM);
+    let print = print_lines(design, masses);
+    let (stock_mm, plan) = rod_plan(design, kerf_mm);
+    let cut_error = plan.as_ref().err().map(ToString::to_string);
+    let stocks = plan.unwrap_or_default();
+    let piece = |(role, mm): &(crate::skeleton::RodRole, f64)| (role.slug(), *mm);
+    let cut: Vec<CutLine> =
+        stocks.iter().map(|stock| CutLine { pieces: stock.pieces.iter().map(piece).collect(), rest_mm: stock.rest_mm }).collect();
+    let buy = buy_lines(design, masses, cut.len() as u32);
+    let minutes = print.iter().map(|line| line.at_least_min).sum::<Option<f64>>();
+    Bill {
+        schema_version: 1,
+        frame: design.frame.name.clone(),
+        printed_g: print.iter().map(|line| line.mass_g).sum(),
+        print_at_least_h: minutes.map(|minutes| minutes / 60.0),
+        prices: prices(&buy),
+        without_price: buy.iter().filter(|line| line.price.is_none()).count(),
+        print,
+        buy,
+        stock_mm,
+        kerf_mm,
+        cut,
+        cut_error,
+    }
+}
+
+fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
+    let line = |part: &crate::assembly::Printed| {
+        let NamedMaterial { name, material } = design.material_of(part.name);
+        let quantity = part.name.quantity();
+        let volume_mm3 = part.volume_mm3 * f64::from(quantity);
+        let weighed = masses.lines.iter().find(|line| line.kind == "printed" && line.name == part.name.slug());
+        PrintLine {
+            part: part.name.slug(),
+            quantity,
+            material: name.clone(),
+            volume_mm3,
+            mass_g: weighed.map_or(0.0, |line| line.total_g),
+            at_least_min: material.most_flow_mm3_s.map(|flow| volume_mm3 / flow / 60.0),
+        }
+    };
+    design.printed.iter().map(line).collect()
+}
+
+fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
+    let line = |(role, item): (&String, &crate::params::frame::BoughtItem)| {
+        let part = &item.part;
+        let weighed = masses.lines.iter().find(|line| line.kind == "bought" && line.name == *role);
+        BuyLine {
+            role: role.clone(),
+            name: item.name.clone(),
+            kind: part.kind.clone(),
+            quantity: if role == "rod" { stocks } else { item.quantity },
+            screw_mm: part.thread_mm.zip(part.length_mm).map(|(thread, length)| [thread, length]),
+            mass_g: weighed.map(|line| line.total_g),
+            price: part.price,
+            currency: part.currency.clone(),
+            price_source: part.price_source.clone(),
+            source: part.source.clone(),
+        }
+    };
+    let mut lines: Vec<BuyLine> = design.frame.bought.iter().map(line).collect();
+    // Screws last, by thread and length.
+    let screw = |line: &BuyLine| line.screw_mm.unwrap_or([-1.0, -1.0]);
+    lines.sort_by(|a, b| screw(a)[0].total_cmp(&screw(b)[0]).then(screw(a)[1].total_cmp(&screw(b)[1])).then_with(|| a.role.cmp(&b.role)));
+    lines
+}
+
+fn prices(buy: &[BuyLine]) -> Vec<(String, f64)> {
+    let mut sums: Vec<(String, f64)> = Vec::new();
+    for line in buy {
+        let (Some(price), Some(currency)) = (line.price, &line.currency) else { continue };
+        let all = price * f64::from(line.quantity);
+        match sums.iter_mut().find(|(known, _)| known == currency) {
+            Some((_, sum)) => *sum += all,
+            None => sums.push((currency.clone(), all)),
+        }
+    }
+    sums
+}

@@ -1,0 +1,70 @@
+//! The bill of materials as a page in Markdown.
+
+use std::fmt::Write;
+
+use super::bill::{Bill, BuyLine, CutLine};
+
+/// The page.
+pub fn markdown(bill: &Bill) -> String {
+    let mut page = format!("# Bill of materials: {}\n\n## Print\n\n", bill.frame);
+    page += "| part | pieces | material | mm3 in all | g in all | at least, min |\n|---|---:|---|---:|---:|---:|\n";
+    for line in &bill.print {
+        let time = line.at_least_min.map_or("-".into(), |minutes| format!("{minutes:.0}"));
+        let _ = writeln!(
+            page,
+            "| {} | {} | {} | {:.0} | {:.2} | {time} |",
+            line.part, line.quantity, line.material, line.volume_mm3, line.mass_g
+        );
+    }
+    let time = bill.print_at_least_h.map_or(String::new(), |hours| {
+        format!(", at least {hours:.1} h: volume over the fastest flow of each material; moves, corners and cooling come on top")
+    });
+    let _ = writeln!(page, "\n{:.1} g of filament{time}.\n", bill.printed_g);
+    buy(&mut page, bill);
+    cut(&mut page, bill);
+    page
+}
+
+fn buy(page: &mut String, bill: &Bill) {
+    *page += "## Buy\n\n| role | part | pieces | g in all | price of one | source |\n|---|---|---:|---:|---:|---|\n";
+    for line in &bill.buy {
+        let mass = line.mass_g.map_or("-".into(), |mass| format!("{mass:.2}"));
+        let _ =
+            writeln!(page, "| {} | {} | {} | {mass} | {} | {} |", line.role, name(line), line.quantity, price(line), cell(&line.source));
+    }
+    let sums: Vec<String> = bill.prices.iter().map(|(currency, sum)| format!("{sum:.2} {currency}")).collect();
+    let _ = match sums[..] {
+        [] => writeln!(page, "\nThe catalogue has no price with a source for any of these.\n"),
+        _ => writeln!(page, "\n{} in all; {} lines have no price with a source.\n", sums.join(" and "), bill.without_price),
+    };
+}
+
+fn name(line: &BuyLine) -> String {
+    let screw = line.screw_mm.map_or(String::new(), |[thread, length]| format!(" (M{thread} x {length} mm)"));
+    cell(&format!("{}{screw}", line.name))
+}
+
+fn price(line: &BuyLine) -> String {
+    match (line.price, &line.currency, &line.price_source) {
+        (Some(price), Some(currency), Some(source)) => cell(&format!("{price:.2} {currency} ({source})")),
+        _ => "-".into(),
+    }
+}
+
+fn cut(page: &mut String, bill: &Bill) {
+    let _ = writeln!(page, "## Cut\n\nStock lengths of {:.0} mm, saw cuts of {} mm; no plan needs fewer.\n", bill.stock_mm, bill.kerf_mm);
+    if let Some(error) = &bill.cut_error {
+        let _ = writeln!(page, "**{error}**");
+        return;
+    }
+    *page += "| stock | pieces, mm | rest, mm |\n|---:|---|---:|\n";
+    for (at, CutLine { pieces, rest_mm }) in bill.cut.iter().enumerate() {
+        let pieces: Vec<String> = pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();
+        let _ = writeln!(page, "| {} | {} | {rest_mm:.1} |", at + 1, pieces.join(" + "));
+    }
+}
+
+/// Text that cannot break a table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace(['\n', '\r'], " ")
+}

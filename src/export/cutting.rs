@@ -1,0 +1,213 @@
+//! How to cut rods from stock lengths: fewest stock lengths, and among those plans the longest piece left over.
+//!
+//! Frames have a few different lengths of each of which several are needed, so every way of counting them down is looked at:
+//! 8, 8, 8 and 4 rods are 3645 states. Each stock length takes the longest rod that is still missing and as many others as
+//! fit; no plan with fewer stock lengths exists.
+
+use std::collections::BTreeMap;
+
+use crate::skeleton::RodRole;
+
+/// One stock length and what is cut from it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stock {
+    /// Pieces in the order of cutting: role and length, mm.
+    pub pieces: Vec<(RodRole, f64)>,
+    /// What is left, mm.
+    pub rest_mm: f64,
+}
+
+/// A piece longer than the stock.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("a {} rod of {length_mm:.1} mm is longer than the stock of {stock_mm:.0} mm", role.slug())]
+pub struct TooLong {
+    /// Role of the rod.
+    pub role: RodRole,
+    /// Its length, mm.
+    pub length_mm: f64,
+    /// Length that rods are sold in, mm.
+    pub stock_mm: f64,
+}
+
+/// Sums of lengths are off in the last digits, mm.
+const SLACK_MM: f64 = 1e-6;
+
+/// Rods of one role: role, length in mm, count.
+type Kind = (RodRole, f64, u8);
+
+/// How many stock lengths, and minus the longest rest in mm: less is better.
+type Cost = (usize, f64);
+
+struct Table<'a> {
+    kinds: &'a [Kind],
+    stock_mm: f64,
+    kerf_mm: f64,
+    /// The best way on from each state: what it costs, and what the next stock length gives.
+    best: BTreeMap<Vec<u8>, (Cost, Vec<u8>)>,
+}
+
+impl Table<'_> {
+    fn rest_mm(&self, pattern: &[u8]) -> f64 {
+        let used: f64 = self.kinds.iter().zip(pattern).map(|((_, mm, _), n)| f64::from(*n) * (mm + self.kerf_mm)).sum();
+        (self.stock_mm - used).max(0.0)
+    }
+
+    fn fits(&self, pattern: &[u8]) -> bool {
+        let used: f64 = self.kinds.iter().zip(pattern).map(|((_, mm, _), n)| f64::from(*n) * (mm + self.kerf_mm)).sum();
+        // The last piece may end where the stock ends.
+        used - self.kerf_mm <= self.stock_mm + SLACK_MM
+    }
+
+    /// Patterns that begin with the longest missing rod and leave no room for another missing one.
+    fn patterns(&self, missing: &[u8]) -> Vec<Vec<u8>> {
+        let first = missing.iter().position(|n| *n > 0).unwrap_or(0);
+        let mut found = Vec::new();
+        let mut pattern = vec![0; missing.len()];
+        pattern[first] = 1;
+        self.extend(missing, first, &mut pattern, &mut found);
+        found
+    }
+
+    fn extend(&self, missing: &[u8], at: usize, pattern: &mut Vec<u8>, found: &mut Vec<Vec<u8>>) {
+        if at == missing.len() {
+            let full = (0..missing.len()).all(|kind| {
+                pattern[kind] += 1;
+                let more = pattern[kind] <= missing[kind] && self.fits(pattern);
+                pattern[kind] -= 1;
+                !more
+            });
+            if full {
+                found.push(pattern.clone());
+            }
+            return;
+        }
+        let own = pattern[at];
+        while pattern[at] <= missing[at] && self.fits(pattern) {
+            self.extend(missing, at + 1, pattern, found);
+            pattern[at] += 1;
+        }
+        pattern[at] = own;
+    }
+
+    fn solve(&mut self, missing: &[u8]) -> Cost {
+        if missing.iter().all(|n| *n == 0) {
+            return (0, 0.0);
+        }
+        if let Some((cost, _)) = self.best.get(missing) {
+            return *cost;
+        }
+        let mut best: Option<(Cost, Vec<u8>)> = None;
+        for pattern in self.patterns(missing) {
+            let left: Vec<u8> = missing.iter().zip(&pattern).map(|(n, used)| n - used).collect();
+            let (count, rest) = self.solve(&left);
+            let cost = (count + 1, rest.min(-self.rest_mm(&pattern)));
+            if best.as_ref().is_none_or(|(known, _)| cost < *known) {
+                best = Some((cost, pattern));
+            }
+        }
+        let (cost, pattern) = best.unwrap_or(((usize::MAX / 2, 0.0), vec![0; missing.len()]));
+        self.best.insert(missing.to_vec(), (cost, pattern));
+        cost
+    }
+}
+
+/// Cuts rods from stock lengths: of each role a length and a count.
+///
+/// # Errors
+/// When a rod is longer than the stock.
+pub fn plan(rods: &[(RodRole, f64, u8)], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    let mut kinds: Vec<Kind> = rods.to_vec();
+    kinds.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    if let Some((role, length_mm, _)) = kinds.iter().find(|(_, mm, n)| *n > 0 && *mm > stock_mm + SLACK_MM) {
+        return Err(TooLong { role: *role, length_mm: *length_mm, stock_mm });
+    }
+    let mut table = Table { kinds: &kinds, stock_mm, kerf_mm, best: BTreeMap::new() };
+    let mut missing: Vec<u8> = kinds.iter().map(|(.., n)| *n).collect();
+    table.solve(&missing);
+    let mut stocks = Vec::new();
+    while let Some((_, pattern)) = table.best.get(&missing) {
+        let pieces = kinds.iter().zip(pattern).flat_map(|((role, mm, _), n)| std::iter::repeat_n((*role, *mm), usize::from(*n))).collect();
+        stocks.push(Stock { pieces, rest_mm: table.rest_mm(pattern) });
+        missing = missing.iter().zip(pattern).map(|(n, used)| n - used).collect();
+    }
+    Ok(stocks)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const ROLES: [RodRole; 4] = RodRole::ALL;
+
+    /// First fit decreasing, the usual rule of thumb.
+    fn first_fit(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> usize {
+        let mut pieces: Vec<f64> = rods.iter().flat_map(|(_, mm, n)| std::iter::repeat_n(*mm, usize::from(*n))).collect();
+        pieces.sort_by(|a, b| b.total_cmp(a));
+        let mut left: Vec<f64> = Vec::new();
+        for mm in pieces {
+            match left.iter_mut().find(|rest| **rest >= mm) {
+                Some(rest) => *rest -= mm + kerf_mm,
+                None => left.push(stock_mm - mm - kerf_mm),
+            }
+        }
+        left.len()
+    }
+
+    /// Fewest stock lengths by trying every stock for every piece, in turn.
+    fn exhaustive(pieces: &[f64], left: &mut Vec<f64>, stock_mm: f64, kerf_mm: f64, best: &mut usize) {
+        let Some((mm, others)) = pieces.split_first() else {
+            *best = (*best).min(left.len());
+            return;
+        };
+        for at in 0..left.len() {
+            if left[at] >= mm - 1e-9 {
+                left[at] -= mm + kerf_mm;
+                exhaustive(others, left, stock_mm, kerf_mm, best);
+                left[at] += mm + kerf_mm;
+            }
+        }
+        if left.len() + 1 < *best {
+            left.push(stock_mm - mm - kerf_mm);
+            exhaustive(others, left, stock_mm, kerf_mm, best);
+            left.pop();
+        }
+    }
+
+    #[test]
+    fn analytic_better_than_the_rule_of_thumb() {
+        // 6 + 6 + 4 + 4 and 6 + 5 + 5 + 4 fill two stocks of 20; first fit decreasing takes 6 + 6 + 6 and needs a third.
+        let rods = [(ROLES[0], 6.0, 3), (ROLES[1], 5.0, 2), (ROLES[2], 4.0, 3)];
+        assert_eq!(first_fit(&rods, 20.0, 0.0), 3);
+        let stocks = plan(&rods, 20.0, 0.0).expect("fits");
+        assert_eq!(stocks.len(), 2, "{stocks:?}");
+        assert!(matches!(plan(&rods, 5.0, 0.0), Err(TooLong { length_mm: 6.0, .. })));
+        assert_eq!(plan(&[], 10.0, 1.0), Ok(Vec::new()));
+        // The last piece needs no cut behind it.
+        assert_eq!(plan(&[(ROLES[0], 4.5, 2)], 10.0, 1.0).expect("fits").len(), 1);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, rng_seed: proptest::test_runner::RngSeed::Fixed(7), ..ProptestConfig::default() })]
+
+        #[test]
+        fn analytic_no_plan_needs_fewer(lengths in prop::collection::vec(20.0..120.0_f64, 1..4), counts in prop::collection::vec(0..4u8, 3), kerf in 0.0..3.0_f64) {
+            let rods: Vec<Kind> = lengths.iter().zip(&counts).zip(ROLES).map(|((mm, n), role)| (role, *mm, *n)).collect();
+            let stocks = plan(&rods, 150.0, kerf).expect("fits");
+            let mut pieces: Vec<f64> = rods.iter().flat_map(|(_, mm, n)| std::iter::repeat_n(*mm, usize::from(*n))).collect();
+            pieces.sort_by(|a, b| b.total_cmp(a));
+            let mut fewest = pieces.len();
+            exhaustive(&pieces, &mut Vec::new(), 150.0, kerf, &mut fewest);
+            prop_assert!(stocks.len() <= fewest, "{} stocks, {fewest} would do: {rods:?}", stocks.len());
+            for (role, _, n) in &rods {
+                let cut = stocks.iter().flat_map(|stock| &stock.pieces).filter(|(of, _)| of == role).count();
+                prop_assert_eq!(cut, usize::from(*n));
+            }
+            for stock in &stocks {
+                let used: f64 = stock.pieces.iter().map(|(_, mm)| mm + kerf).sum::<f64>() - kerf;
+                prop_assert!(used <= 150.0 + 1e-6);
+            }
+        }
+    }
+}

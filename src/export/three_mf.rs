@@ -1,0 +1,194 @@
+//! Plates as 3MF, by the core specification of the 3MF Consortium, version 1.3: objects with names and colours, placed on the
+//! bed, in millimetres; PrusaSlicer's settings of each object beside them.
+
+use std::io::{Cursor, Write};
+
+use nalgebra::Isometry3;
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, BytesText, Event};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+use crate::assembly::{Design, Printed};
+use crate::params::PartName;
+use crate::plates::{Plate, Settings};
+
+/// Core namespace.
+const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
+/// Namespace of PrusaSlicer's version of the model: with it instances of an object stay instances.
+const SLIC3R: &str = "http://schemas.slic3r.org/3mf/2017/06";
+/// Id of the material.
+const MATERIAL: &str = "1";
+
+const TYPES: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/><Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/><Default Extension="png" ContentType="image/png"/><Default Extension="config" ContentType="application/xml"/></Types>
+"#;
+
+const RELATIONS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel-1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/><Relationship Target="/Metadata/thumbnail.png" Id="rel-2" Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/></Relationships>
+"#;
+
+/// A part with its id, the number of its copies, and where they are.
+struct Object<'a> {
+    id: usize,
+    part: &'a Printed,
+    poses: Vec<Isometry3<f64>>,
+}
+
+/// A plate's file; `thumbnail` is a PNG.
+///
+/// # Errors
+/// When the archive cannot be made; it is made in memory.
+pub fn plate(design: &Design, plate: &Plate, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
+    let objects: Vec<Object> =
+        plate.quantities().iter().enumerate().filter_map(|(at, (name, _))| object(design, plate, at, *name)).collect();
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let files: [(&str, Vec<u8>); 5] = [
+        ("[Content_Types].xml", TYPES.into()),
+        ("_rels/.rels", RELATIONS.into()),
+        ("3D/3dmodel.model", model(design, plate, &objects)?),
+        ("Metadata/Slic3r_PE_model.config", settings(design, plate, &objects)?),
+        ("Metadata/thumbnail.png", thumbnail.to_vec()),
+    ];
+    for (name, bytes) in files {
+        // The same input gives the same bytes: no date of today.
+        let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated).last_modified_time(DateTime::default());
+        archive.start_file(name, options).map_err(std::io::Error::other)?;
+        archive.write_all(&bytes)?;
+    }
+    Ok(archive.finish().map_err(std::io::Error::other)?.into_inner())
+}
+
+fn object<'a>(design: &'a Design, plate: &Plate, at: usize, name: PartName) -> Option<Object<'a>> {
+    let part = design.part(name)?;
+    let poses = plate.items.iter().filter(|item| item.part == name).map(|item| item.pose(part)).collect();
+    // Id 1 is the material's.
+    Some(Object { id: at + 2, part, poses })
+}
+
+type Xml = Writer<Cursor<Vec<u8>>>;
+
+fn model(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
+    let mut xml = begun()?;
+    let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R)];
+    xml.create_element("model").with_attributes(top).write_inner_content(|xml| {
+        for (name, text) in [
+            ("slic3rpe:Version3mf", "1".to_string()),
+            ("Title", format!("{} {}", design.frame.name, plate.name())),
+            ("Description", format!("printed of {}, laid out for {}", plate.material.name, design.frame.printer.name)),
+            ("Application", format!("flexframe {}", env!("CARGO_PKG_VERSION"))),
+        ] {
+            xml.create_element("metadata").with_attribute(("name", name)).write_text_content(BytesText::new(&text))?;
+        }
+        xml.create_element("resources").write_inner_content(|xml| resources(xml, plate, objects))?;
+        xml.create_element("build").write_inner_content(|xml| {
+            for object in objects {
+                for pose in &object.poses {
+                    let id = object.id.to_string();
+                    let place = [("objectid", id.as_str()), ("transform", &transform(pose)), ("partnumber", object.part.name.slug())];
+                    xml.create_element("item").with_attributes(place).write_empty()?;
+                }
+            }
+            Ok(())
+        })?;
+        Ok(())
+    })?;
+    Ok(xml.into_inner().into_inner())
+}
+
+fn begun() -> std::io::Result<Xml> {
+    let mut xml = Writer::new(Cursor::new(Vec::new()));
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    Ok(xml)
+}
+
+fn resources(xml: &mut Xml, plate: &Plate, objects: &[Object]) -> std::io::Result<()> {
+    let colour = display_colour(plate.material.material.colour);
+    xml.create_element("basematerials").with_attribute(("id", MATERIAL)).write_inner_content(|xml| {
+        let base = [("name", plate.material.name.as_str()), ("displaycolor", &colour)];
+        xml.create_element("base").with_attributes(base).write_empty()?;
+        Ok(())
+    })?;
+    for object in objects {
+        let id = object.id.to_string();
+        let name = object.part.name.slug();
+        let about = [("id", id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
+        xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
+            xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.part))?;
+            Ok(())
+        })?;
+    }
+    Ok(())
+}
+
+fn mesh(xml: &mut Xml, part: &Printed) -> std::io::Result<()> {
+    xml.create_element("vertices").write_inner_content(|xml| {
+        for vertex in &part.mesh.vertices {
+            // The shortest decimals that give the same f32 again.
+            let [x, y, z] = vertex.map(|value| value.to_string());
+            xml.create_element("vertex").with_attributes([("x", x.as_str()), ("y", &y), ("z", &z)]).write_empty()?;
+        }
+        Ok(())
+    })?;
+    xml.create_element("triangles").write_inner_content(|xml| {
+        for triangle in &part.mesh.triangles {
+            let [a, b, c] = triangle.map(|corner| corner.to_string());
+            xml.create_element("triangle").with_attributes([("v1", a.as_str()), ("v2", &b), ("v3", &c)]).write_empty()?;
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// Rows of the matrix that a row vector is multiplied by, then the shift, mm.
+fn transform(pose: &Isometry3<f64>) -> String {
+    let matrix = pose.to_homogeneous();
+    let columns = (0..4).flat_map(|column| (0..3).map(move |row| (row, column)));
+    let number = |(row, column)| {
+        let value: f64 = (matrix[(row, column)] * 1e6_f64).round() / 1e6;
+        (if value == 0.0 { 0.0 } else { value }).to_string()
+    };
+    columns.map(number).collect::<Vec<_>>().join(" ")
+}
+
+/// Linear red, green, blue, alpha as sRGB in hexadecimals (IEC 61966-2-1).
+fn display_colour(linear: [f32; 4]) -> String {
+    let byte = |share: f64| (share * 255.0).round() as u8;
+    let curved = |share: f32| {
+        let share = f64::from(share);
+        byte(if share <= 0.003_130_8 { 12.92 * share } else { 1.055 * libm::pow(share, 1.0 / 2.4) - 0.055 })
+    };
+    let [r, g, b] = [0, 1, 2].map(|channel| curved(linear[channel]));
+    format!("#{r:02X}{g:02X}{b:02X}{:02X}", byte(f64::from(linear[3])))
+}
+
+/// PrusaSlicer's settings of each object.
+fn settings(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
+    let mut xml = begun()?;
+    xml.create_element("config").write_inner_content(|xml| {
+        for object in objects {
+            let (id, copies) = (object.id.to_string(), object.poses.len().to_string());
+            let about = [("id", id.as_str()), ("instances_count", &copies)];
+            let own = Settings::of_part(object.part.name, &plate.material.material, &design.frame.printer);
+            xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
+                metadata(xml, "object", "name", object.part.name.slug())?;
+                for setting in &own.0 {
+                    metadata(xml, "object", setting.key, &setting.value)?;
+                }
+                let last = (object.part.mesh.triangles.len() - 1).to_string();
+                xml.create_element("volume").with_attributes([("firstid", "0"), ("lastid", &last)]).write_inner_content(|xml| {
+                    metadata(xml, "volume", "name", object.part.name.slug())?;
+                    metadata(xml, "volume", "volume_type", "ModelPart")
+                })?;
+                Ok(())
+            })?;
+        }
+        Ok(())
+    })?;
+    Ok(xml.into_inner().into_inner())
+}
+
+fn metadata(xml: &mut Xml, kind: &str, key: &str, value: &str) -> std::io::Result<()> {
+    xml.create_element("metadata").with_attributes([("type", kind), ("key", key), ("value", value)]).write_empty()?;
+    Ok(())
+}

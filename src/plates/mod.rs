@@ -1,0 +1,13 @@
+//! Which printed parts lie where on which plate, and how they are to be printed.
+//!
+//! [`arrange`] fills plates of one material each. Coordinates are the printer's: millimetres, Z up, origin at the front left
+//! corner of a rectangular bed, in the middle of a round one.
+
+mod arrange;
+mod plate;
+mod room;
+mod settings;
+
+pub use arrange::{NoRoom, Wanted, all, arrange};
+pub use plate::{Item, Plate, short};
+pub use settings::{Setting, Settings};

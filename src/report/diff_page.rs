@@ -1,0 +1,107 @@
+//! What two frames differ in, as a table for a terminal and as a page for a pull request.
+
+use std::fmt::Write;
+
+use crate::variant::{Changed, Difference, PEAK_CAVEAT, Trend};
+
+/// Titles of the sections, in order.
+const TITLES: [&str; 4] = ["measures", "parameters", "masses, g", "printed volumes, mm3"];
+
+fn sections(difference: &Difference) -> [&[Changed]; 4] {
+    [&difference.measures, &difference.parameters, &difference.masses, &difference.volumes]
+}
+
+/// What changed, a line each, for somebody who watches.
+pub fn changes(difference: &Difference) -> String {
+    let mut text = String::new();
+    let shown = |changes: &[Changed], all: bool| -> Vec<String> {
+        let told = changes.iter().filter(|c| all || c.trend != Trend::Neither);
+        told.map(|c| format!("  {} {} -> {} {}{}\n", c.name, c.told[0], c.told[1], c.unit, word(c)).replace("  \n", "\n")).collect()
+    };
+    text += &shown(&difference.parameters, true).concat();
+    text += &shown(&difference.measures, false).concat();
+    for (word, messages) in [("broken", &difference.broken), ("mended", &difference.mended)] {
+        messages.iter().for_each(|message| text += &format!("  {word}: {message}\n"));
+    }
+    text
+}
+
+/// A table for a terminal.
+pub fn text(difference: &Difference) -> String {
+    let [a, b] = &difference.names;
+    let mut text = format!("a: {a}\nb: {b}\n");
+    for (title, changes) in TITLES.into_iter().zip(sections(difference)).filter(|(_, changes)| !changes.is_empty()) {
+        let name = changes.iter().map(|c| c.name.chars().count()).max().unwrap_or(0);
+        let wide = changes.iter().flat_map(|c| &c.told).map(|told| told.chars().count()).max().unwrap_or(0).max(8);
+        let _ = writeln!(text, "\n{title:<name$}  {:>wide$} {:>wide$} {:>9}", "a", "b", "b - a");
+        for change in changes {
+            let [before, after] = change.told.each_ref().map(|told| if told.is_empty() { "-" } else { told });
+            let row = format!("{:<name$}  {before:>wide$} {after:>wide$} {:>9} {}", change.name, change.grown_told(), change.unit);
+            let _ = writeln!(text, "{}{}", row.trim_end(), word(change));
+        }
+    }
+    for (word, messages) in [("broken", &difference.broken), ("mended", &difference.mended)] {
+        for message in messages {
+            let _ = write!(text, "\n{word}: {message}");
+        }
+    }
+    if !(difference.broken.is_empty() && difference.mended.is_empty()) {
+        text.push('\n');
+    }
+    if difference.is_empty() {
+        text += "\nno difference\n";
+    }
+    format!("{text}\n{PEAK_CAVEAT}\n")
+}
+
+fn word(change: &Changed) -> &'static str {
+    match change.trend {
+        Trend::Better => "  better",
+        Trend::Worse => "  worse",
+        Trend::Neither => "",
+    }
+}
+
+/// A page in Markdown.
+pub fn markdown(difference: &Difference) -> String {
+    let [a, b] = difference.names.each_ref().map(|name| cell(name));
+    let mut page = format!("## {a} to {b}\n");
+    for message in &difference.broken {
+        let _ = write!(page, "\n- **broken**: {message}");
+    }
+    for message in &difference.mended {
+        let _ = write!(page, "\n- mended: {message}");
+    }
+    if difference.is_empty() {
+        page += "\nNo difference.";
+    }
+    if !page.ends_with('\n') {
+        page.push('\n');
+    }
+    for (at, (title, changes)) in TITLES.into_iter().zip(sections(difference)).enumerate() {
+        let shown: Vec<&Changed> = changes.iter().filter(|c| at > 0 || c.trend != Trend::Neither).collect();
+        if shown.is_empty() {
+            continue;
+        }
+        let folded = at > 1;
+        let _ = if folded { write!(page, "\n<details><summary>{title}</summary>\n") } else { write!(page, "\n**{title}**\n") };
+        page += "\n| | a | b | b - a | |\n|---|---:|---:|---:|---|\n";
+        for change in shown {
+            let [before, after] = change.told.each_ref().map(|told| cell(told));
+            // Keys of numbers end in their unit.
+            let told = change.unit.is_empty() || at == 1;
+            let unit = if told { String::new() } else { format!(" {}", change.unit) };
+            let _ =
+                writeln!(page, "| {}{unit} | {before} | {after} | {} | {} |", cell(&change.name), change.grown_told(), word(change).trim());
+        }
+        if folded {
+            page += "\n</details>\n";
+        }
+    }
+    format!("{page}\n{PEAK_CAVEAT}\n")
+}
+
+/// Text that cannot break a table.
+fn cell(text: &str) -> String {
+    text.replace('|', "\\|").replace(['\n', '\r'], " ")
+}

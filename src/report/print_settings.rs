@@ -1,0 +1,66 @@
+//! `print-settings.md`: what a person sets on the slicer, and what has come along with the plates.
+
+use std::fmt::Write;
+
+use crate::assembly::Design;
+use crate::params::catalogue::Bed;
+use crate::plates::{Plate, Setting, Settings};
+
+/// The page.
+pub fn markdown(design: &Design, plates: &[Plate]) -> String {
+    let printer = &design.frame.printer;
+    let [x, y] = printer.size_mm;
+    let bed = match printer.bed {
+        Bed::Rectangular => format!("{x} x {y} mm"),
+        Bed::Round => format!("{x} mm across"),
+    };
+    let mut text = format!(
+        "# Printing {}\n\nLaid out for {} (bed {bed}, nozzle {} mm). Open a plate's `.3mf`, choose your own printer, print. Layers, walls, infill, \
+         speeds, brim and support travel with every object as far as PrusaSlicer reads them; heat, flow and fan belong to the spool and are yours to \
+         choose. A slicer that asks whether to load the project may load it: no printer and no start code is in it.\n",
+        design.frame.name, printer.name, printer.nozzle_mm
+    );
+    let mut seen: Vec<&str> = Vec::new();
+    for plate in plates {
+        let name = plate.material.name.as_str();
+        if !seen.contains(&name) {
+            seen.push(name);
+            material(&mut text, design, plates, name);
+        }
+    }
+    text
+}
+
+fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
+    let own: Vec<&Plate> = plates.iter().filter(|plate| plate.material.name == name).collect();
+    let Some(first) = own.first() else { return };
+    let Some((part, _)) = first.quantities().first().copied() else { return };
+    let material = &first.material.material;
+    let common = Settings::of_part(part, material, &design.frame.printer);
+    // Writing to a string does not fail.
+    let _ = write!(text, "\n## {name}\n\n| plate | parts |\n|---|---|\n");
+    for plate in &own {
+        let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
+        let _ = writeln!(text, "| `plates/{}.3mf` | {} |", plate.name(), parts.join(", "));
+    }
+    let _ = write!(text, "\n| of the spool | | PrusaSlicer |\n|---|---|---|\n");
+    rows(text, &Settings::of_filament(material).0);
+    let _ = write!(text, "\n| of the object | | PrusaSlicer |\n|---|---|---|\n");
+    rows(text, &common.0);
+    for (part, _) in own.iter().flat_map(|plate| plate.quantities()) {
+        let other = Settings::of_part(part, material, &design.frame.printer);
+        let differs: Vec<String> = other.beside(&common).iter().map(|one| format!("{} {}", one.words, one.value)).collect();
+        if !differs.is_empty() {
+            let _ = write!(text, "\n`{part}` differs: {}.\n", differs.join(", "));
+        }
+    }
+    if let Some(source) = &material.print_source {
+        let _ = write!(text, "\nSource: {source}.\n");
+    }
+}
+
+fn rows(text: &mut String, settings: &[Setting]) {
+    for one in settings {
+        let _ = writeln!(text, "| {} | {} | `{}` |", one.words, one.value, one.key);
+    }
+}

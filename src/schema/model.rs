@@ -1,0 +1,52 @@
+//! Schemas of impact models and of plans of planted drops.
+
+use serde_json::{Map, Value, json};
+
+use super::{number, put, table};
+use crate::effects::{BASE, CATALOGUE, CHANNEL, PLAIN_NUMBERS, channel_words};
+use crate::plant::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, PLAN_NUMBERS};
+
+pub(super) fn schema() -> Value {
+    closed(keys(), &["mass_kg", "gap_mm", "sensor", "effects"])
+}
+
+pub(super) fn plan() -> Value {
+    let mut root = keys();
+    for (key, bounds, unit, default) in PLAN_NUMBERS {
+        put(&mut root, key, number("", unit, bounds, Some(default)));
+    }
+    for (key, bounds, unit) in HIDDEN_NUMBERS {
+        put(&mut root, key, number("", unit, bounds, None));
+    }
+    put(&mut root, KIND, json!({ "enum": Hidden::NAMES, "description": "What the catalogue of effects does not hold." }));
+    let heights =
+        json!({ "type": "array", "minItems": 1, "items": number("", "m", HEIGHT_BOUNDS_M, None), "description": "Heights of the drops." });
+    put(&mut root, HEIGHTS, heights);
+    closed(root, &["mass_kg", "gap_mm", "sensor", "effects", "drops"])
+}
+
+fn closed(keys: Map<String, Value>, required: &[&str]) -> Value {
+    json!({ "type": "object", "additionalProperties": false, "required": required, "properties": keys })
+}
+
+fn keys() -> Map<String, Value> {
+    let mut root = Map::new();
+    root.insert("description".into(), json!({ "type": "string", "description": "One line about the model." }));
+    for (key, bounds, unit, doc) in PLAIN_NUMBERS {
+        put(&mut root, key, number(doc, unit, bounds, None));
+    }
+    put(&mut root, CHANNEL, json!({ "enum": channel_words(), "description": "What of the acceleration the sensor reads." }));
+    let mut effects = Map::new();
+    for spec in BASE.into_iter().chain(CATALOGUE) {
+        let mut own = Map::new();
+        for p in spec.parameters {
+            own.insert(p.key.into(), number(p.doc, p.unit, [p.min, p.max], p.default));
+        }
+        if let Some(choice) = spec.choice {
+            own.insert(choice.key.into(), json!({ "enum": choice.words }));
+        }
+        effects.insert(spec.id.into(), table(spec.title, own));
+    }
+    root.insert("effects".into(), table("What acts, one table an effect.", effects));
+    root
+}

@@ -1,0 +1,216 @@
+//! What two frames differ in.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use super::measures::{Better, Evaluation, MEASURES};
+use crate::checks::Verdict;
+use crate::params::{Frame, parameters};
+
+/// One of two frames.
+pub struct Side {
+    /// What to call it: its name, or its name and a revision.
+    pub name: String,
+    /// The frame.
+    pub evaluation: Evaluation,
+}
+
+/// Something that differs, told for either side; empty where a side has no such thing.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Changed {
+    /// What.
+    pub name: String,
+    /// Unit of the values.
+    pub unit: &'static str,
+    /// Either side's, as told.
+    pub told: [String; 2],
+    /// Either side's number; none where a side has no such thing, or where it is no number.
+    pub values: [Option<f64>; 2],
+    /// Whether the second side is better, worse, or neither.
+    pub trend: Trend,
+}
+
+/// Whether a change is for the better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Trend {
+    /// Better.
+    Better,
+    /// Worse.
+    Worse,
+    /// Neither, or equal.
+    Neither,
+}
+
+impl Changed {
+    fn numbers(name: String, unit: &'static str, values: [Option<f64>; 2], places: usize) -> Self {
+        let told = told_apart(values, places);
+        Self { name, unit, told, values, trend: Trend::Neither }
+    }
+
+    /// By how much the second is more than the first.
+    pub fn grown(&self) -> Option<f64> {
+        Some(self.values[1]? - self.values[0]?)
+    }
+
+    /// Growth with its sign, at the places of the values.
+    pub fn grown_told(&self) -> String {
+        let places = self.told.iter().map(|told| told.split_once('.').map_or(0, |(_, after)| after.len())).max().unwrap_or(0);
+        self.grown().map_or(String::new(), |grown| {
+            let told = crate::figures::decimals(grown, places);
+            if grown > 0.0 && !told.trim_matches(['0', '.']).is_empty() { format!("+{told}") } else { told }
+        })
+    }
+}
+
+/// Two numbers with so many places that they look different when they are, up to six.
+fn told_apart(values: [Option<f64>; 2], places: usize) -> [String; 2] {
+    let told = |places| values.map(|value| value.map_or(String::new(), |value| crate::figures::decimals(value, places)));
+    let differ = matches!(values, [Some(a), Some(b)] if (a - b).abs() > 1e-6);
+    let places = (places..=6).find(|places| !differ || told(*places)[0] != told(*places)[1]).unwrap_or(6);
+    told(places)
+}
+
+/// What two frames differ in.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Difference {
+    /// What the sides are called.
+    pub names: [String; 2],
+    /// Numbers and choices of the frame files that differ.
+    pub parameters: Vec<Changed>,
+    /// Lines of the mass table that differ, g.
+    pub masses: Vec<Changed>,
+    /// Printed volumes that differ, part by part, all copies, mm³.
+    pub volumes: Vec<Changed>,
+    /// Every measure, equal ones too.
+    pub measures: Vec<Changed>,
+    /// Limits that the second violates and the first does not.
+    pub broken: Vec<String>,
+    /// Limits that the first violates and the second does not.
+    pub mended: Vec<String>,
+}
+
+impl Difference {
+    /// What the second frame changes.
+    pub fn of(sides: &[Side; 2]) -> Self {
+        let [a, b] = sides.each_ref().map(|side| &side.evaluation);
+        let violated = |e: &Evaluation| -> Vec<(String, String)> {
+            let broken = e.findings.iter().filter(|f| f.verdict == Verdict::Violated);
+            broken.map(|f| (format!("{}: {}", f.rule, f.subject), f.message.clone())).collect()
+        };
+        let without = |of: &[(String, String)], other: &[(String, String)]| -> Vec<String> {
+            of.iter().filter(|(key, _)| other.iter().all(|(known, _)| known != key)).map(|(_, message)| message.clone()).collect()
+        };
+        let (before, after) = (violated(a), violated(b));
+        Self {
+            names: sides.each_ref().map(|side| side.name.clone()),
+            parameters: parameter_changes([&a.design.frame, &b.design.frame]),
+            masses: mass_changes([a, b]),
+            volumes: volume_changes([a, b]),
+            measures: measure_changes([a, b]),
+            broken: without(&after, &before),
+            mended: without(&before, &after),
+        }
+    }
+
+    /// Whether the frames are alike in all that is compared.
+    pub fn is_empty(&self) -> bool {
+        self.parameters.is_empty() && self.masses.is_empty() && self.volumes.is_empty() && self.broken.is_empty() && self.mended.is_empty()
+    }
+}
+
+fn parameter_changes(frames: [&Frame; 2]) -> Vec<Changed> {
+    let numbers = parameters().filter_map(|p| {
+        let values = frames.map(|frame| frame.value(p.table, p.key));
+        (values[0] != values[1]).then(|| Changed::numbers(format!("{}.{}", p.table, p.key), p.unit(), values, 2))
+    });
+    let roles: BTreeSet<&String> = frames.iter().flat_map(|frame| frame.bought.keys()).collect();
+    let mut choices: Vec<(String, [String; 2])> = roles
+        .into_iter()
+        .map(|role| (format!("bought.{role}"), frames.map(|frame| frame.bought.get(role).map_or("none".into(), |item| item.name.clone()))))
+        .collect();
+    choices.push(("materials.flexible".into(), frames.map(|frame| frame.flexible.name.clone())));
+    choices.push(("materials.rigid".into(), frames.map(|frame| frame.rigid.name.clone())));
+    choices.push(("printer".into(), frames.map(|frame| frame.printer.name.clone())));
+    let named = |(name, told): (String, [String; 2])| Changed { name, unit: "", told, values: [None; 2], trend: Trend::Neither };
+    numbers.chain(choices.into_iter().filter(|(_, [a, b])| a != b).map(named)).collect()
+}
+
+/// Lines by name: a line of one side alone is named too.
+fn paired(sides: [Vec<(String, f64)>; 2], unit: &'static str, places: usize) -> Vec<Changed> {
+    let mut names: Vec<&String> = Vec::new();
+    for (name, _) in sides.iter().flatten() {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let value = |side: &[(String, f64)], name: &str| side.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+    let mut changes = Vec::new();
+    for name in names {
+        let values = [value(&sides[0], name), value(&sides[1], name)];
+        let same = matches!(values, [Some(a), Some(b)] if (a - b).abs() < 1e-9 * a.abs().max(1.0));
+        if !same {
+            let mut changed = Changed::numbers(name.clone(), unit, values, places);
+            let grown = values[1].unwrap_or(0.0) - values[0].unwrap_or(0.0);
+            changed.trend = if grown < 0.0 { Trend::Better } else { Trend::Worse };
+            changes.push(changed);
+        }
+    }
+    changes
+}
+
+fn mass_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
+    paired(sides.map(|e| e.masses.lines.iter().map(|line| (line.name.clone(), line.total_g)).collect()), "g", 2)
+}
+
+fn volume_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
+    let volumes = |e: &Evaluation| {
+        let parts = e.design.printed.iter();
+        parts.map(|part| (part.name.slug().to_string(), part.volume_mm3 * f64::from(part.name.quantity()))).collect()
+    };
+    paired(sides.map(volumes), "mm3", 0)
+}
+
+fn measure_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
+    let change = |measure: &super::measures::Measure| {
+        let values = sides.map(|e| measure.of(e));
+        let mut changed = Changed::numbers(measure.name.into(), measure.unit, values, measure.places());
+        let worse = |grown: f64| (grown > 0.0) == (measure.better == Better::Less);
+        changed.trend = match changed.grown() {
+            Some(grown) if grown.abs() > 1e-6 => {
+                if worse(grown) {
+                    Trend::Worse
+                } else {
+                    Trend::Better
+                }
+            }
+            _ => Trend::Neither,
+        };
+        changed
+    };
+    MEASURES.iter().map(change).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_numbers_that_differ_look_different() {
+        assert_eq!(told_apart([Some(1.0), Some(1.0004)], 2), ["1.0000", "1.0004"]);
+        assert_eq!(told_apart([Some(1.0), None], 2), ["1.00", ""]);
+        let changed = Changed::numbers("x".into(), "g", [Some(231.552), Some(263.6)], 2);
+        assert_eq!((changed.told.clone(), changed.grown_told().as_str()), (["231.55".into(), "263.60".into()], "+32.05"));
+        let less = Changed::numbers("x".into(), "g", [Some(2.0), Some(1.0)], 2);
+        assert_eq!(less.grown_told(), "-1.00");
+        assert_eq!(Changed::numbers("x".into(), "g", [Some(2.0), Some(2.0)], 2).grown_told(), "0.00");
+    }
+
+    #[test]
+    fn analytic_lines_of_one_side_alone_are_named() {
+        let sides = [vec![("a".to_string(), 1.0), ("b".to_string(), 2.0)], vec![("b".to_string(), 2.0), ("c".to_string(), 3.0)]];
+        let names: Vec<(String, [Option<f64>; 2])> = paired(sides, "g", 2).into_iter().map(|c| (c.name, c.values)).collect();
+        assert_eq!(names, [("a".to_string(), [Some(1.0), None]), ("c".to_string(), [None, Some(3.0)])]);
+    }
+}

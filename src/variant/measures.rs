@@ -1,0 +1,208 @@
+//! What a frame measures, by name: the vocabulary of `diff`, `explain`, `solve` and `watch`.
+
+use super::peak::predicted_peak_g;
+use crate::assembly::mass::{self, MassTable};
+use crate::assembly::{Design, Workshop};
+use crate::body::Body;
+use crate::checks::{self, Finding, Verdict};
+use crate::figures::decimals;
+use crate::params::Frame;
+
+/// Which way is better.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Better {
+    /// Less.
+    Less,
+    /// More.
+    More,
+}
+
+/// A frame, designed and held against its limits.
+pub struct Evaluation {
+    /// The design.
+    pub design: Design,
+    /// Its masses.
+    pub masses: MassTable,
+    /// What the rules found.
+    pub findings: Vec<Finding>,
+    /// Predicted peak of a drop from 1 m, g.
+    pub peak_g: f64,
+}
+
+impl Evaluation {
+    /// Every rule.
+    pub fn of(design: Design) -> Self {
+        let masses = mass::table(&design);
+        let findings = checks::check(&design, &masses);
+        Self::with(design, masses, findings)
+    }
+
+    /// Every rule but the one that moves all parts through all steps, which takes longer than the rest together.
+    ///
+    /// # Errors
+    /// When the frame cannot be designed.
+    pub fn quick(frame: Frame, workshop: &mut Workshop) -> Result<Self, crate::assembly::DesignError> {
+        let design = Design::with(frame, workshop)?;
+        let masses = mass::table(&design);
+        let findings = checks::quick(&design, &masses);
+        Ok(Self::with(design, masses, findings))
+    }
+
+    fn with(design: Design, masses: MassTable, findings: Vec<Finding>) -> Self {
+        let peak_g = predicted_peak_g(&Body::of(&design, &masses));
+        Self { design, masses, findings, peak_g }
+    }
+
+    /// The value of a finding of a rule whose subject fits, the least or the most of them.
+    fn extreme(&self, rule: &str, most: bool, fits: impl Fn(&Finding) -> bool) -> Option<f64> {
+        let found = self.findings.iter().filter(|f| f.rule == rule && f.verdict != Verdict::Note && fits(f));
+        found.map(|f| f.value).reduce(|a, b| if most { a.max(b) } else { a.min(b) })
+    }
+
+    fn extent_mm(&self, axis: &str) -> Option<f64> {
+        self.extreme("envelope", true, |f| f.subject.starts_with(axis))
+    }
+
+    fn printed_mm3(&self) -> f64 {
+        self.design.printed.iter().map(|part| part.volume_mm3 * f64::from(part.name.quantity())).sum()
+    }
+
+    fn mass_of_g(&self, kind: &str) -> f64 {
+        self.masses.lines.iter().filter(|line| line.kind == kind).map(|line| line.total_g).sum()
+    }
+}
+
+/// A figure of a frame.
+pub struct Measure {
+    /// What it is called.
+    pub name: &'static str,
+    /// Unit of its values.
+    pub unit: &'static str,
+    /// What it is.
+    pub doc: &'static str,
+    /// Which way is better.
+    pub better: Better,
+    /// Its value; none where the frame has no such thing.
+    value: fn(&Evaluation) -> Option<f64>,
+}
+
+impl Measure {
+    /// Its value of a frame; none where the frame has no such thing.
+    pub fn of(&self, evaluation: &Evaluation) -> Option<f64> {
+        (self.value)(evaluation).filter(|value| value.is_finite())
+    }
+
+    /// How many decimals its unit is told with.
+    pub fn places(&self) -> usize {
+        if matches!(self.unit, "mm3" | "mm") && self.name.starts_with("printed") { 0 } else { 2 }
+    }
+
+    /// A value as it is told.
+    pub fn told(&self, value: Option<f64>) -> String {
+        value.map_or("-".into(), |value| decimals(value, self.places()))
+    }
+}
+
+/// Every measure, in the order of tables.
+pub const MEASURES: [Measure; 15] = [
+    Measure { name: "mass", unit: "g", doc: "take-off mass", better: Better::Less, value: |e| Some(e.masses.total_g) },
+    Measure {
+        name: "mass.printed",
+        unit: "g",
+        doc: "mass of all printed parts",
+        better: Better::Less,
+        value: |e| Some(e.mass_of_g("printed")),
+    },
+    Measure { name: "mass.rods", unit: "g", doc: "mass of all rods", better: Better::Less, value: |e| Some(e.mass_of_g("rod")) },
+    Measure {
+        name: "envelope.width",
+        unit: "mm",
+        doc: "width without propellers",
+        better: Better::Less,
+        value: |e| e.extent_mm("width without"),
+    },
+    Measure {
+        name: "envelope.depth",
+        unit: "mm",
+        doc: "depth without propellers",
+        better: Better::Less,
+        value: |e| e.extent_mm("depth without"),
+    },
+    Measure {
+        name: "envelope.height",
+        unit: "mm",
+        doc: "height without propellers",
+        better: Better::Less,
+        value: |e| e.extent_mm("height without"),
+    },
+    Measure {
+        name: "envelope.volume",
+        unit: "cm3",
+        doc: "width times depth times height, without propellers",
+        better: Better::Less,
+        value: |e| {
+            let sides = ["width without", "depth without", "height without"].map(|axis| e.extent_mm(axis));
+            sides.into_iter().try_fold(1e-3, |all, side| side.map(|side| all * side))
+        },
+    },
+    Measure {
+        name: "clearance.propeller",
+        unit: "mm",
+        doc: "from a propeller's disc to the nearest thing",
+        better: Better::More,
+        value: |e| e.extreme("propeller_clearance", false, |_| true),
+    },
+    Measure {
+        name: "clearance.part",
+        unit: "mm",
+        doc: "from a rod to the nearest rod, or part that does not hold it",
+        better: Better::More,
+        value: |e| e.extreme("part_clearance", false, |_| true),
+    },
+    Measure {
+        name: "clearance.ground",
+        unit: "mm",
+        doc: "from what hangs lowest to the ground",
+        better: Better::More,
+        value: |e| e.extreme("ground_clearance", false, |_| true),
+    },
+    Measure {
+        name: "engagement",
+        unit: "mm",
+        doc: "least length of a rod inside a socket",
+        better: Better::More,
+        value: |e| e.extreme("socket_seating", false, |f| f.subject.ends_with("engagement")),
+    },
+    Measure {
+        name: "hinge.strain",
+        unit: "%",
+        doc: "largest strain of a folded hinge",
+        better: Better::Less,
+        value: |e| e.extreme("hinge_strain", true, |f| f.unit == "%"),
+    },
+    Measure {
+        name: "wall",
+        unit: "mm",
+        doc: "thinnest wall of a printed part",
+        better: Better::More,
+        value: |e| e.extreme("thinnest_wall", false, |_| true),
+    },
+    Measure {
+        name: "printed.volume",
+        unit: "mm3",
+        doc: "volume of all printed parts",
+        better: Better::Less,
+        value: |e| Some(e.printed_mm3()),
+    },
+    Measure { name: "peak", unit: "g", doc: "predicted peak of a drop from 1 m", better: Better::Less, value: |e| Some(e.peak_g) },
+];
+
+/// A measure by its name.
+pub fn measure(name: &str) -> Option<&'static Measure> {
+    MEASURES.iter().find(|measure| measure.name == name)
+}
+
+/// The names of all measures, for a message.
+pub fn measure_names() -> String {
+    MEASURES.iter().map(|measure| measure.name).collect::<Vec<_>>().join(", ")
+}

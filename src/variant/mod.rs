@@ -1,0 +1,17 @@
+//! Variants: what a frame measures, how two frames differ, what a parameter does, and a search for better ones.
+
+mod create;
+mod difference;
+mod goal;
+mod measures;
+mod peak;
+mod sensitivity;
+mod solve;
+
+pub use create::{CreateError, Creation, Moved, Request, create};
+pub use difference::{Changed, Difference, Side, Trend};
+pub use goal::{Goal, GoalError, Increase, Sense};
+pub use measures::{Better, Evaluation, MEASURES, Measure, measure, measure_names};
+pub use peak::{PEAK_CAVEAT, predicted_peak_g};
+pub use sensitivity::{Response, sensitivity};
+pub use solve::{Aim, Binding, Problem, Solution, SolveError, Vary, solve};

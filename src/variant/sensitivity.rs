@@ -1,0 +1,34 @@
+//! What a parameter does: every measure at a little less and a little more of it.
+
+use super::measures::{Evaluation, MEASURES};
+use crate::assembly::Workshop;
+use crate::params::parameter::Parameter;
+use crate::params::{Frame, FrameFile};
+
+/// The measures at one value of a parameter.
+pub struct Response {
+    /// The value.
+    pub value: f64,
+    /// The measures in their order, or why there is no such frame.
+    pub measures: Result<Vec<Option<f64>>, String>,
+}
+
+/// The measures at a parameter's value and at this share of it less and more, no farther than its bounds; all else stays as
+/// the file says, and what follows follows.
+pub fn sensitivity(file: &FrameFile, frame: &Frame, parameter: &Parameter, share: f64) -> Vec<Response> {
+    let Some(value) = frame.value(parameter.table, parameter.key) else { return Vec::new() };
+    let step = if value == 0.0 { share * (parameter.max - parameter.min) } else { share * value.abs() };
+    let mut workshop = Workshop::default();
+    [value - step, value, value + step]
+        .map(|wanted| wanted.clamp(parameter.min, parameter.max))
+        .map(|value| Response { value, measures: at(file, parameter, value, &mut workshop) })
+        .into()
+}
+
+fn at(file: &FrameFile, parameter: &Parameter, value: f64, workshop: &mut Workshop) -> Result<Vec<Option<f64>>, String> {
+    let mut file = file.clone();
+    file.set_number(&format!("{}.{}", parameter.table, parameter.key), value);
+    let frame = Frame::resolve(&file).map_err(|refusal| refusal.to_string())?;
+    let evaluation = Evaluation::quick(frame, workshop).map_err(|error| error.to_string())?;
+    Ok(MEASURES.iter().map(|measure| measure.of(&evaluation)).collect())
+}

@@ -1,0 +1,35 @@
+"""plate_gcode.py MANIFEST PLATE GCODE: whether a slicer printed the plate that was meant: one line."""
+
+import json
+import re
+import sys
+import xml.etree.ElementTree as xml
+import zipfile
+
+CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+MASS_RATIO = 0.03
+
+
+def main(manifest, plate, gcode):
+    volumes = {part["name"]: part["volume_mm3"] for part in json.load(open(manifest))["parts"]}
+    model = xml.fromstring(zipfile.ZipFile(plate).read("3D/3dmodel.model"))
+    names = {thing.get("id"): thing.get("name") for thing in model.iter(f"{CORE}object")}
+    items = [names[item.get("objectid")] for item in model.iter(f"{CORE}item")]
+    text = open(gcode).read()
+    printed = {one for one in re.findall(r"^; printing object (.+)$", text, re.M)}
+    copies = {one.split(" id:")[0] + one.split("copy")[-1] for one in printed}
+    if len(copies) != len(items):
+        return f"FAILED: {len(copies)} objects are printed, {len(items)} are on the plate"
+    heights = {float(one) for one in re.findall(r"^;HEIGHT:([0-9.]+)", text, re.M)}
+    if not heights or max(heights) > 0.36:
+        return f"FAILED: layers of {sorted(heights)} mm"
+    solid = sum(volumes[name] for name in items)
+    used = 1e3 * float(re.search(r"; filament used \[cm3\] = ([0-9.]+)", text).group(1))
+    # A lid's support is printed on top of the part.
+    most = MASS_RATIO + (0.15 if "battery_lid" in items else 0)
+    if not -MASS_RATIO < used / solid - 1 < most:
+        return f"FAILED: {used:.0f} mm3 of filament for {solid:.0f} mm3 of parts, {100 * (used / solid - 1):+.1f} %"
+    return f"ok {len(items)} objects, filament {100 * (used / solid - 1):+.1f} % of solid"
+
+
+print(main(*sys.argv[1:]))

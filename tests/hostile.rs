@@ -1,0 +1,194 @@
+//! Input that means harm, and machines that fail: a clear message, the right exit code, nothing written where it should not.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+use assert_cmd::cargo::cargo_bin;
+use tempfile::TempDir;
+
+struct Bench {
+    folder: TempDir,
+}
+
+impl Bench {
+    fn new() -> Self {
+        Self { folder: tempfile::tempdir().expect("a folder") }
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        fs::write(self.path(name), bytes).expect("can be written");
+    }
+
+    fn run(&self, arguments: &[&str]) -> Output {
+        let mut command = Command::new(cargo_bin("flexframe"));
+        command.args(arguments).current_dir(self.folder.path()).env("NO_COLOR", "1").env("FLEXFRAME_CACHE", "off");
+        command.output().expect("the program starts")
+    }
+
+    /// Runs what has to end with a code and a message, soon, without a panic, and with nothing new in the folder.
+    fn ends(&self, arguments: &[&str], code: i32, says: &str) {
+        let before = self.names();
+        let begun = Instant::now();
+        let output = self.run(arguments);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {said}");
+        // The renderer breaks long lines.
+        let flat = said.replace(['│', '·', '╰', '├', '─', '▶', '×'], " ").split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(flat.contains(says) && !flat.contains("panicked"), "{arguments:?}: {says:?} is not in {said}");
+        assert!(said.len() < 4000, "{arguments:?}: {} bytes of message", said.len());
+        assert!(begun.elapsed() < Duration::from_secs(60), "{arguments:?} took {:?}", begun.elapsed());
+        assert_eq!(self.names(), before, "{arguments:?} left something behind");
+    }
+
+    fn names(&self) -> Vec<PathBuf> {
+        fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
+            for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+                found.push(entry.path());
+                if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                    walk(&entry.path(), found);
+                }
+            }
+        }
+        let mut found = Vec::new();
+        walk(self.folder.path(), &mut found);
+        found.sort();
+        found
+    }
+}
+
+#[test]
+fn planted_files_that_are_too_large_or_no_text() {
+    let bench = Bench::new();
+    bench.write("large.toml", format!("base = \"cognifly\"\n#{}\n", "x".repeat(10 << 20)));
+    bench.write("latin.toml", b"base = \"cognifly\"\ndescription = \"\xe9\"\n");
+    bench.write("zero.toml", [0_u8; 64]);
+    bench.write("mark.toml", "\u{feff}base = \"cognifly\"\n");
+    fs::create_dir(bench.path("folder.toml")).expect("can be made");
+    for command in ["check", "build", "params", "explain", "bom", "watch"] {
+        let run = |frame: &str, says: &str| {
+            let arguments = if command == "explain" { vec![command, "arm_pitch_mm", frame] } else { vec![command, frame] };
+            bench.ends(&arguments, 2, says);
+        };
+        run("large.toml", "a file of parameters has at most");
+        run("latin.toml", "byte 33 is not UTF-8");
+        run("zero.toml", "this is not TOML");
+        run("folder.toml", "folder.toml");
+        run("nowhere.toml", "nowhere.toml");
+    }
+    assert_eq!(bench.run(&["params", "mark.toml"]).status.code(), Some(0), "a byte order mark is harmless");
+    // A device never ends; it is no file.
+    bench.ends(&["check", "--baseline", "/dev/zero"], 2, "it is no file");
+}
+
+#[test]
+fn planted_nesting_and_repetition_without_end() {
+    let bench = Bench::new();
+    bench.write("arrays.toml", format!("base = \"cognifly\"\nx = {}1{}\n", "[".repeat(100_000), "]".repeat(100_000)));
+    bench.write("tables.toml", format!("base = \"cognifly\"\nx = {}1{}\n", "{a=".repeat(100_000), "}".repeat(100_000)));
+    bench.write("dots.toml", format!("base = \"cognifly\"\n{}x = 1\n", "a.".repeat(100_000)));
+    bench.write("head.toml", format!("[{}x]\n", "a.".repeat(100_000)));
+    bench.write("key.toml", format!("base = \"cognifly\"\n{} = 1\n", "k".repeat(900_000)));
+    bench.write("keys.toml", (0..60_000).map(|n| format!("k{n} = 1\n")).collect::<String>());
+    bench.write("value.toml", format!("base = \"{}\"\n", "b".repeat(900_000)));
+    bench.write("digits.toml", format!("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 1{}.0\n", "0".repeat(500_000)));
+    for frame in ["arrays", "tables", "dots", "head", "key", "keys", "value", "digits"] {
+        for command in ["check", "params"] {
+            bench.ends(&[command, &format!("{frame}.toml")], 2, "");
+        }
+        bench.ends(&["drop", "--model", &format!("{frame}.toml")], 2, "");
+    }
+}
+
+#[test]
+fn planted_chains_of_bases_that_grow_or_turn() {
+    let bench = Bench::new();
+    // Sixteen files that each name the next and double their content: nothing is expanded twice.
+    for at in 0..15 {
+        bench.write(
+            &format!("f{at}.toml"),
+            format!(
+                "base = \"f{}\"\n{}",
+                at + 1,
+                (0..500)
+                    .map(|n| format!("[extras.e{at}x{n}]\nmass_g = 0.0\nmass_basis = \"estimate\"\nsource = \"s\"\n"))
+                    .collect::<String>()
+            ),
+        );
+    }
+    bench.write("f15.toml", "base = \"cognifly\"\n");
+    bench.ends(&["check", "f0.toml"], 2, "the chain of bases does not end");
+    assert_eq!(bench.run(&["params", "f1.toml"]).status.code(), Some(0), "sixteen are allowed");
+    bench.write("self.toml", "base = \"self.toml\"\n");
+    bench.ends(&["check", "self.toml"], 2, "the chain of bases does not end");
+    bench.write("a.toml", "base = \"b\"\n");
+    bench.write("b.toml", "base = \"./a.toml\"\n");
+    bench.ends(&["check", "a.toml"], 2, "the chain of bases does not end");
+    bench.write("etc.toml", "base = \"/etc/passwd\"\n");
+    bench.ends(&["check", "etc.toml"], 2, "there is no base called `/etc/passwd`");
+}
+
+#[test]
+fn planted_names_that_lead_out() {
+    let bench = Bench::new();
+    for name in ["../up", "/tmp/up", "a/b", "..", ".", "", ".hidden", "a\\b", "nul\u{0}", "é", "a\nb"] {
+        bench.write("frame.toml", format!("base = \"cognifly\"\nname = {}\n", serde_json::Value::from(name)));
+        for command in ["build", "fold", "render"] {
+            bench.ends(&[command, "frame.toml", "-o", "out"], 2, "");
+        }
+    }
+    for name in ["..", "a b", ".x", "sub/.x", ""] {
+        bench.ends(&["new", name, "--mass", "250"], 2, "cannot be a folder's name");
+    }
+    bench.ends(&["new", "nowhere/x", "--mass", "250"], 3, "cannot write nowhere/x.toml");
+}
+
+#[cfg(unix)]
+#[test]
+fn planted_links_are_not_followed_when_writing() {
+    let bench = Bench::new();
+    let outside = Bench::new();
+    outside.write("precious", "keep");
+    std::os::unix::fs::symlink(outside.path("precious"), bench.path("new.toml")).expect("can be linked");
+    bench.ends(&["new", "new", "--mass", "250"], 2, "new.toml is there already");
+    std::os::unix::fs::symlink(outside.path("gone"), bench.path("gone.toml")).expect("can be linked");
+    bench.ends(&["new", "gone", "--mass", "250"], 2, "gone.toml is there already");
+    // A list of accepted findings is replaced where it lies: the link goes, what it led to stays.
+    bench.write("frame.toml", "base = \"cognifly\"\nname = \"linked\"\n");
+    outside.write("list", "{\"schema_version\": 1, \"accepted\": []}");
+    std::os::unix::fs::symlink(outside.path("list"), bench.path("list.json")).expect("can be linked");
+    let done = bench.run(&["check", "frame.toml", "--strict", "--baseline", "list.json", "--update-baseline", "-q"]);
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    assert_eq!(fs::read_to_string(outside.path("list")).expect("is there"), "{\"schema_version\": 1, \"accepted\": []}");
+    // A linked folder in the result's place is replaced, not filled.
+    fs::create_dir(bench.path("out")).expect("can be made");
+    std::os::unix::fs::symlink(outside.folder.path(), bench.path("out/linked")).expect("can be linked");
+    let done = bench.run(&["build", "frame.toml", "-o", "out", "--no-pictures", "-q"]);
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    let left: Vec<PathBuf> = outside.names();
+    assert_eq!(left, [outside.path("list"), outside.path("precious")]);
+    assert_eq!(fs::read_to_string(outside.path("precious")).expect("is there"), "keep");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn planted_places_that_cannot_be_written() {
+    let bench = Bench::new();
+    bench.write("frame.toml", "base = \"cognifly\"\n");
+    // Not even root writes into /proc, and /dev/full is a disk that is full.
+    bench.ends(&["build", "frame.toml", "-o", "/proc/out", "--no-pictures"], 3, "cannot make the folder /proc/out");
+    bench.ends(&["diff", "cognifly", "frame.toml", "-o", "/proc/out"], 3, "cannot make the folder /proc/out");
+    bench.ends(&["check", "frame.toml", "--baseline", "/proc/x.json", "--update-baseline"], 3, "cannot write /proc/x.json");
+    for arguments in [&["schema"][..], &["params"], &["check", "--format", "sarif"], &["bom"], &["explain", "battery_mass_g"]] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("is there");
+        let output =
+            Command::new(cargo_bin("flexframe")).args(arguments).env("FLEXFRAME_CACHE", "off").stdout(full).output().expect("starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(3) && said.contains("cannot print"), "{arguments:?}: {said}");
+    }
+}

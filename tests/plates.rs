@@ -1,0 +1,116 @@
+//! Plates: everything on the bed, nothing upon another, as many as the frame needs, on every printer.
+
+use std::path::Path;
+use std::sync::{Mutex, OnceLock};
+
+use flexframe::assembly::Design;
+use flexframe::params::catalogue::{Bed, Printer};
+use flexframe::params::{Frame, FrameFile, PartName};
+use flexframe::plates::{Plate, all, arrange};
+use proptest::prelude::*;
+
+fn design() -> Design {
+    let file = FrameFile::load("cognifly").expect("a preset");
+    Design::new(Frame::resolve(&file).expect("resolves")).expect("is designed")
+}
+
+/// One design for many cases.
+fn shared() -> &'static Mutex<Design> {
+    static DESIGN: OnceLock<Mutex<Design>> = OnceLock::new();
+    DESIGN.get_or_init(|| Mutex::new(design()))
+}
+
+/// Least room between two parts that their brims, of 3 mm each, do not touch, mm.
+const APART_MM: f64 = 6.0;
+
+fn printers() -> Vec<(String, Printer)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("params/printers");
+    let mut files: Vec<_> = std::fs::read_dir(folder).expect("printers").map(|entry| entry.expect("an entry").path()).collect();
+    files.sort();
+    let read = |path: std::path::PathBuf| {
+        let text = std::fs::read_to_string(&path).expect("reads");
+        (path.file_stem().expect("a name").to_string_lossy().into_owned(), toml::from_str(&text).expect("a printer"))
+    };
+    files.into_iter().map(read).collect()
+}
+
+/// Boxes of a plate's parts on the bed, mm.
+fn boxes(design: &Design, plate: &Plate) -> Vec<[[f64; 2]; 2]> {
+    let of = |item: &flexframe::plates::Item| {
+        let part = design.part(item.part).expect("a part of the frame");
+        let placed = part.mesh.placed(&item.pose(part));
+        let [low, high] = placed.bounds_mm();
+        assert!(low[2].abs() < 1e-4, "{} does not stand on the bed: {}", item.part, low[2]);
+        [[low[0], low[1]], [high[0], high[1]]]
+    };
+    plate.items.iter().map(of).collect()
+}
+
+/// What is wrong with plates.
+fn faults(design: &Design, plates: &[Plate], wanted: &[(PartName, usize)]) -> Vec<String> {
+    let mut faults = Vec::new();
+    let printer = &design.frame.printer;
+    for plate in plates {
+        let boxes = boxes(design, plate);
+        for (at, [low, high]) in boxes.iter().enumerate() {
+            let on = match printer.bed {
+                Bed::Rectangular => (0..2).all(|axis| low[axis] >= -1e-6 && high[axis] <= printer.size_mm[axis] + 1e-6),
+                Bed::Round => plate.items.len() == 1 || [low, high].iter().all(|c| c[0].hypot(c[1]) <= 0.5 * printer.size_mm[0] + 1e-6),
+            };
+            if !on {
+                faults.push(format!("{} of {} is off the bed", plate.items[at].part, plate.name()));
+            }
+            for [other_low, other_high] in &boxes[at + 1..] {
+                if (0..2).all(|axis| low[axis] < other_high[axis] + APART_MM && other_low[axis] < high[axis] + APART_MM) {
+                    faults.push(format!("{} is too near to another on {}", plate.items[at].part, plate.name()));
+                }
+            }
+        }
+    }
+    for (name, count) in wanted {
+        let found = plates.iter().flat_map(|plate| &plate.items).filter(|item| item.part == *name).count();
+        if found != *count {
+            faults.push(format!("{found} {name} instead of {count}"));
+        }
+    }
+    faults
+}
+
+#[test]
+fn analytic_every_printer_takes_the_frame() {
+    let mut design = design();
+    for (name, printer) in printers() {
+        design.frame.printer = printer;
+        let wanted = all(&design);
+        let plates = arrange(&design, &wanted).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new(), "{name}");
+        assert!(plates.iter().all(|plate| plate.items.iter().all(|item| design.material_of(item.part).name == plate.material.name)));
+    }
+}
+
+#[test]
+fn planted_a_bed_that_is_too_small_or_too_low_is_refused_with_the_part() {
+    let mut design = design();
+    let wanted = all(&design);
+    design.frame.printer.size_mm = [60.0, 60.0];
+    let refused = arrange(&design, &wanted).expect_err("has no room").to_string();
+    assert!(refused.contains("has no room on the printer"), "{refused}");
+    design.frame.printer.size_mm = [250.0, 250.0];
+    design.frame.printer.height_mm = 1.0;
+    assert!(arrange(&design, &wanted).is_err());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+    #[test]
+    fn analytic_any_bed_and_any_number(width in 150.0..400.0, depth in 150.0..400.0, round in any::<bool>(), count in 1_usize..30) {
+        let mut design = shared().lock().expect("a design");
+        let (bed, size_mm) = if round { (Bed::Round, [width.max(220.0); 2]) } else { (Bed::Rectangular, [width, depth]) };
+        design.frame.printer.bed = bed;
+        design.frame.printer.size_mm = size_mm;
+        design.frame.printer.height_mm = 200.0;
+        let wanted = [(PartName::Knee, count), (PartName::Fork, count / 2), (PartName::BatterySleeve, 1 + count / 5)];
+        let plates = arrange(&design, &wanted).map_err(|error| TestCaseError::fail(error.to_string()))?;
+        prop_assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new());
+    }
+}

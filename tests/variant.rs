@@ -1,0 +1,350 @@
+//! Comparing, explaining, searching and making variants, through the program.
+
+use std::fs;
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use std::sync::mpsc::channel;
+use std::time::Duration;
+
+use assert_cmd::cargo::cargo_bin;
+use serde_json::Value;
+use tempfile::TempDir;
+
+struct Bench {
+    folder: TempDir,
+}
+
+impl Bench {
+    fn new(frames: &[(&str, &str)]) -> Self {
+        let bench = Self { folder: tempfile::tempdir().expect("a folder") };
+        frames.iter().for_each(|(name, text)| bench.write(name, text));
+        bench
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).expect("can be written");
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(cargo_bin("flexframe"));
+        command.args(arguments).current_dir(self.folder.path()).env("NO_COLOR", "1").env("FLEXFRAME_CACHE", "off");
+        command
+    }
+
+    fn run(&self, arguments: &[&str]) -> (i32, String, String) {
+        let Output { status, stdout, stderr } = self.command(arguments).output().expect("the program starts");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+        (status.code().expect("ends"), text(stdout), text(stderr))
+    }
+
+    fn json(&self, arguments: &[&str]) -> Value {
+        let (_, out, err) = self.run(arguments);
+        serde_json::from_str(&out).unwrap_or_else(|error| panic!("{error}: {out}{err}"))
+    }
+
+    fn git(&self, arguments: &[&str]) {
+        let identity = ["-c", "user.name=a", "-c", "user.email=a@example.com", "-c", "init.defaultBranch=main"];
+        let done = Command::new("git").args(identity).args(arguments).current_dir(self.folder.path()).output().expect("git is there");
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    }
+}
+
+const LIGHT: &str = "base = \"cognifly\"\nname = \"light\"\n[bought]\nbattery = \"battery-2s-850\"\n";
+
+#[test]
+fn analytic_a_frame_does_not_differ_from_itself() {
+    let bench = Bench::new(&[("same.toml", "base = \"cognifly\"\n")]);
+    let (code, out, _) = bench.run(&["diff", "cognifly", "same.toml", "--fail-on-increase", "mass=0"]);
+    assert_eq!(code, 0);
+    assert!(out.contains("no difference") && !out.contains("worse") && !out.contains("better"), "{out}");
+    let json = bench.json(&["diff", "cognifly", "same.toml", "--json"]);
+    for list in ["parameters", "masses", "volumes", "broken", "mended"] {
+        assert_eq!(json[list], serde_json::json!([]), "{list}");
+    }
+    assert!(json["measures"].as_array().expect("a list").iter().all(|m| m["values"][0] == m["values"][1] && m["values"][0].is_number()));
+}
+
+#[test]
+fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
+    let bench = Bench::new(&[("light.toml", LIGHT)]);
+    let json = bench.json(&["diff", "cognifly", "light.toml", "--json"]);
+    let names = |list: &str| -> Vec<String> {
+        json[list].as_array().expect("a list").iter().map(|c| c["name"].as_str().expect("a name").to_string()).collect()
+    };
+    assert!(
+        names("parameters").contains(&"bought.battery".to_string()) && names("parameters").contains(&"battery.battery_mass_g".to_string())
+    );
+    assert!(names("masses").contains(&"battery".to_string()) && !names("masses").contains(&"knee".to_string()), "{:?}", names("masses"));
+    let measure = |name: &str| json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == name).expect("is there").clone();
+    assert_eq!(measure("mass")["trend"], "better");
+    // Less mass on the same spring peaks higher: that is what the model says, and that it sees no more than that is said too.
+    assert_eq!(measure("peak")["trend"], "worse");
+    assert!(json["peak"].as_str().expect("text").contains("reacts to mass and gap only"));
+    assert_eq!(measure("envelope.width")["trend"], "neither");
+
+    let (code, _, err) =
+        bench.run(&["diff", "light.toml", "cognifly", "--fail-on-increase", "mass=2g", "--fail-on-increase", "wall=0.1mm"]);
+    assert_eq!(code, 1);
+    assert!(err.starts_with("mass grew by ") && err.contains("; 2 g are allowed") && err.lines().count() == 1, "{err}");
+    for (wrong, says) in
+        [("mas=2g", "did you mean `mass`"), ("mass=2mm", "mass is measured in g"), ("mass", "does not read"), ("mass=-1", "does not read")]
+    {
+        let (code, out, err) = bench.run(&["diff", "cognifly", "light.toml", "--fail-on-increase", wrong]);
+        assert!(code == 2 && out.is_empty() && err.contains(says), "{wrong}: {err}");
+    }
+}
+
+#[test]
+fn analytic_diff_writes_page_and_picture() {
+    let bench = Bench::new(&[]);
+    let (code, out, err) = bench.run(&["diff", "cognifly", "cognifly-mini", "-o", "out"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.ends_with("diff.md, diff.json, diff.png\n"), "{out}");
+    let folder = bench.path("out/diff-cognifly-cognifly-mini");
+    let page = fs::read_to_string(folder.join("diff.md")).expect("is there");
+    assert!(
+        page.starts_with("## cognifly to cognifly-mini\n")
+            && page.contains("| envelope.width mm | 209.49 | 182.")
+            && page.contains("(diff.png)")
+    );
+    let rows = page.lines().filter(|line| line.starts_with('|'));
+    assert!(rows.clone().all(|row| row.matches('|').count() == 6), "{:?}", rows.collect::<Vec<_>>());
+    let picture = fs::read(folder.join("diff.png")).expect("is there");
+    assert!(picture.starts_with(b"\x89PNG") && picture.len() > 50_000);
+    let again = bench.run(&["diff", "cognifly", "cognifly-mini", "-o", "again"]);
+    assert_eq!(again.0, 0);
+    assert!(fs::read(bench.path("again/diff-cognifly-cognifly-mini/diff.png")).expect("is there") == picture, "the same bytes");
+}
+
+#[test]
+fn planted_a_file_against_its_former_self() {
+    let bench = Bench::new(&[("base.toml", "base = \"cognifly\"\n[limits]\nmass_budget_g = 240.0\n"), ("mine.toml", "base = \"base\"\n")]);
+    bench.git(&["init", "--quiet"]);
+    bench.git(&["add", "."]);
+    bench.git(&["commit", "--quiet", "-m", "one"]);
+    // The base changes, not the file itself: the former self has the former base.
+    bench.write("base.toml", "base = \"cognifly\"\n[limits]\nmass_budget_g = 235.0\n[bought]\nbattery = \"battery-2s-850\"\n");
+    let (code, out, err) = bench.run(&["diff", "--git", "HEAD", "mine.toml"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.starts_with("a: mine@") && out.contains("limits.mass_budget_g") && out.contains("battery-2s-850"), "{out}");
+    for (arguments, says) in [
+        (&["diff", "--git", "nowhere", "mine.toml"][..], "this repository has no revision `nowhere`"),
+        (&["diff", "--git", "--output=x", "mine.toml"], "this repository has no revision `--output=x`"),
+        (&["diff", "--git", "HEAD", "cognifly"], "cognifly is a preset"),
+        (&["diff", "mine.toml"], "give two frames"),
+        (&["diff", "--git", "HEAD", "mine.toml", "base.toml"], "give one frame with --git"),
+    ] {
+        let (code, _, err) = bench.run(arguments);
+        assert!(code == 2 && err.contains(says), "{arguments:?}: {err}");
+    }
+    bench.write("new.toml", "base = \"cognifly\"\n");
+    let (code, _, err) = bench.run(&["diff", "--git", "HEAD", "new.toml"]);
+    assert!(code == 2 && err.contains("it is not in "), "{err}");
+    assert!(!bench.path("x").exists());
+}
+
+#[test]
+fn analytic_explain_says_what_follows_from_five_percent() {
+    let bench = Bench::new(&[("mine.toml", "base = \"cognifly\"\n[hub_joint]\narm_pitch_mm = 26.0\n")]);
+    let (code, out, err) = bench.run(&["explain", "arm_pitch_mm", "mine.toml"]);
+    assert_eq!(code, 0, "{err}");
+    for part in [
+        "hub_joint.arm_pitch_mm",
+        "Distance between the two parallel arm rods.",
+        "26 mm (mine.toml:3)",
+        "18 to 34 mm",
+        "hub_joint, fork, motor_mount",
+        "24.7",
+        "27.3",
+        "peak",
+    ] {
+        assert!(out.contains(part), "{part}: {out}");
+    }
+    // A battery's mass is a mass: 5 % of 58 g more is 2.9 g more, and nothing else moves.
+    let json = bench.json(&["explain", "battery_mass_g", "--json"]);
+    let mass = |at: usize| json["responses"][at]["measures"]["mass"].as_f64().expect("a number");
+    assert!((mass(2) - mass(1) - 2.9).abs() < 1e-6 && (mass(1) - mass(0) - 2.9).abs() < 1e-6, "{json:#}");
+    assert_eq!(json["responses"][0]["measures"]["envelope.width"], json["responses"][2]["measures"]["envelope.width"]);
+    assert_eq!(json["follows"], "battery");
+    // The arm rods push the knees out; too long they do not close, which is said.
+    let (_, out, _) = bench.run(&["explain", "cage_rod"]);
+    assert!(out.contains("rods.cage_rod_length_mm") && out.contains("envelope.width"), "{out}");
+    for (wrong, says) in [("arm_pitsch_mm", "did you mean `arm_pitch_mm`"), ("corner", "may be any of"), ("", "there is no parameter")] {
+        let (code, _, err) = bench.run(&["explain", wrong]);
+        assert!(code == 2 && err.contains(says), "{wrong}: {err}");
+    }
+}
+
+#[test]
+fn planted_solve_finds_a_lighter_frame_that_keeps_every_limit() {
+    let bench = Bench::new(&[]);
+    let arguments = [
+        "solve",
+        "--minimise",
+        "mass",
+        "--vary",
+        "arm_rod=78..86,cage_rod=180..195",
+        "--subject-to",
+        "clearance.propeller>=3.5mm",
+        "--frames",
+        "40",
+        "-o",
+        "light",
+    ];
+    let (code, out, err) = bench.run(&arguments);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("what holds it back") && out.ends_with("light.toml: written\n"), "{out}");
+    assert_eq!(bench.run(&["check", "-q", "light.toml"]).0, 0, "{out}");
+    let json = bench.json(&["diff", "cognifly", "light.toml", "--json"]);
+    let measure =
+        |name: &str| json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == name).expect("is there")["values"].clone();
+    assert!(measure("mass")[1].as_f64() < measure("mass")[0].as_f64(), "{json:#}");
+    assert!(measure("clearance.propeller")[1].as_f64().expect("a number") >= 3.5);
+    let (code, _, err) = bench.run(&arguments);
+    assert!(code == 2 && err.contains("light.toml is there already"), "{err}");
+    // What cannot be is said, with what it misses.
+    let (code, out, err) = bench.run(&["solve", "--minimise", "mass", "--vary", "arm_rod", "--subject-to", "mass<=100", "--frames", "10"]);
+    assert!(code == 1 && out.is_empty() && err.contains("mass<=100g is 2"), "{err}");
+    for (more, says) in [
+        (["--minimise", "weight", "--vary", "arm_rod"], "there is no measure `weight`"),
+        (["--minimise", "mass", "--vary", "arm_rod=90..70"], "give bounds as"),
+        (["--minimise", "mass", "--vary", "arm_rod=1..70"], "within 40 to 180"),
+    ] {
+        let (code, _, err) = bench.run(&[&["solve"][..], &more].concat());
+        assert!(code == 2 && err.contains(says), "{more:?}: {err}");
+    }
+}
+
+#[test]
+fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
+    let bench = Bench::new(&[]);
+    let (code, out, err) = bench.run(&["new", "easy", "--battery", "battery-2s-850"]);
+    assert_eq!(code, 0, "{out}{err}");
+    let text = fs::read_to_string(bench.path("easy.toml")).expect("is there");
+    assert!(text.contains("[bought]\nbattery = \"battery-2s-850\" # asked for\n") && !text.contains("[rods]"), "{text}");
+    // Smaller propellers and a smaller box: rods and motors have to move.
+    let (code, out, err) = bench.run(&[
+        "new",
+        "small",
+        "--propeller",
+        "propeller-65mm",
+        "--motor",
+        "motor-1103",
+        "--envelope",
+        "195x195x112",
+        "--frames",
+        "80",
+    ]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("as asked for: the frame's width without propellers is 209.49 mm, the envelope 195.00 mm"), "{out}");
+    let text = fs::read_to_string(bench.path("small.toml")).expect("is there");
+    assert!(text.contains("envelope_width_mm = 195.0 # asked for") && text.contains("moved to keep every limit"), "{text}");
+    assert_eq!(bench.run(&["check", "-q", "small.toml"]).0, 0);
+    for (arguments, code, says) in [
+        (&["new", "x"][..], 2, "say what is to be different"),
+        (&["new", "../x", "--mass", "250", "--battery", "battery-of-nobody"], 2, "there is no bought part called `battery-of-nobody`"),
+        (&["new", "a b", "--mass", "250"], 2, "cannot be a folder's name"),
+        (&["new", "x", "--envelope", "180x170x110"], 2, "as deep as wide"),
+        (&["new", "easy", "--mass", "250"], 2, "easy.toml is there already"),
+        (&["new", "x", "--mass", "150", "--frames", "8"], 1, "no such variant was found"),
+    ] {
+        let (told, _, err) = bench.run(arguments);
+        assert!(told == code && err.contains(says), "{arguments:?}: {told} {err}");
+        assert!(!bench.path("x.toml").exists());
+    }
+}
+
+#[test]
+fn analytic_bill_in_every_form() {
+    let bench = Bench::new(&[(
+        "priced.toml",
+        "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n",
+    )]);
+    let (code, page, _) = bench.run(&["bom"]);
+    assert_eq!(code, 0);
+    for part in [
+        "# Bill of materials: cognifly",
+        "| knee | 4 | tpu-95a |",
+        "g of filament, at least",
+        "(M2 x 4 mm)",
+        "no price with a source",
+        "| 1 | leg ",
+        "no plan needs fewer",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    let bill = bench.json(&["bom", "priced.toml", "--json"]);
+    assert_eq!(bill["prices"], serde_json::json!([["EUR", 38.0]]));
+    let pieces: usize = bill["cut"].as_array().expect("a list").iter().map(|stock| stock["pieces"].as_array().expect("a list").len()).sum();
+    assert_eq!(pieces, 28);
+    let (_, csv, _) = bench.run(&["bom", "--format", "csv"]);
+    assert!(csv.starts_with("kind,name,quantity,") && csv.contains("\nstock,rod-carbon-3-1,1,carbon,"), "{csv}");
+    bench.write("half.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\n");
+    let (code, _, err) = bench.run(&["bom", "half.toml"]);
+    assert!(code == 2 && err.contains("price lacks currency or price_source"), "{err}");
+    assert_eq!(bench.run(&["bom", "--kerf", "-1"]).0, 2);
+    bench.write("short.toml", "base = \"cognifly\"\n[override.parts.rod-carbon-3]\nstock_length_mm = 150.0\n");
+    let (code, out, err) = bench.run(&["bom", "short.toml"]);
+    assert!(code == 1 && out.contains("is longer than the stock of 150 mm") && err.contains("longer than the stock"), "{err}");
+}
+
+#[test]
+fn analytic_schemas_name_every_parameter_and_its_bounds() {
+    let bench = Bench::new(&[]);
+    let schema = bench.json(&["schema"]);
+    assert_eq!(schema["$schema"], "http://json-schema.org/draft-07/schema#");
+    for p in flexframe::params::parameters() {
+        let entry = &schema["properties"][p.table]["properties"][p.key];
+        assert_eq!((entry["minimum"].as_f64(), entry["maximum"].as_f64()), (Some(p.min), Some(p.max)), "{}.{}", p.table, p.key);
+        let text = entry["description"].as_str().expect("text");
+        assert!(text.starts_with(p.doc.trim()) && text.contains(p.unit()), "{text}");
+    }
+    for kind in ["frame", "model", "plan", "bought", "materials", "printer", "baseline"] {
+        assert_eq!(bench.json(&["schema", kind])["type"], "object", "{kind}");
+    }
+    let part = &bench.json(&["schema", "bought"])["properties"]["parts"]["additionalProperties"];
+    assert_eq!(
+        (part["additionalProperties"].clone(), part["properties"]["mass_g"]["description"].clone()),
+        (false.into(), "Mass of one, g.".into())
+    );
+}
+
+#[test]
+fn analytic_watch_says_what_a_save_changes() {
+    let bench = Bench::new(&[("mine.toml", LIGHT)]);
+    let mut child =
+        bench.command(&["watch", "mine.toml", "--saves", "3"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+    let out = BufReader::new(child.stdout.take().expect("is piped"));
+    let (told, lines) = channel();
+    std::thread::spawn(move || out.lines().map_while(Result::ok).try_for_each(|line| told.send(line)));
+    let until = |words: &str| -> Vec<String> {
+        let mut seen = Vec::new();
+        loop {
+            let line = lines.recv_timeout(Duration::from_secs(120)).unwrap_or_else(|_| panic!("no {words:?} after {seen:#?}"));
+            seen.push(line);
+            if seen.last().is_some_and(|line| line.contains(words)) {
+                return seen;
+            }
+        }
+    };
+    until("watching mine.toml");
+    bench.write("mine.toml", &format!("{LIGHT}[limits]\nmass_budget_g = 200.0\n"));
+    let seen = until("after the save").join("\n");
+    assert!(seen.contains("limits.mass_budget_g 250.00 -> 200.00 g") && seen.contains("broken: the frame takes off with"), "{seen}");
+    bench.write("mine.toml", "base = \"cognifly\"\n[rods]\nlength = 3\n");
+    until("refused after");
+    // As editors do it: another file, renamed into place.
+    bench.write("mine.toml~", &LIGHT.replace("battery-2s-850", "battery-3s-450"));
+    fs::rename(bench.path("mine.toml~"), bench.path("mine.toml")).expect("can be renamed");
+    let seen = until("after the save").join("\n");
+    assert!(seen.contains("bought.battery battery-2s-850 -> battery-3s-450") && seen.contains("mended:"), "{seen}");
+    assert_eq!(child.wait().expect("ends").code(), Some(0));
+    let (code, _, err) = bench.run(&["watch", "cognifly"]);
+    assert!(code == 2 && err.contains("watch a file"), "{err}");
+    assert_eq!(bench.run(&["watch", "nowhere.toml"]).0, 2);
+}
