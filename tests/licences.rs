@@ -55,7 +55,8 @@ fn analytic_every_library_may_be_passed_on() {
     let mut wrong = Vec::new();
     for package in packages {
         let name = package["name"].as_str().expect("a name");
-        let allowed = |licence: &str| ALLOWED.contains(&licence) || EXCEPTIONS.iter().any(|(of, known, _)| (*of, *known) == (name, licence));
+        let allowed =
+            |licence: &str| ALLOWED.contains(&licence) || EXCEPTIONS.iter().any(|(of, known, _)| (*of, *known) == (name, licence));
         let good = match (package["license"].as_str(), package["license_file"].as_str()) {
             (Some(expression), _) => satisfied(expression, &allowed),
             (None, Some(file)) => FILES.iter().any(|(of, known, words)| {
