@@ -189,8 +189,9 @@ fn analytic_kept_findings_are_quick_and_never_another_frames() {
 fn planted_a_cache_that_cannot_be_is_none() {
     let bench = Bench::new(&[("good.toml", GOOD), ("file", "")]);
     for place in ["off", "", "relative", bench.folder.path().join("file").to_str().expect("UTF-8"), "/proc/nowhere"] {
-        let output = Command::new(cargo_bin("flexframe")).args(["check", "-q", "good.toml"]).env("FLEXFRAME_CACHE", place);
-        let output = { output }.current_dir(bench.folder.path()).output().expect("starts");
+        let mut command = Command::new(cargo_bin("flexframe"));
+        command.args(["check", "-q", "good.toml"]).env("FLEXFRAME_CACHE", place).current_dir(bench.folder.path());
+        let output = command.output().expect("starts");
         assert_eq!((output.status.code(), output.stderr.is_empty()), (Some(0), true), "{place}");
         assert!(!bench.folder.path().join("relative").exists());
     }

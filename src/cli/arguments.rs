@@ -286,7 +286,7 @@ pub(super) struct SolveOptions {
     /// What to keep besides the frame's limits, such as 'clearance.propeller>=3mm'; may be given several times.
     #[arg(long, value_delimiter = ',', value_name = "GOAL")]
     pub subject_to: Vec<String>,
-    /// What may vary: keys, each with bounds where they are to be closer, such as arm_rod=70..90.
+    /// What may vary: keys, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
     #[arg(long, value_delimiter = ',', required = true, value_name = "KEY,…")]
     pub vary: Vec<String>,
     /// Most frames to look at.

@@ -7,6 +7,7 @@ use super::frame_text::{self, Line};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
+use crate::params::Frame;
 use crate::params::frame_file::Value;
 use crate::variant::{Aim, Goal, MEASURES, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve};
 
@@ -17,9 +18,9 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
         .ok_or_else(|| usage(format!("--minimise: there is no measure `{}`; there are {}", options.minimise, measure_names())))?;
     let goals = options.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
     let goals = goals.map_err(|error| usage(format!("--subject-to: {error}")))?;
-    let vary = options.vary.iter().map(|text| vary(text)).collect::<Result<Vec<_>, _>>()?;
     let place = options.output.as_ref().map(|name| frame_text::place(name)).transpose()?;
     let (before, file) = session::load(&options.frame)?;
+    let vary = options.vary.iter().map(|text| vary(text, &before)).collect::<Result<Vec<_>, _>>()?;
     let working = Progress::of("searching", common);
     let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most: usize::from(options.frames) };
     let found = solve(&problem);
@@ -48,11 +49,14 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
     Ok(ExitCode::SUCCESS)
 }
 
+/// How far a parameter without bounds of its own may vary, in shares of its value.
+const REACH: f64 = 0.2;
+
 /// A parameter that varies: `arm_rod` or `arm_rod=70..90`.
-fn vary(text: &str) -> Result<Vary, Failure> {
+fn vary(text: &str, frame: &Frame) -> Result<Vary, Failure> {
     let (key, range) = text.split_once('=').map_or((text, None), |(key, range)| (key, Some(range)));
     let parameter = session::parameter(key.trim())?;
-    let mut bounds = [parameter.min, parameter.max];
+    let bounds = [parameter.min, parameter.max];
     if let Some(range) = range {
         let wrong =
             || Failure::Usage { message: format!("--vary {text}: give bounds as {key}=LEAST..MOST within {} to {}", bounds[0], bounds[1]) };
@@ -62,9 +66,9 @@ fn vary(text: &str) -> Result<Vary, Failure> {
         if stated[0] > stated[1] {
             return Err(wrong());
         }
-        bounds = stated;
+        return Ok(Vary { parameter, bounds: stated });
     }
-    Ok(Vary { parameter, bounds })
+    Ok(Vary::around(parameter, frame, REACH))
 }
 
 fn line(vary: &Vary, before: f64, after: f64) -> Line {
@@ -85,7 +89,11 @@ fn told(solution: &Solution, before: &str) -> String {
         text += &format!("  {} (room {:.3} {})\n", binding.what, binding.margin, binding.unit);
     }
     if solution.binding.is_empty() {
-        text += "  nothing that was looked at: a minimum inside the bounds, or the search ended early\n";
+        text += "  no limit and no bound is reached: a minimum within, a cliff, or the search ended early\n";
+    }
+    if !solution.refused.is_empty() {
+        text += "\nwhat is wrong with the nearest frames beyond\n";
+        solution.refused.iter().for_each(|reason| text += &format!("  {reason}\n"));
     }
     format!("{text}\n{PEAK_CAVEAT}\n")
 }
@@ -100,6 +108,7 @@ fn json(solution: &Solution) -> serde_json::Value {
         "looked_at": solution.looked_at,
         "values": solution.values.iter().map(value).collect::<Vec<_>>(),
         "measures": measures,
+        "refused": solution.refused,
         "binding": solution.binding.iter().map(binding).collect::<Vec<_>>(),
         "peak": PEAK_CAVEAT,
     })

@@ -105,7 +105,7 @@ impl Refused {
     /// A refusal of a frame file.
     pub fn of(refusal: &Refusal) -> Self {
         let spot = refusal.place.as_ref().map(|place| Spot::at("", place));
-        Self { message: refusal.to_string(), remedy: refusal.reason.remedy(), spot, machine: false }
+        Self { message: refusal.message(), remedy: refusal.reason.remedy(), spot, machine: false }
     }
 }
 

@@ -221,28 +221,71 @@ pub struct Refusal {
     pub place: Option<Place>,
 }
 
+/// Longest message, and longest line of a file that is shown, in bytes: a file may hold a key of a million letters.
+const LONGEST_MESSAGE: usize = 600;
+const LONGEST_LINE: usize = 400;
+
+/// A text with its middle left out where it is longer than a message may be.
+fn shortened(text: &str) -> String {
+    if text.len() <= LONGEST_MESSAGE {
+        return text.into();
+    }
+    let head: String = text.chars().take(LONGEST_MESSAGE / 4).collect();
+    let tail: Vec<char> = text.chars().rev().take(LONGEST_MESSAGE / 4).collect();
+    format!("{head} … {}", tail.into_iter().rev().collect::<String>())
+}
+
 impl Refusal {
+    /// What is wrong, no longer than a person reads.
+    pub fn message(&self) -> String {
+        shortened(&self.to_string())
+    }
+
+    /// The place, when the lines around it can be shown.
+    fn shown(&self) -> Option<&Place> {
+        let place = self.place.as_ref()?;
+        let [line, _] = place.line_column();
+        let last = line + place.source.text.get(place.span.clone()).map_or(0, |text| text.matches('\n').count()) + 1;
+        let around = place.source.text.lines().take(last).skip(line.saturating_sub(2));
+        around.map(str::len).all(|bytes| bytes <= LONGEST_LINE).then_some(place)
+    }
+
     /// The diagnostic a person reads: file, line, column, the text, and the remedy. Plain text.
     pub fn render(&self) -> String {
-        let mut diagnostic = MietteDiagnostic::new(self.to_string()).with_severity(Severity::Error).with_help(self.reason.remedy());
-        if let Some(place) = &self.place {
+        let message = match (&self.place, self.shown()) {
+            (Some(place), None) => {
+                let [line, column] = place.line_column();
+                format!("{} ({}:{line}:{column})", self.message(), place.source.name)
+            }
+            _ => self.message(),
+        };
+        let remedy = shortened(&self.reason.remedy());
+        let mut diagnostic = MietteDiagnostic::new(message).with_severity(Severity::Error).with_help(remedy.clone());
+        if let Some(place) = self.shown() {
             diagnostic = diagnostic.with_label(LabeledSpan::new_with_span(Some("here".into()), place.span.clone()));
         }
         let mut report = Report::new(diagnostic);
-        if let Some(place) = &self.place {
+        if let Some(place) = self.shown() {
             report = report.with_source_code(NamedSource::new(&place.source.name, place.source.text.clone()));
         }
         let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_width(110);
         let mut text = String::new();
         match handler.render_report(&mut text, report.as_ref()) {
             Ok(()) => text,
-            Err(_) => format!("{self}\nhelp: {}\n", self.reason.remedy()),
+            Err(_) => format!("{}\nhelp: {remedy}\n", self.message()),
         }
     }
 }
 
+/// Longest name that is compared with known ones, bytes.
+const LONGEST_NAME: usize = 200;
+
 /// The known names nearest to a mistyped one, best first, two at the most.
 pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    // Comparing takes time with the length, and nothing known is that long.
+    if wrong.len() > LONGEST_NAME {
+        return Vec::new();
+    }
     let mut scored: Vec<(f64, &str)> = known.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name)).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
     scored.into_iter().take(2).filter(|(score, _)| *score > 0.8).map(|(_, name)| name.to_string()).collect()

@@ -1,7 +1,8 @@
 //! A new variant: what is asked for on top of a frame, and what has to change with it.
 
 use super::measures::Evaluation;
-use super::solve::{Aim, Problem, Solution, SolveError, Vary, solve};
+use super::problem::{Aim, Problem, Solution, SolveError, Vary};
+use super::solve::solve;
 use crate::assembly::{Design, Workshop};
 use crate::checks::Verdict;
 use crate::params::refusal::Refusal;
@@ -73,7 +74,7 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     if let (Ok(evaluation), true) = (as_asked, why.is_empty()) {
         return Ok(Creation { evaluation, moved: Vec::new(), why, looked_at: 1 });
     }
-    let vary = movable();
+    let vary = movable(request.from);
     let from: Vec<f64> = vary.iter().map(|v| request.from.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
     let problem = Problem { file: request.file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most: request.most };
     let Solution { evaluation, values, looked_at, .. } = solve(&problem)?;
@@ -85,19 +86,26 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     Ok(Creation { evaluation, moved, why, looked_at })
 }
 
-fn movable() -> Vec<Vary> {
+fn movable(from: &Frame) -> Vec<Vary> {
     let all = MOVABLE.iter().filter_map(|key| parameters().find(|p| *key == format!("{}.{}", p.table, p.key)));
-    all.map(|parameter| Vary { parameter, bounds: [parameter.min, parameter.max] }).collect()
+    all.map(|parameter| Vary::around(parameter, from, REACH)).collect()
 }
+
+/// How far from the frame that it comes from a number may move, in shares of it.
+const REACH: f64 = 0.3;
+
+/// How much smaller than asked for the search begins, mm: sockets stand out beyond the nodes that are solved for.
+const WITHIN_MM: f64 = 2.0;
 
 /// Where the search begins: the rods that fill the wanted envelope at the struts' present tilt, and the motors between hub
 /// and fork as they were; else the frame itself.
 fn start(request: &Request, frame: &Frame) -> Vec<f64> {
     let closure = crate::skeleton::Skeleton::new(request.from).map(|skeleton| skeleton.closure);
     let (Some([width_mm, height_mm]), Ok(closure)) = (request.envelope_mm, closure) else { return Vec::new() };
-    let envelope = Envelope { width_mm: width_mm - 0.5, height_mm: height_mm - 0.5, strut_tilt: closure.strut_tilt };
+    let envelope = Envelope { width_mm: width_mm - WITHIN_MM, height_mm: height_mm - WITHIN_MM, strut_tilt: closure.strut_tilt };
     let [cage, arm, strut] = lengths_for(&envelope, frame);
     let motor = frame.motor_mount.motor_position_mm * arm / request.from.rods.arm_rod_length_mm;
-    let within = [cage, arm, strut, motor].iter().zip(movable()).all(|(value, vary)| (vary.bounds[0]..=vary.bounds[1]).contains(value));
+    let within =
+        [cage, arm, strut, motor].iter().zip(movable(request.from)).all(|(value, vary)| (vary.bounds[0]..=vary.bounds[1]).contains(value));
     if within { vec![cage, arm, strut, motor] } else { Vec::new() }
 }

@@ -3,7 +3,7 @@
 use super::peak::predicted_peak_g;
 use crate::assembly::mass::{self, MassTable};
 use crate::assembly::{Design, Workshop};
-use crate::body::Body;
+use crate::body::{Body, Origin};
 use crate::checks::{self, Finding, Verdict};
 use crate::figures::decimals;
 use crate::params::Frame;
@@ -49,8 +49,20 @@ impl Evaluation {
     }
 
     fn with(design: Design, masses: MassTable, findings: Vec<Finding>) -> Self {
-        let peak_g = predicted_peak_g(&Body::of(&design, &masses));
-        Self { design, masses, findings, peak_g }
+        let mut evaluation = Self { design, masses, findings, peak_g: f64::NAN };
+        evaluation.peak_g = predicted_peak_g(&evaluation.body());
+        evaluation
+    }
+
+    /// The body that falls: [`Body::of`] with the gap that the rule has measured already.
+    fn body(&self) -> Body {
+        let gap_mm = self.extreme("ground_clearance", false, |_| true).unwrap_or(0.0);
+        Body {
+            mass_kg: self.masses.total_g * 1e-3,
+            gap_m: gap_mm * 1e-3,
+            travel_m: Some(self.design.skeleton.closure.ring_half_height_mm * 1e-3),
+            origin: Origin::Frame(self.design.frame.name.clone()),
+        }
     }
 
     /// The value of a finding of a rule whose subject fits, the least or the most of them.
@@ -205,4 +217,28 @@ pub fn measure(name: &str) -> Option<&'static Measure> {
 /// The names of all measures, for a message.
 pub fn measure_names() -> String {
     MEASURES.iter().map(|measure| measure.name).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_the_body_is_that_of_a_drop_and_quick_is_the_same_frame() {
+        let frame = || Frame::load("cognifly-mini").expect("a preset").0;
+        let mut workshop = Workshop::default();
+        let quick = Evaluation::quick(frame(), &mut workshop).expect("is one");
+        assert_eq!(quick.body(), Body::of(&quick.design, &quick.masses));
+        // With the parts of another frame on the shelf the result is the same.
+        Evaluation::quick(Frame::load("cognifly").expect("a preset").0, &mut workshop).expect("is one");
+        let again = Evaluation::quick(frame(), &mut workshop).expect("is one");
+        assert_eq!((&again.findings, &again.masses), (&quick.findings, &quick.masses));
+        let whole = Evaluation::of(Design::new(frame()).expect("is one"));
+        let (slow, rest): (Vec<_>, Vec<_>) = whole.findings.iter().cloned().partition(|f| f.subject == "fold: way");
+        assert_eq!((slow.len(), rest), (1, quick.findings.clone()));
+        for measure in &MEASURES {
+            assert_eq!(measure.of(&quick), measure.of(&whole), "{}", measure.name);
+            assert!(measure.of(&quick).is_some(), "{}", measure.name);
+        }
+    }
 }

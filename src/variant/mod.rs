@@ -5,6 +5,8 @@ mod difference;
 mod goal;
 mod measures;
 mod peak;
+mod problem;
+mod search;
 mod sensitivity;
 mod solve;
 
@@ -13,5 +15,6 @@ pub use difference::{Changed, Difference, Side, Trend};
 pub use goal::{Goal, GoalError, Increase, Sense};
 pub use measures::{Better, Evaluation, MEASURES, Measure, measure, measure_names};
 pub use peak::{PEAK_CAVEAT, predicted_peak_g};
+pub use problem::{Aim, Binding, Problem, Solution, SolveError, Vary};
 pub use sensitivity::{Response, sensitivity};
-pub use solve::{Aim, Binding, Problem, Solution, SolveError, Vary, solve};
+pub use solve::solve;
