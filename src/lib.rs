@@ -21,6 +21,7 @@ pub mod export;
 pub mod figures;
 pub mod fit;
 pub mod measured;
+pub mod mechanics;
 pub mod params;
 pub mod parts;
 pub mod plant;

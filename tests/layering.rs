@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 18] = [
+const LAYERS: [(&str, &[&str]); 19] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -13,8 +13,9 @@ const LAYERS: [(&str, &[&str]); 18] = [
     ("solid", &["units"]),
     ("parts", &["units", "params", "solid"]),
     ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
-    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly"]),
-    ("export", &["units", "params", "skeleton", "solid", "assembly"]),
+    ("mechanics", &["units", "params", "skeleton", "solid", "parts", "assembly"]),
+    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly", "mechanics"]),
+    ("export", &["units", "params", "skeleton", "solid", "assembly", "mechanics"]),
     ("body", &["assembly", "checks"]),
     ("effects", &["params", "body"]),
     ("sim", &["body", "effects"]),
@@ -22,12 +23,12 @@ const LAYERS: [(&str, &[&str]); 18] = [
     ("fit", &["effects", "sim", "measured"]),
     ("diagnose", &["effects", "sim", "fit"]),
     ("plant", &["params", "effects"]),
-    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose"]),
-    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose", "plant", "report"]),
+    ("report", &["figures", "skeleton", "solid", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose", "mechanics"]),
+    ("cli", &["params", "assembly", "checks", "export", "body", "effects", "sim", "measured", "fit", "diagnose", "plant", "report", "mechanics"]),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 28] = [
+const CONFINED: [(&str, &str); 29] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -43,6 +44,7 @@ const CONFINED: [(&str, &str); 28] = [
     ("fs::read(", "measured"),
     ("read_dir", "measured"),
     ("csv::", "measured"),
+    ("faer::", "mechanics"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

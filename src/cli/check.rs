@@ -5,16 +5,24 @@ use std::process::ExitCode;
 use super::arguments::{CheckOptions, Common};
 use super::progress::Progress;
 use super::session::{self, Failure};
+use super::stiffness::refused;
 use super::{table, terminal};
 use crate::assembly::mass;
 use crate::checks::{self, Tightest, Verdict};
+use crate::mechanics::prediction::predict;
+use crate::mechanics::settings::Settings;
 
 /// Prints the findings; exits 1 when a limit is violated.
 pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("checking", common);
     let design = session::design(&options.frame)?;
     let masses = mass::table(&design);
-    let findings = checks::check(&design, &masses);
+    let mut findings = checks::check(&design, &masses);
+    if options.strength {
+        let settings = Settings::load(options.mechanics.as_deref())?;
+        let found = predict(&design, &masses, &settings).map_err(refused)?;
+        findings.extend(checks::strength(&design, &settings.limits, &found));
+    }
     drop(working);
     let violated = findings.iter().filter(|finding| finding.verdict == Verdict::Violated).count();
     if common.json {

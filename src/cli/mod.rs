@@ -5,6 +5,7 @@ mod build;
 mod check;
 mod diagnose;
 mod drop;
+mod drop_frame;
 mod fit;
 mod fold;
 mod measure;
@@ -14,6 +15,7 @@ mod plant;
 mod progress;
 mod render;
 mod session;
+mod stiffness;
 mod table;
 mod terminal;
 
@@ -56,6 +58,7 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Drop(options) => drop::drop(options, &arguments.common),
         Command::Fit(options) => fit::fit(options, &arguments.common),
         Command::Measure(options) => measure::measure(options, &arguments.common),
+        Command::Stiffness(options) => stiffness::stiffness(options, &arguments.common),
         Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),
         Command::Completions { shell } => {

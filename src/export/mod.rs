@@ -1,5 +1,6 @@
 //! A design as bytes: one file a format, value in, bytes out; nothing here opens a file.
 
+pub mod bent_glb;
 pub mod bom;
 pub mod fold_glb;
 pub mod fold_json;

@@ -12,6 +12,7 @@ mod malformed;
 mod reading;
 mod record;
 mod spread;
+mod static_test;
 mod summary;
 mod table;
 
@@ -22,6 +23,7 @@ pub use malformed::{Fault, Malformed, Place};
 pub use reading::read;
 pub use record::{DropSet, Group, Record};
 pub use spread::Spread;
+pub use static_test::read_static_test;
 pub use summary::{Drop, Summary, drops};
 
 /// Gravity, m/s².

@@ -49,7 +49,7 @@ impl Header {
 }
 
 /// A number of a row.
-fn number(row: &csv::ByteRecord, at: usize, column: &'static str, bounds: &RangeInclusive<f64>, unit: &'static str) -> Result<f64, Fault> {
+pub(super) fn number(row: &csv::ByteRecord, at: usize, column: &'static str, bounds: &RangeInclusive<f64>, unit: &'static str) -> Result<f64, Fault> {
     let field = row.get(at).unwrap_or_default().trim_ascii();
     let parsed = std::str::from_utf8(field).ok().and_then(|text| text.parse::<f64>().ok()).filter(|value| value.is_finite());
     let Some(value) = parsed else {
@@ -176,7 +176,7 @@ pub(super) fn records(bytes: &[u8], source: &str, frame: Option<&str>) -> Result
     Ok((builder.records, builder.header.others))
 }
 
-fn refused(error: &csv::Error) -> Refused {
+pub(super) fn refused(error: &csv::Error) -> Refused {
     let place = error.position().map_or(Place::Whole, |position| Place::Line(position.line()));
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (place, Fault::Fields { found: *len, expected: *expected_len }),

@@ -3,6 +3,7 @@
 mod arrow;
 mod bands;
 mod bars;
+pub mod bent_scene;
 pub mod booklet;
 pub mod booklet_html;
 pub mod booklet_pdf;
@@ -15,6 +16,8 @@ pub mod drop_plots;
 pub mod fit_data;
 pub mod fit_plots;
 pub mod fold_scene;
+pub mod impact_data;
+pub mod impact_plots;
 mod lettering;
 mod lines;
 pub mod measure_data;
@@ -24,6 +27,8 @@ pub mod picture;
 mod plot;
 mod raster;
 pub mod scene;
+pub mod stiffness_data;
+pub mod stiffness_plots;
 pub mod summary;
 mod surface;
 
