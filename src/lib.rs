@@ -3,12 +3,12 @@
 //! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be; [`skeleton`] closes the
 //! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
 //! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
-//! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
+//! [`mechanics`] presses, shakes and drops it by its own geometry; [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
 //! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
 //! reads real drops, [`fit`] brings a model to them.
 //! Only the command line in `cli` prints and writes files.
 //!
-//! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI. Axes: X right, Y front, Z up, origin where
+//! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI, in [`mechanics`] with N and ms. Axes: X right, Y front, Z up, origin where
 //! the hub's axis crosses the plane of the arms.
 
 pub mod assembly;

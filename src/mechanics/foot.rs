@@ -47,6 +47,12 @@ pub struct Contact {
 }
 
 impl Foot {
+    /// Where it sticks when its node is at rest: there, when it touches.
+    pub fn at_rest(&self, node: &Vector3<f64>) -> Grip {
+        let at = node + self.arm;
+        Grip { place: (at.z < self.ground_mm).then_some([at.x, at.y]) }
+    }
+
     /// The ground's part at a place and turn of the node; `None` in the air.
     pub fn touch(&self, place: &Vector3<f64>, turn: &Matrix3<f64>, grip: &Grip) -> Option<Contact> {
         let arm = turn * self.arm;
@@ -64,7 +70,9 @@ impl Foot {
         let share = if pull > limit { limit / pull } else { 1.0 };
         let side = [k * off[0] * share, k * off[1] * share];
         let kept = [at.x - off[0] * share, at.y - off[1] * share];
-        let mut stiff = Matrix3::from_diagonal(&Vector3::new(k * share, k * share, k));
+        // At first touch there is no place yet to be pulled back to.
+        let held = if grip.place.is_some() { k * share } else { 0.0 };
+        let mut stiff = Matrix3::from_diagonal(&Vector3::new(held, held, k));
         if pull > limit {
             let along = Vector3::new(off[0], off[1], 0.0) * (k / pull);
             stiff -= along * along.transpose() * (k * share);

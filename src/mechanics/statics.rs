@@ -60,7 +60,7 @@ pub struct Precision {
 
 impl Default for Precision {
     fn default() -> Self {
-        Self { relative: 1e-7, absolute_n: 1e-6, iterations: 14, halvings: 5 }
+        Self { relative: 1e-7, absolute_n: 1e-6, iterations: 25, halvings: 4 }
     }
 }
 

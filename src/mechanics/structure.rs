@@ -166,7 +166,7 @@ impl System {
         State {
             places: nodes.iter().map(|node| node.place).collect(),
             turns: vec![Matrix3::identity(); nodes.len()],
-            grips: vec![Grip::default(); self.structure.feet.len()],
+            grips: self.structure.feet.iter().map(|foot| foot.at_rest(&nodes[foot.node].place)).collect(),
         }
     }
 

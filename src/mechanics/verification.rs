@@ -101,7 +101,6 @@ fn analytic_a_bend_of_45_degrees_under_600() {
         loaded(chain(&points, Vector3::z(), &rigidity), &[(elements, 2, 1.0)], 600.0, 6)[elements] - points[elements]
     };
     let [coarse, middle, fine] = [8, 16, 32].map(tip);
-    eprintln!("BEND {coarse} {middle} {fine}");
     for published in [[-13.4, -23.5, 53.4], [-13.50, -23.48, 53.37], [-13.72, -23.65, 53.58]] {
         assert!((coarse - Vector3::from(published)).amax() < 0.2, "{coarse} {published:?}");
     }
