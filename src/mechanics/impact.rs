@@ -89,7 +89,7 @@ impl Impact {
     /// When the motion is lost.
     pub fn new(model: &FrameModel, settings: &Settings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
         let speed_m_s = (2.0 * 9.81 * height_m).sqrt();
-        let relaxation = Relaxation::power_law(settings.relaxation_exponent, settings.rest_time_s);
+        let relaxation = Relaxation::new(settings.relaxation_exponent, settings.rest_time_s, settings.impact_loss);
         let mut motion = Motion::new(&model.system, relaxation, falling(model, speed_m_s), GRAVITY);
         let copies = model.extent.copies();
         let hub = model.system.unknowns.of(model.hub)[2];
@@ -126,7 +126,9 @@ impl Impact {
                 impact.zones = zones(model, &motion.state);
             }
             left_ms = if ground_n > 0.0 { None } else { left_ms.or(Some(motion.t_ms)) };
-            if left_ms.is_some_and(|at| motion.t_ms - at >= run.apart_ms - 1e-9 && at > 2.0) {
+            // Feet hop while the frame still comes down; that is no end.
+            let apart = left_ms.is_some_and(|at| motion.t_ms - at >= run.apart_ms - 1e-9);
+            if apart && rising(model, &motion) > 0.0 {
                 impact.contact_ms = left_ms;
                 break;
             }

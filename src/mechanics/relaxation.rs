@@ -12,6 +12,9 @@ const TIMES_MS: [f64; 5] = [0.01, 0.1, 1.0, 10.0, 100.0];
 /// Time at which branches and law agree exactly, ms: that of an impact.
 const MEET_MS: f64 = 4.0;
 
+/// Relaxation time of the loss on top, ms: that of 100 Hz.
+const LOSS_MS: f64 = 1.6;
+
 /// A branch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Branch {
@@ -31,7 +34,17 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
-    /// The law with an exponent, whose modulus at `rest_s` is that at rest.
+    /// The law with an exponent, whose modulus at `rest_s` is that at rest, and a loss on top: one branch at the frequency of
+    /// an impact, of so much loss there over the stiffness at rest. What it adds to the stiffness there it has from nowhere else.
+    pub fn new(exponent: f64, rest_s: f64, loss: f64) -> Self {
+        let mut law = Self::power_law(exponent, rest_s);
+        if loss > 0.0 {
+            law.branches.push(Branch { share: 2.0 * loss, time_ms: LOSS_MS });
+        }
+        law
+    }
+
+    /// The law alone.
     pub fn power_law(exponent: f64, rest_s: f64) -> Self {
         if exponent <= 0.0 {
             return Self { lasting: 1.0, branches: Vec::new() };
@@ -91,5 +104,8 @@ mod tests {
             assert!((relaxation.loss_factor(0.1) / law - 1.0).abs() < 0.15, "{exponent}: {}", relaxation.loss_factor(0.1));
         }
         assert_eq!(Relaxation::power_law(0.0, 30.0).scale(0.1), 1.0);
+        // ω τ = 1: the branch stores as much as it loses.
+        let lossy = Relaxation::new(0.0, 30.0, 0.2);
+        assert!((lossy.loss_factor(1.0 / (std::f64::consts::TAU * LOSS_MS)) - 0.2 / 1.2).abs() < 1e-12);
     }
 }

@@ -19,6 +19,8 @@ pub struct Settings {
     pub rest_time_s: f64,
     /// Exponent of relaxation.
     pub relaxation_exponent: f64,
+    /// Loss at the frequency of an impact beside that of relaxation, over the stiffness at rest.
+    pub impact_loss: f64,
     /// Shear modulus of the rods, MPa.
     pub rod_shear_mpa: f64,
     /// Stiffness of a millimetre of bore, over E.
@@ -57,13 +59,14 @@ pub struct DropLimits {
 }
 
 /// Keys with their bounds and units, in the order of the fields; the band stands on its own.
-const KEYS: [(&str, [f64; 2], &str); 20] = [
+const KEYS: [(&str, [f64; 2], &str); 21] = [
     ("flexible.young_mpa", [10.0, 400.0], "MPa"),
     ("flexible.young_low_mpa", [5.0, 400.0], "MPa"),
     ("flexible.young_high_mpa", [10.0, 800.0], "MPa"),
     ("flexible.poisson", [0.3, 0.499], "1"),
     ("flexible.rest_time_s", [0.1, 1e4], "s"),
     ("flexible.relaxation_exponent", [0.0, 0.2], "1"),
+    ("flexible.impact_loss", [0.0, 1.0], "1"),
     ("rods.shear_mpa", [100.0, 5e4], "MPa"),
     ("joints.socket_foundation", [1.0, 20.0], "1"),
     ("joints.plug_foundation", [1.0, 20.0], "1"),
@@ -102,7 +105,7 @@ impl Settings {
         for (value, (key, bounds, unit)) in values.iter_mut().zip(KEYS) {
             *value = file.stated(key, bounds, unit)?;
         }
-        let [young_mpa, low, high, poisson, rest_time_s, relaxation_exponent, rod_shear_mpa, rest @ ..] = values;
+        let [young_mpa, low, high, poisson, rest_time_s, relaxation_exponent, impact_loss, rod_shear_mpa, rest @ ..] = values;
         let [socket_foundation, plug_foundation, core_rigid, notch_contact, friction, foot_stiffness, rest @ ..] = rest;
         let [drop_m, payload_peak_g, strain_factor, buckling_factor, element_mm, socket_elements, rod_element_mm] = rest;
         Ok(Self {
@@ -112,6 +115,7 @@ impl Settings {
             poisson,
             rest_time_s,
             relaxation_exponent,
+            impact_loss,
             rod_shear_mpa,
             socket_foundation,
             plug_foundation,
@@ -140,6 +144,7 @@ impl Settings {
             self.poisson,
             self.rest_time_s,
             self.relaxation_exponent,
+            self.impact_loss,
             self.rod_shear_mpa,
             self.socket_foundation,
             self.plug_foundation,
