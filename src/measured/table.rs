@@ -49,7 +49,13 @@ impl Header {
 }
 
 /// A number of a row.
-pub(super) fn number(row: &csv::ByteRecord, at: usize, column: &'static str, bounds: &RangeInclusive<f64>, unit: &'static str) -> Result<f64, Fault> {
+pub(super) fn number(
+    row: &csv::ByteRecord,
+    at: usize,
+    column: &'static str,
+    bounds: &RangeInclusive<f64>,
+    unit: &'static str,
+) -> Result<f64, Fault> {
     let field = row.get(at).unwrap_or_default().trim_ascii();
     let parsed = std::str::from_utf8(field).ok().and_then(|text| text.parse::<f64>().ok()).filter(|value| value.is_finite());
     let Some(value) = parsed else {

@@ -83,12 +83,8 @@ impl Bushing {
         let mut t = Tangent::zeros();
         for column in 0..4 {
             let darm = if column == 3 { -sa } else { Matrix3::zeros() };
-            let rows = [
-                -df[column],
-                sf * dreach[column] - sr * df[column] - dm[column],
-                df[column],
-                -sf * darm + sa * df[column] + dm[column],
-            ];
+            let rows =
+                [-df[column], sf * dreach[column] - sr * df[column] - dm[column], df[column], -sf * darm + sa * df[column] + dm[column]];
             for (row, block) in rows.iter().enumerate() {
                 t.fixed_view_mut::<3, 3>(3 * row, 3 * column).copy_from(block);
             }

@@ -54,7 +54,8 @@ pub fn plan(
     let mut plan = Plan::default();
     let core = plan.node(Vector3::zeros());
     let strut = crate::parts::corner::strut_direction();
-    let socket = |direction, bottom_mm: f64, bend, zones| Limb { direction, bend, bottom_mm, mouth_mm: bottom_mm + sockets.depth_mm, zones };
+    let socket =
+        |direction, bottom_mm: f64, bend, zones| Limb { direction, bend, bottom_mm, mouth_mm: bottom_mm + sockets.depth_mm, zones };
     let cage = || vec![(0.0, names.core), (radius, names.cage)];
     let mut limbs = vec![socket(Vector3::x(), sockets.bottom_mm, None, cage()), socket(Vector3::y(), sockets.bottom_mm, None, cage())];
     limbs.push(socket(strut, sockets.bottom_mm, bends.first(), vec![(0.0, names.strut_hinge), (sockets.bottom_mm, names.strut)]));

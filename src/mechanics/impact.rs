@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::dynamics::{DynamicsError, Energies, Motion};
+use super::dynamics::{DynamicsError, Motion};
 use super::frame_model::{FrameModel, ModelError};
+use super::memory::Energies;
 use super::relaxation::Relaxation;
 use super::settings::Settings;
 use super::strength::{RodForce, ZoneState, rod_forces, zones};

@@ -39,14 +39,15 @@ pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: &Bend, settings: &Sett
         arch.inner_mm,
     );
     let ring = within(flat, &window.minus([hole]));
+    // The arch lands on the arm socket's wall; what lies behind it holds the rod, and goes with the socket.
+    let wall = part.inner_wall_mm();
     for side in [1.0, -1.0] {
-        let landing = on_arch(y - rigid).x;
-        let (arm, at_landing) = arm(&mut plan, part, flat, side * y, landing, settings)?;
-        let stops: Vec<Stop> = steps(rigid, y - rigid, settings.element_mm)
+        let (arm, at_landing) = arm(&mut plan, part, flat, side * y, on_arch(wall).x, settings)?;
+        let stops: Vec<Stop> = steps(rigid, wall, settings.element_mm)
             .into_iter()
             .map(|along_y| {
                 let at = on_arch(side * along_y);
-                let zone = if along_y < part.inner_wall_mm() { "hub joint necks" } else { "hub joint arch ends" };
+                let zone = if along_y < radius - 1e-9 { "hub joint arch" } else { "hub joint necks" };
                 Stop { at, along: Vector3::y() * side, motion: carried(bend, &at), zone }
             })
             .collect();
@@ -73,7 +74,14 @@ fn leg(plan: &mut Plan, part: &HubJoint, flat: &MeshSolid, bend: &Bend, root_mm:
 }
 
 /// An arm's plug and socket; its nodes, and which of them lies where the arch lands.
-fn arm(plan: &mut Plan, part: &HubJoint, flat: &MeshSolid, y: f64, landing: f64, settings: &Settings) -> Result<(Vec<usize>, usize), NoSection> {
+fn arm(
+    plan: &mut Plan,
+    part: &HubJoint,
+    flat: &MeshSolid,
+    y: f64,
+    landing: f64,
+    settings: &Settings,
+) -> Result<(Vec<usize>, usize), NoSection> {
     let (plug, depth, radius) = (part.plug_length_mm, part.arm_depth_mm, part.radius_mm());
     let axis = |x: f64| Point3::new(x, y, 0.0);
     let mesh = within(flat, &cylinder(axis(-plug - 1.0), axis(depth + 1.0), 1.02 * radius));
@@ -164,7 +172,8 @@ pub fn knee(part: &Knee, flat: &MeshSolid, settings: &Settings) -> Result<Plan, 
     let top = part.window.half_z_mm() + part.window.flare_mm;
     for side in [1.0, -1.0] {
         let up = Vector3::z() * side;
-        let stops = straight(Point3::from(middle), up, &steps(0.0, top, 2.0 * settings.element_mm), &[(0.0, "knee window")], Isometry3::identity());
+        let stops =
+            straight(Point3::from(middle), up, &steps(0.0, top, 2.0 * settings.element_mm), &[(0.0, "knee window")], Isometry3::identity());
         let columns = plan.strand(&mesh, &stops, &Vector3::x())?;
         plan.link(window, columns[0]);
         let strut = Vector3::new(part.strut_tilt.sin(), 0.0, side * part.strut_tilt.cos());

@@ -7,7 +7,8 @@ use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::frame_model::{FrameModel, ModelError};
 use super::sparse::{NOWHERE, SparseError};
-use super::structure::{State, Sum, System};
+use super::structure::State;
+use super::system::{Sum, System};
 
 /// A mode.
 #[derive(Clone, Debug)]

@@ -123,12 +123,20 @@ impl Plan {
             sections.push((middle, Section::cut(mesh, &plane).ok_or_else(none)?));
         }
         let offset = |at: usize| {
-            let beside: Vec<Vector3<f64>> =
-                [at.checked_sub(1), Some(at)].into_iter().flatten().filter_map(|i| sections.get(i)).map(|(m, s)| s.centre - m.coords).collect();
+            let beside: Vec<Vector3<f64>> = [at.checked_sub(1), Some(at)]
+                .into_iter()
+                .flatten()
+                .filter_map(|i| sections.get(i))
+                .map(|(m, s)| s.centre - m.coords)
+                .collect();
             beside.iter().sum::<Vector3<f64>>() / beside.len().max(1) as f64
         };
-        let nodes: Vec<usize> =
-            stops.iter().enumerate().map(|(at, stop)| (stop.motion * (stop.at + offset(at))).coords).map(|place| self.node(place)).collect();
+        let nodes: Vec<usize> = stops
+            .iter()
+            .enumerate()
+            .map(|(at, stop)| (stop.motion * (stop.at + offset(at))).coords)
+            .map(|place| self.node(place))
+            .collect();
         for (at, (_, section)) in sections.iter().enumerate() {
             let motion = stops[at].motion.lerp_slerp(&stops[at + 1].motion, 0.5);
             let section = section.moved(&motion);
@@ -176,7 +184,13 @@ pub fn steps(from: f64, to: f64, most: f64) -> Vec<f64> {
 }
 
 /// A straight path along a direction: stops at distances, in the zones that begin at given distances.
-pub fn straight(from: Point3<f64>, direction: Vector3<f64>, distances: &[f64], zones: &[(f64, &'static str)], motion: Isometry3<f64>) -> Vec<Stop> {
+pub fn straight(
+    from: Point3<f64>,
+    direction: Vector3<f64>,
+    distances: &[f64],
+    zones: &[(f64, &'static str)],
+    motion: Isometry3<f64>,
+) -> Vec<Stop> {
     let zone = |d: f64| zones.iter().rev().find(|(start, _)| d + 1e-6 >= *start).or(zones.first()).map_or("", |(_, name)| name);
     distances.iter().map(|d| Stop { at: from + direction * *d, along: direction, motion, zone: zone(*d) }).collect()
 }

@@ -188,7 +188,9 @@ mod tests {
     #[test]
     fn planted_a_missing_and_an_unknown_number_are_refused() {
         let text = Settings::load(None).expect("is sound").to_toml("");
-        for wrong in [text.replace("poisson", "poison"), text.replace("friction = 0.3", "friction = 3.0"), text.replace("[ground]", "[sky]")] {
+        for wrong in
+            [text.replace("poisson", "poison"), text.replace("friction = 0.3", "friction = 3.0"), text.replace("[ground]", "[sky]")]
+        {
             let file = ImpactFile::parse("planted", &wrong).expect("is TOML");
             assert!(Settings::read(&file).is_err());
         }

@@ -5,7 +5,8 @@
 //! Engng 14 (1979) 1262). The way on from two states is extrapolated.
 
 use super::sparse::{SparseError, Work};
-use super::structure::{State, Sum, System};
+use super::structure::State;
+use super::system::{Sum, System};
 
 /// A load and the displacement in command.
 #[derive(Clone, Debug)]

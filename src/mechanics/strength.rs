@@ -84,6 +84,7 @@ pub fn rod_forces(model: &FrameModel, state: &State) -> Vec<RodForce> {
         RodForce { rod: rod.name.clone(), role: rod.role, compression_n, buckling_n }
     };
     let all: Vec<RodForce> = model.rods.iter().map(of).collect();
-    let worst = |role: RodRole| all.iter().filter(|rod| rod.role == role).max_by(|a, b| a.utilisation().total_cmp(&b.utilisation())).cloned();
+    let worst =
+        |role: RodRole| all.iter().filter(|rod| rod.role == role).max_by(|a, b| a.utilisation().total_cmp(&b.utilisation())).cloned();
     RodRole::ALL.into_iter().filter_map(worst).collect()
 }

@@ -184,7 +184,8 @@ mod tests {
         let disc = std::f64::consts::PI / 2.0;
         let rectangle = |a: f64, b: f64| polygon(&[[0.0, 0.0], [a, 0.0], [a, b], [0.0, b]]);
         let ring: Vec<Piece> = circle(2.0, 1.0).into_iter().chain(circle(1.2, -1.0)).collect();
-        let half: Vec<[f64; 2]> = (0..=48).map(|i| std::f64::consts::PI * f64::from(i) / 48.0).map(|a| [libm::cos(a), libm::sin(a)]).collect();
+        let half: Vec<[f64; 2]> =
+            (0..=48).map(|i| std::f64::consts::PI * f64::from(i) / 48.0).map(|a| [libm::cos(a), libm::sin(a)]).collect();
         for (what, outline, exact) in [
             ("disc", circle(1.0, 1.0), disc),
             ("ring", ring, disc * (16.0 - 1.2_f64.powi(4))),

@@ -4,15 +4,15 @@ use nalgebra::{Rotation3, Vector3};
 
 use super::beam::{Beam, Rigidity};
 use super::statics::{Command, Path, Precision};
-use super::structure::{Node, Structure, System};
+use super::structure::{Node, Structure};
+use super::system::System;
 
 /// A chain of equal beams over points, the first node clamped.
 fn chain(points: &[Vector3<f64>], aside: Vector3<f64>, rigidity: &Rigidity) -> Structure {
     let mut nodes: Vec<Node> = points.iter().map(|p| Node::at(*p)).collect();
     nodes[0].held = [true; 6];
-    let beams: Vec<Beam> = (1..points.len())
-        .map(|at| Beam::new([at - 1, at], [points[at - 1], points[at]], aside, rigidity).expect("has a length"))
-        .collect();
+    let beams: Vec<Beam> =
+        (1..points.len()).map(|at| Beam::new([at - 1, at], [points[at - 1], points[at]], aside, rigidity).expect("has a length")).collect();
     let viscous = vec![false; beams.len()];
     Structure { nodes, beams, viscous, ..Structure::default() }
 }
@@ -29,7 +29,7 @@ fn loaded(structure: Structure, load: &[(usize, usize, f64)], target: f64, steps
         force[system.unknowns.of(*node)[*direction]] = *value;
     }
     let mut state = system.rest();
-    let (mut work, mut sum, bias) = (system.pattern.work(), super::structure::Sum::default(), system.elastic());
+    let (mut work, mut sum, bias) = (system.pattern.work(), super::system::Sum::default(), system.elastic());
     for step in 1..=steps {
         let factor = target * step as f64 / steps as f64;
         for iteration in 0.. {

@@ -45,7 +45,8 @@ fn acceleration(found: &Impacts) -> Lines {
 }
 
 fn of(found: &Impacts, what: &str, up: &'static str, value: fn(&Moment) -> f64, levels: Vec<(String, f64)>) -> Lines {
-    let line = |(at, impact): (usize, &Impact)| series(impact, impact.moments.iter().map(value), at, Some(format!("{} m", impact.height_m)));
+    let line =
+        |(at, impact): (usize, &Impact)| series(impact, impact.moments.iter().map(value), at, Some(format!("{} m", impact.height_m)));
     Lines {
         title: format!("{}: {what}", found.frame),
         across: "time from first touch, ms",

@@ -49,8 +49,10 @@ fn inside_json(inside: &Inside) -> Value {
 pub fn json(found: &Stiffness) -> Value {
     let curve = found.curve;
     let [low, high] = found.band();
-    let secants: Vec<Value> =
-        SECANTS_MM.iter().map(|x| json!({ "displacement_mm": x, "force_n": curve.force_n(*x), "secant_n_mm": curve.secant_n_mm(*x) })).collect();
+    let secants: Vec<Value> = SECANTS_MM
+        .iter()
+        .map(|x| json!({ "displacement_mm": x, "force_n": curve.force_n(*x), "secant_n_mm": curve.secant_n_mm(*x) }))
+        .collect();
     let modes = found.modes.map(|modes| {
         modes.modes.iter().map(|mode| json!({ "frequency_hz": mode.frequency_hz, "share_up": mode.share_up })).collect::<Vec<_>>()
     });
@@ -127,7 +129,10 @@ pub fn table(found: &Stiffness) -> String {
 fn insides(curve: &StaticCurve) -> String {
     let mut text = String::new();
     let (Some(first), Some(second)) = (curve.inside.first(), curve.inside.get(1)) else { return text };
-    text += &format!("\nenergy at {} and {} mm, largest strain at {} mm\n", first.displacement_mm, second.displacement_mm, second.displacement_mm);
+    text += &format!(
+        "\nenergy at {} and {} mm, largest strain at {} mm\n",
+        first.displacement_mm, second.displacement_mm, second.displacement_mm
+    );
     for zone in second.zones.iter().filter(|zone| zone.share > 0.004) {
         let small = first.zones.iter().find(|other| other.zone == zone.zone).map_or(0.0, |z| z.share);
         text += &format!("{:>8.1} % {:>5.1} % {:>7.1} %  {}\n", 100.0 * small, 100.0 * zone.share, 100.0 * zone.strain, zone.zone);
