@@ -55,15 +55,15 @@ fn measured_ratios_between_variants_hold_over_two_models() {
             f.corner.corner_wall_mm *= 1.2;
             f.hub_joint.hub_joint_diameter_mm += 0.72;
         }),
-        // The same tilt: the ring moves out as far as the strut's longer end does. 0.1 % below the band's 1.053.
-        ("strut +10 %", 1.052, 1.068, |f| {
+        // The same tilt: the ring moves out as far as the strut's longer end does.
+        ("strut +10 %", 1.053, 1.068, |f| {
             let tilt = flexframe::skeleton::Skeleton::new(f).expect("closes").closure.strut_tilt;
             let longer = 0.1 * f.rods.strut_rod_length_mm;
             f.rods.strut_rod_length_mm += longer;
             f.rods.cage_rod_length_mm += longer * tilt.sin() * std::f64::consts::SQRT_2;
         }),
-        // 1 % below the band's 0.876: necks and webs hold more of the energy here.
-        ("plan +10 %", 0.860, 0.889, |f| {
+        // At the lower end of the band, 0.876, to a thousandth.
+        ("plan +10 %", 0.875, 0.889, |f| {
             let out = 0.1 * flexframe::skeleton::Skeleton::new(f).expect("closes").closure.ring_half_side_mm;
             f.rods.cage_rod_length_mm += 2.0 * out;
             f.rods.arm_rod_length_mm += out * std::f64::consts::SQRT_2;
@@ -87,7 +87,7 @@ fn analytic_a_quarter_and_the_whole_frame_are_one() {
 fn analytic_finer_beams_change_the_stiffness_little() {
     let design = design(|_| ());
     let coarse = settings();
-    let fine = Settings { element_mm: 0.4, socket_elements: 4.0, rod_element_mm: 20.0, ..coarse.clone() };
+    let fine = Settings { element_mm: 0.4, socket_elements: 8.0, rod_element_mm: 20.0, ..coarse.clone() };
     let [coarse, fine] = [coarse, fine].map(|settings| curve(&design, &settings, Extent::Quarter, 16.0));
     for (what, a, b) in [
         ("k0", coarse.initial_n_mm(), fine.initial_n_mm()),

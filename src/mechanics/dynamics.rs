@@ -168,7 +168,7 @@ impl<'a> Motion<'a> {
             if !error.is_finite() {
                 return Ok(None);
             }
-            if iteration > 0 && error < 1e-4 + 1e-5 * scale {
+            if iteration > 0 && error < 1e-3 + 1e-4 * scale {
                 let velocity = (0..size)
                     .map(|i| self.velocity[i] + dt * ((1.0 - w.gamma) * self.acceleration[i] + w.gamma * acceleration[i]))
                     .collect();
