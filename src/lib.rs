@@ -3,7 +3,7 @@
 //! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be; [`skeleton`] closes the
 //! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
 //! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
-//! [`plates`] lays the parts on the printer's bed;
+//! [`mechanics`] presses, shakes and drops it by its own geometry; [`plates`] lays the parts on the printer's bed;
 //! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
 //! [`gate`] judges findings for build servers, [`variant`] compares frames and searches for better ones.
 //! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
@@ -11,7 +11,7 @@
 //! [`schema`] tells editors what files look like.
 //! Only the command line in `cli` prints and writes files.
 //!
-//! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI. Axes: X right, Y front, Z up, origin where
+//! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI, in [`mechanics`] with N and ms. Axes: X right, Y front, Z up, origin where
 //! the hub's axis crosses the plane of the arms.
 
 pub mod assembly;
@@ -25,6 +25,7 @@ pub mod figures;
 pub mod fit;
 pub mod gate;
 pub mod measured;
+pub mod mechanics;
 pub mod params;
 pub mod parts;
 pub mod plant;

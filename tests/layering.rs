@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 22] = [
+const LAYERS: [(&str, &[&str]); 23] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -13,9 +13,10 @@ const LAYERS: [(&str, &[&str]); 22] = [
     ("solid", &["units"]),
     ("parts", &["units", "params", "solid"]),
     ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
-    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly"]),
+    ("mechanics", &["units", "params", "skeleton", "solid", "parts", "assembly"]),
+    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly", "mechanics"]),
     ("plates", &["params", "assembly"]),
-    ("export", &["units", "params", "skeleton", "solid", "assembly", "plates"]),
+    ("export", &["units", "params", "skeleton", "solid", "assembly", "mechanics", "plates"]),
     ("gate", &["params", "assembly", "checks"]),
     ("body", &["assembly", "checks"]),
     ("effects", &["params", "body"]),
@@ -29,21 +30,50 @@ const LAYERS: [(&str, &[&str]); 22] = [
     (
         "report",
         &[
-            "figures", "skeleton", "solid", "assembly", "checks", "plates", "export", "body", "effects", "sim", "measured", "fit",
-            "diagnose", "variant",
+            "figures",
+            "skeleton",
+            "solid",
+            "assembly",
+            "checks",
+            "plates",
+            "export",
+            "body",
+            "effects",
+            "sim",
+            "measured",
+            "fit",
+            "diagnose",
+            "variant",
+            "mechanics",
         ],
     ),
     (
         "cli",
         &[
-            "figures", "gate", "schema", "variant", "params", "assembly", "checks", "plates", "export", "body", "effects", "sim",
-            "measured", "fit", "diagnose", "plant", "report",
+            "figures",
+            "gate",
+            "schema",
+            "variant",
+            "params",
+            "assembly",
+            "checks",
+            "plates",
+            "export",
+            "body",
+            "effects",
+            "sim",
+            "measured",
+            "fit",
+            "diagnose",
+            "plant",
+            "report",
+            "mechanics",
         ],
     ),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 37] = [
+const CONFINED: [(&str, &str); 38] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -68,6 +98,7 @@ const CONFINED: [(&str, &str); 37] = [
     ("glob::", "cli"),
     ("notify::", "cli"),
     ("Command::new", "cli"),
+    ("faer::", "mechanics"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

@@ -44,6 +44,25 @@ pub struct MassTable {
     pub inertia_g_mm2: [[f64; 3]; 3],
 }
 
+/// Some lines of the table as one lump.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lump {
+    /// Mass, g.
+    pub mass_g: f64,
+    /// Centre of mass in frame axes, mm.
+    pub centre_mm: Point3<f64>,
+    /// Inertia about the centre of mass, frame axes, g mm².
+    pub inertia_g_mm2: Matrix3<f64>,
+}
+
+/// Lines of the table taken together; everything at the origin when they weigh nothing.
+pub fn lump(design: &Design, lines: &[MassLine]) -> Lump {
+    let sum = moments(design, lines);
+    let centre = if sum.mass > 0.0 { sum.first / sum.mass } else { Vector3::zeros() };
+    let inertia_g_mm2 = sum.about_origin - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * sum.mass;
+    Lump { mass_g: sum.mass, centre_mm: centre.into(), inertia_g_mm2 }
+}
+
 /// Sums mass, first moment and inertia about the origin.
 #[derive(Default)]
 struct Sum {
@@ -69,11 +88,9 @@ pub fn table(design: &Design) -> MassTable {
     lines.extend(extra_lines(design));
     let total_g = lines.iter().map(|line| line.total_g).sum();
     let estimated_g = lines.iter().filter(|line| line.basis == "estimate").map(|line| line.total_g).sum();
-    let sum = moments(design, &lines);
-    let centre = sum.first / sum.mass;
-    let about_centre = sum.about_origin - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * sum.mass;
+    let Lump { centre_mm, inertia_g_mm2: about_centre, .. } = lump(design, &lines);
     let row = |i: usize| [about_centre[(i, 0)], about_centre[(i, 1)], about_centre[(i, 2)]];
-    MassTable { lines, total_g, estimated_g, centre_of_mass_mm: centre.into(), inertia_g_mm2: [row(0), row(1), row(2)] }
+    MassTable { lines, total_g, estimated_g, centre_of_mass_mm: centre_mm.into(), inertia_g_mm2: [row(0), row(1), row(2)] }
 }
 
 fn printed_lines(design: &Design) -> Vec<MassLine> {

@@ -17,6 +17,7 @@ mod mass_budget;
 mod propeller;
 mod scene;
 mod seating;
+mod strength;
 mod wall;
 
 pub use bed::BedUse;
@@ -31,6 +32,7 @@ pub use interference::SharedVolume;
 pub use mass_budget::TakeOffMass;
 pub use propeller::PropellerClearance;
 pub use seating::{SeatedEnd, SocketGeometry};
+pub use strength::strength;
 pub use wall::ThinnestWall;
 
 use rayon::prelude::*;

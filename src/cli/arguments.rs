@@ -55,7 +55,7 @@ pub(super) enum Command {
     Fold(FoldOptions),
     /// Drop the body of a model, or of a frame, and write peaks, energies and plots.
     #[command(
-        after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json"
+        after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json\n  flexframe drop cognifly-v8 --model frame"
     )]
     Drop(DropOptions),
     /// Find where a model and measured drops disagree, name the missing effect, add it, and show the gap shrink.
@@ -78,6 +78,11 @@ pub(super) enum Command {
         after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md says how records are judged."
     )]
     Measure(MeasureOptions),
+    /// Press a frame down by its own geometry: force over displacement, where the energy sits, strains, modes.
+    #[command(
+        after_help = "Examples:\n  flexframe stiffness cognifly-v8 --compare params/static/cognifly-v8.csv\n  flexframe stiffness cognifly-v8 --calibrate params/static/cognifly-v8.csv\n  flexframe stiffness my-frame.toml --mechanics out/cognifly-v8-stiffness/mechanics.toml\n\nA static test is a CSV table with the columns displacement_mm,force_n. docs/mechanics.md says what the model holds."
+    )]
+    Stiffness(StiffnessOptions),
     /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
     #[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
     Render(RenderOptions),
@@ -358,6 +363,12 @@ pub(super) struct SchemaOptions {
     /// Of which kind of file.
     #[arg(value_enum, default_value = "frame")]
     pub kind: SchemaKind,
+    /// Drop the frame's own model, too: payload, strains and rods against the limits of the design drop.
+    #[arg(long)]
+    pub strength: bool,
+    /// With --strength: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "strength")]
+    pub mechanics: Option<String>,
 }
 
 /// Options of `fold`.
@@ -385,9 +396,12 @@ pub(super) struct DropOptions {
     /// Material of the frame's rigid parts instead of the frame file's.
     #[arg(long, value_name = "MATERIAL", requires = "frame")]
     pub rigid: Option<String>,
-    /// Impact model: `paper`, `paper-corrected` or a TOML file.
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; `frame`: the frame's own geometry.
     #[arg(long, default_value = "paper", value_name = "MODEL")]
     pub model: String,
+    /// With --model frame: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML")]
+    pub mechanics: Option<String>,
     /// Drop heights, m.
     #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…")]
     pub height: Vec<f64>,
@@ -516,6 +530,43 @@ pub(super) struct CalibrationOptions {
     /// Counts of the logger to one g, instead of those of the paper's.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
     pub counts_per_g: Option<Vec<f64>>,
+}
+
+/// Options of `stiffness`.
+#[derive(Debug, Args)]
+pub(super) struct StiffnessOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Numbers of the mechanics instead of those that come with the program: a TOML file.
+    #[arg(long, value_name = "TOML")]
+    pub mechanics: Option<String>,
+    /// Fit the flexible material's modulus to a static test; the result goes into mechanics.toml.
+    #[arg(long, value_name = "CSV", conflicts_with = "compare")]
+    pub calibrate: Option<PathBuf>,
+    /// Hold the curve against a static test.
+    #[arg(long, value_name = "CSV")]
+    pub compare: Option<PathBuf>,
+    /// How far the centre is pressed down, mm.
+    #[arg(long, default_value_t = 34.0, value_name = "MM", value_parser = down_mm)]
+    pub down: f64,
+    /// Leave out the modes.
+    #[arg(long)]
+    pub no_modes: bool,
+    /// Leave out pictures and animations.
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Folder that takes the folder `FRAME-stiffness`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// A way down that can be: 2 to 60 mm.
+fn down_mm(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(down) if (2.0..=60.0).contains(&down) => Ok(down),
+        _ => Err("give 2 to 60 mm".into()),
+    }
 }
 
 /// Options of `render`.

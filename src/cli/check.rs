@@ -7,12 +7,14 @@ use super::arguments::{CheckFormat, CheckOptions, Common, FrameOption};
 use super::cache::{Cache, Kept};
 use super::progress::Progress;
 use super::session::{self, Failure};
-use super::{frames, output, table, terminal};
+use super::{frames, output, stiffness, table, terminal};
 use crate::assembly::mass;
 use crate::checks::{self, Finding, Tightest};
 use crate::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
-use crate::params::LoadError;
+use crate::mechanics::prediction::predict;
+use crate::mechanics::settings::Settings;
 use crate::params::frame_file::read_source;
+use crate::params::{Frame, FrameFile, LoadError};
 
 /// Holds frames against their limits; exits 1 when one is violated, 2 when one does not read.
 pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
@@ -62,7 +64,19 @@ fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Res
             kept
         }
     };
+    let mut findings = findings;
+    if options.strength {
+        findings.extend(strength(frame.clone(), &file, options)?);
+    }
     Ok(Held::new(&frame, &file, findings, masses, rules))
+}
+
+/// What the design drop of the frame's own model does to it.
+fn strength(frame: Frame, file: &FrameFile, options: &CheckOptions) -> Result<Vec<Finding>, Failure> {
+    let design = session::designed(frame, file)?;
+    let settings = Settings::load(options.mechanics.as_deref())?;
+    let found = predict(&design, &mass::table(&design), &settings).map_err(stiffness::refused)?;
+    Ok(checks::strength(&design, &settings.limits, &found))
 }
 
 fn refused(failure: &Failure) -> Refused {

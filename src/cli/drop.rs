@@ -15,12 +15,17 @@ use crate::sim::{Balance, Settings, System, Trace, simulate};
 
 /// Drop heights that are allowed, m.
 const HEIGHTS_M: [f64; 2] = [0.01, 100.0];
+/// The model that is the frame's own.
+const FRAME: &str = "frame";
 /// How many heights at once.
 const MOST_HEIGHTS: usize = 100;
 
 /// Drops a model and writes its folder.
 pub(super) fn drop(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
     let heights_m = heights(options)?;
+    if options.model == FRAME {
+        return super::drop_frame::drop_frame(options, heights_m, common);
+    }
     let mut model = Model::load(&options.model)?;
     let working = Progress::of("dropping", common);
     if let Some(frame) = &options.frame {

@@ -8,6 +8,7 @@ mod check;
 mod diagnose;
 mod diff;
 mod drop;
+mod drop_frame;
 mod explain;
 mod fit;
 mod fold;
@@ -24,6 +25,7 @@ mod revision;
 mod schema;
 mod session;
 mod solve;
+mod stiffness;
 mod table;
 mod terminal;
 mod watch;
@@ -74,6 +76,7 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Drop(options) => drop::drop(options, &arguments.common),
         Command::Fit(options) => fit::fit(options, &arguments.common),
         Command::Measure(options) => measure::measure(options, &arguments.common),
+        Command::Stiffness(options) => stiffness::stiffness(options, &arguments.common),
         Command::Render(options) => render::render(options, &arguments.common),
         Command::Params(options) => params::list(options, &arguments.common),
         Command::Completions { shell } => {

@@ -1,5 +1,6 @@
 //! A design as bytes: one file a format, value in, bytes out; nothing here opens a file.
 
+pub mod bent_glb;
 pub mod bill;
 pub mod bill_page;
 pub mod bom;

@@ -109,14 +109,6 @@ pub enum Fault {
         /// Unit.
         unit: &'static str,
     },
-    /// A static test of a few points.
-    #[error("has {found} points, at least {fewest} are needed")]
-    FewPoints {
-        /// In the file.
-        found: usize,
-        /// Least.
-        fewest: usize,
-    },
     /// No trial.
     #[error("`trial` is empty")]
     NoTrial,
@@ -164,7 +156,6 @@ impl Fault {
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),
             Self::OutOfBounds { .. } => "look at the unit".into(),
-            Self::FewPoints { .. } => "press the frame further and read the force again".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
             Self::Unsorted { .. } => "sort the rows of each trial by t_s; two drops need two names".into(),
             Self::MixedHeights { .. } => "give each drop a name of its own, and one height".into(),

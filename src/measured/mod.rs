@@ -25,7 +25,7 @@ pub use malformed::{Fault, Malformed, Place};
 pub use reading::read;
 pub use record::{DropSet, Group, Record};
 pub use spread::Spread;
-pub use static_test::StaticTest;
+pub use static_test::{StaticTest, read_static_test};
 pub use summary::{Drop, Summary, drops};
 
 /// Gravity, m/s².

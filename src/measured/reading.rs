@@ -41,7 +41,7 @@ struct Found {
     others: usize,
 }
 
-fn malformed(path: &Path, place: Place, fault: Fault) -> Malformed {
+pub(super) fn malformed(path: &Path, place: Place, fault: Fault) -> Malformed {
     Malformed { file: path.display().to_string(), place, fault }
 }
 
@@ -117,7 +117,7 @@ fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Malformed>
 }
 
 /// Reads a file, not more of it than a record can have.
-fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Malformed> {
+pub(super) fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Malformed> {
     let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if !meta.is_file() {
         // A pipe or a device may never end.

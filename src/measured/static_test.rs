@@ -1,20 +1,50 @@
-//! A static test: the force at which a frame stands when it is pressed slowly, `displacement_mm,force_n`.
+//! A static test: a CSV table of displacement and force, `displacement_mm,force_n`; other columns are left aside.
 
-use std::fs;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
 use super::malformed::{Fault, Malformed, Place};
-use super::table::number;
+use super::reading::{bytes_of, malformed};
+use super::table::{number, refused};
 
-/// Compressions, mm.
-const DISPLACEMENTS_MM: RangeInclusive<f64> = 0.0..=1000.0;
-/// Forces, N.
-const FORCES_N: RangeInclusive<f64> = -1e4..=1e5;
-/// Columns.
+/// Columns that must be there.
 const COLUMNS: [&str; 2] = ["displacement_mm", "force_n"];
-/// Fewest points: with them a line has a scatter.
-const FEWEST: usize = 3;
+/// Displacements, mm, and forces, N, that can be.
+const BOUNDS: [RangeInclusive<f64>; 2] = [0.0..=200.0, 0.0..=1e5];
+/// Units of the columns.
+const UNITS: [&str; 2] = ["mm", "N"];
+/// Most bytes of a table.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// Displacement, mm, and force, N, of each row of a table.
+///
+/// # Errors
+/// When it cannot be read, lacks a column, or a row is no pair of numbers.
+pub fn read_static_test(path: &Path) -> Result<Vec<[f64; 2]>, Malformed> {
+    rows(&bytes_of(path, MOST_BYTES)?).map_err(|(place, fault)| malformed(path, place, fault))
+}
+
+fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (Place, Fault)> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
+    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
+    let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
+    let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
+    let [Some(displacement), Some(force)] = COLUMNS.map(place) else {
+        return Err((Place::Line(1), Fault::NoColumn { missing }));
+    };
+    let mut points = Vec::new();
+    let mut row = csv::ByteRecord::new();
+    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
+        let line = row.position().map_or(0, csv::Position::line);
+        let mut point = [0.0; 2];
+        for (at, column) in [displacement, force].into_iter().enumerate() {
+            point[at] = number(&row, column, COLUMNS[at], &BOUNDS[at], UNITS[at]).map_err(|fault| (Place::Line(line), fault))?;
+        }
+        points.push(point);
+    }
+    if points.is_empty() { Err((Place::Whole, Fault::Empty)) } else { Ok(points) }
+}
 
 /// Points of a static test.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,46 +54,12 @@ pub struct StaticTest {
 }
 
 impl StaticTest {
-    /// Reads a file.
+    /// Reads a file as [`read_static_test`] does.
     ///
     /// # Errors
     /// [`Malformed`] with the line.
     pub fn read(path: &Path) -> Result<Self, Malformed> {
-        let file = path.display().to_string();
-        let refused = |why: String| Malformed { file: file.clone(), place: Place::Whole, fault: Fault::Unreadable { why } };
-        let bytes = fs::read(path).map_err(|error| refused(error.to_string()))?;
-        let text = std::str::from_utf8(&bytes).map_err(|error| refused(error.to_string()))?;
-        Self::parse(text, &file)
-    }
-
-    /// Reads a CSV table.
-    ///
-    /// # Errors
-    /// [`Malformed`] with the line.
-    pub fn parse(text: &str, file: &str) -> Result<Self, Malformed> {
-        let refused = |place: Place, fault: Fault| Malformed { file: file.into(), place, fault };
-        let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
-        let unreadable = |error: &csv::Error| {
-            let place = error.position().map_or(Place::Whole, |position| Place::Line(position.line()));
-            refused(place, Fault::Unreadable { why: error.to_string() })
-        };
-        let header = reader.byte_headers().map_err(|error| unreadable(&error))?.clone();
-        let place = |wanted: &str| header.iter().position(|name| name == wanted.as_bytes());
-        let [Some(displacement), Some(force)] = COLUMNS.map(place) else {
-            let missing = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
-            return Err(refused(Place::Line(1), Fault::NoColumn { missing }));
-        };
-        let mut points = Vec::new();
-        for row in reader.byte_records() {
-            let row = row.map_err(|error| unreadable(&error))?;
-            let at = |fault: Fault| refused(Place::Line(row.position().map_or(0, csv::Position::line)), fault);
-            let x_mm = number(&row, displacement, COLUMNS[0], &DISPLACEMENTS_MM, "mm").map_err(at)?;
-            points.push((1e-3 * x_mm, number(&row, force, COLUMNS[1], &FORCES_N, "N").map_err(at)?));
-        }
-        if points.len() < FEWEST {
-            return Err(refused(Place::Whole, Fault::FewPoints { found: points.len(), fewest: FEWEST }));
-        }
-        Ok(Self { points })
+        Ok(Self { points: read_static_test(path)?.into_iter().map(|[x_mm, force_n]| (1e-3 * x_mm, force_n)).collect() })
     }
 
     /// Root of the mean square by which a force is off, N.
@@ -85,8 +81,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn analytic_columns_stand_in_any_order_and_remarks_are_skipped() {
+        let found = rows(b"# by hand\nforce_n,who,displacement_mm\n20,me,1\n33,me,3.5\n").expect("reads");
+        assert_eq!(found, [[1.0, 20.0], [3.5, 33.0]]);
+    }
+
+    #[test]
     fn analytic_a_line_is_found_with_what_it_leaves() {
-        let test = StaticTest::parse("displacement_mm,force_n\n# a comment\n1, 7\n2,14\n 4,28\n", "a.csv").expect("reads");
+        let test = StaticTest { points: vec![(1e-3, 7.0), (2e-3, 14.0), (4e-3, 28.0)] };
         let (stiffness_n_m, off_n) = test.line_through_origin();
         assert!((stiffness_n_m - 7000.0).abs() < 1e-9 && off_n < 1e-9);
         assert!((test.off_n(|x_m| 7000.0 * x_m + 1.0) - 1.0).abs() < 1e-9);
@@ -94,17 +96,14 @@ mod tests {
 
     #[test]
     fn planted_faults_are_named_with_their_line() {
-        let cases = [
-            ("displacement_mm\n1\n", "line 1: lacks the column `force_n`"),
-            ("displacement_mm,force_n\n1,2\nx,3\n", "line 3: `displacement_mm` is `x`, no number"),
-            ("displacement_mm,force_n\n1,2\n-1,3\n", "line 3: `displacement_mm` = -1 is out of bounds: 0 to 1000 mm"),
-            ("displacement_mm,force_n\n1,2\n1,2\n", "has 2 points, at least 3"),
-            ("displacement_mm,force_n\n1,2,3\n", "line 2: cannot be read"),
-            ("", "lacks the columns"),
-        ];
-        for (text, says) in cases {
-            let refused = StaticTest::parse(text, "a.csv").expect_err("is refused").to_string();
-            assert!(refused.contains(says), "{text}: {refused}");
+        for (text, place, says) in [
+            ("displacement_mm\n1\n", Place::Line(1), "lacks the column `force_n`"),
+            ("displacement_mm,force_n\n1,x\n", Place::Line(2), "`force_n` is `x`"),
+            ("displacement_mm,force_n\n-1,2\n", Place::Line(2), "out of bounds"),
+            ("displacement_mm,force_n\n", Place::Whole, "is empty"),
+        ] {
+            let (at, fault) = rows(text.as_bytes()).expect_err("is refused");
+            assert!(at == place && fault.to_string().contains(says), "{text}: {at:?} {fault}");
         }
     }
 }

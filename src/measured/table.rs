@@ -182,7 +182,7 @@ pub(super) fn records(bytes: &[u8], source: &str, frame: Option<&str>) -> Result
     Ok((builder.records, builder.header.others))
 }
 
-fn refused(error: &csv::Error) -> Refused {
+pub(super) fn refused(error: &csv::Error) -> Refused {
     let place = error.position().map_or(Place::Whole, |position| Place::Line(position.line()));
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (place, Fault::Fields { found: *len, expected: *expected_len }),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::frame_file::{Entry, LoadError, Value, read_source, typed_entries};
-use super::preset::IMPACTS;
+use super::preset::{IMPACTS, MECHANICS};
 use super::refusal::{Place, Reason, Refusal, Source, nearest};
 
 /// All entries of a model file by dotted key.
@@ -39,6 +39,19 @@ impl ImpactFile {
         };
         let source = Source { name: format!("params/impact/{name}.toml"), text: (*text).into() };
         Ok(Self::read((*name).into(), Arc::new(source))?)
+    }
+
+    /// Reads the numbers of the frame's mechanics: a path to a TOML file, or those that come with the program.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or is not TOML.
+    pub fn mechanics(path: Option<&str>) -> Result<Self, LoadError> {
+        if let Some(path) = path {
+            let (name, source) = read_source(PathBuf::from(path))?;
+            return Ok(Self::read(name, source)?);
+        }
+        let source = Source { name: "params/mechanics.toml".into(), text: MECHANICS.into() };
+        Ok(Self::read("mechanics".into(), Arc::new(source))?)
     }
 
     /// Reads a model from text.

@@ -28,6 +28,9 @@ pub(super) const PRINTERS: [(&str, &str); 8] = [
     ("flsun-qqs-pro", include_str!("../../params/printers/flsun-qqs-pro.toml")),
 ];
 
+/// Numbers of the frame's mechanics that come with the program.
+pub(super) const MECHANICS: &str = include_str!("../../params/mechanics.toml");
+
 /// Name and text of each impact model; the first is the default.
 pub(super) const IMPACTS: [(&str, &str); 2] = [
     ("paper", include_str!("../../params/impact/paper.toml")),

@@ -87,11 +87,13 @@ impl Fork {
         Feature::intersection([whole, slab]).minus(self.bores())
     }
 
-    fn radius_mm(&self) -> f64 {
+    /// Outer radius of the sockets, mm.
+    pub fn radius_mm(&self) -> f64 {
         0.5 * self.bore_mm + self.wall_mm
     }
 
-    fn mouth_mm(&self) -> f64 {
+    /// Mouths of the bores, along the arms, mm.
+    pub fn mouth_mm(&self) -> f64 {
         -self.reach_mm - self.depth_mm
     }
 
@@ -104,7 +106,7 @@ impl Fork {
     }
 
     /// Where the leg's axis is at a distance from the fork's middle; its outer line meets the bar's front at the gap.
-    fn leg_axis_x_mm(&self, y_mm: f64) -> f64 {
+    pub fn leg_axis_x_mm(&self, y_mm: f64) -> f64 {
         let off_bar = Angle::deg(90.0 - self.leg_slope.to_deg());
         let middle = self.bar_front_mm() - LEG_INSET_MM + 0.5 * self.cheek_gap_mm * off_bar.tan() - self.radius_mm() / off_bar.cos();
         middle - y_mm * off_bar.tan()

@@ -41,10 +41,13 @@ pub struct HubJoint {
 }
 
 /// The arch: a ring around a point on the leg's axis.
-struct Arch {
-    centre_mm: f64,
-    inner_mm: f64,
-    outer_mm: f64,
+pub struct Arch {
+    /// Its middle, ahead of the hub's face, mm.
+    pub centre_mm: f64,
+    /// Inner radius, mm.
+    pub inner_mm: f64,
+    /// Outer radius, mm.
+    pub outer_mm: f64,
 }
 
 impl HubJoint {
@@ -103,16 +106,18 @@ impl HubJoint {
         body.minus(cutters)
     }
 
-    fn radius_mm(&self) -> f64 {
+    /// Outer radius of sockets and plugs, mm.
+    pub fn radius_mm(&self) -> f64 {
         0.5 * self.outer_diameter_mm
     }
 
     /// Distance of the arm sockets' inner walls from the leg's axis, mm.
-    fn inner_wall_mm(&self) -> f64 {
+    pub fn inner_wall_mm(&self) -> f64 {
         0.5 * self.arm_pitch_mm - self.radius_mm()
     }
 
-    fn leg_bottom_mm(&self) -> f64 {
+    /// Bottom of the leg's bore, ahead of the hub's face, mm.
+    pub fn leg_bottom_mm(&self) -> f64 {
         self.leg_mouth_mm - self.leg_depth_mm
     }
 
@@ -121,7 +126,7 @@ impl HubJoint {
     }
 
     /// Its inner circle runs through the back edge of the leg's root and through the arms' inner walls at the hub's face.
-    fn arch(&self) -> Arch {
+    pub fn arch(&self) -> Arch {
         let (back, r, wall) = (self.leg_back_mm(), self.radius_mm(), self.inner_wall_mm());
         let centre_mm = (back * back + r * r - wall * wall) / (2.0 * back);
         let inner_mm = libm::hypot(centre_mm, wall);

@@ -3,6 +3,7 @@
 mod arrow;
 mod bands;
 mod bars;
+pub mod bent_scene;
 pub mod booklet;
 pub mod booklet_html;
 pub mod booklet_pdf;
@@ -16,6 +17,8 @@ pub mod drop_plots;
 pub mod fit_data;
 pub mod fit_plots;
 pub mod fold_scene;
+pub mod impact_data;
+pub mod impact_plots;
 mod lettering;
 mod lines;
 pub mod measure_data;
@@ -28,6 +31,8 @@ pub mod print_settings;
 mod raster;
 pub mod scene;
 pub mod side_by_side;
+pub mod stiffness_data;
+pub mod stiffness_plots;
 pub mod summary;
 mod surface;
 

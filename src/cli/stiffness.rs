@@ -1,0 +1,139 @@
+//! `flexframe stiffness`: what the frame's own geometry says about pressing it down.
+
+use std::process::ExitCode;
+
+use super::arguments::{Common, StiffnessOptions};
+use super::output;
+use super::progress::Progress;
+use super::session::{self, Failure};
+use super::terminal;
+use crate::assembly::{Design, mass};
+use crate::export::bent_glb;
+use crate::measured::read_static_test;
+use crate::mechanics::calibration::{Calibration, calibrate, rms_n};
+use crate::mechanics::deformed::Bound;
+use crate::mechanics::frame_model::{Extent, FrameModel};
+use crate::mechanics::modes::Modes;
+use crate::mechanics::parts_plan::part_models;
+use crate::mechanics::settings::Settings;
+use crate::mechanics::static_curve::StaticCurve;
+use crate::report::picture::View;
+use crate::report::stiffness_data::{self, Stiffness};
+use crate::report::{bent_scene, stiffness_plots};
+
+/// Displacements at which the inside is told, mm.
+const INSIDE_MM: [f64; 2] = [1.0, 16.0];
+/// Modes that are told.
+const MODES: usize = 8;
+
+/// A failure of the model, as the user has to be told it.
+pub(super) fn refused(error: impl std::fmt::Display) -> Failure {
+    Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
+}
+
+/// Largest displacement of a mode in pictures, mm.
+const SWING_MM: f64 = 15.0;
+/// Length of an animation, s.
+const ANIMATED_S: f64 = 4.0;
+
+/// Pictures and animations of the frame pressed down and in its modes.
+fn bent_files(
+    design: &Design,
+    bound: &Bound,
+    whole: &FrameModel,
+    quarter: &FrameModel,
+    curve: &StaticCurve,
+    modes: Option<&Modes>,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let failed = |error| Failure::Machine { what: "cannot write the animation".into(), error: std::io::Error::other(error) };
+    let rest = bound.bent(&whole.system.rest());
+    let mut files = Vec::new();
+    let mut shapes = Vec::new();
+    for (down_mm, state) in &curve.states {
+        let bodies = bound.bent(&whole.unfolded(quarter, state));
+        files.push((format!("pictures/down_{down_mm:02.0}_mm.png"), bent_scene::picture(design, &bodies, View::Right)));
+        shapes.push(bodies);
+    }
+    // One shape after the other, and back.
+    let count = shapes.len();
+    let stops: Vec<usize> = (0..=count).chain((0..count).rev()).collect();
+    let weights = |stop: usize| (1..=count).map(|at| if at == stop { 1.0 } else { 0.0 }).collect();
+    let step_s = ANIMATED_S / stops.len().max(2) as f64;
+    let keys: Vec<bent_glb::Key> = stops.iter().enumerate().map(|(at, stop)| (step_s * at as f64, weights(*stop))).collect();
+    files.push(("pressed.glb".into(), bent_glb::bent(design, "the centre pressed down", &rest, &shapes, &keys).map_err(failed)?));
+    let Some(modes) = modes else { return Ok(files) };
+    for (at, mode) in modes.modes.iter().enumerate() {
+        let bodies = bound.bent(&modes.state(mode, SWING_MM));
+        let name = format!("mode_{}_{:.0}_hz", at + 1, mode.frequency_hz);
+        files.push((format!("pictures/{name}.png"), bent_scene::picture(design, &bodies, View::Perspective)));
+        let most = modes.modes.iter().all(|other| other.share_up <= mode.share_up);
+        if most {
+            let turn = |at: i32| std::f64::consts::TAU * f64::from(at) / 16.0;
+            let keys: Vec<bent_glb::Key> = (0..=32).map(|at| (ANIMATED_S * f64::from(at) / 32.0, vec![libm::sin(turn(at))])).collect();
+            files.push((format!("{name}.glb"), bent_glb::bent(design, &name, &rest, &[bodies], &keys).map_err(failed)?));
+        }
+    }
+    Ok(files)
+}
+
+/// Presses a frame down and writes its folder.
+pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let mut settings = Settings::load(options.mechanics.as_deref())?;
+    let path = options.calibrate.as_ref().or(options.compare.as_ref());
+    let measured = path.map(|path| read_static_test(path)).transpose()?;
+    let working = Progress::of("pressing", common);
+    let design = session::design(&options.frame)?;
+    let masses = mass::table(&design);
+    let parts = part_models(&design, &settings).map_err(refused)?;
+    let mut calibration: Option<Calibration> = None;
+    if let Some(points) = measured.as_ref().filter(|_| options.calibrate.is_some()) {
+        let found = calibrate(&design, &parts, &masses, &settings, points).map_err(refused)?;
+        settings = found.settings.clone();
+        calibration = Some(found);
+    }
+    let quarter = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Quarter).map_err(refused)?;
+    let curve = StaticCurve::new(&quarter, options.down, &INSIDE_MM).map_err(refused)?;
+    let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(refused)?;
+    let modes = if options.no_modes { None } else { Some(Modes::new(&whole, MODES).map_err(refused)?) };
+    let rms = measured.as_ref().and_then(|points| rms_n(&curve, points));
+    let found = Stiffness {
+        frame: &design.frame.name,
+        settings: &settings,
+        curve: &curve,
+        modes: modes.as_ref(),
+        measured: measured.as_deref().unwrap_or(&[]),
+        rms_n: rms,
+        calibrated: calibration.is_some(),
+    };
+    let json = stiffness_data::json(&found);
+    let mut files = stiffness_plots::plots(&found)
+        .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    files.push(("curve.csv".into(), stiffness_data::curve_csv(&found).into_bytes()));
+    files.push(("stiffness.json".into(), format!("{json:#}\n").into_bytes()));
+    let remark = match &calibration {
+        Some(calibration) => {
+            let [low, high] = calibration.interval_mpa;
+            let young = settings.young_mpa;
+            format!(
+                "Calibrated on a static test of {}: E = {young:.1} MPa, 95 % interval {low:.1} to {high:.1} MPa, rms {:.2} N over {} points.\n\
+                 Holds for this material and print together with the joints' numbers below.",
+                design.frame.name,
+                calibration.rms_n,
+                found.measured.len()
+            )
+        }
+        None => "The numbers that this result was computed with.".into(),
+    };
+    if let Some(bound) = Bound::new(&design, &whole).filter(|_| !options.no_pictures) {
+        files.extend(bent_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
+    }
+    files.push(("mechanics.toml".into(), settings.to_toml(&remark).into_bytes()));
+    drop(working);
+    let place = output::write_folder(&options.output, &format!("{}-stiffness", design.frame.name), &files)?;
+    if common.json {
+        terminal::print_json(&json)?;
+    } else if !common.quiet {
+        terminal::print(&format!("{}{}: {} files\n", stiffness_data::table(&found), place.display(), files.len()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,119 @@
+//! The frame's own mechanics: the real frame's static test, the ratios that geometry fixes, refinement, the drop's accounts.
+
+use flexframe::assembly::{Design, mass};
+use flexframe::mechanics::calibration::calibrate;
+use flexframe::mechanics::frame_model::{Extent, FrameModel};
+use flexframe::mechanics::impact::{Impact, Run};
+use flexframe::mechanics::modes::Modes;
+use flexframe::mechanics::parts_plan::part_models;
+use flexframe::mechanics::settings::Settings;
+use flexframe::mechanics::static_curve::StaticCurve;
+use flexframe::params::Frame;
+
+fn settings() -> Settings {
+    Settings::load(None).expect("the program's own numbers are sound")
+}
+
+fn design(change: impl Fn(&mut Frame)) -> Design {
+    let mut frame = Frame::load("cognifly-v8").expect("the preset is valid").0;
+    change(&mut frame);
+    Design::new(frame).expect("closes")
+}
+
+fn curve(design: &Design, settings: &Settings, extent: Extent, to_mm: f64) -> StaticCurve {
+    let model = FrameModel::new(design, &mass::table(design), settings, extent).expect("has a model");
+    StaticCurve::new(&model, to_mm, &[]).expect("is followed")
+}
+
+fn measured() -> Vec<[f64; 2]> {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("params/static/cognifly-v8.csv");
+    flexframe::measured::read_static_test(&path).expect("is a static test")
+}
+
+#[test]
+fn measured_one_modulus_meets_the_static_test_of_the_real_frame() {
+    let design = design(|_| ());
+    let settings = settings();
+    let parts = part_models(&design, &settings).expect("parts are cut");
+    let found = calibrate(&design, &parts, &mass::table(&design), &settings, &measured()).expect("is calibrated");
+    assert!(found.rms_n <= 6.1, "{} N at {} MPa", found.rms_n, found.settings.young_mpa);
+    let [low, high] = found.interval_mpa;
+    // A printed TPU 95A, and one number known to a tenth.
+    assert!(24.0 < low && high < 247.0 && high - low < 0.25 * found.settings.young_mpa, "{low} to {high}");
+}
+
+/// Ratios that another model of the same frame gave over the spread of its guesses: 5 to 95 % of the 8 mm secant's ratio.
+#[test]
+fn measured_ratios_between_variants_hold_over_two_models() {
+    let settings = settings();
+    let force = |change: &dyn Fn(&mut Frame)| curve(&design(change), &settings, Extent::Quarter, 9.0).force_n(8.0).expect("reached");
+    let base = force(&|_| ());
+    for (what, low, high, change) in [
+        ("hinge +20 %", 1.003, 1.175, (|f| f.corner.corner_hinge_thickness_mm *= 1.2) as fn(&mut Frame)),
+        ("neck +20 %", 1.014, 1.039, |f| f.hub_joint.neck_thickness_mm *= 1.2),
+        ("walls +20 %", 1.070, 1.102, |f| {
+            f.corner.corner_wall_mm *= 1.2;
+            f.hub_joint.hub_joint_diameter_mm += 0.72;
+        }),
+        // The same tilt: the ring moves out as far as the strut's longer end does.
+        ("strut +10 %", 1.053, 1.068, |f| {
+            let tilt = flexframe::skeleton::Skeleton::new(f).expect("closes").closure.strut_tilt;
+            let longer = 0.1 * f.rods.strut_rod_length_mm;
+            f.rods.strut_rod_length_mm += longer;
+            f.rods.cage_rod_length_mm += longer * tilt.sin() * std::f64::consts::SQRT_2;
+        }),
+        // At the lower end of the band, 0.876, to a thousandth.
+        ("plan +10 %", 0.875, 0.889, |f| {
+            let out = 0.1 * flexframe::skeleton::Skeleton::new(f).expect("closes").closure.ring_half_side_mm;
+            f.rods.cage_rod_length_mm += 2.0 * out;
+            f.rods.arm_rod_length_mm += out * std::f64::consts::SQRT_2;
+        }),
+    ] {
+        let ratio = force(&change) / base;
+        assert!((low..=high).contains(&ratio), "{what}: {ratio}, {low} to {high}");
+    }
+}
+
+#[test]
+fn analytic_a_quarter_and_the_whole_frame_are_one() {
+    let (design, settings) = (design(|_| ()), settings());
+    let [quarter, whole] = [Extent::Quarter, Extent::Whole].map(|extent| curve(&design, &settings, extent, 6.0));
+    for (a, b) in quarter.points.iter().zip(&whole.points) {
+        assert!((a.force_n - b.force_n).abs() < 1e-3 * (1.0 + b.force_n), "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn analytic_finer_beams_change_the_stiffness_little() {
+    let design = design(|_| ());
+    let coarse = settings();
+    let fine = Settings { element_mm: 0.4, socket_elements: 8.0, rod_element_mm: 20.0, ..coarse.clone() };
+    let [coarse, fine] = [coarse, fine].map(|settings| curve(&design, &settings, Extent::Quarter, 16.0));
+    for (what, a, b) in [
+        ("k0", coarse.initial_n_mm(), fine.initial_n_mm()),
+        ("16 mm", coarse.force_n(16.0).expect("reached"), fine.force_n(16.0).expect("reached")),
+    ] {
+        assert!((a / b - 1.0).abs() < 0.03, "{what}: {a} {b}");
+    }
+}
+
+#[test]
+fn analytic_the_drops_energies_add_up_and_shorter_steps_agree() {
+    let (design, settings) = (design(|_| ()), settings());
+    let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
+    let drop = |step_ms: f64| Impact::new(&model, &settings, 0.5, &Run { step_ms, ..Run::default() }).expect("is followed");
+    let [usual, short] = [drop(0.1), drop(0.05)];
+    assert!(usual.unaccounted.abs() < 0.05 && short.unaccounted.abs() < 0.03, "{} {}", usual.unaccounted, short.unaccounted);
+    let [a, b] = [usual.peak()[0], short.peak()[0]];
+    assert!((a / b - 1.0).abs() < 0.03, "{a} {b}");
+}
+
+#[test]
+fn analytic_the_lowest_mode_of_most_mass_is_the_bounce_of_the_centre() {
+    let (design, settings) = (design(|_| ()), settings());
+    let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Whole).expect("has a model");
+    let modes = Modes::new(&model, 8).expect("is held");
+    let bounce = modes.modes.iter().max_by(|a, b| a.share_up.total_cmp(&b.share_up)).expect("has modes");
+    assert!(bounce.share_up > 0.7 && (30.0..60.0).contains(&bounce.frequency_hz), "{} Hz {}", bounce.frequency_hz, bounce.share_up);
+    assert!(modes.modes.windows(2).all(|pair| pair[0].frequency_hz <= pair[1].frequency_hz));
+}
