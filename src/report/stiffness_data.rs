@@ -106,7 +106,7 @@ pub fn table(found: &Stiffness) -> String {
         text += &format!("{x:>9} {force:>8.1} {secant:>7.2} {:>6.2} to {:.2}\n", secant * low, secant * high);
     }
     match curve.limit() {
-        Some([x, f]) => text += &format!("limit load {f:.1} N at {x:.1} mm: beyond it the frame snaps through\n"),
+        Some([x, f]) => text += &format!("limit load {f:.1} N at {x:.1} mm: beyond it the force falls\n"),
         None => text += &format!("no limit load down to {:.0} mm\n", curve.points.last().map_or(0.0, |p| p.displacement_mm)),
     }
     if let Some(rms) = found.rms_n {
