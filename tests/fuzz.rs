@@ -14,7 +14,7 @@ use flexframe::measured::{Calibration, read};
 use flexframe::params::{Frame, FrameFile, ImpactFile};
 use flexframe::plant::Plan;
 use flexframe::variant::{Goal, Increase};
-use proptest::prelude::RngCore;
+use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
 /// Longest that one input may take.
@@ -98,7 +98,10 @@ impl Source {
     fn change(&mut self, bytes: &mut Vec<u8>) {
         let at = self.below(bytes.len() + 1);
         match self.below(7) {
-            0 if !bytes.is_empty() => bytes[at.min(self.last(bytes))] ^= 1 << self.below(8),
+            0 if !bytes.is_empty() => {
+                let at = at.min(bytes.len() - 1);
+                bytes[at] ^= 1 << self.below(8);
+            }
             1 => drop(bytes.splice(at..at, TOKENS[self.below(TOKENS.len())].bytes())),
             2 => bytes.truncate(at),
             3 => drop(bytes.drain(at..(at + self.below(40)).min(bytes.len()))),
@@ -121,10 +124,6 @@ impl Source {
                 bytes.splice(line..line, copy);
             }
         }
-    }
-
-    fn last(&self, bytes: &[u8]) -> usize {
-        bytes.len().saturating_sub(1)
     }
 }
 

@@ -70,7 +70,7 @@ fn planted_files_that_are_too_large_or_no_text() {
     bench.write("zero.toml", [0_u8; 64]);
     bench.write("mark.toml", "\u{feff}base = \"cognifly\"\n");
     fs::create_dir(bench.path("folder.toml")).expect("can be made");
-    for command in ["check", "build", "params", "explain", "bom", "watch"] {
+    for command in ["check", "build", "params", "explain", "bom"] {
         let run = |frame: &str, says: &str| {
             let arguments = if command == "explain" { vec![command, "arm_pitch_mm", frame] } else { vec![command, frame] };
             bench.ends(&arguments, 2, says);

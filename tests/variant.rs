@@ -134,7 +134,7 @@ fn planted_a_file_against_its_former_self() {
     assert!(out.starts_with("a: mine@") && out.contains("limits.mass_budget_g") && out.contains("battery-2s-850"), "{out}");
     for (arguments, says) in [
         (&["diff", "--git", "nowhere", "mine.toml"][..], "this repository has no revision `nowhere`"),
-        (&["diff", "--git", "--output=x", "mine.toml"], "this repository has no revision `--output=x`"),
+        (&["diff", "--git=--output=x", "mine.toml"], "this repository has no revision `--output=x`"),
         (&["diff", "--git", "HEAD", "cognifly"], "cognifly is a preset"),
         (&["diff", "mine.toml"], "give two frames"),
         (&["diff", "--git", "HEAD", "mine.toml", "base.toml"], "give one frame with --git"),
@@ -273,7 +273,7 @@ fn analytic_bill_in_every_form() {
         "g of filament, at least",
         "(M2 x 4 mm)",
         "no price with a source",
-        "| 1 | leg ",
+        "| 1 | cage ",
         "no plan needs fewer",
     ] {
         assert!(page.contains(part), "{part}: {page}");

@@ -15,7 +15,7 @@ use crate::params::Frame;
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
 const RESERVE: f64 = 0.002;
 /// First and last size of a step, in shares of the bounds.
-pub(super) const STEPS: [f64; 2] = [0.08, 0.001];
+pub(super) const STEPS: [f64; 2] = [0.05, 0.001];
 
 /// What is known of one set of values.
 pub(super) struct Point {
@@ -62,8 +62,8 @@ pub(super) fn scale(unit: &str) -> f64 {
     }
 }
 
-/// Margins beyond this say no more, scaled.
-const FAR: f64 = 5.0;
+/// Margins beyond this say no more, scaled; far enough that the planes through the first points are not flat.
+const FAR: f64 = 50.0;
 
 /// Points that were looked at, and how to look at another.
 pub(super) struct Search<'a> {
