@@ -201,6 +201,12 @@ pub(super) struct CheckOptions {
     /// Write what fails now into the list of --baseline; nothing fails then.
     #[arg(long, requires = "baseline")]
     pub update_baseline: bool,
+    /// Drop the frame's own model, too: payload, strains and rods against the limits of the design drop.
+    #[arg(long)]
+    pub strength: bool,
+    /// With --strength: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "strength")]
+    pub mechanics: Option<String>,
     /// Do not keep findings, nor use those that were kept (FLEXFRAME_CACHE=off does the same).
     #[arg(long)]
     pub no_cache: bool,
@@ -363,12 +369,6 @@ pub(super) struct SchemaOptions {
     /// Of which kind of file.
     #[arg(value_enum, default_value = "frame")]
     pub kind: SchemaKind,
-    /// Drop the frame's own model, too: payload, strains and rods against the limits of the design drop.
-    #[arg(long)]
-    pub strength: bool,
-    /// With --strength: numbers of the mechanics instead of those that come with the program.
-    #[arg(long, value_name = "TOML", requires = "strength")]
-    pub mechanics: Option<String>,
 }
 
 /// Options of `fold`.
