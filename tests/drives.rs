@@ -293,8 +293,8 @@ fn analytic_each_limit_moves_what_its_rule_is_held_against_and_no_other() {
         let after = limits(&design);
         let moved: Vec<(&str, bool)> = before
             .iter()
-            .filter(|(rule, limit)| moved(**limit, after[*rule]))
-            .map(|(rule, limit)| (*rule, after[*rule] > *limit))
+            .filter(|(rule, limit)| moved(**limit, after[rule.as_str()]))
+            .map(|(rule, limit)| (rule.as_str(), after[rule.as_str()] > *limit))
             .collect();
         let stated: Vec<(&str, bool)> =
             line.effects.iter().map(|effect| (effect.subject.trim_start_matches("limit:"), effect.grows)).collect();

@@ -103,7 +103,7 @@ fn planted_a_bed_that_is_too_small_or_too_low_is_refused_with_the_part() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
     #[test]
-    fn analytic_any_bed_and_any_number(width in 150.0..400.0, depth in 150.0..400.0, round in any::<bool>(), count in 1_usize..30) {
+    fn analytic_any_bed_and_any_number(width in 150.0..400.0_f64, depth in 150.0..400.0_f64, round in any::<bool>(), count in 1_usize..30) {
         let mut design = shared().lock().expect("a design");
         let (bed, size_mm) = if round { (Bed::Round, [width.max(220.0); 2]) } else { (Bed::Rectangular, [width, depth]) };
         design.frame.printer.bed = bed;
