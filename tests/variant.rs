@@ -286,7 +286,7 @@ fn analytic_bill_in_every_form() {
     assert!(csv.starts_with("kind,name,quantity,") && csv.contains("\nstock,rod-carbon-3-1,1,carbon,"), "{csv}");
     bench.write("half.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\n");
     let (code, _, err) = bench.run(&["bom", "half.toml"]);
-    assert!(code == 2 && err.contains("price lacks currency or price_source"), "{err}");
+    assert!(code == 2 && err.contains("lacks currency or price_source"), "{err}");
     assert_eq!(bench.run(&["bom", "--kerf", "-1"]).0, 2);
     bench.write("short.toml", "base = \"cognifly\"\n[override.parts.rod-carbon-3]\nstock_length_mm = 150.0\n");
     let (code, out, err) = bench.run(&["bom", "short.toml"]);

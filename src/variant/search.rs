@@ -9,7 +9,7 @@ use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, Problem, Vary};
 use crate::assembly::Workshop;
-use crate::checks::Verdict;
+use crate::checks::{Finding, Verdict};
 use crate::params::Frame;
 
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
@@ -34,21 +34,28 @@ impl Point {
     }
 }
 
-/// Rules whose margins are constraints; the fold's slow one is left for the end.
-pub(super) const RULES: [&str; 13] = [
-    "envelope",
-    "mass_budget",
-    "centre_of_mass",
-    "propeller_clearance",
-    "part_clearance",
-    "socket_seating",
-    "interference",
-    "ground_clearance",
-    "hinge_strain",
-    "fold_sequence",
-    "thinnest_wall",
-    "battery_slide",
-    "printer_bed",
+/// What is a constraint of its own: a rule, and how the subjects begin that it is the tightest of. Width and height pull
+/// different ways; together they would have a kink where they are equal, on which a search by planes comes to rest. The fold's
+/// slow rule is left for the end.
+pub(super) const RULES: [(&str, &str); 18] = [
+    ("envelope", "width"),
+    ("envelope", "depth"),
+    ("envelope", "height"),
+    ("mass_budget", ""),
+    ("centre_of_mass", ""),
+    ("propeller_clearance", ""),
+    ("part_clearance", ""),
+    ("socket_seating", ""),
+    ("interference", ""),
+    ("ground_clearance", ""),
+    ("hinge_strain", ""),
+    ("fold_sequence", "fold: hold"),
+    ("fold_sequence", "fold: notch"),
+    ("fold_sequence", "fold: flat"),
+    ("fold_sequence", "fold"),
+    ("thinnest_wall", ""),
+    ("battery_slide", ""),
+    ("printer_bed", ""),
 ];
 
 /// What of a unit is as much as a millimetre.
@@ -64,6 +71,10 @@ pub(super) fn scale(unit: &str) -> f64 {
 
 /// Margins beyond this say no more, scaled; far enough that the planes through the first points are not flat.
 const FAR: f64 = 50.0;
+
+/// How far values of which there is no frame miss every constraint, scaled: farther than a frame that is much too large, or
+/// they would look better than it.
+const NO_FRAME: f64 = 20.0;
 
 /// Points that were looked at, and how to look at another.
 pub(super) struct Search<'a> {
@@ -131,8 +142,9 @@ impl<'a> Search<'a> {
 }
 
 fn margins(evaluation: &Evaluation, goals: &[Goal]) -> Vec<f64> {
-    let rule = |rule: &&str| {
-        let found = evaluation.findings.iter().filter(|f| f.rule == **rule && f.verdict != Verdict::Note);
+    let rule = |(rule, subject): &(&str, &str)| {
+        let fits = |f: &&Finding| f.rule == *rule && f.subject.starts_with(subject) && f.verdict != Verdict::Note;
+        let found = evaluation.findings.iter().filter(fits);
         found.map(|f| f.margin / scale(&f.unit)).fold(FAR, f64::min).max(-FAR)
     };
     let goal = |goal: &Goal| {
@@ -153,13 +165,7 @@ pub(super) fn descend(search: &Search, start: &[f64], step: f64, most: usize) {
     let constraint = |at: usize| {
         Box::new(move |shares: &[f64], (): &mut ()| {
             search.of(&search.values(shares), |point| match &point.margins {
-                None => {
-                    if at == 0 {
-                        -1.0
-                    } else {
-                        0.0
-                    }
-                }
+                None => -NO_FRAME,
                 Some(_) if at == 0 => 1.0,
                 Some(margins) => margins[at - 1] - RESERVE,
             })

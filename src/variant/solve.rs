@@ -102,7 +102,10 @@ fn refused(search: &Search, best: &[f64]) -> Vec<String> {
 /// The rule or goal that is missed most.
 fn worst_of(margins: &[f64], goals: &[Goal]) -> Option<String> {
     let (at, _) = margins.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
-    RULES.get(at).map(|rule| format!("breaks {rule}")).or_else(|| goals.get(at - RULES.len()).map(|goal| format!("misses {}", goal.told())))
+    RULES
+        .get(at)
+        .map(|(rule, subject)| format!("breaks {rule} {subject}").trim_end().to_string())
+        .or_else(|| goals.get(at - RULES.len()).map(|goal| format!("misses {}", goal.told())))
 }
 
 /// What a frame misses.
@@ -115,14 +118,18 @@ fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
 /// Limits with hardly any room, and bounds that are reached.
 fn binding(evaluation: &Evaluation, problem: &Problem, values: &[(Vary, f64, f64)]) -> Vec<Binding> {
     let mut found: Vec<(f64, Binding)> = Vec::new();
-    for rule in RULES {
-        let of = evaluation.findings.iter().filter(|f| f.rule == rule && f.verdict != Verdict::Note);
+    for (rule, subject) in RULES {
+        let fits = |f: &&Finding| f.rule == rule && f.subject.starts_with(subject) && f.verdict != Verdict::Note;
+        let of = evaluation.findings.iter().filter(fits);
         // What is meant to be zero, as a shared volume is, has no room to begin with and holds nothing back.
         let real = of.filter(|f| f.limit.abs() / scale(&f.unit) > 2.0 * BINDS && !matches!(rule, "interference" | "battery_slide"));
         let tightest: Option<&Finding> = real.min_by(|a, b| (a.margin / scale(&a.unit)).total_cmp(&(b.margin / scale(&b.unit))));
         if let Some(f) = tightest.filter(|f| f.margin / scale(&f.unit) < BINDS) {
             let what = format!("{}: {}", f.rule, f.message);
-            found.push((f.margin / scale(&f.unit), Binding { what, margin: f.margin, unit: f.unit.clone().into_owned() }));
+            let binding = Binding { what, margin: f.margin, unit: f.unit.clone().into_owned() };
+            if found.iter().all(|(_, known)| *known != binding) {
+                found.push((f.margin / scale(&f.unit), binding));
+            }
         }
     }
     for goal in &problem.goals {
