@@ -31,6 +31,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
         "report",
         &[
             "figures",
+            "params",
             "skeleton",
             "solid",
             "assembly",
