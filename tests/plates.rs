@@ -55,7 +55,9 @@ fn faults(design: &Design, plates: &[Plate], wanted: &[(PartName, usize)]) -> Ve
         for (at, [low, high]) in boxes.iter().enumerate() {
             let on = match printer.bed {
                 Bed::Rectangular => (0..2).all(|axis| low[axis] >= -1e-6 && high[axis] <= printer.size_mm[axis] + 1e-6),
-                Bed::Round => plate.items.len() == 1 || [low, high].iter().all(|c| c[0].hypot(c[1]) <= 0.5 * printer.size_mm[0] + 1e-6),
+                Bed::Round => {
+                    plate.items.len() == 1 || [low, high].iter().all(|c| libm::hypot(c[0], c[1]) <= 0.5 * printer.size_mm[0] + 1e-6)
+                }
             };
             if !on {
                 faults.push(format!("{} of {} is off the bed", plate.items[at].part, plate.name()));
