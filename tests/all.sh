@@ -94,7 +94,7 @@ from_pypi() {
 cargo_tests() {
     heading "cargo test"
     local log=$work/cargo-test.log code=0
-    cargo test --release 2>&1 | tee "$log" || code=$?
+    cargo test --release --no-fail-fast 2>&1 | tee "$log" || code=$?
     awk '/^test .* \.\.\. ok$/          { print "ok " $2 }
          /^test .* \.\.\. ignored/      { print "ignored " $2 }
          /^test .* \.\.\. FAILED$/      { print "FAILED " $2 ": see above" }' "$log" >"$work/cargo-results.txt"

@@ -100,7 +100,7 @@ fn analytic_every_file_is_in_the_manifest_with_its_hash() {
             listed.insert(path.to_string());
         }
         let mut present = BTreeSet::new();
-        for folder in ["", "parts", "pictures"] {
+        for folder in ["", "parts", "plates", "pictures"] {
             let Ok(entries) = fs::read_dir(built.folder.join(folder)) else { continue };
             let files = entries.map(|entry| entry.expect("can be read").path()).filter(|path| path.is_file());
             let below = |path: &Path| path.strip_prefix(&built.folder).expect("is below").to_string_lossy().replace('\\', "/");
