@@ -14,6 +14,8 @@ work=$PWD/$target/external
 binary=$target/release/flexframe
 jobs=$(nproc)
 export FLEXFRAME_DATA=${FLEXFRAME_DATA:-../shared/data}
+# What helps to build again hinders the first time.
+export CARGO_INCREMENTAL=0
 
 mkdir -p "$work"
 results=$work/results.txt
@@ -301,8 +303,8 @@ summary() {
 }
 
 step "cargo fmt" cargo fmt --check
-step "cargo clippy" cargo clippy --all-targets -- -D warnings
-step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps
+step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
+step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
 cargo_tests
 reference_records
 outside

@@ -74,7 +74,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 38] = [
+const CONFINED: [(&str, &str); 39] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -82,7 +82,8 @@ const CONFINED: [(&str, &str); 38] = [
     ("sha2", "export"),
     ("png::", "report"),
     ("plotters", "report"),
-    ("krilla", "report"),
+    ("miniz_oxide", "report"),
+    ("pdf_writer", "report"),
     ("ab_glyph", "report"),
     ("miette", "params"),
     ("toml::", "params"),

@@ -45,9 +45,10 @@ impl Ground {
             family = family.near(&near);
         }
         let whitening = Whitening::of(&scatter.covariances(&family)?, scatter.counts())?;
-        // Stiffness is fitted as its logarithm, damping as it is.
+        // Stiffness is fitted as its logarithm, damping as it is. Where readings are cut, the base model says nothing of how a
+        // parameter moves them, and the scatter beyond the cut is counted already.
         let varied = match scatter.changing(&family)[..] {
-            [stiffness, damping, ..] => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
+            [stiffness, damping, ..] if spread == 0.0 => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
             _ => [0.0; 2],
         };
         let expected = Expected { varied, ..problem.expected };

@@ -81,11 +81,11 @@ impl Pattern {
     pub fn times(&self, values: &[f64], x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; x.len()];
         for column in 0..self.size() {
-            for at in self.columns[column]..self.columns[column + 1] {
-                let row = self.rows[at];
-                y[row] += values[at] * x[column];
+            let span = self.columns[column]..self.columns[column + 1];
+            for (&row, value) in self.rows[span.clone()].iter().zip(&values[span]) {
+                y[row] += value * x[column];
                 if row != column {
-                    y[column] += values[at] * x[row];
+                    y[column] += value * x[row];
                 }
             }
         }

@@ -1,18 +1,9 @@
 //! The instructions as a PDF: A4, a title page and a page a step.
 
-use krilla::Document;
-use krilla::color::rgb::Color;
-use krilla::geom::{PathBuilder, Point, Rect, Size, Transform};
-use krilla::image::Image;
-use krilla::metadata::Metadata;
-use krilla::page::PageSettings;
-use krilla::paint::Stroke;
-use krilla::surface::Surface;
-use krilla::text::{Font, TextDirection};
-
 use super::booklet::{Booklet, Page};
 use super::fold_scene::Picture;
-use super::lettering::{Lettering, TYPEFACE};
+use super::lettering::Lettering;
+use super::pdf_document::{PdfDocument, PdfSheet};
 
 /// A4, points.
 const PAPER: [f32; 2] = [595.28, 841.89];
@@ -27,41 +18,38 @@ const LEADING: f32 = 1.35;
 /// Width of a step's pictures and of the one on the title page, points.
 const WIDTHS: [f32; 2] = [420.0, 270.0];
 
-/// The PDF could not be made.
+/// The typeface inside cannot be read, so there is no PDF.
 #[derive(Debug, thiserror::Error)]
-#[error("cannot make the PDF: {0}")]
-pub struct PdfError(String);
+#[error("cannot make the PDF: its typeface does not read")]
+pub struct PdfError;
 
 /// The file's bytes.
 ///
 /// # Errors
-/// When the typeface cannot be read or the file not be put together.
+/// When the typeface cannot be read.
 pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
-    let font = Font::new(TYPEFACE.to_vec().into(), 0).ok_or_else(|| PdfError("no typeface".into()))?;
-    let lettering = Lettering::new().ok_or_else(|| PdfError("no typeface".into()))?;
-    let mut document = Document::new();
+    let lettering = Lettering::new().ok_or(PdfError)?;
     let title = format!("{}: how to put it together", booklet.frame);
-    document.set_metadata(Metadata::new().title(title.clone()).language("en".into()).creator("flexframe".into()));
-    let settings = || PageSettings::from_wh(PAPER[0], PAPER[1]).ok_or_else(|| PdfError("no such paper".into()));
+    let mut document = PdfDocument::new(&lettering, PAPER, &title);
     for number in 0..=booklet.pages.len() {
-        let mut page = document.start_page_with(settings()?);
-        let (mut surface, width) = (page.surface(), PAPER[0] - 2.0 * MARGIN);
-        let mut sheet = Sheet { surface: &mut surface, font: &font, lettering: &lettering, y: MARGIN, left: MARGIN, width };
+        let width = PAPER[0] - 2.0 * MARGIN;
+        let page = document.sheet();
+        let mut sheet = Sheet { document: &mut document, page, lettering: &lettering, y: MARGIN, left: MARGIN, width };
         match number.checked_sub(1).and_then(|index| booklet.pages.get(index)) {
-            Some(step) => sheet.step(step)?,
-            None => sheet.title(&title, booklet)?,
+            Some(step) => sheet.step(step),
+            None => sheet.title(&title, booklet),
         }
         sheet.foot(&format!("{}, page {} of {}", booklet.frame, number + 1, booklet.pages.len() + 1));
-        surface.finish();
-        page.finish();
+        let page = sheet.page;
+        document.add(page);
     }
-    document.finish().map_err(|error| PdfError(format!("{error:?}")))
+    Ok(document.bytes())
 }
 
 /// A sheet that is written from the top.
-struct Sheet<'a, 'p> {
-    surface: &'a mut Surface<'p>,
-    font: &'a Font,
+struct Sheet<'a, 'd> {
+    document: &'a mut PdfDocument<'d>,
+    page: PdfSheet,
     lettering: &'a Lettering,
     /// How far down, points.
     y: f32,
@@ -73,8 +61,7 @@ impl Sheet<'_, '_> {
     fn words(&mut self, text: &str, size: f32) {
         for line in self.lettering.lines(text, f64::from(size), f64::from(self.width)) {
             self.y += LEADING * size;
-            let at = Point::from_xy(self.left, self.y - 0.35 * size);
-            self.surface.draw_text(at, self.font.clone(), size, &line, false, TextDirection::LeftToRight);
+            self.document.words(&mut self.page, &line, size, [self.left, self.y - 0.35 * size]);
         }
     }
 
@@ -82,39 +69,18 @@ impl Sheet<'_, '_> {
         self.y += points;
     }
 
-    fn picture(&mut self, picture: &Picture, width: f32) -> Result<(), PdfError> {
-        let rgba: Vec<u8> = picture.rgb.chunks_exact(3).flat_map(|p| [p[0], p[1], p[2], 255]).collect();
-        let [w, h] = picture.size;
-        let height = width * h as f32 / w as f32;
-        let size = Size::from_wh(width, height).ok_or_else(|| PdfError("an empty picture".into()))?;
-        let x = self.left + 0.5 * (self.width - width);
-        self.surface.push_transform(&Transform::from_translate(x, self.y));
-        self.surface.draw_image(Image::from_rgba8(rgba, w, h), size);
-        self.surface.pop();
-        self.frame(x, self.y, width, height);
+    fn picture(&mut self, picture: &Picture, width: f32) {
+        let height = width * picture.size[1] as f32 / picture.size[0] as f32;
+        let at = [self.left + 0.5 * (self.width - width), self.y];
+        self.document.picture(&mut self.page, picture, at, [width, height]);
+        self.document.frame(&mut self.page, at, [width, height]);
         self.y += height;
-        Ok(())
     }
 
-    fn frame(&mut self, x: f32, y: f32, width: f32, height: f32) {
-        let mut path = PathBuilder::new();
-        if let Some(edge) = Rect::from_xywh(x, y, width, height) {
-            path.push_rect(edge);
-        }
-        if let Some(path) = path.finish() {
-            let fill = self.surface.get_fill().cloned();
-            self.surface.set_fill(None);
-            self.surface.set_stroke(Some(Stroke { paint: Color::new(0, 0, 0).into(), width: 0.7, ..Stroke::default() }));
-            self.surface.draw_path(&path);
-            self.surface.set_stroke(None);
-            self.surface.set_fill(fill);
-        }
-    }
-
-    fn title(&mut self, title: &str, booklet: &Booklet) -> Result<(), PdfError> {
+    fn title(&mut self, title: &str, booklet: &Booklet) {
         self.words(title, HEADING);
         self.gap(6.0);
-        self.picture(&booklet.apart, WIDTHS[1])?;
+        self.picture(&booklet.apart, WIDTHS[1]);
         self.gap(4.0);
         for line in &booklet.preface {
             self.gap(2.0);
@@ -137,7 +103,6 @@ impl Sheet<'_, '_> {
             self.gap(2.0);
         }
         (self.left, self.width) = (MARGIN, whole);
-        Ok(())
     }
 
     /// A cell in the line that begins here.
@@ -148,12 +113,12 @@ impl Sheet<'_, '_> {
         (self.left, self.width) = (left, width);
     }
 
-    fn step(&mut self, step: &Page) -> Result<(), PdfError> {
+    fn step(&mut self, step: &Page) {
         self.words(&step.heading, HEADING);
         self.words(&step.facts, TEXT);
         self.gap(5.0);
         for (picture, caption) in step.pictures.iter().zip(["Before", "After"]) {
-            self.picture(picture, WIDTHS[0])?;
+            self.picture(picture, WIDTHS[0]);
             self.words(caption, SMALL);
             self.gap(3.0);
         }
@@ -166,9 +131,8 @@ impl Sheet<'_, '_> {
             self.gap(10.0);
             let top = self.y;
             self.words(&format!("Caution. {caution}"), TEXT - 1.0);
-            self.frame(self.left - 6.0, top - 3.0, self.width + 12.0, self.y - top + 8.0);
+            self.document.frame(&mut self.page, [self.left - 6.0, top - 3.0], [self.width + 12.0, self.y - top + 8.0]);
         }
-        Ok(())
     }
 
     fn foot(&mut self, text: &str) {

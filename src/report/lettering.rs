@@ -5,6 +5,18 @@ use ab_glyph::{Font, FontRef, PxScale, ScaleFont, point};
 /// The typeface of everything that is drawn, compiled in.
 pub(super) const TYPEFACE: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
 
+/// How far the letters of a typeface reach, thousandths of their size, y up from the baseline.
+pub(super) struct Shape {
+    /// Above the baseline.
+    pub ascent: f32,
+    /// Below it, negative.
+    pub descent: f32,
+    /// Lower left corner of a box around any letter.
+    pub low: [f32; 2],
+    /// Upper right corner.
+    pub high: [f32; 2],
+}
+
 /// Measures and draws words.
 pub(super) struct Lettering {
     font: FontRef<'static>,
@@ -20,6 +32,20 @@ impl Lettering {
     pub fn width(&self, text: &str, size: f64) -> f64 {
         let units = f64::from(self.font.units_per_em().unwrap_or(1000.0));
         text.chars().map(|c| f64::from(self.font.h_advance_unscaled(self.font.glyph_id(c)))).sum::<f64>() / units * size
+    }
+
+    /// Number of a letter's glyph in the typeface; zero for what it lacks.
+    pub fn glyph(&self, letter: char) -> u16 {
+        self.font.glyph_id(letter).0
+    }
+
+    /// How far its letters reach.
+    pub fn shape(&self) -> Shape {
+        let units = self.font.units_per_em().unwrap_or(1000.0);
+        let thousandths = |value: f32| value / units * 1000.0;
+        let (ascent, descent) = (thousandths(self.font.ascent_unscaled()), thousandths(self.font.descent_unscaled()));
+        let widest = self.font.codepoint_ids().map(|(id, _)| thousandths(self.font.h_advance_unscaled(id))).fold(0.0, f32::max);
+        Shape { ascent, descent, low: [0.0, descent], high: [widest, ascent] }
     }
 
     /// Lines no wider than a width, broken at spaces.

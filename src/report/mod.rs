@@ -24,6 +24,7 @@ mod lines;
 pub mod measure_data;
 pub mod measure_plots;
 pub mod page;
+mod pdf_document;
 pub mod picture;
 pub mod plate_picture;
 mod plot;
