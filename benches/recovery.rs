@@ -108,6 +108,35 @@ fn left_by_catalogue(plan: &Plan) -> Option<f64> {
     search.levels.iter().flat_map(|level| &level.candidates).map(|candidate: &Candidate| candidate.fitted.chi2()).min_by(f64::total_cmp)
 }
 
+/// The single effect with the best score for somebody who is told the generator's own covariance: no method that has to
+/// estimate it can be expected to name more.
+fn told_the_scatter(plan: &Plan) -> Option<&'static str> {
+    let few = waves(plan);
+    let whitening = noise_free(plan)?.0.whitening;
+    let ground = Ground::of(&few, &base())?;
+    let mut problem = Problem::of(&few, whitening, ground.problem.expected.spread);
+    problem.expected = ground.problem.expected;
+    let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
+    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: ground.flat_top.is_some(), most: 1, stage: &|_| () };
+    let search = Search::run(&setting, &base())?;
+    let singles = search.levels.iter().flat_map(|level| &level.candidates).filter(|candidate| candidate.ids().len() == 1);
+    singles.min_by(|a, b| a.score.total_cmp(&b.score)).and_then(|best| best.ids().first().copied())
+}
+
+fn oracle(level: usize, from: u64, to: u64) {
+    let (mut good, mut all) = ([0; STRENGTHS.len()], [0; STRENGTHS.len()]);
+    for spec in &CATALOGUE {
+        for seed in from..to {
+            for (at, strength) in STRENGTHS.iter().enumerate() {
+                let Some(plan) = at_strength(spec.id, seed, *strength, level) else { continue };
+                good[at] += usize::from(told_the_scatter(&plan) == Some(spec.id));
+                all[at] += 1;
+            }
+        }
+    }
+    println!("ORACLE level {level}: {good:?} of {all:?}, {}/{}", good.iter().sum::<usize>(), all.iter().sum::<usize>());
+}
+
 struct Case {
     diagnosis: Diagnosis,
     seconds: f64,
@@ -182,6 +211,8 @@ struct Sums {
     covered: [usize; 2],
     seconds: Vec<f64>,
     stronger: [usize; 2],
+    /// First of the ranking of single effects, whatever the verdict; a strength each, and how many there are.
+    ranked: [[usize; 2]; STRENGTHS.len()],
 }
 
 fn main() {
@@ -199,6 +230,9 @@ fn main() {
     }
     if what.contains("singles") {
         singles(level, from, to, only);
+    }
+    if what.contains("oracle") {
+        oracle(level, from, to);
     }
     if what.contains("pairs") {
         pairs(level, from, to);
@@ -268,6 +302,8 @@ fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
                 let bin = sums.curve.entry((libm::log2(found.max(1.0)) as usize).min(10)).or_default();
                 bin[0] += usize::from(good);
                 bin[1] += 1;
+                sums.ranked[at][0] += usize::from(case.top() == spec.id);
+                sums.ranked[at][1] += 1;
                 if at > 0 {
                     sums.stronger[0] += usize::from(good);
                     sums.stronger[1] += 1;
@@ -309,6 +345,8 @@ fn summary(level: usize, sums: &mut Sums) {
         sums.stronger[0],
         sums.stronger[1]
     );
+    let ranked = sums.ranked.iter().fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
+    println!("RANKED FIRST level {level}: {:?}, all {}/{}", sums.ranked, ranked[0], ranked[1]);
     println!("COVERAGE level {level}: {}/{}", sums.covered[0], sums.covered[1]);
     println!("HELD OUT level {level}: median ratio {:.3}, 90 % below {:.3}", middle(&sums.ratios, 0.5), middle(&sums.ratios, 0.9));
     println!("TIME level {level}: median {:.2} s, 95 % below {:.2} s", middle(&sums.seconds, 0.5), middle(&sums.seconds, 0.95));

@@ -114,7 +114,7 @@ fn planted_missing_reference() {
 fn planted_bases_that_name_each_other() {
     let bench = Bench::new("base = \"other\"\n");
     bench.write("other.toml", "base = \"frame\"\n");
-    assert_says(&bench.refused(), &["the chain of bases does not end"]);
+    assert_says(&bench.refused(), &["the chain of bases does not end within 16 files"]);
 }
 
 #[test]

@@ -57,7 +57,7 @@ fn planted_several_frames_at_once_and_the_worst_exit_code() {
     assert_eq!(code, 1, "{out}{err}");
     assert!(out.contains("== frames/a-good.toml") && out.contains("== frames/b-heavy.toml") && !out.contains("wrong"), "{out}");
     assert!(out.ends_with("2 frames: 1 keep their limits, 1 violate one, 0 do not read\n"), "{out}");
-    let (code, out, err) = bench.check(&["frames/**/*.toml", "frames/a-good.toml"]);
+    let (code, out, err) = bench.check(&["frames/**/*.toml", "frames/a-good.toml", "./frames/a-good.toml"]);
     assert_eq!(code, 2);
     assert!(out.ends_with("3 frames: 1 keep their limits, 1 violate one, 1 do not read\n"), "each frame once: {out}");
     assert!(err.contains("did you mean `rods.cage_rod_length_mm`"), "{err}");
@@ -97,6 +97,14 @@ fn planted_annotations_point_at_what_drives_the_limit() {
     assert!(wrong.len() == 1 && wrong[0].contains("file=wrong.toml,line=3,col=1,title=refused::wrong.toml: unknown key"), "{wrong:?}");
     let tight = errors("tight.toml");
     assert!(tight[0].contains("file=tight.toml,line=3,"), "where only the limit differs, it is the limit: {tight:?}");
+    // A base's battery is heavier than the file's own rods, and a swapped part is to blame for the numbers that follow it.
+    bench.write("kid.toml", "base = \"sub/../heavy\"\n[rods]\narm_rod_length_mm = 82.5\n");
+    bench.write("sub/none.toml", "");
+    let kid = errors("kid.toml");
+    assert!(kid[0].starts_with("::error file=heavy.toml,line=10,"), "{kid:?}");
+    bench.write("swapped.toml", "base = \"cognifly\"\n\n[bought]\npropeller = \"propeller-4-inch\"\n");
+    let swapped = errors("./swapped.toml");
+    assert!(!swapped.is_empty() && swapped.iter().all(|line| line.contains("file=swapped.toml,line=4,")), "{swapped:?}");
     let (_, preset, _) = bench.check(&["cognifly-v8", "--format", "github"]);
     assert!(preset.lines().all(|line| !line.contains("file=")), "a preset is no file of theirs: {preset}");
 }
@@ -124,6 +132,14 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
     let (code, _, err) = bench.check(&["good.toml", "--baseline", "good.toml", "--update-baseline"]);
     assert!(code == 2 && err.contains("is no list of accepted findings"), "{err}");
     assert_eq!(bench.read("good.toml"), GOOD, "a slip in the path destroys nothing");
+    // One frame's update leaves the others' entries; two frames of one name cannot be told apart.
+    bench.write("heavy.toml", HEAVY);
+    let before = bench.read("accepted.json");
+    assert_eq!(bench.check(&["good.toml", "--baseline", "accepted.json", "--update-baseline"]).0, 0);
+    assert_eq!(bench.read("accepted.json"), before);
+    bench.write("other/heavy.toml", HEAVY);
+    let (code, _, err) = bench.check(&["heavy.toml", "other/heavy.toml", "--baseline", "accepted.json"]);
+    assert!(code == 2 && err.contains("heavy.toml and other/heavy.toml are both called `heavy`"), "{err}");
 }
 
 #[test]

@@ -100,6 +100,21 @@ fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
 }
 
 #[test]
+fn analytic_a_difference_that_is_told_as_zero_is_none() {
+    let bench = Bench::new(&[("hair.toml", "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 192.00001\n")]);
+    let (code, _, err) = bench.run(&["diff", "cognifly", "hair.toml", "--fail-on-increase", "envelope.width=0"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let json = bench.json(&["diff", "cognifly", "hair.toml", "--json"]);
+    assert!(json["measures"].as_array().expect("a list").iter().all(|m| m["trend"] == "neither"), "{json:#}");
+    assert_eq!([&json["masses"], &json["volumes"]], [&serde_json::json!([]); 2]);
+    // What was typed differs, and is told with the decimals that show it.
+    assert_eq!(json["parameters"][0]["told"], serde_json::json!(["192.00000", "192.00001"]));
+    bench.write("wide.toml", "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 192.1\n");
+    let (code, _, err) = bench.run(&["diff", "cognifly", "wide.toml", "--fail-on-increase", "envelope.width=0"]);
+    assert!(code == 1 && err.starts_with("envelope.width grew by 0.") && !err.contains("by 0.00 "), "{err}");
+}
+
+#[test]
 fn analytic_diff_writes_page_and_picture() {
     let bench = Bench::new(&[]);
     let (code, out, err) = bench.run(&["diff", "cognifly", "cognifly-mini", "-o", "out"]);
@@ -136,12 +151,34 @@ fn planted_a_file_against_its_former_self() {
         (&["diff", "--git", "nowhere", "mine.toml"][..], "this repository has no revision `nowhere`"),
         (&["diff", "--git=--output=x", "mine.toml"], "this repository has no revision `--output=x`"),
         (&["diff", "--git", "HEAD", "cognifly"], "cognifly is a preset"),
+        (&["diff", "--git", "HEAD", "frames/mine"], "frames/mine is neither a file nor a preset: the name of a frame's file ends in .toml"),
         (&["diff", "mine.toml"], "give two frames"),
         (&["diff", "--git", "HEAD", "mine.toml", "base.toml"], "give one frame with --git"),
     ] {
         let (code, _, err) = bench.run(arguments);
         assert!(code == 2 && err.contains(says), "{arguments:?}: {err}");
     }
+    // As in a hook, whose GIT_DIR means another folder's repository, or none.
+    fs::create_dir(bench.path("sub")).expect("can be made");
+    bench.write("sub/deep.toml", "base = \"../base\"\n");
+    bench.git(&["add", "sub"]);
+    bench.git(&["commit", "--quiet", "-m", "two"]);
+    for variables in [&[("GIT_DIR", ".git")][..], &[("GIT_DIR", "/nowhere"), ("GIT_WORK_TREE", "/")]] {
+        let done = bench.command(&["diff", "--git", "HEAD", "sub/deep.toml"]).envs(variables.iter().copied()).output().expect("starts");
+        assert_eq!(done.status.code(), Some(0), "{variables:?}: {}", String::from_utf8_lossy(&done.stderr));
+        assert!(String::from_utf8_lossy(&done.stdout).contains("limits.mass_budget_g"), "{variables:?}");
+    }
+    // A work tree whose repository lies elsewhere is known by these variables only.
+    let apart = Bench::new(&[("far.toml", "base = \"cognifly\"\n")]);
+    let (repository, tree) = (apart.path("elsewhere.git"), apart.folder.path());
+    let [repository, tree] = [repository.as_path(), tree].map(|path| path.to_str().expect("UTF-8").to_string());
+    apart.git(&["init", "--quiet", "--bare", &repository]);
+    let of = [format!("--git-dir={repository}"), format!("--work-tree={tree}")];
+    apart.git(&[&of[0], &of[1], "add", "far.toml"]);
+    apart.git(&[&of[0], &of[1], "commit", "--quiet", "-m", "one"]);
+    let variables = [("GIT_DIR", repository), ("GIT_WORK_TREE", tree)];
+    let done = apart.command(&["diff", "--git", "HEAD", "far.toml"]).envs(variables).output().expect("starts");
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
     bench.write("new.toml", "base = \"cognifly\"\n");
     let (code, _, err) = bench.run(&["diff", "--git", "HEAD", "new.toml"]);
     assert!(code == 2 && err.contains("it is not in "), "{err}");
@@ -181,6 +218,58 @@ fn analytic_explain_says_what_follows_from_five_percent() {
 }
 
 #[test]
+fn analytic_explain_labels_its_columns() {
+    let bench = Bench::new(&[]);
+    let (_, out, _) = bench.run(&["explain", "battery_mass_g"]);
+    let words = |start: &str| -> Vec<String> {
+        let line = out.lines().find(|line| line.trim_start().starts_with(start)).unwrap_or_else(|| panic!("no {start}: {out}"));
+        line.split_whitespace().map(String::from).collect()
+    };
+    assert_eq!(words("5 % less").join(" "), "5 % less as it is 5 % more");
+    assert_eq!(words("value    "), ["value", "58", "g", "(follows", "from", "bought.battery)"]);
+    assert_eq!(words("mass "), ["mass", "g", "-2.90", "231.55", "+2.90"]);
+    assert!(out.contains("left and right of the middle stands the change"), "{out}");
+    // At a bound there is no 5 % more.
+    bench.write("most.toml", "base = \"cognifly\"\n[limits]\nground_clearance_mm = 60.0\n");
+    let (_, out, _) = bench.run(&["explain", "ground_clearance_mm", "most.toml"]);
+    assert!(out.contains("at its most") && !out.contains("5 % more"), "{out}");
+}
+
+#[test]
+fn analytic_explain_says_what_a_name_chooses() {
+    let own = "base = \"cognifly\"\n[battery]\nbattery_mass_g = 70.0\n[bought]\nbattery = \"fat\"\n[override.parts.fat]\nkind = \"battery\"\n\
+               mass_g = 60.0\nmass_basis = \"measured\"\nsize_mm = [56.0, 30.0, 16.0]\nsource = \"a scale\"\n";
+    let bench = Bench::new(&[("mine.toml", own)]);
+    let (code, out, err) = bench.run(&["explain", "bought.battery", "mine.toml"]);
+    assert_eq!(code, 0, "{err}");
+    for part in [
+        "value    fat (mine.toml:5)",
+        "battery-2s-850",
+        ", fat",
+        "battery.battery_height_mm = 16 mm\n",
+        "(stated, does not follow: mine.toml:3)",
+    ] {
+        assert!(out.contains(part), "{part}: {out}");
+    }
+    assert!(!out.contains("\"none\"") && !out.contains("motor-1104"), "no frame flies without a battery: {out}");
+    assert!(bench.run(&["explain", "bought.camera"]).1.contains("or \"none\" for a frame without"));
+    for (key, value, name) in [
+        ("printer", "generic-0.4", "prusa-mk4"),
+        ("base", "cognifly", "cognifly-mini"),
+        ("materials.flexible", "tpu-95a", "pla"),
+        ("bought.motor_screw", "screw-m2x4", "screw-m2x6"),
+    ] {
+        let json = bench.json(&["explain", key, "mine.toml", "--json"]);
+        assert_eq!(json["value"], value, "{key}");
+        assert!(json["names"].as_array().expect("a list").iter().any(|known| known == name), "{json:#}");
+    }
+    let (code, _, err) = bench.run(&["explain", "bought.batery"]);
+    assert!(code == 2 && err.contains("did you mean `bought.battery`"), "{err}");
+    let (code, _, err) = bench.run(&["solve", "--minimise", "mass", "--vary", "bought.battery"]);
+    assert!(code == 2 && err.contains("is a name, not a number; `flexframe explain bought.battery` lists the names"), "{err}");
+}
+
+#[test]
 fn planted_solve_finds_a_lighter_frame_that_keeps_every_limit() {
     let bench = Bench::new(&[]);
     let arguments = [
@@ -211,6 +300,7 @@ fn planted_solve_finds_a_lighter_frame_that_keeps_every_limit() {
     let (code, out, err) = bench.run(&["solve", "--minimise", "mass", "--vary", "arm_rod", "--subject-to", "mass<=100", "--frames", "10"]);
     assert!(code == 1 && out.is_empty() && err.contains("mass<=100g is 2"), "{err}");
     for (more, says) in [
+        (["--minimise", "mass", "--vary", "arm_rod,arm_rod_length_mm=80..81"], "rods.arm_rod_length_mm stands there twice"),
         (["--minimise", "weight", "--vary", "arm_rod"], "there is no measure `weight`"),
         (["--minimise", "mass", "--vary", "arm_rod=90..70"], "give bounds as"),
         (["--minimise", "mass", "--vary", "arm_rod=1..70"], "within 40 to 180"),
@@ -245,7 +335,20 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
     let text = fs::read_to_string(bench.path("small.toml")).expect("is there");
     assert!(text.contains("envelope_width_mm = 195.0 # asked for") && text.contains("moved to keep every limit"), "{text}");
     assert_eq!(bench.run(&["check", "-q", "small.toml"]).0, 0);
+    // A base's own battery may be replaced, and the base is named by the way to it.
+    let own = "base = \"cognifly\"\n[bought]\nbattery = \"fat\"\n[override.parts.fat]\nkind = \"battery\"\nmass_g = 60.0\nmass_basis = \"measured\"\n\
+               size_mm = [56.0, 30.0, 16.0]\nsource = \"a scale\"\n";
+    fs::create_dir(bench.path("sub")).expect("can be made");
+    bench.write("sub/own.toml", own);
+    let (code, out, err) = bench.run(&["new", "slim", "--from", "sub/own.toml", "--battery", "battery-2s-850"]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(fs::read_to_string(bench.path("slim.toml")).expect("is there").contains("\nbase = \"sub/own.toml\"\n"));
+    assert_eq!(bench.run(&["check", "-q", "slim.toml"]).0, 0);
+    bench.write("cognifly-mini.toml", "base = \"cognifly\"\n");
     for (arguments, code, says) in [
+        (&["new", "y", "--from", "cognifly-mini", "--mass", "250"][..], 2, "is hidden by"),
+        (&["new", "cognifly", "--mass", "250"], 2, "cognifly is a preset"),
+        (&["new", "y", "--propeller", "motor-1104"], 2, "--propeller \"motor-1104\""),
         (&["new", "x"][..], 2, "say what is to be different"),
         (&["new", "../x", "--mass", "250", "--battery", "battery-of-nobody"], 2, "there is no bought part called `battery-of-nobody`"),
         (&["new", "a b", "--mass", "250"], 2, "cannot be a folder's name"),
@@ -284,6 +387,30 @@ fn analytic_bill_in_every_form() {
     assert_eq!(pieces, 28);
     let (_, csv, _) = bench.run(&["bom", "--format", "csv"]);
     assert!(csv.starts_with("kind,name,quantity,") && csv.contains("\nstock,rod-carbon-3-1,1,carbon,"), "{csv}");
+    // The three forms carry the same facts.
+    let (_, csv, _) = bench.run(&["bom", "priced.toml", "--format", "csv"]);
+    let columns: Vec<&str> = csv.lines().next().expect("a head").split(',').collect();
+    let field = |start: &str, column: &str| -> String {
+        let row = csv.lines().find(|row| row.starts_with(start)).unwrap_or_else(|| panic!("no {start}: {csv}"));
+        // Of these rows none has a quoted field before the column that is looked at.
+        let at = columns.iter().position(|known| *known == column).unwrap_or_else(|| panic!("no {column}: {csv}"));
+        let fields: Vec<&str> = if at > 8 { row.rsplitn(columns.len() - 8, ',').collect() } else { row.splitn(9, ',').collect() };
+        let at = if at > 8 { columns.len() - 1 - at } else { at };
+        fields[at].to_string()
+    };
+    let motor = ["price_each", "currency", "price_source"].map(|column| field("bought,motor,", column));
+    assert_eq!(motor, ["9.5", "EUR", "an invoice"]);
+    let screw = ["screw_thread_mm", "screw_length_mm"].map(|column| field("bought,motor_screw,", column));
+    assert_eq!(screw, ["2", "4"]);
+    let minutes: f64 = field("printed,knee,", "print_at_least_min").parse().expect("a number");
+    let knee = bill["print"].as_array().expect("a list").iter().find(|line| line["part"] == "knee").expect("is there");
+    assert!((minutes - knee["at_least_min"].as_f64().expect("a number")).abs() <= 0.0501, "{minutes} {knee}");
+    assert_eq!([field("extra,wiring,", "mass_total_g"), field("extra,wiring,", "mass_basis")], ["8.000", "estimate"]);
+    let wiring = bill["buy"].as_array().expect("a list").iter().find(|line| line["role"] == "wiring").expect("is there");
+    assert_eq!((wiring["mass_g"].as_f64(), wiring["kind"].as_str()), (Some(8.0), Some("extra")));
+    assert!(page.contains("| wiring | - | 1 | 8.00 | estimate | - |"), "{page}");
+    assert!(page.contains("| cage_rod | 8 | 192.00 | carbon |") && field("rod,cage_rod,", "length_mm") == "192.00", "{page}");
+    assert_eq!(bill["rods"].as_array().expect("a list").len(), 4);
     bench.write("half.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\n");
     let (code, _, err) = bench.run(&["bom", "half.toml"]);
     assert!(code == 2 && err.contains("lacks currency or price_source"), "{err}");
@@ -343,6 +470,7 @@ fn analytic_watch_says_what_a_save_changes() {
     fs::rename(bench.path("mine.toml~"), bench.path("mine.toml")).expect("can be renamed");
     let seen = until("after the save").join("\n");
     assert!(seen.contains("bought.battery battery-2s-850 -> battery-3s-450") && seen.contains("mended:"), "{seen}");
+    assert!(seen.contains("peak ") && seen.contains("reacts to mass and gap only"), "{seen}");
     assert_eq!(child.wait().expect("ends").code(), Some(0));
     let (code, _, err) = bench.run(&["watch", "cognifly"]);
     assert!(code == 2 && err.contains("watch a file"), "{err}");

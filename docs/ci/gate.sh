@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# gate.sh: holds frames against their limits, as a job of a build server. All of it is told by variables:
+# gate.sh: holds frames against their limits, as a job of a build server. It needs bash 4.4 or later. All of it is told by variables:
 #
 #   FLEXFRAME         the program; "flexframe" unless set
-#   FRAMES            files or patterns, separated by spaces; "frames/*.toml" unless set
+#   FRAMES            presets, files or patterns, separated by spaces; "frames/*.toml" unless set
 #   FORMAT            github (annotations) or text
 #   STRICT            true: notes beyond their figure fail
 #   BASELINE          a list of accepted findings
@@ -13,8 +13,10 @@
 #
 # Exit code: 0 good, 1 a limit is violated or something grew too much, 2 an input is wrong, 3 the machine failed.
 set -uo pipefail
+# As the program reads patterns: ** is any number of folders, and what begins with a dot is a file, too.
+shopt -s globstar nullglob dotglob || exit 3
 flexframe=${FLEXFRAME:-flexframe}
-read -ra frames <<<"${FRAMES:-frames/*.toml}"
+read -rd '' -a frames <<<"${FRAMES:-frames/*.toml}"
 
 options=()
 [[ ${STRICT:-} == true ]] && options+=(--strict)
@@ -29,16 +31,44 @@ code=$?
 [[ -n ${SARIF:-} ]] && check --format sarif >"$SARIF" 2>/dev/null
 [[ -n ${SUMMARY:-} ]] && check --format markdown >>"$SUMMARY" 2>/dev/null
 
+# fails CODE: the worst code is that of the job.
+fails() { (($1 > code)) && code=$1; }
+
+# A frame is made of its bases, too: it may be another one although its own file is the same.
+some_file_changed() {
+    ! git diff --quiet "$BASE" -- ':/*.toml' || [[ -n $(git ls-files --others --exclude-standard -- ':/*.toml') ]]
+}
+
+compare() {
+    local page grown
+    # What is new has no former self.
+    [[ $1 == *.toml && -f $1 ]] && git cat-file -e "$BASE:./$1" 2>/dev/null || return
+    page=$("$flexframe" diff --git "$BASE" --format markdown "${limits[@]}" -- "$1")
+    grown=$?
+    fails "$grown"
+    # One that is what it was has nothing to tell.
+    [[ -z $page || $page == *$'\nNo difference.'* ]] || printf '%s\n' "$page" >>"${SUMMARY:-/dev/stdout}"
+}
+
 if [[ -n ${BASE:-} ]]; then
     limits=()
-    for limit in ${FAIL_ON_INCREASE:-}; do limits+=(--fail-on-increase "$limit"); done
-    for frame in ${frames[*]}; do
-        # What is new has no former self, and what has not changed nothing to tell.
-        [[ $frame == *.toml && -f $frame ]] && git cat-file -e "$BASE:./$frame" 2>/dev/null || continue
-        git diff --quiet "$BASE" -- "$frame" && continue
-        "$flexframe" diff --git "$BASE" --format markdown "${limits[@]}" "$frame" >>"${SUMMARY:-/dev/stdout}"
-        grown=$?
-        ((grown > code)) && code=$grown
-    done
+    read -rd '' -a increases <<<"${FAIL_ON_INCREASE:-}"
+    for increase in "${increases[@]}"; do limits+=(--fail-on-increase "$increase"); done
+    if ! git rev-parse --verify --quiet "$BASE^{commit}" >/dev/null; then
+        echo "gate.sh: there is no revision $BASE to compare with; a shallow clone lacks it" >&2
+        fails 2
+    elif some_file_changed; then
+        declare -A seen=()
+        for pattern in "${frames[@]}"; do
+            # A file may have brackets in its name; then it is no pattern.
+            # shellcheck disable=SC2206
+            if [[ -e $pattern ]]; then found=("$pattern"); else found=($pattern); fi
+            for frame in "${found[@]}"; do
+                [[ -n ${seen[$frame]:-} ]] && continue
+                seen[$frame]=1
+                compare "$frame"
+            done
+        done
+    fi
 fi
 exit "$code"

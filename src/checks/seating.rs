@@ -48,7 +48,7 @@ impl SeatedEnd {
         let along = (other - end).normalize();
         let off_axis = libm::atan2(along.cross(&socket.axis).norm(), along.dot(&socket.axis));
         Self {
-            pair: [rod.name.clone(), socket.part.slug().into()],
+            pair: [rod.name.clone(), socket.body_name()],
             engagement_mm: socket.engagement_mm(end),
             limit_mm,
             above_bottom_mm: socket.axis.dot(&(end - socket.bottom)),

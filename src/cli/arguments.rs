@@ -97,7 +97,9 @@ pub(super) enum Command {
     )]
     Diff(DiffOptions),
     /// Say what a parameter is, what it drives, and what 5 % less and more of it do.
-    #[command(after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json")]
+    #[command(
+        after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json\n  flexframe explain bought.battery"
+    )]
     Explain(ExplainOptions),
     /// Write a variant of a frame, with what has to change to keep every limit.
     #[command(
@@ -246,7 +248,7 @@ pub(super) struct DiffOptions {
 /// Options of `explain`.
 #[derive(Debug, Args)]
 pub(super) struct ExplainOptions {
-    /// The parameter: its key with or without table, or a beginning of it.
+    /// The parameter: its key with or without table, or a beginning of it; or a key of a name, such as bought.battery.
     #[arg(value_name = "KEY")]
     pub key: String,
     /// Which frame.

@@ -25,7 +25,7 @@ pub(super) fn bom(options: &BomOptions, common: &Common) -> Result<ExitCode, Fai
     match options.format {
         _ if common.json => terminal::print_json(&bill)?,
         BomFormat::Json => terminal::print_json(&bill)?,
-        BomFormat::Csv => terminal::print(&bom::csv(&design, &masses, bill.kerf_mm))?,
+        BomFormat::Csv => terminal::print(&bom::csv(&bill))?,
         BomFormat::Markdown => terminal::print(&bill_page::markdown(&bill))?,
     }
     if let Some(error) = &bill.cut_error {

@@ -13,7 +13,7 @@ use super::terminal;
 use crate::assembly::mass::{self, MassTable};
 use crate::assembly::{Design, Printed};
 use crate::checks::{self, Finding, Verdict};
-use crate::export::{bom, glb, manifest, stl, three_mf};
+use crate::export::{bill, bom, glb, manifest, stl, three_mf};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
 use crate::plates::{self, Plate, Wanted};
@@ -56,7 +56,7 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bo
     }
     let frame = glb::frame(design, masses).map_err(std::io::Error::other).map_err(failed("cannot make frame.glb".into()))?;
     files.push(("frame.glb".into(), frame));
-    files.push(("bom.csv".into(), bom::csv(design, masses, bom::KERF_MM).into_bytes()));
+    files.push(("bom.csv".into(), bom::csv(&bill::bill(design, masses, None)).into_bytes()));
     // What lies on no bed is a finding of `check`; the parts are written all the same.
     if let Ok(plates) = plates::arrange(design, &plates::all(design)) {
         files.extend(plate_files(design, &plates)?);

@@ -19,7 +19,8 @@ use crate::params::{Frame, FrameFile, LoadError};
 /// Holds frames against their limits; exits 1 when one is violated, 2 when one does not read.
 pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
     let names = frames::expand(&options.frames)?;
-    let baseline = baseline(options)?;
+    let known = baseline(options)?;
+    let (baseline, former) = if options.update_baseline { (None, known) } else { (known, None) };
     let rules = Rules { strict: options.strict, baseline: baseline.as_ref() };
     let cache = Cache::new(!options.no_cache);
     let working = Progress::of("checking", common);
@@ -38,8 +39,11 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
     for message in &told {
         terminal::tell(message.trim_end());
     }
+    if options.baseline.is_some() {
+        told_apart(&outcomes)?;
+    }
     if options.update_baseline {
-        return update(options, common, &outcomes);
+        return update(options, common, &outcomes, former);
     }
     say(options, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &options.baseline) {
@@ -96,20 +100,34 @@ fn baseline(options: &CheckOptions) -> Result<Option<Baseline>, Failure> {
     let Some(path) = options.baseline.as_ref().filter(|path| !options.update_baseline || path.exists()) else { return Ok(None) };
     let (_, source) = read_source(path.clone())?;
     let wrong = |error| Failure::Usage {
-        message: format!("{} is no list of accepted findings: {error}; --update-baseline writes one", path.display()),
+        message: format!("{} is no list of accepted findings: {error}; remove it, and --update-baseline writes one", path.display()),
     };
     // A list that is replaced still has to be one: the path may be a slip.
-    let list = Baseline::parse(&source.text).map_err(wrong)?;
-    Ok((!options.update_baseline).then_some(list))
+    Baseline::parse(&source.text).map(Some).map_err(wrong)
 }
 
-/// Writes the list of what fails now. A frame that does not read keeps the list from being written.
-fn update(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<ExitCode, Failure> {
+/// A list knows frames by name: two of one name would answer for each other.
+fn told_apart(outcomes: &[Outcome]) -> Result<(), Failure> {
+    let held: Vec<(&str, &str)> = outcomes
+        .iter()
+        .filter_map(|outcome| outcome.result.as_ref().ok().map(|held| (held.frame.as_str(), outcome.asked.as_str())))
+        .collect();
+    for (at, (name, asked)) in held.iter().enumerate() {
+        if let Some((_, other)) = held[..at].iter().find(|(other, _)| other == name) {
+            let message = format!("--baseline: {other} and {asked} are both called `{name}`; give one of them another `name`");
+            return Err(Failure::Usage { message });
+        }
+    }
+    Ok(())
+}
+
+/// Writes the list of what fails now; frames that are not among these keep their entries. A frame that does not read keeps the list from being written.
+fn update(options: &CheckOptions, common: &Common, outcomes: &[Outcome], former: Option<Baseline>) -> Result<ExitCode, Failure> {
     let Some(path) = &options.baseline else { return Ok(ExitCode::SUCCESS) };
     if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
         return Ok(ExitCode::from(code));
     }
-    let list = Baseline::of_outcomes(outcomes);
+    let list = Baseline::of_outcomes(outcomes, former);
     let failed = |error| Failure::Machine { what: format!("cannot write {}", path.display()), error };
     if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         fs::create_dir_all(parent).map_err(failed)?;

@@ -57,9 +57,7 @@ fn sides(options: &DiffOptions) -> Result<[Side; 2], Failure> {
     match (&options.git, options.frames.as_slice()) {
         (None, [a, b]) => Ok([side(a, &Disk, "")?, side(b, &Disk, "")?]),
         (Some(name), [frame]) => {
-            if !frame.ends_with(".toml") {
-                return Err(Failure::Usage { message: format!("--git compares a file with its former self; {frame} is a preset") });
-            }
+            session::needs_file(frame, "--git compares a file with its former self")?;
             let revision = Revision::of(Path::new(frame), name)?;
             Ok([side(frame, &revision, &format!("@{}", revision.short()))?, side(frame, &Disk, "")?])
         }
@@ -85,13 +83,17 @@ fn json(difference: &Difference) -> serde_json::Value {
     value
 }
 
+/// What to say when a measure grew by more than allowed. Growth counts as it is told: one of 0.00 mm is none.
 fn exceeded(increase: &Increase, sides: &[Side; 2]) -> Option<String> {
     let [before, after] = sides.each_ref().map(|side| increase.measure.of(&side.evaluation));
     let grown = increase.exceeded(before, after)?;
     let Increase { measure, most } = increase;
-    let (name, unit) = (measure.name, measure.unit);
+    let (name, unit, told) = (measure.name, measure.unit, measure.told(Some(grown)));
+    if told.parse::<f64>().is_ok_and(|told| told <= *most) {
+        return None;
+    }
     Some(format!(
-        "{name} grew by {grown:.2} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
+        "{name} grew by {told} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
         measure.told(before),
         measure.told(after)
     ))

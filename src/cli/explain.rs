@@ -3,20 +3,30 @@
 use std::process::ExitCode;
 
 use super::arguments::{Common, ExplainOptions};
+use super::choice::{self, Choice, Followed};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
 use crate::params::parameter::Parameter;
+use crate::params::refusal::Place;
 use crate::params::{Frame, FrameFile, follows};
 use crate::variant::{MEASURES, PEAK_CAVEAT, Response, sensitivity};
 
 /// By how much the parameter is changed.
 const SHARE: f64 = 0.05;
 
-/// Explains a parameter.
+/// Explains a parameter, or a choice of a name.
 pub(super) fn explain(options: &ExplainOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let parameter = session::parameter(&options.key)?;
     let (frame, file) = session::load(&options.frame)?;
+    if let Some(choice) = choice::of(&options.key, &frame, &file)? {
+        if common.json {
+            terminal::print_json(&choice_json(&choice))?;
+        } else {
+            terminal::print(&choice_text(&choice))?;
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    let parameter = session::parameter(&options.key)?;
     let working = Progress::of("trying values", common);
     let responses = sensitivity(&file, &frame, parameter, SHARE);
     drop(working);
@@ -35,7 +45,7 @@ fn head(p: &Parameter, frame: &Frame, file: &FrameFile) -> String {
     text += format!("  value    {value} {unit}").trim_end();
     let stated = file.entries.get(&format!("{}.{}", p.table, p.key)).map(|entry| &entry.place);
     text += &match (stated, follows::role_of(p.key)) {
-        (Some(place), _) => format!(" ({}:{})\n", place.source.name, place.line_column()[0]),
+        (Some(place), _) => format!(" ({})\n", line_of(place)),
         (None, Some(role)) => format!(" (follows from bought.{role})\n"),
         (None, None) => "\n".into(),
     };
@@ -45,8 +55,62 @@ fn head(p: &Parameter, frame: &Frame, file: &FrameFile) -> String {
     text + &format!("\n  drives   {shapes}\n")
 }
 
+/// File and line of a place.
+fn line_of(place: &Place) -> String {
+    format!("{}:{}", place.source.name, place.line_column()[0])
+}
+
+fn choice_text(choice: &Choice) -> String {
+    let mut text = format!("{}\n  {}\n", choice.key, choice.what);
+    text += &match &choice.value {
+        Some((name, place)) => format!("  value    {name} ({})\n", line_of(place)),
+        None => "  value    no file states it\n".into(),
+    };
+    text += &format!("  names    {}\n", choice.names.join(", "));
+    choice.or.iter().for_each(|or| text += &format!("           or {or}\n"));
+    for (at, Followed { key, value, unit, stated }) in choice.sets.iter().enumerate() {
+        let value = value.map_or("-".into(), |value| round(value).to_string());
+        let stated = stated.as_ref().map_or(String::new(), |place| format!(" (stated, does not follow: {})", line_of(place)));
+        let head = if at == 0 { "sets" } else { "" };
+        text += format!("  {head:<8} {key} = {value} {unit}").trim_end();
+        text += &format!("{stated}\n");
+    }
+    text
+}
+
+fn choice_json(choice: &Choice) -> serde_json::Value {
+    let set = |set: &Followed| serde_json::json!({ "key": set.key, "value": set.value, "unit": set.unit, "stated": set.stated.is_some() });
+    serde_json::json!({
+        "schema_version": 1,
+        "key": choice.key,
+        "what": choice.what,
+        "value": choice.value.as_ref().map(|(name, _)| name),
+        "names": choice.names,
+        "or": choice.or,
+        "sets": choice.sets.iter().map(set).collect::<Vec<_>>(),
+    })
+}
+
+/// What a column's value is to the frame's own, which stands in the middle.
+fn title(p: &Parameter, responses: &[Response], at: usize) -> String {
+    let own = responses.get(1).map_or(f64::NAN, |response| response.value);
+    let value = responses[at].value;
+    let [which, farthest] = if at == 0 { ["less", "at its least"] } else { ["more", "at its most"] };
+    if at == 1 {
+        "as it is".into()
+    } else if value == p.min || value == p.max {
+        farthest.into()
+    } else if own == 0.0 {
+        which.into()
+    } else {
+        format!("{} % {which}", round(SHARE * 100.0))
+    }
+}
+
 fn table(p: &Parameter, responses: &[Response]) -> String {
-    let mut text = format!("{:<20} {:<4}", "", p.unit());
+    let mut text = format!("{:<25}", "");
+    (0..responses.len()).for_each(|at| text += &format!(" {:>12}", title(p, responses, at)));
+    text += &format!("\n{:<20} {:<4}", "value", p.unit());
     responses.iter().for_each(|response| text += &format!(" {:>12}", round(response.value)));
     text.push('\n');
     for (at, measure) in MEASURES.iter().enumerate() {
@@ -61,6 +125,9 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
             text += &format!(" {told:>12}");
         }
         text.push('\n');
+    }
+    if responses.get(1).is_some_and(|own| own.measures.is_ok()) {
+        text += "left and right of the middle stands the change against the frame as it is\n";
     }
     for response in responses {
         if let Err(why) = &response.measures {

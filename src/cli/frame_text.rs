@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::output;
 use super::session::Failure;
 use crate::params::frame_file::Value;
+use crate::params::preset;
 
 /// A line of a frame file.
 pub(super) struct Line {
@@ -25,6 +26,11 @@ pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
     if !plain {
         return Err(usage(format!("the name {stem:?} cannot be a folder's name: use letters, digits, '-', '_' and '.'")));
     }
+    if preset::text(stem).is_some() {
+        return Err(usage(format!(
+            "{stem} is a preset: files beside it that name it as their base would then mean this one; choose another name"
+        )));
+    }
     // A link that leads nowhere is something, too.
     if path.symlink_metadata().is_ok() {
         return Err(usage(format!("{} is there already: choose another name", path.display())));
@@ -32,23 +38,38 @@ pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
     Ok(path)
 }
 
-/// Writes a frame file.
+/// Writes a frame file on a base, which is named as [`base_for`] says.
 pub(super) fn write(place: &Path, base: &str, description: &str, lines: &[Line]) -> Result<(), Failure> {
-    let text = text(&base_for(place, base), description, lines);
+    let text = text(base, description, lines);
     output::write_new(place, text.as_bytes()).map_err(|error| Failure::Machine { what: format!("cannot write {}", place.display()), error })
 }
 
-/// A base as a file in another folder names it: a preset's name, the name of a file beside it, or a whole path.
-fn base_for(place: &Path, base: &str) -> String {
-    if !base.ends_with(".toml") {
-        return base.into();
-    }
+/// A base as a file in another folder names it: a preset's name, or the way from one file to the other.
+pub(super) fn base_for(place: &Path, base: &str) -> Result<String, Failure> {
     let folder = |path: &Path| std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_path_buf));
-    let file = Path::new(base);
-    match (folder(place), folder(file), file.file_name()) {
-        (Some(a), Some(b), Some(name)) if a == b => name.to_string_lossy().into_owned(),
-        _ => std::path::absolute(file).unwrap_or(file.to_path_buf()).display().to_string(),
+    let here = folder(place).unwrap_or_default();
+    if !base.ends_with(".toml") {
+        let shadow = here.join(format!("{base}.toml"));
+        if shadow.exists() {
+            let message = format!("the preset {base} is hidden by {}: give that file, or write elsewhere", shadow.display());
+            return Err(Failure::Usage { message });
+        }
+        return Ok(base.into());
     }
+    let file = Path::new(base);
+    let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    Ok(way(&here, &folder(file).unwrap_or_default()).map_or_else(|| base.to_string(), |way| way + &name))
+}
+
+/// The way from one folder to another, with a slash at its end; none between drives. Links on the way are resolved, where
+/// `..` would not lead back.
+fn way(from: &Path, to: &Path) -> Option<String> {
+    let real = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
+    let (from, to) = (real(from), real(to));
+    let (from, to): (Vec<_>, Vec<_>) = (from.components().collect(), to.components().collect());
+    let same = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    let up = (same > 0).then(|| "../".repeat(from.len() - same))?;
+    Some(to[same..].iter().fold(up, |way, part| format!("{way}{}/", part.as_os_str().to_string_lossy())))
 }
 
 fn text(base: &str, description: &str, lines: &[Line]) -> String {
@@ -73,7 +94,8 @@ fn text(base: &str, description: &str, lines: &[Line]) -> String {
     text
 }
 
-fn told(value: &Value) -> String {
+/// A value as TOML.
+pub(super) fn told(value: &Value) -> String {
     match value {
         Value::Number(number) => format!("{number:?}"),
         Value::Text(text) => quoted(text),
@@ -90,6 +112,12 @@ fn quoted(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::params::FrameFile;
+
+    #[test]
+    fn analytic_the_way_between_folders() {
+        let way = |from: &str, to: &str| way(Path::new(from), Path::new(to)).expect("a way");
+        assert_eq!([way("/a/b", "/a/b"), way("/a/b", "/a/c/d"), way("/a", "/a/c")], ["", "../c/d/", "c/"]);
+    }
 
     #[test]
     fn analytic_what_is_written_reads() {

@@ -1,5 +1,7 @@
 //! Frames by name, file or pattern.
 
+use std::collections::BTreeSet;
+
 use super::session::Failure;
 
 /// Most frames that one command takes.
@@ -12,10 +14,12 @@ const MOST_FRAMES: usize = 1000;
 /// When a pattern is none, or matches nothing.
 pub(super) fn expand(asked: &[String]) -> Result<Vec<String>, Failure> {
     let mut frames: Vec<String> = Vec::new();
+    let mut known = BTreeSet::new();
     for name in asked {
         let found = if is_pattern(name) { matches(name)? } else { vec![name.clone()] };
         for frame in found {
-            if !frames.contains(&frame) {
+            let real = std::fs::canonicalize(&frame).unwrap_or_else(|_| frame.clone().into());
+            if known.insert(real) {
                 frames.push(frame);
             }
         }

@@ -5,6 +5,7 @@ mod bom;
 mod build;
 mod cache;
 mod check;
+mod choice;
 mod diagnose;
 mod diff;
 mod drop;

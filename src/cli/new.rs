@@ -6,6 +6,7 @@ use super::arguments::{Common, FrameOption, NewOptions};
 use super::frame_text::{self, Line};
 use super::progress::Progress;
 use super::session::{self, Failure};
+use super::solve;
 use super::terminal;
 use crate::params::LoadError;
 use crate::params::frame_file::Value;
@@ -14,6 +15,7 @@ use crate::variant::{CreateError, Creation, Request, SolveError, create};
 /// Writes a variant; exits 1, and writes nothing, when no frame near by keeps every limit.
 pub(super) fn new(options: &NewOptions, common: &Common) -> Result<ExitCode, Failure> {
     let place = frame_text::place(&options.name)?;
+    let base = frame_text::base_for(&place, &options.from)?;
     let (from, mut file) = session::load(&FrameOption { frame: options.from.clone(), rigid: None })?;
     let envelope_mm = options.envelope.as_deref().map(envelope).transpose()?;
     let mut lines = wishes(options, envelope_mm);
@@ -23,7 +25,7 @@ pub(super) fn new(options: &NewOptions, common: &Common) -> Result<ExitCode, Fai
         });
     }
     for Line { key, value, .. } in &lines {
-        file.set(key, value.clone());
+        file.ask(key, value.clone(), asked_by(key, value));
     }
     file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let working = Progress::of("solving", common);
@@ -43,13 +45,24 @@ pub(super) fn new(options: &NewOptions, common: &Common) -> Result<ExitCode, Fai
         let why = format!("was {}; moved to keep every limit", moved.before);
         lines.push(Line { key: moved.key.clone(), value: Value::Number(moved.after), why });
     }
-    frame_text::write(&place, &options.from, &format!("Variant of {}", from.name), &lines)?;
+    frame_text::write(&place, &base, &format!("Variant of {}", from.name), &lines)?;
     if common.json {
         terminal::print_json(&json(&creation, &place.display().to_string()))?;
     } else if !common.quiet {
         terminal::print(&told(&creation, &lines, &place.display().to_string()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The words of the command line that ask for a value.
+fn asked_by(key: &str, value: &Value) -> String {
+    let value = frame_text::told(value);
+    match key.split_once('.') {
+        Some(("bought", role)) => format!("--{role} {value}"),
+        Some((_, "mass_budget_g")) => format!("--mass {value}"),
+        Some((_, "envelope_width_mm")) => format!("--envelope, width {value} mm"),
+        _ => format!("--envelope, height {value} mm"),
+    }
 }
 
 /// What was asked for, as lines of the file.
@@ -100,7 +113,7 @@ fn told(creation: &Creation, lines: &[Line], place: &str) -> String {
         text += &format!("{:<34} {value:>16}  {}\n", line.key, line.why);
     }
     let fails = "keeps every limit";
-    format!("{text}{place}: {:.1} g, {fails}; {} frames were looked at\n", creation.evaluation.masses.total_g, creation.looked_at)
+    format!("{text}{place}: {:.1} g, {fails}; {}\n", creation.evaluation.masses.total_g, solve::looked_at(creation.looked_at))
 }
 
 fn json(creation: &Creation, place: &str) -> serde_json::Value {

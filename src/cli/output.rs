@@ -91,5 +91,10 @@ pub(super) fn replace_file(place: &Path, bytes: &[u8]) -> io::Result<()> {
 /// Writes a file that is not there yet, so that no link that lies in its place is followed.
 pub(super) fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = fs::OpenOptions::new().write(true).create_new(true).open(path)?;
-    file.write_all(bytes)
+    let done = file.write_all(bytes);
+    if done.is_err() {
+        // Half a file would stand in the way of the next try; that it cannot be removed either changes nothing.
+        let _ = fs::remove_file(path);
+    }
+    done
 }

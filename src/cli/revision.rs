@@ -13,6 +13,17 @@ pub(super) struct Revision {
     commit: String,
     /// The repository's top folder.
     top: PathBuf,
+    /// How the repository was found.
+    found: Found,
+}
+
+/// How git finds a repository.
+#[derive(Clone, Copy)]
+enum Found {
+    /// It lies around the folder.
+    Around,
+    /// The variables `GIT_DIR` and `GIT_WORK_TREE` name it.
+    Named,
 }
 
 impl Revision {
@@ -20,12 +31,18 @@ impl Revision {
     pub fn of(file: &Path, name: &str) -> Result<Self, Failure> {
         let folder = file.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let usage = |message: String| Failure::Usage { message };
-        let top = git(folder, &["rev-parse", "--show-toplevel"])?
-            .ok_or_else(|| usage(format!("{} lies in no git repository", file.display())))?;
+        // A hook runs with GIT_DIR=.git, which means nothing in another folder: what lies around the file comes first.
+        let mut found = Found::Around;
+        let mut top = git(found, folder, &["rev-parse", "--show-toplevel"])?;
+        if top.is_none() {
+            found = Found::Named;
+            top = git(found, folder, &["rev-parse", "--show-toplevel"])?;
+        }
+        let top = top.ok_or_else(|| usage(format!("{} lies in no git repository", file.display())))?;
         // Without --end-of-options a name that begins with a dash would be taken for an option.
-        let commit = git(folder, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")])?;
+        let commit = git(found, folder, &["rev-parse", "--verify", "--quiet", "--end-of-options", &format!("{name}^{{commit}}")])?;
         let commit = commit.ok_or_else(|| usage(format!("this repository has no revision `{name}`")))?;
-        Ok(Self { commit, top: PathBuf::from(top) })
+        Ok(Self { commit, top: PathBuf::from(top), found })
     }
 
     /// The first digits of the commit.
@@ -63,13 +80,13 @@ fn plain(path: &Path) -> PathBuf {
 impl Files for Revision {
     fn is_file(&self, path: &Path) -> bool {
         let object = self.object(path);
-        object.is_some_and(|object| matches!(git(&self.top, &["cat-file", "-t", &object]), Ok(Some(kind)) if kind == "blob"))
+        object.is_some_and(|object| matches!(git(self.found, &self.top, &["cat-file", "-t", &object]), Ok(Some(kind)) if kind == "blob"))
     }
 
     fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
         let nowhere = || io::Error::new(io::ErrorKind::NotFound, format!("it is not in {}", self.short()));
         let object = self.object(path).ok_or_else(nowhere)?;
-        let mut child = command(&self.top, &["cat-file", "blob", &object]).stdout(Stdio::piped()).spawn()?;
+        let mut child = command(self.found, &self.top, &["cat-file", "blob", &object]).stdout(Stdio::piped()).spawn()?;
         let mut bytes = Vec::new();
         if let Some(out) = child.stdout.take() {
             io::Read::read_to_end(&mut io::Read::take(out, most), &mut bytes)?;
@@ -80,14 +97,19 @@ impl Files for Revision {
     }
 }
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
+fn command(found: Found, folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new("git");
+    if matches!(found, Found::Around) {
+        for name in ["GIT_DIR", "GIT_WORK_TREE", "GIT_COMMON_DIR"] {
+            command.env_remove(name);
+        }
+    }
     command.arg("-C").arg(folder).args(arguments).stdin(Stdio::null()).stderr(Stdio::null());
     command
 }
 
 /// What git prints, without the line's end; none when it fails.
-fn git(folder: &Path, arguments: &[&str]) -> Result<Option<String>, Failure> {
-    let output = command(folder, arguments).output().map_err(|error| Failure::Machine { what: "cannot run git".into(), error })?;
+fn git(found: Found, folder: &Path, arguments: &[&str]) -> Result<Option<String>, Failure> {
+    let output = command(found, folder, arguments).output().map_err(|error| Failure::Machine { what: "cannot run git".into(), error })?;
     Ok(output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim_end().to_string()))
 }

@@ -3,12 +3,13 @@
 use std::io;
 
 use super::arguments::FrameOption;
+use super::choice;
 use crate::assembly::{Design, DesignError};
 use crate::measured::Malformed;
-use crate::params::frame_file::{Entry, Value};
+use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
-use crate::params::refusal::{Place, Reason, Refusal, Source, nearest};
-use crate::params::{Frame, FrameFile, LoadError, parameters};
+use crate::params::refusal::{Reason, Refusal, nearest};
+use crate::params::{Frame, FrameFile, LoadError, parameters, preset};
 
 /// Why a command did not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -54,6 +55,18 @@ impl Failure {
     }
 }
 
+/// Refuses a frame that is no file where one is needed, and says what it is.
+pub(super) fn needs_file(frame: &str, why: &str) -> Result<(), Failure> {
+    if frame.ends_with(".toml") {
+        return Ok(());
+    }
+    let what = match preset::text(frame) {
+        Some(_) => format!("{frame} is a preset; a file with base = \"{frame}\" is the same frame"),
+        None => format!("{frame} is neither a file nor a preset: the name of a frame's file ends in .toml"),
+    };
+    Err(Failure::Usage { message: format!("{why}: {what}") })
+}
+
 /// Loads, resolves and designs a frame; every refusal points into the file.
 pub(super) fn design(option: &FrameOption) -> Result<Design, Failure> {
     let (frame, file) = load(option)?;
@@ -86,6 +99,9 @@ pub(super) fn parameter(key: &str) -> Result<&'static Parameter, Failure> {
     let begun: Vec<&'static Parameter> = parameters().filter(|p| within(p) && !bare.is_empty() && p.key.starts_with(bare)).collect();
     match begun[..] {
         [only] => Ok(only),
+        [] if choice::is_one(key) => {
+            Err(Failure::Usage { message: format!("`{key}` is a name, not a number; `flexframe explain {key}` lists the names") })
+        }
         [] => {
             let near = nearest(bare, parameters().map(|p| p.key));
             let meant = near.first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
@@ -102,11 +118,7 @@ pub(super) fn parameter(key: &str) -> Result<&'static Parameter, Failure> {
 pub(super) fn load(option: &FrameOption) -> Result<(Frame, FrameFile), Failure> {
     let mut file = FrameFile::load(&option.frame)?;
     if let Some(rigid) = &option.rigid {
-        let text = format!("--rigid {rigid}");
-        let span = 0..text.len();
-        let source = std::sync::Arc::new(Source { name: "command line".into(), text });
-        let entry = Entry { value: Value::Text(rigid.clone()), place: Place { source, span }, depth: 0 };
-        file.entries.insert("materials.rigid".into(), entry);
+        file.ask("materials.rigid", Value::Text(rigid.clone()), format!("--rigid {rigid}"));
     }
     resolved(file)
 }

@@ -7,9 +7,10 @@ use super::frame_text::{self, Line};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
+use crate::assembly::Workshop;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::variant::{Aim, Goal, MEASURES, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve};
+use crate::variant::{Aim, Evaluation, Goal, MEASURES, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve};
 
 /// Searches, says what it found, and writes it when asked to; exits 1 when no frame keeps every limit.
 pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, Failure> {
@@ -19,8 +20,12 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
     let goals = options.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
     let goals = goals.map_err(|error| usage(format!("--subject-to: {error}")))?;
     let place = options.output.as_ref().map(|name| frame_text::place(name)).transpose()?;
+    let base = place.as_ref().map(|place| frame_text::base_for(place, &options.frame.frame)).transpose()?;
     let (before, file) = session::load(&options.frame)?;
     let vary = options.vary.iter().map(|text| vary(text, &before)).collect::<Result<Vec<_>, _>>()?;
+    if let Some(twice) = vary.iter().enumerate().find(|(at, v)| vary[..*at].iter().any(|other| other.key() == v.key())) {
+        return Err(usage(format!("--vary: {} stands there twice", twice.1.key())));
+    }
     let working = Progress::of("searching", common);
     let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most: usize::from(options.frames) };
     let found = solve(&problem);
@@ -36,12 +41,18 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
     if common.json {
         terminal::print_json(&json(&solution))?;
     } else if !common.quiet {
-        terminal::print(&told(&solution, &before.name))?;
+        let begun = Evaluation::quick(before.clone(), &mut Workshop::default()).ok();
+        terminal::print(&told(&solution, &before.name, begun.as_ref()))?;
     }
-    if let Some(place) = place {
-        let lines: Vec<Line> = solution.values.iter().map(|(vary, before, after)| line(vary, *before, *after)).collect();
+    if let (Some(place), Some(base)) = (place, base) {
+        let mut lines: Vec<Line> = solution.values.iter().map(|(vary, before, after)| line(vary, *before, *after)).collect();
+        lines.extend(options.frame.rigid.as_ref().map(|rigid| Line {
+            key: "materials.rigid".into(),
+            value: Value::Text(rigid.clone()),
+            why: "--rigid".into(),
+        }));
         let what = format!("{} made small by flexframe solve", aim.doc);
-        frame_text::write(&place, &options.frame.frame, &what, &lines)?;
+        frame_text::write(&place, &base, &what, &lines)?;
         if !common.quiet && !common.json {
             terminal::print(&format!("{}: written\n", place.display()))?;
         }
@@ -71,18 +82,25 @@ fn vary(text: &str, frame: &Frame) -> Result<Vary, Failure> {
     Ok(Vary::around(parameter, frame, REACH))
 }
 
+/// How many frames a search looked at, in words.
+pub(super) fn looked_at(count: usize) -> String {
+    if count == 1 { "1 frame was looked at".into() } else { format!("{count} frames were looked at") }
+}
+
 fn line(vary: &Vary, before: f64, after: f64) -> Line {
     Line { key: vary.key(), value: Value::Number(after), why: format!("was {before}") }
 }
 
-fn told(solution: &Solution, before: &str) -> String {
-    let mut text = format!("{} frames were looked at\n\n{:<34} {:>10} {:>10}\n", solution.looked_at, "", before, "solved");
+/// What was found beside what there was; the frame that the search began at need not be one that can be built.
+fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String {
+    let mut text = format!("{}\n\n{:<34} {:>10} {:>10}\n", looked_at(solution.looked_at), "", before, "solved");
     for (vary, before, after) in &solution.values {
         text += &format!("{:<34} {before:>10.3} {after:>10.3} {}\n", vary.key(), vary.parameter.unit());
     }
     text.push('\n');
     for measure in &MEASURES {
-        text += &format!("{:<20} {:>10} {}\n", measure.name, measure.told(measure.of(&solution.evaluation)), measure.unit);
+        let [was, is] = [begun, Some(&solution.evaluation)].map(|evaluation| measure.told(evaluation.and_then(|e| measure.of(e))));
+        text += &format!("{:<34} {was:>10} {is:>10} {}\n", measure.name, measure.unit);
     }
     text += "\nwhat holds it back\n";
     for binding in &solution.binding {

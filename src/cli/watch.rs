@@ -22,11 +22,7 @@ const QUIET: Duration = Duration::from_millis(40);
 /// Holds the frame again at every save, with the parts that are the same as before, and says what changed; ends when it is
 /// interrupted, or after so many saves.
 pub(super) fn watch(options: &WatchOptions, common: &Common) -> Result<ExitCode, Failure> {
-    if !options.frame.frame.ends_with(".toml") {
-        return Err(Failure::Usage {
-            message: format!("{} is a preset: watch a file, such as one with base = \"{0}\"", options.frame.frame),
-        });
-    }
+    session::needs_file(&options.frame.frame, "watch a file")?;
     let mut workshop = Workshop::default();
     let (mut last, mut files) = match evaluated(&options.frame, &mut workshop) {
         Ok((evaluation, files)) => (Some(evaluation), files),

@@ -1,11 +1,12 @@
-//! The bill of materials as a value: what to print, what to buy, and how to cut the rods.
+//! The bill of materials as a value: what to print, what to buy, and how to cut the rods. Every form of it is made from this one.
 
 use serde::Serialize;
 
 use super::bom::{KERF_MM, rod_plan};
 use crate::assembly::Design;
-use crate::assembly::mass::MassTable;
+use crate::assembly::mass::{MassLine, MassTable};
 use crate::params::frame::NamedMaterial;
+use crate::skeleton::RodRole;
 
 /// A printed part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -29,9 +30,9 @@ pub struct PrintLine {
 pub struct BuyLine {
     /// Its role.
     pub role: String,
-    /// Its name in the catalogue.
+    /// Its name in the catalogue; none of an extra mass, such as wiring.
     pub name: String,
-    /// What it is.
+    /// What it is; `extra` when it stands in no catalogue.
     pub kind: String,
     /// How many; of rods, stock lengths.
     pub quantity: u32,
@@ -39,6 +40,8 @@ pub struct BuyLine {
     pub screw_mm: Option<[f64; 2]>,
     /// Mass of all, g; none for rods, whose cut pieces weigh.
     pub mass_g: Option<f64>,
+    /// How the mass is known, or which line it is counted in; none for rods.
+    pub mass_basis: Option<String>,
     /// Price of one, where the catalogue has one.
     pub price: Option<f64>,
     /// Currency of the price.
@@ -47,6 +50,21 @@ pub struct BuyLine {
     pub price_source: Option<String>,
     /// Where size and mass come from.
     pub source: String,
+}
+
+/// Rods of one length.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct RodLine {
+    /// Which.
+    pub rod: String,
+    /// How many.
+    pub quantity: u32,
+    /// Length of one, mm.
+    pub length_mm: f64,
+    /// Name of their material.
+    pub material: String,
+    /// Mass of all, g.
+    pub mass_g: f64,
 }
 
 /// A stock length and what is cut from it.
@@ -69,6 +87,8 @@ pub struct Bill {
     pub print: Vec<PrintLine>,
     /// What to buy.
     pub buy: Vec<BuyLine>,
+    /// Rods to cut.
+    pub rods: Vec<RodLine>,
     /// Length that rods are sold in, mm.
     pub stock_mm: f64,
     /// Width of a saw cut, mm.
@@ -94,10 +114,11 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
     let (stock_mm, plan) = rod_plan(design, kerf_mm);
     let cut_error = plan.as_ref().err().map(ToString::to_string);
     let stocks = plan.unwrap_or_default();
-    let piece = |(role, mm): &(crate::skeleton::RodRole, f64)| (role.slug(), *mm);
+    let piece = |(role, mm): &(RodRole, f64)| (role.slug(), *mm);
     let cut: Vec<CutLine> =
         stocks.iter().map(|stock| CutLine { pieces: stock.pieces.iter().map(piece).collect(), rest_mm: stock.rest_mm }).collect();
-    let buy = buy_lines(design, masses, cut.len() as u32);
+    let mut buy = buy_lines(design, masses, cut.len() as u32);
+    buy.extend(extra_lines(design, masses));
     let minutes = print.iter().map(|line| line.at_least_min).sum::<Option<f64>>();
     Bill {
         schema_version: 1,
@@ -108,6 +129,7 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
         without_price: buy.iter().filter(|line| line.price.is_none()).count(),
         print,
         buy,
+        rods: rod_lines(design, masses),
         stock_mm,
         kerf_mm,
         cut,
@@ -144,6 +166,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             quantity: if role == "rod" { stocks } else { item.quantity },
             screw_mm: part.thread_mm.zip(part.length_mm).map(|(thread, length)| [thread, length]),
             mass_g: weighed.map(|line| line.total_g),
+            mass_basis: weighed.map(|line| line.basis.clone()),
             price: part.price,
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
@@ -155,6 +178,38 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
     let screw = |line: &BuyLine| line.screw_mm.unwrap_or([-1.0, -1.0]);
     lines.sort_by(|a, b| screw(a)[0].total_cmp(&screw(b)[0]).then(screw(a)[1].total_cmp(&screw(b)[1])).then_with(|| a.role.cmp(&b.role)));
     lines
+}
+
+/// What weighs and has to be had, but stands in no catalogue.
+fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
+    let line = |line: &MassLine| BuyLine {
+        role: line.name.clone(),
+        name: String::new(),
+        kind: "extra".into(),
+        quantity: line.quantity,
+        screw_mm: None,
+        mass_g: Some(line.total_g),
+        mass_basis: Some(line.basis.clone()),
+        price: None,
+        currency: None,
+        price_source: None,
+        source: design.frame.extras.get(&line.name).map_or(String::new(), |extra| extra.source.clone()),
+    };
+    masses.lines.iter().filter(|line| line.kind == "extra").map(line).collect()
+}
+
+fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {
+    let line = |line: &MassLine| {
+        let role = RodRole::ALL.into_iter().find(|role| line.name == format!("{}_rod", role.slug()))?;
+        Some(RodLine {
+            rod: line.name.clone(),
+            quantity: line.quantity,
+            length_mm: design.skeleton.length_mm(role),
+            material: line.material.clone(),
+            mass_g: line.total_g,
+        })
+    };
+    masses.lines.iter().filter(|line| line.kind == "rod").filter_map(line).collect()
 }
 
 fn prices(buy: &[BuyLine]) -> Vec<(String, f64)> {

@@ -26,11 +26,12 @@ pub fn markdown(bill: &Bill) -> String {
 }
 
 fn buy(page: &mut String, bill: &Bill) {
-    *page += "## Buy\n\n| role | part | pieces | g in all | price of one | source |\n|---|---|---:|---:|---:|---|\n";
+    *page += "## Buy\n\n| role | part | pieces | g in all | how it is known | price of one | source |\n|---|---|---:|---:|---|---:|---|\n";
     for line in &bill.buy {
         let mass = line.mass_g.map_or("-".into(), |mass| format!("{mass:.2}"));
-        let _ =
-            writeln!(page, "| {} | {} | {} | {mass} | {} | {} |", line.role, name(line), line.quantity, price(line), cell(&line.source));
+        let basis = cell(line.mass_basis.as_deref().unwrap_or("-"));
+        let (role, pieces) = (cell(&line.role), line.quantity);
+        let _ = writeln!(page, "| {role} | {} | {pieces} | {mass} | {basis} | {} | {} |", name(line), price(line), cell(&line.source));
     }
     let sums: Vec<String> = bill.prices.iter().map(|(currency, sum)| format!("{sum:.2} {currency}")).collect();
     let _ = match sums[..] {
@@ -40,6 +41,9 @@ fn buy(page: &mut String, bill: &Bill) {
 }
 
 fn name(line: &BuyLine) -> String {
+    if line.name.is_empty() {
+        return "-".into();
+    }
     let screw = line.screw_mm.map_or(String::new(), |[thread, length]| format!(" (M{thread} x {length} mm)"));
     cell(&format!("{}{screw}", line.name))
 }
@@ -52,7 +56,12 @@ fn price(line: &BuyLine) -> String {
 }
 
 fn cut(page: &mut String, bill: &Bill) {
-    let _ = writeln!(page, "## Cut\n\nStock lengths of {:.0} mm, saw cuts of {} mm; no plan needs fewer.\n", bill.stock_mm, bill.kerf_mm);
+    *page += "## Cut\n\n| rod | pieces | length, mm | material | g in all |\n|---|---:|---:|---|---:|\n";
+    for line in &bill.rods {
+        let _ =
+            writeln!(page, "| {} | {} | {:.2} | {} | {:.2} |", line.rod, line.quantity, line.length_mm, cell(&line.material), line.mass_g);
+    }
+    let _ = writeln!(page, "\nStock lengths of {:.0} mm, saw cuts of {} mm; no plan needs fewer.\n", bill.stock_mm, bill.kerf_mm);
     if let Some(error) = &bill.cut_error {
         let _ = writeln!(page, "**{error}**");
         return;

@@ -1,8 +1,8 @@
 //! `bom.csv`: what to print, what to buy, and how to cut the rods from stock lengths.
 
+use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine};
 use super::cutting::{self, Stock, TooLong};
 use crate::assembly::Design;
-use crate::assembly::mass::MassTable;
 use crate::skeleton::RodRole;
 
 /// Width of a saw cut, mm.
@@ -28,51 +28,107 @@ fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLo
     cutting::plan(&RodRole::ALL.map(|role| (role, design.skeleton.length_mm(role), count(role))), stock_mm, kerf_mm)
 }
 
-/// The bill of materials as CSV (comma, quotes where needed, `\n`).
-pub fn csv(design: &Design, masses: &MassTable, kerf_mm: f64) -> String {
-    let mut rows = vec!["kind,name,quantity,material,length_mm,mass_each_g,mass_total_g,mass_basis,source".to_string()];
-    for line in &masses.lines {
-        let length =
-            RodRole::ALL.iter().find(|role| line.name == format!("{}_rod", role.slug())).map(|role| design.skeleton.length_mm(*role));
-        let source = design.frame.bought.get(&line.name).map(|item| item.part.source.clone());
-        let source = source.or_else(|| design.frame.extras.get(&line.name).map(|extra| extra.source.clone())).unwrap_or_default();
-        rows.push(format!(
-            "{},{},{},{},{},{:.3},{:.3},{},{}",
-            line.kind,
-            quoted(&line.name),
-            line.quantity,
-            quoted(&line.material),
-            length.map(|mm| format!("{mm:.2}")).unwrap_or_default(),
-            line.each_g,
-            line.total_g,
-            quoted(&line.basis),
-            quoted(&source)
-        ));
+/// Columns of the CSV; what a line has not stays empty.
+const COLUMNS: [&str; 17] = [
+    "kind",
+    "name",
+    "quantity",
+    "material",
+    "length_mm",
+    "mass_each_g",
+    "mass_total_g",
+    "mass_basis",
+    "source",
+    "volume_mm3",
+    "print_at_least_min",
+    "screw_thread_mm",
+    "screw_length_mm",
+    "price_each",
+    "currency",
+    "price_source",
+    "cut",
+];
+
+/// A line of the CSV, a field for each column.
+type Row = [String; COLUMNS.len()];
+
+/// The bill of materials as CSV (comma, quotes where needed, `\n`): lines of the kinds `printed`, `rod`, `bought`, `extra`, and
+/// `stock`, one for each stock length of rods, with how to cut it.
+pub fn csv(bill: &Bill) -> String {
+    let rows = bill.print.iter().map(printed_row).chain(bill.rods.iter().map(rod_row));
+    let rows = rows.chain(bill.buy.iter().filter(|line| line.role != "rod").map(bought_row)).chain(stock_rows(bill));
+    let rows = rows.map(|row| row.map(|field| quoted(&field)).join(","));
+    std::iter::once(COLUMNS.join(",")).chain(rows).map(|row| row + "\n").collect()
+}
+
+fn printed_row(line: &PrintLine) -> Row {
+    let mut row = weighed("printed", line.part, line.quantity, &line.material, line.mass_g, "computed");
+    row[9] = format!("{:.1}", line.volume_mm3);
+    row[10] = line.at_least_min.map(|minutes| format!("{minutes:.1}")).unwrap_or_default();
+    row
+}
+
+fn rod_row(line: &RodLine) -> Row {
+    let mut row = weighed("rod", &line.rod, line.quantity, &line.material, line.mass_g, "computed");
+    row[4] = format!("{:.2}", line.length_mm);
+    row
+}
+
+fn bought_row(line: &BuyLine) -> Row {
+    let kind = if line.kind == "extra" { "extra" } else { "bought" };
+    let basis = line.mass_basis.as_deref().unwrap_or_default();
+    let mut row = weighed(kind, &line.role, line.quantity, &line.name, line.mass_g.unwrap_or(0.0), basis);
+    row[8].clone_from(&line.source);
+    if let Some([thread_mm, length_mm]) = line.screw_mm {
+        (row[11], row[12]) = (thread_mm.to_string(), length_mm.to_string());
     }
-    rows.extend(cut_rows(design, kerf_mm));
-    rows.join("\n") + "\n"
+    priced(row, line)
 }
 
 /// A row a stock length: what to cut from it.
-fn cut_rows(design: &Design, kerf_mm: f64) -> Vec<String> {
-    let Some(rod) = design.frame.bought.get("rod") else { return Vec::new() };
-    let (stock_mm, plan) = rod_plan(design, kerf_mm);
-    match plan {
-        Ok(plan) => plan
-            .iter()
-            .enumerate()
-            .map(|(index, stock)| {
-                let cuts: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", role.slug())).collect();
-                let how = format!("cut: {}; rest {:.1}", cuts.join(" + "), stock.rest_mm);
-                format!("stock,{}-{},1,{},{stock_mm:.2},,,,{}", rod.name, index + 1, design.frame.rod_material.name, quoted(&how))
-            })
-            .collect(),
-        Err(error) => {
-            vec![format!("stock,{},0,{},{stock_mm:.2},,,,{}", rod.name, design.frame.rod_material.name, quoted(&error.to_string()))]
-        }
+fn stock_rows(bill: &Bill) -> Vec<Row> {
+    let Some(rod) = bill.buy.iter().find(|line| line.role == "rod") else { return Vec::new() };
+    let row = |name: String, quantity: &str, how: String| {
+        let mut row = Row::default();
+        row[0] = "stock".into();
+        row[1] = name;
+        row[2] = quantity.into();
+        row[3] = bill.rods.first().map_or(String::new(), |line| line.material.clone());
+        row[4] = format!("{:.2}", bill.stock_mm);
+        row[8].clone_from(&rod.source);
+        row[16] = how;
+        priced(row, rod)
+    };
+    if let Some(error) = &bill.cut_error {
+        return vec![row(rod.name.clone(), "0", error.clone())];
     }
+    let stock = |(at, stock): (usize, &CutLine)| {
+        let cuts: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();
+        row(format!("{}-{}", rod.name, at + 1), "1", format!("cut: {}; rest {:.1}", cuts.join(" + "), stock.rest_mm))
+    };
+    bill.cut.iter().enumerate().map(stock).collect()
+}
+
+fn weighed(kind: &str, name: &str, quantity: u32, material: &str, mass_g: f64, basis: &str) -> Row {
+    let mut row = Row::default();
+    row[0] = kind.into();
+    row[1] = name.into();
+    row[2] = quantity.to_string();
+    row[3] = material.into();
+    row[5] = format!("{:.3}", mass_g / f64::from(quantity.max(1)));
+    row[6] = format!("{mass_g:.3}");
+    row[7] = basis.into();
+    row
+}
+
+/// A row with the price of one.
+fn priced(mut row: Row, line: &BuyLine) -> Row {
+    row[13] = line.price.map(|price| price.to_string()).unwrap_or_default();
+    row[14] = line.currency.clone().unwrap_or_default();
+    row[15] = line.price_source.clone().unwrap_or_default();
+    row
 }
 
 fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_string() }
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_string() }
 }

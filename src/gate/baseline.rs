@@ -27,6 +27,12 @@ pub struct Accepted {
     pub unit: String,
 }
 
+impl Accepted {
+    fn key(&self) -> [&str; 3] {
+        [&self.frame, &self.rule, &self.subject]
+    }
+}
+
 /// A list of accepted findings.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -60,19 +66,22 @@ impl Baseline {
             unit: f.unit.clone().into_owned(),
         };
         let mut accepted: Vec<Accepted> = findings.map(accept).collect();
-        let key = |a: &Accepted| (a.frame.clone(), a.rule.clone(), a.subject.clone());
-        accepted.sort_by(|a, b| key(a).cmp(&key(b)).then(a.margin.total_cmp(&b.margin)));
-        accepted.dedup_by(|next, kept| key(next) == key(kept));
+        accepted.sort_by(|a, b| a.key().cmp(&b.key()).then(a.margin.total_cmp(&b.margin)));
+        accepted.dedup_by(|next, kept| next.key() == kept.key());
         Self { schema_version: VERSION, accepted }
     }
 
-    /// A list of all that fails, or would without a list.
-    pub fn of_outcomes(outcomes: &[Outcome]) -> Self {
-        let held = outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
-        Self::of(held.flat_map(|held| {
+    /// A list of all that fails, or would without a list; of frames that were not held, what a former list has.
+    pub fn of_outcomes(outcomes: &[Outcome], former: Option<Self>) -> Self {
+        let held = || outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
+        let mut list = Self::of(held().flat_map(|held| {
             let failing = held.findings.iter().filter(|judged| judged.standing >= Standing::Accepted);
             failing.map(|judged| (held.frame.as_str(), &judged.finding))
-        }))
+        }));
+        let kept = former.into_iter().flat_map(|former| former.accepted).filter(|a| held().all(|held| held.frame != a.frame));
+        list.accepted.extend(kept);
+        list.accepted.sort_by(|a, b| a.key().cmp(&b.key()));
+        list
     }
 
     /// Reads a list.

@@ -1,7 +1,7 @@
 //! Where a frame file drives a finding.
 //!
-//! Of a mass the largest contributors, of the envelope the rods, of a part what drives that part; a value that the file
-//! itself states before one of its bases', and the limit after what it limits. A preset that comes with the program is no
+//! Of a mass the largest contributors, heaviest first, of the envelope the rods, of a part what drives that part; but for
+//! masses a value that the file itself states comes before one of its bases', and the limit after what it limits. A preset that comes with the program is no
 //! file that anybody could change, so nothing points there.
 
 use std::sync::Arc;
@@ -9,10 +9,12 @@ use std::sync::Arc;
 use crate::assembly::mass::{MassLine, MassTable};
 use crate::checks::Finding;
 use crate::params::refusal::Place;
-use crate::params::{FrameFile, parameters};
+use crate::params::{FrameFile, follows, parameters};
 
 /// How many places are named at most.
 const MOST: usize = 3;
+/// How many of the heaviest lines are to blame for a mass; the messages name as many.
+const HEAVIEST: usize = 3;
 
 /// A place in a file that a person can change.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,8 +33,22 @@ impl Spot {
     /// Where a key was typed.
     pub fn at(key: &str, place: &Place) -> Self {
         let [line, column] = place.line_column();
-        Self { file: place.source.name.clone(), line, column, key: key.into() }
+        Self { file: plain(&place.source.name), line, column, key: key.into() }
     }
+}
+
+/// A path without `.` and `..` where that can be had without looking at the disk: readers of reports know files by such paths.
+fn plain(name: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    let (root, rest) = name.strip_prefix('/').map_or(("", name), |rest| ("/", rest));
+    for part in rest.split('/') {
+        match part {
+            "" | "." => {}
+            ".." if parts.last().is_some_and(|last| *last != "..") => drop(parts.pop()),
+            _ => parts.push(part),
+        }
+    }
+    format!("{root}{}", parts.join("/"))
 }
 
 /// Where a frame file drives a finding, the first most. None when there is no file to change.
@@ -46,13 +62,20 @@ pub fn spots(finding: &Finding, file: &FrameFile, masses: &MassTable) -> Vec<Spo
             stated.push((entry.depth, spot));
         }
     }
-    stated.sort_by_key(|(depth, _)| *depth);
+    if finding.rule == "mass_budget" {
+        // The heaviest comes first wherever it stands, unless the limit is what the nearer file changed.
+        let limit = limit_key(finding).unwrap_or_default();
+        let nearest = stated.iter().filter(|(_, spot)| spot.key != limit).map(|(depth, _)| *depth).min();
+        stated.sort_by_key(|(depth, spot)| spot.key != limit || nearest.is_some_and(|nearest| *depth >= nearest));
+    } else {
+        stated.sort_by_key(|(depth, _)| *depth);
+    }
     let mut spots: Vec<Spot> = stated.into_iter().map(|(_, spot)| spot).take(MOST).collect();
     if spots.is_empty() {
         spots.extend(file.base.as_ref().filter(|place| own(place)).map(|place| Spot::at("base", place)));
     }
     if spots.is_empty() {
-        spots.extend(file.files.first().map(|source| Spot { file: source.name.clone(), line: 1, column: 1, key: String::new() }));
+        spots.extend(file.files.first().map(|source| Spot { file: plain(&source.name), line: 1, column: 1, key: String::new() }));
     }
     spots
 }
@@ -65,13 +88,23 @@ fn drivers(finding: &Finding, masses: &MassTable) -> Vec<String> {
         "envelope" => keys.extend(envelope_keys(&finding.subject).iter().map(|key| key.to_string())),
         _ => {}
     }
-    keys.extend(finding.levers.iter().map(|lever| lever.clone().into_owned()));
+    for lever in finding.levers.iter() {
+        keys.extend(std::iter::once(lever.clone().into_owned()).chain(followed(lever, masses)));
+    }
     let named = |p: &&crate::params::parameter::Parameter| p.drives.iter().any(|part| finding.subject.contains(part.slug()));
     if !matches!(&*finding.rule, "mass_budget" | "envelope") {
         keys.extend(parameters().filter(named).map(|p| format!("{}.{}", p.table, p.key)));
     }
     keys.extend(limit_key(finding).map(String::from));
     keys
+}
+
+/// Where a lever that no file states comes from: the bought part that it follows, its own figures first.
+fn followed(lever: &str, masses: &MassTable) -> Vec<String> {
+    let Some(role) = follows::role_of(lever.rsplit('.').next().unwrap_or(lever)) else { return Vec::new() };
+    let part = masses.lines.iter().find(|line| line.kind == "bought" && line.name == role).map(|line| &line.material);
+    let figures = part.map(|part| ["size_mm", "mass_g"].map(|figure| format!("override.parts.{part}.{figure}")));
+    figures.into_iter().flatten().chain([format!("bought.{role}")]).collect()
 }
 
 /// Rods first, then what else makes the frame wide or high.
@@ -102,6 +135,7 @@ fn envelope_keys(subject: &str) -> [&'static str; 6] {
 fn mass_keys(masses: &MassTable) -> Vec<String> {
     let mut lines: Vec<&MassLine> = masses.lines.iter().filter(|line| line.total_g > 0.0).collect();
     lines.sort_by(|a, b| b.total_g.total_cmp(&a.total_g).then_with(|| a.name.cmp(&b.name)));
+    lines.truncate(HEAVIEST);
     lines.into_iter().flat_map(line_keys).collect()
 }
 

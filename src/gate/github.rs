@@ -38,8 +38,9 @@ fn of_frame(held: &Held) -> Vec<(u8, String)> {
         let title = format!("{}: {}", held.frame, finding.rule);
         lines.push((rank, command(word, spots.first(), &title, &format!("{}{accepted}{}", finding.message, why(held, judged)))));
         if *standing == Standing::Fails {
-            let others = spots.iter().skip(1).filter(|spot| spot.file == spots[0].file);
-            lines.extend(others.map(|spot| (2, command("notice", Some(spot), &title, &format!("`{}` drives this, too", spot.key)))));
+            lines.extend(
+                spots.iter().skip(1).map(|spot| (2, command("notice", Some(spot), &title, &format!("`{}` drives this, too", spot.key)))),
+            );
         }
     }
     lines

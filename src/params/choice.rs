@@ -44,8 +44,10 @@ impl Catalogues {
                     return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
                 }
             };
+            // A new entry is named by the frame, or says what it is: a base's own battery may be replaced by its variants.
             let named = file.entries.values().any(|entry| matches!(&entry.value, Value::Text(text) if text == name));
-            if !catalogue.contains_key(name) && !named {
+            let whole = file.entries.contains_key(&format!("override.{table}.{name}.kind"));
+            if !catalogue.contains_key(name) && !named && !whole {
                 let nearest = nearest(name, catalogue.keys().map(String::as_str));
                 return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
             }

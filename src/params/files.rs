@@ -25,11 +25,11 @@ impl Files for Disk {
     }
 
     fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
-        let file = std::fs::File::open(path)?;
-        if !file.metadata()?.is_file() {
-            // A pipe or a device may never end.
+        // A pipe or a device may never end, a pipe not even open.
+        if !std::fs::metadata(path)?.is_file() {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, "it is no file"));
         }
+        let file = std::fs::File::open(path)?;
         let mut bytes = Vec::new();
         io::Read::read_to_end(&mut io::Read::take(file, most), &mut bytes)?;
         Ok(bytes)

@@ -9,10 +9,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::files::{Disk, Files};
 use super::preset;
-use super::refusal::{Place, Reason, Refusal, Source, nearest};
-
-/// Longest chain of bases.
-const LONGEST_CHAIN: usize = 16;
+use super::refusal::{LONGEST_CHAIN, Place, Reason, Refusal, Source, nearest};
 
 /// Largest parameter file read, bytes.
 const LARGEST_FILE: u64 = 1 << 20;
@@ -208,12 +205,13 @@ impl FrameFile {
     /// Sets a value, as if the frame file stated it; a refusal of it still points to where the key was typed.
     pub fn set(&mut self, key: &str, value: Value) {
         let typed = self.entries.get(key).map(|entry| entry.place.clone());
-        let place = typed.unwrap_or_else(|| {
-            let text = format!("{key} = {}", value.to_toml());
-            let span = 0..text.len();
-            Place { source: Arc::new(Source { name: "command line".into(), text }), span }
-        });
+        let place = typed.unwrap_or_else(|| Place::of_command_line(format!("{key} = {}", value.to_toml())));
         self.entries.insert(key.into(), Entry { value, place, depth: 0 });
+    }
+
+    /// Sets a value that was asked for on the command line: a refusal points at these words of it.
+    pub fn ask(&mut self, key: &str, value: Value, words: String) {
+        self.entries.insert(key.into(), Entry { value, place: Place::of_command_line(words), depth: 0 });
     }
 
     /// Sets a number.

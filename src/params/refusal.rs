@@ -24,6 +24,12 @@ pub struct Place {
 }
 
 impl Place {
+    /// Words of the command line.
+    pub fn of_command_line(words: String) -> Self {
+        let span = 0..words.len();
+        Self { source: Arc::new(Source { name: "command line".into(), text: words }), span }
+    }
+
     /// Line and column of its first character, both from 1; columns count characters.
     pub fn line_column(&self) -> [usize; 2] {
         let text = &self.source.text;
@@ -33,6 +39,9 @@ impl Place {
         [before.matches('\n').count() + 1, before[line_start..].chars().count() + 1]
     }
 }
+
+/// Longest chain of bases.
+pub(super) const LONGEST_CHAIN: usize = 16;
 
 /// What is wrong with a frame file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -124,7 +133,7 @@ pub enum Reason {
         nearest: Vec<String>,
     },
     /// Bases that name each other, or too long a chain.
-    #[error("the chain of bases does not end: {chain}")]
+    #[error("the chain of bases does not end within {LONGEST_CHAIN} files: {chain}")]
     BaseChain {
         /// The names in order.
         chain: String,

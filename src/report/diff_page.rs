@@ -20,6 +20,9 @@ pub fn changes(difference: &Difference) -> String {
     };
     text += &shown(&difference.parameters, true).concat();
     text += &shown(&difference.measures, false).concat();
+    if difference.measures.iter().any(|c| c.name == "peak" && c.trend != Trend::Neither) {
+        text += &format!("  ({PEAK_CAVEAT})\n");
+    }
     for (word, messages) in [("broken", &difference.broken), ("mended", &difference.mended)] {
         messages.iter().for_each(|message| text += &format!("  {word}: {message}\n"));
     }

@@ -85,6 +85,11 @@ pub struct Socket {
 }
 
 impl Socket {
+    /// Name of the body that it is in, as the assembly names it.
+    pub fn body_name(&self) -> String {
+        format!("{}_{}", self.part.slug(), MODULE_NAMES[self.module % MODULE_NAMES.len()])
+    }
+
     /// Length of the rod inside the bore when its end lies here, mm.
     pub fn engagement_mm(&self, rod_end: &Point3<f64>) -> f64 {
         self.depth_mm - self.axis.dot(&(rod_end - self.bottom))

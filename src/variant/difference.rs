@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::measures::{Better, Evaluation, MEASURES};
 use crate::checks::Verdict;
+use crate::figures::decimals;
 use crate::params::{Frame, parameters};
 
 /// One of two frames.
@@ -58,18 +59,33 @@ impl Changed {
     pub fn grown_told(&self) -> String {
         let places = self.told.iter().map(|told| told.split_once('.').map_or(0, |(_, after)| after.len())).max().unwrap_or(0);
         self.grown().map_or(String::new(), |grown| {
-            let told = crate::figures::decimals(grown, places);
-            if grown > 0.0 && !told.trim_matches(['0', '.']).is_empty() { format!("+{told}") } else { told }
+            let told = decimals(grown, places);
+            if grown > 0.0 && shows(grown, places) { format!("+{told}") } else { told }
         })
     }
 }
 
-/// Two numbers with so many places that they look different when they are, up to six.
+/// Least difference of two numbers of frame files.
+const LEAST: f64 = 1e-6;
+
+/// Whether a difference is more than zeros when it is told with so many places.
+fn shows(difference: f64, places: usize) -> bool {
+    decimals(difference, places).contains(|digit: char| matches!(digit, '1'..='9'))
+}
+
+/// Whether both sides have a number, and the same one as far as its places tell: what is worked out is off in the last digits,
+/// and a difference that is told as 0 is none.
+fn same(values: [Option<f64>; 2], places: usize) -> bool {
+    matches!(values, [Some(a), Some(b)] if !shows(b - a, places))
+}
+
+/// Two numbers with so many places that they and their difference look different when they are, up to six.
 fn told_apart(values: [Option<f64>; 2], places: usize) -> [String; 2] {
-    let told = |places| values.map(|value| value.map_or(String::new(), |value| crate::figures::decimals(value, places)));
-    let differ = matches!(values, [Some(a), Some(b)] if (a - b).abs() > 1e-6);
-    let places = (places..=6).find(|places| !differ || told(*places)[0] != told(*places)[1]).unwrap_or(6);
-    told(places)
+    let told = |places| values.map(|value| value.map_or(String::new(), |value| decimals(value, places)));
+    let [Some(a), Some(b)] = values else { return told(places) };
+    let apart = |places: &usize| told(*places)[0] != told(*places)[1] && shows(b - a, *places);
+    let differ = (a - b).abs() > LEAST;
+    told(if differ { (places..=6).find(apart).unwrap_or(6) } else { places })
 }
 
 /// What two frames differ in.
@@ -123,7 +139,8 @@ impl Difference {
 fn parameter_changes(frames: [&Frame; 2]) -> Vec<Changed> {
     let numbers = parameters().filter_map(|p| {
         let values = frames.map(|frame| frame.value(p.table, p.key));
-        (values[0] != values[1]).then(|| Changed::numbers(format!("{}.{}", p.table, p.key), p.unit(), values, 2))
+        let same = matches!(values, [Some(a), Some(b)] if (a - b).abs() <= LEAST) || values == [None; 2];
+        (!same).then(|| Changed::numbers(format!("{}.{}", p.table, p.key), p.unit(), values, 2))
     });
     let roles: BTreeSet<&String> = frames.iter().flat_map(|frame| frame.bought.keys()).collect();
     let mut choices: Vec<(String, [String; 2])> = roles
@@ -149,8 +166,7 @@ fn paired(sides: [Vec<(String, f64)>; 2], unit: &'static str, places: usize) -> 
     let mut changes = Vec::new();
     for name in names {
         let values = [value(&sides[0], name), value(&sides[1], name)];
-        let same = matches!(values, [Some(a), Some(b)] if (a - b).abs() < 1e-9 * a.abs().max(1.0));
-        if !same {
+        if !same(values, places) {
             let mut changed = Changed::numbers(name.clone(), unit, values, places);
             let grown = values[1].unwrap_or(0.0) - values[0].unwrap_or(0.0);
             changed.trend = if grown < 0.0 { Trend::Better } else { Trend::Worse };
@@ -175,17 +191,16 @@ fn volume_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
 fn measure_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
     let change = |measure: &super::measures::Measure| {
         let values = sides.map(|e| measure.of(e));
-        let mut changed = Changed::numbers(measure.name.into(), measure.unit, values, measure.places());
+        let name = measure.name.to_string();
+        if same(values, measure.places()) {
+            return Changed { name, unit: measure.unit, told: values.map(|value| measure.told(value)), values, trend: Trend::Neither };
+        }
+        let mut changed = Changed::numbers(name, measure.unit, values, measure.places());
         let worse = |grown: f64| (grown > 0.0) == (measure.better == Better::Less);
         changed.trend = match changed.grown() {
-            Some(grown) if grown.abs() > 1e-6 => {
-                if worse(grown) {
-                    Trend::Worse
-                } else {
-                    Trend::Better
-                }
-            }
-            _ => Trend::Neither,
+            Some(grown) if worse(grown) => Trend::Worse,
+            Some(_) => Trend::Better,
+            None => Trend::Neither,
         };
         changed
     };
@@ -200,11 +215,22 @@ mod tests {
     fn analytic_numbers_that_differ_look_different() {
         assert_eq!(told_apart([Some(1.0), Some(1.0004)], 2), ["1.0000", "1.0004"]);
         assert_eq!(told_apart([Some(1.0), None], 2), ["1.00", ""]);
+        // Rounding alone does not tell them apart: their difference has to show, too.
+        assert_eq!(told_apart([Some(1.004_999), Some(1.005_001)], 2), ["1.004999", "1.005001"]);
         let changed = Changed::numbers("x".into(), "g", [Some(231.552), Some(263.6)], 2);
         assert_eq!((changed.told.clone(), changed.grown_told().as_str()), (["231.55".into(), "263.60".into()], "+32.05"));
         let less = Changed::numbers("x".into(), "g", [Some(2.0), Some(1.0)], 2);
         assert_eq!(less.grown_told(), "-1.00");
         assert_eq!(Changed::numbers("x".into(), "g", [Some(2.0), Some(2.0)], 2).grown_told(), "0.00");
+    }
+
+    #[test]
+    fn analytic_a_difference_that_is_told_as_zero_is_none() {
+        assert!(same([Some(209.49), Some(209.494)], 2) && !same([Some(209.49), Some(209.50)], 2));
+        assert!(same([Some(100.0), Some(100.4)], 0) && !same([Some(100.0), Some(99.0)], 0));
+        assert!(!same([Some(1.0), None], 2) && !same([None, None], 2));
+        let sides = [vec![("a".to_string(), 1.0)], vec![("a".to_string(), 1.004)]];
+        assert!(paired(sides, "g", 2).is_empty());
     }
 
     #[test]

@@ -52,17 +52,30 @@ def git(folder, *arguments):
     assert done.returncode == 0, done.stderr
 
 
-def sample(folder):
-    """A repository whose main branch keeps its limits, and a branch that adds a battery of 90 g."""
+def sample(folder, branches):
+    """A repository with a branch for each list of files; main comes first, and the others change it."""
     shutil.rmtree(folder, ignore_errors=True)
-    (folder / "frames").mkdir(parents=True)
+    folder.mkdir(parents=True)
     git(folder, "init", "--quiet")
-    for text, branch in ((LIGHT, "main"), (HEAVY, "heavy")):
+    for branch, files in branches.items():
         if branch != "main":
+            git(folder, "checkout", "--quiet", "main")
             git(folder, "checkout", "--quiet", "-b", branch)
-        (folder / "frames/light.toml").write_text(text)
+        for path, text in files.items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_text(text)
         git(folder, "add", ".")
         git(folder, "commit", "--quiet", "-m", branch)
+
+
+def own_repository(folder):
+    """This source tree as a repository of its own; its only commit."""
+    folder.mkdir(parents=True)
+    git(folder, "init", "--quiet")
+    tree = [f"--git-dir={folder / '.git'}", f"--work-tree={SOURCE}"]
+    git(SOURCE, *tree, "add", "--all", ".")
+    git(SOURCE, *tree, "commit", "--quiet", "-m", "source")
+    return run(["git", "rev-parse", "HEAD"], folder).stdout.strip()
 
 
 def expression(text, values):
@@ -70,7 +83,7 @@ def expression(text, values):
     return re.sub(r"\$\{\{\s*(.+?)\s*\}\}", lambda match: values[match[1]], text)
 
 
-def github(folder, kept, base):
+def github(folder, kept, base, frames="frames/*.toml"):
     """The action's own steps; their exit code, what they print, and the seconds they take."""
     action = SOURCE / "docs/ci/github"
     steps = yaml.safe_load((action / "action.yml").read_text())["runs"]["steps"]
@@ -78,7 +91,7 @@ def github(folder, kept, base):
     summary, output = temp / "summary.md", temp / "output.txt"
     summary.write_text("")
     output.write_text("")
-    inputs = {"inputs.frames": "frames/*.toml", "inputs.baseline": "", "inputs.strict": "false", "inputs.base": base, "inputs.fail-on-increase": "mass=2g"}
+    inputs = {"inputs.frames": frames, "inputs.baseline": "", "inputs.strict": "false", "inputs.base": base, "inputs.fail-on-increase": "mass=2g"}
     env = {"GITHUB_ACTION_PATH": str(action), "GITHUB_OUTPUT": str(output), "GITHUB_STEP_SUMMARY": str(summary), "RUNNER_TEMP": str(temp)}
     said, code, begun = "", 0, processor_s()
     for step in (step for step in steps if "run" in step):
@@ -91,16 +104,38 @@ def github(folder, kept, base):
     return code, said, summary.read_text(), processor_s() - begun
 
 
-def gitlab(folder, base):
+def gitlab(folder, base, url, revision):
     job = yaml.safe_load((SOURCE / "docs/ci/gitlab-ci.yml").read_text())
     frames = job["frames"]
-    source = folder / ".flexframe/source"
-    source.parent.mkdir(exist_ok=True)
-    if not source.exists():
-        source.symlink_to(SOURCE)
-    env = {**job["variables"], **frames["variables"], "CI_MERGE_REQUEST_DIFF_BASE_SHA": base}
+    told = {"FLEXFRAME_URL": str(url), "FLEXFRAME_REVISION": revision, "CI_MERGE_REQUEST_DIFF_BASE_SHA": base}
+    assert {"FLEXFRAME_URL", "FLEXFRAME_REVISION"} <= job["variables"].keys()
+    env = {**job["variables"], **frames["variables"], **told}
     done = run("set -eo pipefail\n" + "\n".join(frames["script"]), folder, env, shell=True)
     return done.returncode, done.stdout + done.stderr
+
+
+def grown(kept):
+    """What grows although no file that FRAMES names by its first letters has changed."""
+    def weighs(mass_g):
+        return f'base = "cognifly"\n[battery]\nbattery_mass_g = {mass_g}\n'
+
+    repository, heir = WORK / "ci/grown", 'base = "../shared/base.toml"\n'
+    first = {"shared/base.toml": weighs(58.0), "frames/heir.toml": heir, "frames/other.toml": LIGHT, "frames2/a/b/nested.toml": weighs(58.0)}
+    branches = {"main": first, "base": {"shared/base.toml": weighs(63.0)}, "nested": {"frames2/a/b/nested.toml": weighs(63.0)}}
+    sample(repository, branches)
+
+    git(repository, "checkout", "--quiet", "base")
+    code, said, summary, _ = github(repository, kept, "main")
+    result("gate.sh: a base that grows by 5 g fails its heir", code == 1 and "mass grew by 5.00 g" in said, f"exit code {code}: {said}")
+    result("gate.sh: what is the same is not told", "heir@" in summary and "other@" not in summary, summary)
+
+    git(repository, "checkout", "--quiet", "nested")
+    code, said, _, _ = github(repository, kept, "main", "cognifly frames2/**/*.toml")
+    result("gate.sh: a file two folders down that grows by 5 g fails", code == 1 and "mass grew by 5.00 g" in said, f"exit code {code}: {said}")
+    code, said, _, _ = github(repository, kept, "main", "cognifly")
+    result("gate.sh: a preset by its name passes", code == 0, f"exit code {code}: {said}")
+    code, said, _, _ = github(repository, kept, "nowhere", "cognifly")
+    result("gate.sh: a base revision that is not there fails", code == 2 and "there is no revision nowhere" in said, f"exit code {code}: {said}")
 
 
 def main():
@@ -108,7 +143,7 @@ def main():
     shutil.rmtree(WORK / "ci", ignore_errors=True)
     shutil.rmtree(WORK / "findings", ignore_errors=True)
     kept.parent.mkdir(parents=True)
-    sample(repository)
+    sample(repository, {"main": {"frames/light.toml": LIGHT}, "heavy": {"frames/light.toml": HEAVY}})
 
     git(repository, "checkout", "--quiet", "main")
     code, said, _, _ = github(repository, kept, "")
@@ -123,17 +158,23 @@ def main():
     result("GitHub action: what may not grow is told", "mass grew by" in said and "bought.battery" in summary, said)
     result(f"GitHub action: with a kept program in under {MOST_S} s", "was kept" in said and seconds < MOST_S, f"{seconds:.1f} s")
 
-    code, said = gitlab(repository, "main")
+    # What the job's cache keeps was built by the action already. The program is asked for by a commit, which no clone takes.
+    shutil.copytree(kept, repository / ".flexframe/kept")
+    source = WORK / "ci/source"
+    commit = own_repository(source)
+    code, said = gitlab(repository, "main", source, commit)
+    result("GitLab job: the program of a commit, as it was kept", "was kept" in said, said)
     result("GitLab job: a battery of 90 g fails", code == 1 and "takes off with" in said, f"exit code {code}: {said}")
     result("GitLab job: its report is there", "<failure" in (repository / "frames.xml").read_text(), "no failure in frames.xml")
     git(repository, "checkout", "--quiet", "main")
-    code, said = gitlab(repository, "")
+    code, said = gitlab(repository, "", source, "main")
     result("GitLab job: main passes", code == 0, said)
 
     (repository / "frames/old.toml").write_text('base = "cognifly"\n[limits]\nwall_extrusions = 2\n')
     code, said, _, _ = github(repository, kept, "")
     hint = [line for line in said.splitlines() if line.startswith("::error ") and "min_wall_nozzles" in line]
     result("GitHub action: a renamed key gives a hint", code == 2 and len(hint) == 1, said)
+    grown(kept)
 
 
 main()
