@@ -124,17 +124,23 @@ fn told_the_scatter(plan: &Plan) -> Option<&'static str> {
 }
 
 fn oracle(level: usize, from: u64, to: u64) {
-    let (mut good, mut all) = ([0; STRENGTHS.len()], [0; STRENGTHS.len()]);
+    let (mut good, mut all, mut detectable) = ([0; STRENGTHS.len()], [0; STRENGTHS.len()], [0; 2]);
     for spec in &CATALOGUE {
         for seed in from..to {
             for (at, strength) in STRENGTHS.iter().enumerate() {
                 let Some(plan) = at_strength(spec.id, seed, *strength, level) else { continue };
-                good[at] += usize::from(told_the_scatter(&plan) == Some(spec.id));
+                let right = usize::from(told_the_scatter(&plan) == Some(spec.id));
+                good[at] += right;
                 all[at] += 1;
+                if noncentrality(&plan).is_some_and(|found| found > DETECTABLE) {
+                    detectable[0] += right;
+                    detectable[1] += 1;
+                }
             }
         }
     }
-    println!("ORACLE level {level}: {good:?} of {all:?}, {}/{}", good.iter().sum::<usize>(), all.iter().sum::<usize>());
+    println!("ORACLE level {level}: detectable {}/{}, by strength {good:?} of {all:?}", detectable[0], detectable[1]);
+    println!("ORACLE level {level}: all {}/{}", good.iter().sum::<usize>(), all.iter().sum::<usize>());
 }
 
 struct Case {
