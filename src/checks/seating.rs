@@ -170,7 +170,10 @@ mod tests {
         let found = Planted::frame(|frame| frame.rods.arm_rod_slack_mm = 4.0).found(check);
         let broken = violated(&found);
         assert_eq!(broken.len(), 8, "{broken:?}");
-        assert!(broken.iter().all(|f| f.subject.contains(" in fork_") && f.subject.ends_with(": engagement") && (f.value - 3.5).abs() < 1e-9), "{broken:?}");
+        assert!(
+            broken.iter().all(|f| f.subject.contains(" in fork_") && f.subject.ends_with(": engagement") && (f.value - 3.5).abs() < 1e-9),
+            "{broken:?}"
+        );
     }
 
     #[test]
