@@ -222,7 +222,9 @@ python_agrees_with_manifests() {
 lib3mf_reads_plates() {
     heading "lib3mf reads every plate"
     if from_pypi; then
-        "$python" tests/external/check_3mf.py "$built"/*/ | tee -a "$results" || failed "lib3mf" "exit code $?"
+        local folders
+        mapfile -t folders < <(dirname "$built"/*/manifest.json)
+        "$python" tests/external/check_3mf.py "${folders[@]}" | tee -a "$results" || failed "lib3mf" "exit code $?"
     else
         skipped "lib3mf" "not installed"
     fi
