@@ -108,8 +108,8 @@ fn left_by_catalogue(plan: &Plan) -> Option<f64> {
     search.levels.iter().flat_map(|level| &level.candidates).map(|candidate: &Candidate| candidate.fitted.chi2()).min_by(f64::total_cmp)
 }
 
-/// The single effect with the best score for somebody who is told the generator's own covariance: no method that has to
-/// estimate it can be expected to name more.
+/// The single effect with the best score for somebody who is told the generator's own covariance: what is lost by having to
+/// estimate it. No bound: the score is ours, not the best there could be.
 fn told_the_scatter(plan: &Plan) -> Option<&'static str> {
     let few = waves(plan);
     let whitening = noise_free(plan)?.0.whitening;
