@@ -3,8 +3,10 @@
 //! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be; [`skeleton`] closes the
 //! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
 //! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
-//! [`mechanics`] presses, shakes and drops it by its own geometry; [`plates`] lays the parts on the printer's bed;
+//! [`mechanics`] presses, shakes and drops it by its own geometry; [`printability`] prints the parts in layers;
+//! [`plates`] lays them on the printer's bed;
 //! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
+//! [`coupon`] is what tells a printer's clearances, [`weighing`] compares masses with what slicer and scale say.
 //! [`gate`] judges findings for build servers, [`variant`] compares frames and searches for better ones.
 //! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
 //! reads real drops, [`fit`] brings a model to them.
@@ -18,6 +20,7 @@ pub mod assembly;
 pub mod body;
 pub mod checks;
 pub mod cli;
+pub mod coupon;
 pub mod diagnose;
 pub mod effects;
 pub mod export;
@@ -30,6 +33,7 @@ pub mod params;
 pub mod parts;
 pub mod plant;
 pub mod plates;
+pub mod printability;
 pub mod report;
 pub mod schema;
 pub mod sim;
@@ -37,3 +41,4 @@ pub mod skeleton;
 pub mod solid;
 pub mod units;
 pub mod variant;
+pub mod weighing;

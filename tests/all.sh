@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, junitparser, jsonschema, taplo), and the steps of docs/ci on a sample repository.
+# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), and the steps of docs/ci on a sample repository.
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
 # named and counted as skipped. With CI=true a skip is a failure, except that of the reference records,
@@ -90,6 +90,15 @@ from_pypi() {
     "$python" -c "$imports" 2>/dev/null
 }
 
+# OCCT by CadQuery's binding; some hundred megabytes, so it comes only when it is asked for.
+cadquery_from_pypi() {
+    [[ -x $python ]] || from_pypi || return
+    "$python" -c 'import OCP.STEPCAFControl' 2>/dev/null && return
+    echo "installing cadquery"
+    "$python" -m pip install --quiet --disable-pip-version-check cadquery==2.8.0 >>"$work/pip.log" 2>&1 || true
+    "$python" -c 'import OCP.STEPCAFControl' 2>/dev/null
+}
+
 # --- Rust --------------------------------------------------------------------------------------------------
 
 # Counts what cargo counted, one result a test.
@@ -136,14 +145,21 @@ build_presets() {
 }
 
 # The same input gives the same bytes: again, and on one thread and on two.
+every_folder() {
+    local command
+    "$binary" build --step -q -o "$1" || return
+    for command in fold stiffness coupon; do
+        "$binary" "$command" -q -o "$1" || return
+    done
+}
+
 same_bytes() {
     heading "the same bytes again"
     local once=$work/same/once threads
     rm -rf "$work/same"
-    { "$binary" build -q -o "$once" && "$binary" fold -q -o "$once"; } || { failed "same bytes" "build failed"; return; }
+    every_folder "$once" || { failed "same bytes" "build failed"; return; }
     for threads in 1 2; do
-        if RAYON_NUM_THREADS=$threads "$binary" build -q -o "$work/same/$threads" &&
-            RAYON_NUM_THREADS=$threads "$binary" fold -q -o "$work/same/$threads" &&
+        if RAYON_NUM_THREADS=$threads every_folder "$work/same/$threads" &&
             diff -r "$once" "$work/same/$threads"; then
             ok "same bytes on $threads thread(s)"
         else
@@ -183,7 +199,7 @@ slicer_slices_stls() {
 khronos_validates_glbs() {
     heading "the Khronos validator reads every GLB"
     if from_npm; then
-        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/*.glb | tee -a "$results" || true
+        node tests/external/validate_gltf.mjs "$gltf_validator" "$built"/*/*.glb "$work"/same/once/*-stiffness/*.glb | tee -a "$results" || true
     else
         skipped "Khronos glTF validator" "not installed"
     fi
@@ -230,13 +246,57 @@ lib3mf_reads_plates() {
     fi
 }
 
+# The other CAD kernel on STEP files: valid closed solids, volumes, and the assembly as in the GLB.
+occt_reads_steps() {
+    heading "OCCT reads the STEP files"
+    if ! cadquery_from_pypi; then
+        skipped "OCCT on STEP files" "cadquery is not installed"
+        return
+    fi
+    local frame folders=()
+    for frame in cognifly cognifly-v8; do
+        if "$binary" build "$frame" --step --no-pictures -q -o "$work/step"; then
+            folders+=("$work/step/$frame")
+        else
+            failed "STEP $frame" "build --step failed"
+        fi
+    done
+    "$python" tests/external/check_step.py "${folders[@]}" | tee -a "$results" || failed "STEP" "exit code $?"
+}
+
 # Plates as a person opens them, under a profile that contradicts them.
 slicer_slices_plates() {
-    heading "PrusaSlicer slices the plates of the default frame"
+    heading "PrusaSlicer slices the plates of every preset"
     if from_debian prusa-slicer prusa-slicer; then
-        bash tests/external/slice_plate.sh "$built/cognifly" "$work" | tee -a "$results" || failed "plates" "exit code $?"
+        printf '%s\0' "$built"/*/plates | xargs -0 -P "$jobs" -n 1 dirname |
+            xargs -P "$jobs" -I {} bash tests/external/slice_plate.sh {} "$work" | tee -a "$results" || failed "plates" "exit code $?"
+        heading "PrusaSlicer opens the plates of the default frame for every printer"
+        python3 tests/external/open_plates.py "$PWD/$binary" params/printers "$work/printers" | tee -a "$results" ||
+            failed "plates on printers" "exit code $?"
     else
         skipped "PrusaSlicer on plates" "not installed"
+    fi
+}
+
+# What the slicer fills each part with, beside its volume.
+slicer_weighs_parts() {
+    heading "PrusaSlicer weighs every part of the default frame"
+    if from_debian prusa-slicer prusa-slicer; then
+        "$binary" weigh --slicer --json >"$work/weighed.json" && python3 tests/external/weighed.py "$work/weighed.json" |
+            tee -a "$results" || failed "weigh --slicer" "exit code $?"
+    else
+        skipped "weigh --slicer" "not installed"
+    fi
+}
+
+# A coupon is printed in a quarter of an hour a material, by the slicer's own estimate.
+slicer_times_coupon() {
+    heading "PrusaSlicer slices the coupon"
+    if from_debian prusa-slicer prusa-slicer; then
+        "$binary" coupon --quiet --output "$work" && bash tests/external/slice_coupon.sh "$work/cognifly-coupon" "$work" |
+            tee -a "$results" || failed "coupon" "exit code $?"
+    else
+        skipped "PrusaSlicer on the coupon" "not installed"
     fi
 }
 
@@ -285,7 +345,10 @@ outside() {
     qpdf_reads_instructions
     python_agrees_with_manifests
     lib3mf_reads_plates
+    occt_reads_steps
     slicer_slices_plates
+    slicer_weighs_parts
+    slicer_times_coupon
     others_read_reports
     others_read_schemas
     ci_gates

@@ -470,3 +470,90 @@ fn regress_fold_draws_one_step() {
     assert_eq!(output.status.code(), Some(2));
     assert_says(&text(&output.stderr), &["there is no step 16", "1 to 15"]);
 }
+
+#[test]
+fn planted_print_factors_are_found_by_a_scale_and_written_back() {
+    let bench = Bench::new("base = \"cognifly\" # mine\n\n[limits]\nmass_budget_g = 230.0\n");
+    let frame = bench.path("frame.toml");
+    let told = |arguments: &[&str]| -> (Option<i32>, serde_json::Value) {
+        let output = flexframe(arguments);
+        (output.status.code(), serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", text(&output.stderr))))
+    };
+    let (code, before) = told(&["weigh", &frame, "--json"]);
+    assert_eq!(code, Some(0), "nothing is weighed yet");
+    let parts = before["parts"].as_array().expect("parts");
+    // TPU is printed with 0.9 of its volume, a little more or less from part to part; ABS with 0.97.
+    let mut table = String::from("part,quantity,mass_g\n");
+    for (at, part) in parts.iter().enumerate() {
+        let factor = if part["material"] == "tpu-95a" { 0.9 + if at % 2 == 0 { 0.01 } else { -0.01 } } else { 0.97 };
+        let mass_g = 4.0 * factor * part["solid_g"].as_f64().expect("g");
+        table += &format!("{},4,{mass_g:.2}\n", part["part"].as_str().expect("a name"));
+    }
+    bench.write("scale.csv", &table);
+    let (code, found) = told(&["weigh", &frame, &bench.path("scale.csv"), "--into", &frame, "--json"]);
+    assert_eq!(code, Some(0));
+    let factor = |at: usize| found["print_factors"][at]["print_factor"].as_f64().expect("a factor");
+    assert!((factor(0) - 0.9).abs() < 2e-3 && (factor(1) - 0.97).abs() < 1e-3, "{found}");
+    let interval = |at: usize, end: usize| found["print_factors"][at]["ci95"][end].as_f64().expect("an end");
+    assert!(interval(0, 0) < 0.9 && 0.9 < interval(0, 1) && interval(0, 1) - interval(0, 0) < 0.05, "{found}");
+    let written = fs::read_to_string(&frame).expect("is there");
+    assert!(written.starts_with("base = \"cognifly\" # mine\n"), "{written}");
+    let after_g = found["total_g"]["after"].as_f64().expect("g");
+    let masses: serde_json::Value = serde_json::from_slice(&flexframe(&["check", &frame, "--json"]).stdout).expect("JSON");
+    let counted =
+        masses["frames"][0]["findings"].as_array().expect("findings").iter().find(|f| f["rule"] == "mass_budget").expect("is checked");
+    assert!((counted["value"].as_f64().expect("g") - after_g).abs() < 0.02, "{after_g} {counted}");
+    // What a lighter limit would say.
+    bench.write("light.toml", "base = \"frame\"\n[limits]\nmass_budget_g = 200.0\n");
+    let output = flexframe(&["weigh", &bench.path("light.toml"), &bench.path("scale.csv")]);
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stdout));
+}
+
+#[test]
+fn analytic_readings_that_cannot_be_are_refused() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    for (table, said) in [
+        ("part,mass_g\nhubb,9\n", "did you mean `hub`"),
+        ("part,mass_g\nhub,9\nhub,90\n", "line 3"),
+        ("part,mass\nhub,9\n", "lacks the column `mass_g`"),
+        ("part,mass_g\nhub,nine\n", "no number"),
+    ] {
+        bench.write("scale.csv", table);
+        let output = flexframe(&["weigh", &bench.path("frame.toml"), &bench.path("scale.csv"), "--into", &bench.path("new.toml")]);
+        assert_eq!(output.status.code(), Some(2), "{table}");
+        assert!(text(&output.stderr).contains(said), "{}", text(&output.stderr));
+        assert!(!Path::new(&bench.path("new.toml")).exists());
+    }
+    let output = flexframe(&["weigh", "--slicer=there-is-no-such-slicer"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+}
+
+#[test]
+fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
+    let bench = Bench::new("base = \"cognifly\" # mine\n\n[fit]\nslide_clearance_mm = 0.3 # guessed\n");
+    let output = bench.run("coupon", &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for name in ["gauge.stl", "bar.stl", "bosses.stl", "gauge.ini", "coupon.md", "coupon.png"] {
+        assert!(Path::new(&bench.path("out/frame-coupon")).join(name).is_file(), "{name}");
+    }
+    let frame = bench.path("frame.toml");
+    let output = flexframe(&["coupon", &frame, "--read", "held=2.8,slides=3.1,hinge=2.5", "--into", &frame, "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let written = fs::read_to_string(&frame).expect("is there");
+    for line in [
+        "base = \"cognifly\" # mine",
+        "slide_clearance_mm = 0.1 # found",
+        "grip_clearance_mm = -0.2 # found",
+        "corner_hinge_thickness_mm = 2.5",
+    ] {
+        assert!(written.contains(line), "{written}");
+    }
+    // The bores follow.
+    let output = flexframe(&["params", &frame, "--filter", "clearance", "--json"]);
+    assert!(text(&output.stdout).contains("-0.2"), "{}", text(&output.stdout));
+    for wrong in ["held=2.85", "held=3.2", "hold=2.8", "held=3.1,slides=3.0"] {
+        let output = flexframe(&["coupon", &frame, "--read", wrong, "--into", &frame]);
+        assert_eq!(output.status.code(), Some(2), "{wrong}");
+        assert_eq!(fs::read_to_string(&frame).expect("is there"), written, "{wrong}");
+    }
+}

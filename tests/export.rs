@@ -305,7 +305,9 @@ fn analytic_the_bill_cuts_every_rod_once_and_wastes_nothing_unsaid() {
         for rod in list(&manifest, "rods") {
             let pieces = &cut[name(rod, "name")];
             assert_eq!(pieces.len() as u64, rod["quantity"].as_u64().expect("a count"), "{}: {rod}", built.preset);
-            assert!(pieces.iter().all(|mm| (mm - number(rod, "length_mm")).abs() <= 0.0501), "{}: {rod} {pieces:?}", built.preset);
+            let [sawn, whole] = ["sawn_mm", "length_mm"].map(|key| number(rod, key));
+            assert!(pieces.iter().all(|mm| (mm - sawn).abs() < 1e-9), "{}: {rod} {pieces:?}", built.preset);
+            assert!((2.0 * sawn).fract() == 0.0 && (0.0..0.5).contains(&(whole - sawn)), "{}: {rod}", built.preset);
         }
         let total: f64 = rows.iter().filter_map(|row| row[6].parse::<f64>().ok()).sum();
         assert!((total - number(&manifest, "total_mass_g")).abs() < ROUNDED * rows.len() as f64, "{}: {total}", built.preset);

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each layer and those that it may import; a layer stands below every layer that names it.
-const LAYERS: [(&str, &[&str]); 23] = [
+const LAYERS: [(&str, &[&str]); 26] = [
     ("units", &[]),
     ("figures", &[]),
     ("params", &["figures"]),
@@ -14,9 +14,12 @@ const LAYERS: [(&str, &[&str]); 23] = [
     ("parts", &["units", "params", "solid"]),
     ("assembly", &["units", "params", "skeleton", "solid", "parts"]),
     ("mechanics", &["units", "params", "skeleton", "solid", "parts", "assembly"]),
-    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly", "mechanics"]),
-    ("plates", &["params", "assembly"]),
+    ("printability", &["units", "params", "solid", "assembly"]),
+    ("checks", &["units", "figures", "params", "skeleton", "solid", "assembly", "mechanics", "printability"]),
+    ("plates", &["params", "assembly", "printability"]),
     ("export", &["units", "params", "skeleton", "solid", "assembly", "mechanics", "plates"]),
+    ("weighing", &["units", "params", "assembly"]),
+    ("coupon", &["units", "params", "solid"]),
     ("gate", &["params", "assembly", "checks"]),
     ("body", &["assembly", "checks"]),
     ("effects", &["params", "body"]),
@@ -36,6 +39,7 @@ const LAYERS: [(&str, &[&str]); 23] = [
             "solid",
             "assembly",
             "checks",
+            "printability",
             "plates",
             "export",
             "body",
@@ -46,6 +50,8 @@ const LAYERS: [(&str, &[&str]); 23] = [
             "diagnose",
             "variant",
             "mechanics",
+            "weighing",
+            "coupon",
         ],
     ),
     (
@@ -69,12 +75,14 @@ const LAYERS: [(&str, &[&str]); 23] = [
             "plant",
             "report",
             "mechanics",
+            "weighing",
+            "coupon",
         ],
     ),
 ];
 
 /// What may stand in one layer only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 39] = [
+const CONFINED: [(&str, &str); 41] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -101,6 +109,8 @@ const CONFINED: [(&str, &str); 39] = [
     ("notify::", "cli"),
     ("Command::new", "cli"),
     ("faer::", "mechanics"),
+    ("toml_edit", "cli"),
+    ("statrs", "weighing"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

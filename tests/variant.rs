@@ -409,7 +409,7 @@ fn analytic_bill_in_every_form() {
     let wiring = bill["buy"].as_array().expect("a list").iter().find(|line| line["role"] == "wiring").expect("is there");
     assert_eq!((wiring["mass_g"].as_f64(), wiring["kind"].as_str()), (Some(8.0), Some("extra")));
     assert!(page.contains("| wiring | - | 1 | 8.00 | estimate | - |"), "{page}");
-    assert!(page.contains("| cage_rod | 8 | 192.00 | carbon |") && field("rod,cage_rod,", "length_mm") == "192.00", "{page}");
+    assert!(page.contains("| cage_rod | 8 | 192.0 | 192.00 | carbon |") && field("rod,cage_rod,", "length_mm") == "192.00", "{page}");
     assert_eq!(bill["rods"].as_array().expect("a list").len(), 4);
     bench.write("half.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\n");
     let (code, _, err) = bench.run(&["bom", "half.toml"]);

@@ -4,7 +4,7 @@ use nalgebra::Isometry3;
 
 use crate::params::PartName;
 use crate::skeleton::RodRole;
-use crate::solid::{Mesh, MeshSolid};
+use crate::solid::{Feature, Mesh, MeshSolid};
 
 /// What a body is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,6 +36,8 @@ pub struct Shape {
     pub solid: MeshSolid,
     /// Mesh for files and pictures.
     pub mesh: Mesh,
+    /// What the mesh was made of, where it is not folded from something else.
+    pub feature: Option<Feature>,
     /// Volume by the B-rep kernel, mm³, where it builds the shape without booleans.
     pub exact_mm3: Option<f64>,
 }

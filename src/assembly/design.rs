@@ -145,7 +145,16 @@ impl Design {
         let solid = MeshSolid::build(feature).melted();
         let mesh = solid.mesh();
         let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
-        self.add_shape(Shape { name: name.into(), kind, material: material.into(), colour, solid, mesh, exact_mm3 })
+        self.add_shape(Shape {
+            name: name.into(),
+            kind,
+            material: material.into(),
+            colour,
+            solid,
+            mesh,
+            feature: Some(feature.clone()),
+            exact_mm3,
+        })
     }
 
     fn place_printed(&mut self) {
@@ -155,8 +164,9 @@ impl Design {
             let material = self.material_of(name);
             let (material, colour) = (material.name.clone(), material.material.colour);
             let mesh = solid.mesh();
-            let shape =
-                self.add_shape(Shape { name: name.slug().into(), kind: Kind::Printed(name), material, colour, solid, mesh, exact_mm3 });
+            let feature = part.bends.is_empty().then(|| part.feature.clone());
+            let kind = Kind::Printed(name);
+            let shape = self.add_shape(Shape { name: name.slug().into(), kind, material, colour, solid, mesh, feature, exact_mm3 });
             let poses = placements(name, &self.frame, &self.skeleton);
             if poses.is_empty() {
                 let pose = self.centre.pose(name);

@@ -1,6 +1,7 @@
 //! The assembled frame: every part made once, flat and folded, and put where the skeleton says.
 
 mod body;
+pub mod compensated;
 mod design;
 pub mod fold;
 pub mod mass;

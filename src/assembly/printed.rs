@@ -26,6 +26,10 @@ pub struct Printed {
     pub folded: MeshSolid,
     /// The flat solid in print orientation, resting on z = 0.
     pub printed: MeshSolid,
+    /// The flat solid with all its detail, in its own axes: each facet stands for one surface of the feature.
+    pub raw: MeshSolid,
+    /// From the part's axes to those in which it is printed.
+    pub print_pose: Isometry3<f64>,
     /// The mesh of it that is written.
     pub mesh: Mesh,
     /// What the export gate saw.
@@ -49,20 +53,58 @@ impl Printed {
     /// Makes a part by its recipe; nothing else enters.
     pub(super) fn by(name: PartName, recipe: Recipe) -> Result<Self, GateError> {
         let Recipe { feature, bends, print_turn } = recipe;
-        let flat = MeshSolid::build(&feature).melted();
-        let turned = flat.placed(&Isometry3::from_parts(Translation3::identity(), print_turn));
-        if turned.is_empty() {
-            return Err(GateError::Empty);
-        }
-        let low = turned.bounds_mm()[0];
-        let printed = turned.placed(&Isometry3::translation(0.0, 0.0, -low[2]));
+        let raw = MeshSolid::build(&feature);
+        let flat = raw.melted();
+        let (printed, print_pose) = laid(&flat, &print_turn)?;
         let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
         let folded = if bends.is_empty() { flat.clone() } else { bent(&flat, &bends)? };
         let exact_volume_mm3 = Brep::build(&feature).map(|brep| brep.volume_mm3());
         exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
-        Ok(Self { name, volume_mm3: mesh.volume_mm3(), feature, bends, flat, folded, printed, mesh, topology, exact_volume_mm3 })
+        Ok(Self {
+            name,
+            volume_mm3: mesh.volume_mm3(),
+            feature,
+            bends,
+            raw,
+            flat,
+            folded,
+            printed,
+            print_pose,
+            mesh,
+            topology,
+            exact_volume_mm3,
+        })
     }
+}
+
+/// The solid as it is printed, resting on z = 0, and the way there from its own axes.
+pub(super) fn laid(flat: &MeshSolid, print_turn: &UnitQuaternion<f64>) -> Result<(MeshSolid, Isometry3<f64>), GateError> {
+    let turn = Isometry3::from_parts(Translation3::identity(), *print_turn);
+    let turned = flat.placed(&turn);
+    if turned.is_empty() {
+        return Err(GateError::Empty);
+    }
+    let low = turned.bounds_mm()[0];
+    let lift = Isometry3::translation(0.0, 0.0, -low[2]);
+    Ok((turned.placed(&lift), lift * turn))
+}
+
+/// The mesh of a solid, with the first of these amounts of detail, mm, melted away that lets it pass the gate.
+///
+/// # Errors
+/// What the gate says to the last.
+pub(super) fn melted(raw: &MeshSolid, melts_mm: &[f64]) -> Result<(MeshSolid, Mesh), GateError> {
+    let mut refused = GateError::Empty;
+    for below_mm in melts_mm {
+        let solid = raw.without_detail(*below_mm);
+        let mesh = solid.mesh();
+        match gate::pass(&mesh) {
+            Ok(_) => return Ok((solid, mesh)),
+            Err(error) => refused = error,
+        }
+    }
+    Err(refused)
 }
 
 /// Detail that is melted away after a bend, mm, in the order in which it is tried.
@@ -71,16 +113,7 @@ const MELTS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
 /// part of a hundred; then less is taken away.
 fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
-    let raw = bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid));
-    let mut refused = GateError::Empty;
-    for below_mm in MELTS_MM {
-        let folded = raw.without_detail(below_mm);
-        match gate::pass(&folded.mesh()) {
-            Ok(_) => return Ok(folded),
-            Err(error) => refused = error,
-        }
-    }
-    Err(refused)
+    Ok(melted(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &MELTS_MM)?.0)
 }
 
 /// A part before it is made.

@@ -4,16 +4,22 @@
 
 mod bed;
 mod bounds;
+mod bridge;
 mod cartridge;
 mod centre_of_mass;
 mod clearance;
 mod envelope;
 mod finding;
 mod fold;
+mod footing;
 mod ground;
 mod hinge;
 mod interference;
+mod island;
+mod layer_direction;
 mod mass_budget;
+mod overhang;
+mod printing;
 mod propeller;
 mod scene;
 mod seating;
@@ -54,7 +60,7 @@ enum Pace {
 }
 
 /// Every rule, in the order of the report.
-const RULES: [(Rule, Pace); 14] = [
+const RULES: [(Rule, Pace); 16] = [
     (envelope::check, Pace::Short),
     (mass_budget::check, Pace::Short),
     (centre_of_mass::check, Pace::Short),
@@ -69,6 +75,8 @@ const RULES: [(Rule, Pace); 14] = [
     (wall::check, Pace::Short),
     (cartridge::check, Pace::Short),
     (bed::check, Pace::Short),
+    (layer_direction::check, Pace::Short),
+    (printing::check, Pace::Long),
 ];
 
 /// Holds a design against its limits. The order of the findings depends on the design only.
@@ -76,7 +84,8 @@ pub fn check(design: &Design, masses: &MassTable) -> Vec<Finding> {
     found(design, masses, &[Pace::Short, Pace::Long])
 }
 
-/// The same without the rule that moves all parts through all steps of the fold, which takes longer than the rest.
+/// The same without the rules that take longer than the rest: they move all parts through all steps of the fold, and look for
+/// what hangs over air in all layers.
 pub fn quick(design: &Design, masses: &MassTable) -> Vec<Finding> {
     found(design, masses, &[Pace::Short])
 }

@@ -32,7 +32,9 @@ const WALL_SHARE: f64 = 0.8;
 pub struct SeatedEnd {
     /// The rod and the part.
     pub pair: [String; 2],
-    /// Length of the rod inside the bore, mm.
+    /// What the rod is sawn to, mm.
+    pub sawn_mm: f64,
+    /// Length of the rod inside the bore, mm, when all that is sawn off is missing at this end.
     pub engagement_mm: f64,
     /// Least, mm.
     pub limit_mm: f64,
@@ -49,7 +51,8 @@ impl SeatedEnd {
         let off_axis = libm::atan2(along.cross(&socket.axis).norm(), along.dot(&socket.axis));
         Self {
             pair: [rod.name.clone(), socket.body_name()],
-            engagement_mm: socket.engagement_mm(end),
+            sawn_mm: rod.sawn_mm(),
+            engagement_mm: socket.engagement_mm(end) - (rod.length_mm() - rod.sawn_mm()),
             limit_mm,
             above_bottom_mm: socket.axis.dot(&(end - socket.bottom)),
             off_axis_deg: Angle::rad(off_axis).to_deg(),
@@ -57,13 +60,15 @@ impl SeatedEnd {
     }
 
     fn findings(&self, levers: &'static [&'static str]) -> [Finding; 3] {
-        let Self { pair: [rod, part], engagement_mm, limit_mm, above_bottom_mm, off_axis_deg } = self;
+        let Self { pair: [rod, part], sawn_mm, engagement_mm, limit_mm, above_bottom_mm, off_axis_deg } = self;
         let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, levers };
         let engagement = measure(*engagement_mm, *limit_mm, "mm");
         let [depth, least] = engagement.figures(2);
         [
-            engagement
-                .at_least(format!("{rod} in {part}: engagement"), format!("{rod} sits {depth} mm deep in {part}, {least} mm are needed")),
+            engagement.at_least(
+                format!("{rod} in {part}: engagement"),
+                format!("{rod}, sawn to {sawn_mm:.1} mm, sits {depth} mm deep in {part}, {least} mm are needed"),
+            ),
             measure(*above_bottom_mm, 0.0, "mm").at_least(
                 format!("{rod} in {part}: bottom"),
                 format!("{rod} ends {} mm above the bottom of its bore in {part}", decimals(*above_bottom_mm, 2)),
@@ -174,6 +179,18 @@ mod tests {
             broken.iter().all(|f| f.subject.contains(" in fork_") && f.subject.ends_with(": engagement") && (f.value - 3.5).abs() < 1e-9),
             "{broken:?}"
         );
+    }
+
+    #[test]
+    fn analytic_bores_take_up_what_is_sawn_off() {
+        let mut rod = Planted::preset("cognifly").design.skeleton.rods[0].clone();
+        let way = (rod.end - rod.start).normalize();
+        for (longer, sawn) in [(0.0, 192.0), (0.3, 192.0), (0.49, 192.0), (0.5, 192.5)] {
+            rod.end = rod.start + way * (192.0 + longer);
+            let end = SeatedEnd::of(&rod, 0, 4.0);
+            let whole = rod.sockets[0].engagement_mm(&rod.start);
+            assert!((end.sawn_mm - sawn).abs() < 1e-9 && (whole - end.engagement_mm - (192.0 + longer - sawn)).abs() < 1e-9, "{end:?}");
+        }
     }
 
     #[test]

@@ -1,8 +1,8 @@
-//! No wall is thinner than what the nozzle can lay: two lines side by side.
+//! No wall is thinner than what the nozzle can lay, two lines side by side; no gap is narrower than a line.
 //!
-//! Measured on the mesh that is printed. From the middle of facets a ray goes inwards to the opposite facet; where that
-//! one faces away from the first it is a wall, and the ray's length its thickness. Reported is the thickness that
-//! [`AREA_MM2`] of the looked-at surface falls below, so that a sliver at a tangent edge is no wall. Facets are taken by
+//! Measured on the mesh that is printed: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
+//! ([`Walls`]). Floors and roofs, which no cut shows, by rays from the middle of facets that lie flatter than 45°; where
+//! the opposite facet faces away from the first it is a floor, and the ray's length its thickness. Facets are taken by
 //! size, [`SAMPLES`] a part: a thin spot smaller than the smallest of these is not seen, nor is the edge of a wedge.
 
 use nalgebra::{Point3, Vector3};
@@ -13,11 +13,13 @@ use super::scene::Scene;
 use crate::assembly::Printed;
 use crate::figures::decimals;
 use crate::params::PartName;
+use crate::params::catalogue::{Material, Printer};
+use crate::printability::{Thin, Walls};
 use crate::solid::MeshSolid;
 
 /// Facets looked at, a part.
 const SAMPLES: usize = 500;
-/// Surface that must be thin before a wall is, mm².
+/// Surface that must be thin before a floor is, mm².
 const AREA_MM2: f64 = 0.5;
 /// Walls thicker than this many limits are not measured.
 const REACH: f64 = 4.0;
@@ -25,53 +27,64 @@ const REACH: f64 = 4.0;
 const OPPOSITE: f64 = 0.9;
 /// Rays start this far inside, mm.
 const INSIDE_MM: f64 = 1e-4;
+/// Least upward or downward part of the direction of a floor's facet.
+const LYING: f64 = 0.7;
 
-/// The thinnest wall of a part.
+/// The thinnest wall or the narrowest gap of a part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThinnestWall {
     /// The part.
     pub part: PartName,
-    /// Thickness, mm; the reach of the measurement when every wall is thicker.
-    pub thickness_mm: f64,
-    /// Where, in print axes, mm.
-    pub at_mm: [f64; 3],
-    /// Least thickness, mm.
+    /// Whether it is a gap.
+    pub gap: bool,
+    /// Thickness or width, mm, and where; nothing when all are beyond the reach of the measurement.
+    pub thinnest: Option<Thin>,
+    /// Least thickness or width, mm.
     pub limit_mm: f64,
 }
 
 impl ThinnestWall {
-    fn of(part: &Printed, limit_mm: f64) -> Self {
+    /// Of a part: wall or floor, and gap.
+    fn of(part: &Printed, printer: &Printer, material: &Material) -> [Self; 2] {
+        let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
         let reach = REACH * limit_mm;
-        let mut found = Self { part: part.name, thickness_mm: reach, at_mm: [0.0; 3], limit_mm };
-        let mut walls: Vec<(f64, f64, Point3<f64>)> = facets(part)
-            .into_iter()
-            .filter_map(|facet| facet.wall_mm(&part.printed, reach).map(|t| (t, facet.area_mm2, facet.middle)))
-            .collect();
-        walls.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut area = 0.0;
-        for (thickness_mm, area_mm2, middle) in walls {
-            area += area_mm2;
-            if area >= AREA_MM2 {
-                (found.thickness_mm, found.at_mm) = (thickness_mm, middle.into());
-                break;
-            }
-        }
-        found
+        let Walls { wall, gap } = Walls::of(&part.mesh, printer.layer_mm(material), reach);
+        let thinnest = [wall, floor(part, reach)].into_iter().flatten().min_by(|a, b| a.mm.total_cmp(&b.mm));
+        let one = |gap, thinnest, limit_mm| Self { part: part.name, gap, thinnest, limit_mm };
+        [one(false, thinnest, limit_mm), one(true, gap, printer.line_mm())]
     }
 
     fn finding(&self) -> Finding {
-        let Self { part, thickness_mm, at_mm, limit_mm } = self;
-        let [x, y, z] = at_mm.map(|mm| decimals(mm, 1));
-        let levers = levers(*part);
-        let measure = Measure { rule: "thinnest_wall", value: *thickness_mm, limit: *limit_mm, unit: "mm", levers };
-        let [thickness, needed] = measure.figures(2);
-        let message = if *thickness_mm < REACH * limit_mm {
-            format!("the thinnest wall of {part} is {thickness} mm (at {x}, {y}, {z} as printed), the nozzle needs {needed} mm")
-        } else {
-            format!("every wall of {part} is over {thickness} mm, the nozzle needs {needed} mm")
+        let Self { part, gap, thinnest, limit_mm } = self;
+        let reach_mm = REACH * limit_mm;
+        let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));
+        let rule = if *gap { "narrowest_gap" } else { "thinnest_wall" };
+        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: levers(*part) };
+        let [size, needed] = measure.figures(2);
+        let where_it_is = thinnest.map(|thin| thin.at_mm.map(|mm| decimals(mm, 1)).join(", "));
+        let message = match (where_it_is.filter(|_| value < reach_mm), gap) {
+            (Some(at), false) => format!("the thinnest wall of {part} is {size} mm (at {at} as printed), the nozzle needs {needed} mm"),
+            (None, false) => format!("every wall of {part} is over {size} mm, the nozzle needs {needed} mm"),
+            (Some(at), true) => format!("the narrowest gap of {part} is {size} mm (at {at} as printed), a line fills {needed} mm"),
+            (None, true) => format!("every gap of {part} is over {size} mm, a line fills {needed} mm"),
         };
         measure.at_least(part.slug().into(), message)
     }
+}
+
+/// The thinnest floor or roof.
+fn floor(part: &Printed, reach_mm: f64) -> Option<Thin> {
+    let mut floors: Vec<(Thin, f64)> = facets(part)
+        .into_iter()
+        .filter(|facet| facet.normal.z.abs() >= LYING)
+        .filter_map(|facet| facet.wall_mm(&part.printed, reach_mm).map(|mm| (Thin { mm, at_mm: facet.middle.into() }, facet.area_mm2)))
+        .collect();
+    floors.sort_by(|a, b| a.0.mm.total_cmp(&b.0.mm));
+    let mut area = 0.0;
+    floors.into_iter().find_map(|(thin, area_mm2)| {
+        area += area_mm2;
+        (area >= AREA_MM2).then_some(thin)
+    })
 }
 
 /// The keys of the part's thinnest walls.
@@ -122,9 +135,10 @@ fn facets(part: &Printed) -> Vec<Facet> {
 }
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
-    let printer = &scene.design.frame.printer;
-    let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
-    scene.design.printed.par_iter().map(|part| ThinnestWall::of(part, limit_mm).finding()).collect()
+    let design = scene.design;
+    let of = |part: &Printed| ThinnestWall::of(part, &design.frame.printer, &design.material_of(part.name).material);
+    let found: Vec<[ThinnestWall; 2]> = design.printed.par_iter().map(of).collect();
+    found.iter().flatten().map(ThinnestWall::finding).collect()
 }
 
 #[cfg(test)]

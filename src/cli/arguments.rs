@@ -114,6 +114,16 @@ pub(super) enum Command {
     /// Say at every save of a frame file what it changed.
     #[command(after_help = "Example:\n  flexframe watch light.toml")]
     Watch(WatchOptions),
+    /// Write a small print that tells a printer's clearances; read what was found on it into a frame file.
+    #[command(
+        after_help = "Examples:\n  flexframe coupon\n  flexframe coupon my-frame.toml --read held=2.8,slides=3.1,window=0.1,plug=0.2 --into my-frame.toml\n\nThe folder's coupon.md says what to look for. A frame file with another one as its base has the clearances of that one."
+    )]
+    Coupon(CouponOptions),
+    /// Compare what parts weigh by volume, in a slicer and on a scale, and fit the print factors to the scale.
+    #[command(
+        after_help = "Examples:\n  flexframe weigh --slicer\n  flexframe weigh measured.csv\n  flexframe weigh my-frame.toml measured.csv --slicer --into my-frame.toml\n\nReadings are a CSV table with the columns part,mass_g and, where several lay on the scale, quantity. --slicer runs\nPrusaSlicer, which has to be installed. Exit code 1 when the frame, with the fitted factors, is heavier than its limit."
+    )]
+    Weigh(WeighOptions),
     /// List what to print, to buy and to cut.
     #[command(after_help = "Examples:\n  flexframe bom light.toml\n  flexframe bom light.toml --format csv --kerf 1.5 > bom.csv")]
     Bom(BomOptions),
@@ -154,6 +164,9 @@ pub(super) struct BuildOptions {
     /// Leave out the pictures.
     #[arg(long)]
     pub no_pictures: bool,
+    /// Write STEP files, too: one a part, and `frame.step` with everything in its place.
+    #[arg(long, conflicts_with = "part")]
+    pub step: bool,
     /// Plates of one printed part alone, to print it again, into the folder `FRAME-PART`.
     #[arg(long, value_name = "PART")]
     pub part: Option<String>,
@@ -308,6 +321,40 @@ pub(super) struct SolveOptions {
     /// Write the answer as NAME.toml.
     #[arg(short, long, value_name = "NAME")]
     pub output: Option<String>,
+}
+
+/// Options of `coupon`.
+#[derive(Debug, Args)]
+pub(super) struct CouponOptions {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// What was found: held, slides, window, plug, hinge, each with the number on the coupon in mm.
+    #[arg(long, value_delimiter = ',', value_name = "WHAT=MM", requires = "into")]
+    pub read: Vec<String>,
+    /// Write the clearances that follow into a frame file: one that is there is amended, a new one has FRAME as its base.
+    #[arg(long, value_name = "TOML", requires = "read")]
+    pub into: Option<PathBuf>,
+    /// Folder that takes the folder `FRAME-coupon`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// Options of `weigh`.
+#[derive(Debug, Args)]
+pub(super) struct WeighOptions {
+    /// A preset's name or a TOML file, and readings of a scale: a CSV table; either may be left out.
+    #[arg(num_args = 0..=2, value_names = ["FRAME", "READINGS.csv"])]
+    pub given: Vec<String>,
+    /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
+    #[arg(long, value_name = "MATERIAL")]
+    pub rigid: Option<String>,
+    /// Slice every part; another program than prusa-slicer is given as --slicer=PROGRAM.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "prusa-slicer", value_name = "PROGRAM")]
+    pub slicer: Option<String>,
+    /// Write the fitted factors into a frame file: one that is there is amended, a new one has FRAME as its base.
+    #[arg(long, value_name = "TOML")]
+    pub into: Option<PathBuf>,
 }
 
 /// Options of `watch`.
@@ -577,7 +624,10 @@ pub(super) struct RenderOptions {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Folder that takes the folder `FRAME-pictures`.
+    /// Instead, each part as it is printed with what hangs over air marked, from above and from below.
+    #[arg(long)]
+    pub findings: bool,
+    /// Folder that takes the folder `FRAME-pictures`, or `FRAME-findings`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

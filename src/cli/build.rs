@@ -10,10 +10,11 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
+use crate::assembly::compensated::Compensated;
 use crate::assembly::mass::{self, MassTable};
 use crate::assembly::{Design, Printed};
 use crate::checks::{self, Finding, Verdict};
-use crate::export::{bill, bom, glb, manifest, stl, three_mf};
+use crate::export::{bill, bom, glb, manifest, step, stl, three_mf};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
 use crate::plates::{self, Plate, Wanted};
@@ -31,7 +32,7 @@ pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode,
     }
     let masses = mass::table(&design);
     let findings = checks::check(&design, &masses);
-    let files = files(&design, &masses, &findings, !options.no_pictures)?;
+    let files = files(&design, &masses, &findings, options)?;
     drop(working);
     let place = output::write_folder(&options.output, &design.frame.name, &files)?;
     for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
@@ -47,11 +48,14 @@ pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode,
 }
 
 /// Every file of the folder, path and bytes; the manifest last.
-fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bool) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+fn files(design: &Design, masses: &MassTable, findings: &[Finding], options: &BuildOptions) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let failed = |what: String| move |error| Failure::Machine { what, error };
+    let pictures = !options.no_pictures;
     let mut files = Vec::new();
+    let meshes = compensated(design)?;
     for part in &design.printed {
-        let bytes = stl::binary(&part.mesh).map_err(failed(format!("cannot make {}.stl", part.name)))?;
+        let mesh = meshes.mesh(part.name).unwrap_or(&part.mesh);
+        let bytes = stl::binary(mesh).map_err(failed(format!("cannot make {}.stl", part.name)))?;
         files.push((format!("parts/{}.stl", part.name), bytes));
     }
     let frame = glb::frame(design, masses).map_err(std::io::Error::other).map_err(failed("cannot make frame.glb".into()))?;
@@ -59,14 +63,20 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bo
     files.push(("bom.csv".into(), bom::csv(&bill::bill(design, masses, None)).into_bytes()));
     // What lies on no bed is a finding of `check`; the parts are written all the same.
     if let Ok(plates) = plates::arrange(design, &plates::all(design)) {
-        files.extend(plate_files(design, &plates)?);
+        files.extend(plate_files(design, &meshes, &plates)?);
         files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
+    }
+    let mut solids = Vec::new();
+    if options.step {
+        let (step, entries) = step::files(design).map_err(std::io::Error::other).map_err(failed("cannot make STEP files".into()))?;
+        files.extend(step);
+        solids = entries;
     }
     if pictures {
         files.extend(scene::pictures(design));
     }
     files.push(("report.md".into(), summary::markdown(design, masses, findings, pictures).into_bytes()));
-    let manifest = manifest::manifest(design, masses, &files);
+    let manifest = manifest::manifest(design, &meshes, masses, solids, &files);
     let mut text =
         serde_json::to_string_pretty(&manifest).map_err(std::io::Error::from).map_err(failed("cannot make manifest.json".into()))?;
     text.push('\n');
@@ -77,11 +87,21 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bo
 /// Pixels of a plate's picture.
 const PLATE_SIZE: [u32; 2] = [480, 360];
 
-fn plate_files(design: &Design, plates: &[Plate]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+/// The meshes for the frame's printer.
+fn compensated(design: &Design) -> Result<Compensated<'_>, Failure> {
+    Compensated::of(design).map_err(|error| Failure::Usage {
+        message: format!(
+            "{error} with hole_undersize_mm and elephant_foot_mm of the printer {}: make them smaller",
+            design.frame.printer.name
+        ),
+    })
+}
+
+fn plate_files(design: &Design, meshes: &Compensated, plates: &[Plate]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let files = |plate: &Plate| {
         let failed = |error| Failure::Machine { what: format!("cannot make {}.3mf", plate.name()), error };
         let picture = plate_picture::png(design, plate, PLATE_SIZE);
-        let bytes = three_mf::plate(design, plate, &picture).map_err(failed)?;
+        let bytes = three_mf::plate(design, meshes, plate, &picture).map_err(failed)?;
         Ok([(format!("plates/{}.3mf", plate.name()), bytes), (format!("plates/{}.png", plate.name()), picture)])
     };
     let all = plates.par_iter().map(files).collect::<Result<Vec<_>, Failure>>()?;
@@ -106,7 +126,7 @@ fn one_part(design: &Design, part: &str, options: &BuildOptions, common: &Common
     }
     let wanted: [Wanted; 1] = [(name, quantity)];
     let plates = plates::arrange(design, &wanted).map_err(|error| usage(format!("{error}: choose another printer in the frame file")))?;
-    let mut files = plate_files(design, &plates)?;
+    let mut files = plate_files(design, &compensated(design)?, &plates)?;
     files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
     let place = output::write_folder(&options.output, &format!("{}-{part}", design.frame.name), &files)?;
     if !common.quiet {

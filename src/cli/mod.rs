@@ -6,6 +6,7 @@ mod build;
 mod cache;
 mod check;
 mod choice;
+mod coupon;
 mod diagnose;
 mod diff;
 mod drop;
@@ -25,11 +26,13 @@ mod render;
 mod revision;
 mod schema;
 mod session;
+mod slicer;
 mod solve;
 mod stiffness;
 mod table;
 mod terminal;
 mod watch;
+mod weigh;
 
 use std::process::ExitCode;
 
@@ -68,6 +71,8 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::New(options) => new::new(options, &arguments.common),
         Command::Schema(options) => schema::print(options),
         Command::Solve(options) => solve::run(options, &arguments.common),
+        Command::Coupon(options) => coupon::coupon(options, &arguments.common),
+        Command::Weigh(options) => weigh::weigh(options, &arguments.common),
         Command::Watch(options) => watch::watch(options, &arguments.common),
         Command::Build(options) => build::build(options, &arguments.common),
         Command::Check(options) => check::check(options, &arguments.common),

@@ -59,8 +59,10 @@ pub struct RodLine {
     pub rod: String,
     /// How many.
     pub quantity: u32,
-    /// Length of one, mm.
+    /// Length of one in the model, mm.
     pub length_mm: f64,
+    /// What to saw it to, mm; the bores take up the difference.
+    pub sawn_mm: f64,
     /// Name of their material.
     pub material: String,
     /// Mass of all, g.
@@ -205,6 +207,7 @@ fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {
             rod: line.name.clone(),
             quantity: line.quantity,
             length_mm: design.skeleton.length_mm(role),
+            sawn_mm: design.skeleton.sawn_mm(role),
             material: line.material.clone(),
             mass_g: line.total_g,
         })

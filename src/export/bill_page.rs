@@ -56,10 +56,18 @@ fn price(line: &BuyLine) -> String {
 }
 
 fn cut(page: &mut String, bill: &Bill) {
-    *page += "## Cut\n\n| rod | pieces | length, mm | material | g in all |\n|---|---:|---:|---|---:|\n";
+    *page += "## Cut\n\n| rod | pieces | saw to, mm | in the model, mm | material | g in all |\n|---|---:|---:|---:|---|---:|\n";
     for line in &bill.rods {
-        let _ =
-            writeln!(page, "| {} | {} | {:.2} | {} | {:.2} |", line.rod, line.quantity, line.length_mm, cell(&line.material), line.mass_g);
+        let _ = writeln!(
+            page,
+            "| {} | {} | {:.1} | {:.2} | {} | {:.2} |",
+            line.rod,
+            line.quantity,
+            line.sawn_mm,
+            line.length_mm,
+            cell(&line.material),
+            line.mass_g
+        );
     }
     let _ = writeln!(page, "\nStock lengths of {:.0} mm, saw cuts of {} mm; no plan needs fewer.\n", bill.stock_mm, bill.kerf_mm);
     if let Some(error) = &bill.cut_error {

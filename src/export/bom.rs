@@ -25,7 +25,7 @@ pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>
 
 fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
     let count = |role: RodRole| u8::try_from(design.skeleton.rods_of(role).count()).unwrap_or(u8::MAX);
-    cutting::plan(&RodRole::ALL.map(|role| (role, design.skeleton.length_mm(role), count(role))), stock_mm, kerf_mm)
+    cutting::plan(&RodRole::ALL.map(|role| (role, design.skeleton.sawn_mm(role), count(role))), stock_mm, kerf_mm)
 }
 
 /// Columns of the CSV; what a line has not stays empty.
@@ -71,6 +71,7 @@ fn printed_row(line: &PrintLine) -> Row {
 fn rod_row(line: &RodLine) -> Row {
     let mut row = weighed("rod", &line.rod, line.quantity, &line.material, line.mass_g, "computed");
     row[4] = format!("{:.2}", line.length_mm);
+    row[16] = format!("saw to {:.1}", line.sawn_mm);
     row
 }
 

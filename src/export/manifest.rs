@@ -3,6 +3,8 @@
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
+use super::step::StepEntry;
+use crate::assembly::compensated::Compensated;
 use crate::assembly::mass::MassTable;
 use crate::assembly::{Design, Shape};
 use crate::params::catalogue::MassBasis;
@@ -32,6 +34,9 @@ pub struct Manifest {
     pub bought: Vec<BoughtEntry>,
     /// Shapes that the B-rep kernel builds, too.
     pub exact: Vec<ExactEntry>,
+    /// Solids of the STEP files, when they were asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub step: Vec<StepEntry>,
     /// Every other file of the folder.
     pub files: Vec<FileEntry>,
 }
@@ -45,9 +50,9 @@ pub struct PartEntry {
     pub quantity: u32,
     /// Name of the material.
     pub material: String,
-    /// Volume of the mesh, mm³.
+    /// Volume of the mesh as it is written for the printer, mm³.
     pub volume_mm3: f64,
-    /// Mass of one, g.
+    /// Mass of one as it is designed, g.
     pub mass_g: f64,
     /// Edge lengths of the bounding box as printed, mm.
     pub bbox_mm: [f64; 3],
@@ -66,8 +71,10 @@ pub struct RodEntry {
     pub quantity: u32,
     /// Material.
     pub material: String,
-    /// Length to cut, mm.
+    /// Length between the bottoms of its bores, mm.
     pub length_mm: f64,
+    /// What it is sawn to, mm: the next half millimetre below.
+    pub sawn_mm: f64,
     /// Diameter, mm.
     pub diameter_mm: f64,
     /// Mass of one, g.
@@ -111,8 +118,8 @@ pub struct FileEntry {
     pub sha256: String,
 }
 
-/// The manifest of a design and the files written for it.
-pub fn manifest(design: &Design, masses: &MassTable, files: &[(String, Vec<u8>)]) -> Manifest {
+/// The manifest of a design and the files written for it; `meshes` are what is printed, `step` the solids of the STEP files.
+pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, step: Vec<StepEntry>, files: &[(String, Vec<u8>)]) -> Manifest {
     let frame = &design.frame;
     Manifest {
         schema_version: SCHEMA_VERSION,
@@ -120,7 +127,7 @@ pub fn manifest(design: &Design, masses: &MassTable, files: &[(String, Vec<u8>)]
         frame: frame.name.clone(),
         description: frame.description.clone(),
         total_mass_g: rounded(masses.total_g),
-        parts: part_entries(design, masses),
+        parts: part_entries(design, meshes, masses, &step),
         rods: rod_entries(design, masses),
         bought: frame
             .bought
@@ -136,23 +143,29 @@ pub fn manifest(design: &Design, masses: &MassTable, files: &[(String, Vec<u8>)]
             })
             .collect(),
         exact: exact_entries(design),
+        step,
         files: files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hex(&Sha256::digest(bytes)) }).collect(),
     }
 }
 
-fn part_entries(design: &Design, masses: &MassTable) -> Vec<PartEntry> {
+fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, step: &[StepEntry]) -> Vec<PartEntry> {
     design
         .printed
         .iter()
-        .map(|part| PartEntry {
+        .map(|part| (part, meshes.mesh(part.name).unwrap_or(&part.mesh)))
+        .map(|(part, mesh)| PartEntry {
             name: part.name.to_string(),
             quantity: part.name.quantity(),
             material: design.material_of(part.name).name.clone(),
-            volume_mm3: rounded(part.volume_mm3),
+            volume_mm3: rounded(mesh.volume_mm3()),
             mass_g: rounded(mass_of(masses, part.name.slug())),
-            bbox_mm: part.mesh.size_mm().map(rounded),
-            triangles: part.mesh.triangles.len(),
-            files: vec![format!("parts/{}.stl", part.name)],
+            bbox_mm: mesh.size_mm().map(rounded),
+            triangles: mesh.triangles.len(),
+            files: [Some("stl"), (!step.is_empty()).then_some("step")]
+                .iter()
+                .flatten()
+                .map(|kind| format!("parts/{}.{kind}", part.name))
+                .collect(),
         })
         .collect()
 }
@@ -165,6 +178,7 @@ fn rod_entries(design: &Design, masses: &MassTable) -> Vec<RodEntry> {
             quantity: design.skeleton.rods_of(*role).count() as u32,
             material: design.frame.rod_material.name.clone(),
             length_mm: rounded(design.skeleton.length_mm(*role)),
+            sawn_mm: rounded(design.skeleton.sawn_mm(*role)),
             diameter_mm: design.frame.rods.rod_diameter_mm,
             mass_g: rounded(mass_of(masses, &format!("{}_rod", role.slug()))),
         })

@@ -9,9 +9,12 @@ use quick_xml::events::{BytesDecl, BytesText, Event};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
+use super::colour::curved;
+use crate::assembly::compensated::Compensated;
 use crate::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::plates::{Plate, Settings};
+use crate::solid::Mesh;
 
 /// Core namespace.
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
@@ -32,16 +35,17 @@ const RELATIONS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 struct Object<'a> {
     id: usize,
     part: &'a Printed,
+    mesh: &'a Mesh,
     poses: Vec<Isometry3<f64>>,
 }
 
-/// A plate's file; `thumbnail` is a PNG.
+/// A plate's file; `meshes` are what is printed, `thumbnail` is a PNG.
 ///
 /// # Errors
 /// When the archive cannot be made; it is made in memory.
-pub fn plate(design: &Design, plate: &Plate, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
+pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
     let objects: Vec<Object> =
-        plate.quantities().iter().enumerate().filter_map(|(at, (name, _))| object(design, plate, at, *name)).collect();
+        plate.quantities().iter().enumerate().filter_map(|(at, (name, _))| object(design, meshes, plate, at, *name)).collect();
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let files: [(&str, Vec<u8>); 5] = [
         ("[Content_Types].xml", TYPES.into()),
@@ -59,11 +63,11 @@ pub fn plate(design: &Design, plate: &Plate, thumbnail: &[u8]) -> std::io::Resul
     Ok(archive.finish().map_err(std::io::Error::other)?.into_inner())
 }
 
-fn object<'a>(design: &'a Design, plate: &Plate, at: usize, name: PartName) -> Option<Object<'a>> {
+fn object<'a>(design: &'a Design, meshes: &'a Compensated, plate: &Plate, at: usize, name: PartName) -> Option<Object<'a>> {
     let part = design.part(name)?;
     let poses = plate.items.iter().filter(|item| item.part == name).map(|item| item.pose(part)).collect();
     // Id 1 is the material's.
-    Some(Object { id: at + 2, part, poses })
+    Some(Object { id: at + 2, part, mesh: meshes.mesh(name)?, poses })
 }
 
 type Xml = Writer<Cursor<Vec<u8>>>;
@@ -114,16 +118,16 @@ fn resources(xml: &mut Xml, plate: &Plate, objects: &[Object]) -> std::io::Resul
         let name = object.part.name.slug();
         let about = [("id", id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
         xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
-            xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.part))?;
+            xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.mesh))?;
             Ok(())
         })?;
     }
     Ok(())
 }
 
-fn mesh(xml: &mut Xml, part: &Printed) -> std::io::Result<()> {
+fn mesh(xml: &mut Xml, mesh: &Mesh) -> std::io::Result<()> {
     xml.create_element("vertices").write_inner_content(|xml| {
-        for vertex in &part.mesh.vertices {
+        for vertex in &mesh.vertices {
             // The shortest decimals that give the same f32 again.
             let [x, y, z] = vertex.map(|value| value.to_string());
             xml.create_element("vertex").with_attributes([("x", x.as_str()), ("y", &y), ("z", &z)]).write_empty()?;
@@ -131,7 +135,7 @@ fn mesh(xml: &mut Xml, part: &Printed) -> std::io::Result<()> {
         Ok(())
     })?;
     xml.create_element("triangles").write_inner_content(|xml| {
-        for triangle in &part.mesh.triangles {
+        for triangle in &mesh.triangles {
             let [a, b, c] = triangle.map(|corner| corner.to_string());
             xml.create_element("triangle").with_attributes([("v1", a.as_str()), ("v2", &b), ("v3", &c)]).write_empty()?;
         }
@@ -151,14 +155,10 @@ fn transform(pose: &Isometry3<f64>) -> String {
     columns.map(number).collect::<Vec<_>>().join(" ")
 }
 
-/// Linear red, green, blue, alpha as sRGB in hexadecimals (IEC 61966-2-1).
+/// Linear red, green, blue, alpha as sRGB in hexadecimals.
 fn display_colour(linear: [f32; 4]) -> String {
     let byte = |share: f64| (share * 255.0).round() as u8;
-    let curved = |share: f32| {
-        let share = f64::from(share);
-        byte(if share <= 0.003_130_8 { 12.92 * share } else { 1.055 * libm::pow(share, 1.0 / 2.4) - 0.055 })
-    };
-    let [r, g, b] = [0, 1, 2].map(|channel| curved(linear[channel]));
+    let [r, g, b] = [0, 1, 2].map(|channel| byte(curved(linear[channel])));
     format!("#{r:02X}{g:02X}{b:02X}{:02X}", byte(f64::from(linear[3])))
 }
 
@@ -169,13 +169,13 @@ fn settings(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Resu
         for object in objects {
             let (id, copies) = (object.id.to_string(), object.poses.len().to_string());
             let about = [("id", id.as_str()), ("instances_count", &copies)];
-            let own = Settings::of_part(object.part.name, &plate.material.material, &design.frame.printer);
+            let own = Settings::of_part(plate.supported.contains(&object.part.name), &plate.material.material, &design.frame.printer);
             xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
                 metadata(xml, "object", "name", object.part.name.slug())?;
                 for setting in &own.0 {
                     metadata(xml, "object", setting.key, &setting.value)?;
                 }
-                let last = (object.part.mesh.triangles.len() - 1).to_string();
+                let last = (object.mesh.triangles.len() - 1).to_string();
                 xml.create_element("volume").with_attributes([("firstid", "0"), ("lastid", &last)]).write_inner_content(|xml| {
                     metadata(xml, "volume", "name", object.part.name.slug())?;
                     metadata(xml, "volume", "volume_type", "ModelPart")

@@ -164,7 +164,7 @@ fn limit_key(finding: &Finding) -> Option<&'static str> {
         "ground_clearance" => "limits.ground_clearance_mm",
         "socket_seating" => "limits.socket_engagement_mm",
         "hinge_strain" => "limits.hinge_strain_factor",
-        "printer_bed" | "thinnest_wall" => "printer",
+        "printer_bed" | "thinnest_wall" | "narrowest_gap" | "footing" => "printer",
         _ => return None,
     })
 }

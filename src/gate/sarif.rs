@@ -7,7 +7,7 @@ use super::github::why;
 use super::outcome::{Held, Judged, Outcome, Refused, Standing};
 
 /// Rules with a sentence each, in the order of the checks; `refused` is that of files that do not read.
-const RULES: [(&str, &str); 14] = [
+const RULES: [(&str, &str); 20] = [
     ("refused", "The frame file cannot be read, or says what no frame can be."),
     ("envelope", "The frame's bounding box is no larger than its limits."),
     ("mass_budget", "The frame takes off with no more than its budget."),
@@ -20,8 +20,14 @@ const RULES: [(&str, &str); 14] = [
     ("hinge_strain", "Folded hinges are strained by less than their material bears."),
     ("fold_sequence", "There is a way to put the frame together."),
     ("thinnest_wall", "No wall is thinner than the nozzle can print."),
+    ("narrowest_gap", "No gap is narrower than a printed line."),
     ("battery_slide", "The battery slides out and meets its stops."),
     ("printer_bed", "Each part fits the printer's bed."),
+    ("footing", "Each part stands on its first layer while it is printed."),
+    ("layer_direction", "No hinge is strained across its layers."),
+    ("overhang", "Nothing leans far out over air as printed."),
+    ("island", "No layer has a piece that begins in the air."),
+    ("bridge", "Bridges are no longer than their material spans."),
 ];
 
 /// The log as JSON text.

@@ -3,7 +3,7 @@
 //! [`read`] takes files and folders: the logger's `.bin` files, calibrated by a [`Calibration`], and CSV tables. It gives a
 //! [`DropSet`], records grouped by frame and height. [`Impact`] is what a record holds, [`Flag`] what is wrong with it,
 //! [`Summary`] what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
-//! positive while the ground pushes, 0 in free fall.
+//! positive while the ground pushes, 0 in free fall. Static tests and readings of a scale are read here, too.
 
 mod fall;
 mod flag;
@@ -12,6 +12,7 @@ mod logger;
 mod malformed;
 mod reading;
 mod record;
+mod scale;
 mod spread;
 mod static_test;
 mod summary;
@@ -24,6 +25,7 @@ pub use logger::Calibration;
 pub use malformed::{Fault, Malformed, Place};
 pub use reading::read;
 pub use record::{DropSet, Group, Record};
+pub use scale::{ScaleReading, read_scale};
 pub use spread::Spread;
 pub use static_test::{StaticTest, read_static_test};
 pub use summary::{Drop, Summary, drops};

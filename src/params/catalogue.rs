@@ -59,6 +59,16 @@ pub struct Material {
     pub fan_percent: Option<f64>,
     /// Brim around a part, mm; 0 for none.
     pub brim_mm: Option<f64>,
+    /// Steepest lean out of the vertical that prints over air without support, °.
+    pub overhang_deg: Option<f64>,
+    /// Farthest that something that leans more may reach out with a free edge, mm.
+    pub ledge_mm: Option<f64>,
+    /// Longest bridge between two supports, mm.
+    pub bridge_mm: Option<f64>,
+    /// Whether printed support comes off it; where not, what needs support is a violation.
+    pub support_comes_off: Option<bool>,
+    /// Where the four come from.
+    pub support_source: Option<String>,
     /// Where the print settings come from.
     pub print_source: Option<String>,
 }
@@ -69,11 +79,15 @@ impl Material {
         let optional =
             [self.elongation_at_break_percent, self.elongation_across_layers_percent, self.tensile_modulus_mpa, self.tensile_strength_mpa];
         let printing = [self.layer_mm, self.perimeters, self.speed_mm_s, self.nozzle_c, self.bed_c, self.fan_percent];
+        let hanging = [self.ledge_mm, self.bridge_mm];
+        let leaning = self.overhang_deg.is_none_or(|deg| deg > 0.0 && deg < 90.0);
         let brimmed = self.brim_mm.is_none_or(|brim_mm| (0.0..=20.0).contains(&brim_mm));
         let coloured = self.colour.iter().all(|share| (0.0..=1.0).contains(share));
         all_positive([Some(self.density_g_cm3), Some(self.print_factor), self.most_flow_mm3_s])
             && all_positive(optional)
             && all_positive(printing)
+            && all_positive(hanging)
+            && leaning
             && brimmed
             && self.density_g_cm3 < 25.0
             && coloured
@@ -157,6 +171,9 @@ impl BoughtPart {
     }
 }
 
+/// Most that a printer may be off, mm: a hole that is off by more is no matter of compensation.
+const MOST_OFF_MM: f64 = 1.0;
+
 /// The shape of a printer's bed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -183,6 +200,16 @@ pub struct Printer {
     pub nozzle_mm: f64,
     /// Thinnest printable wall, in nozzles.
     pub min_wall_nozzles: f64,
+    /// By how much less than drawn the diameter of a round hole comes out, mm: printed holes are drawn wider by it; none without.
+    pub hole_undersize_mm: Option<f64>,
+    /// How far the first layer is pressed out of its outline, mm: it is drawn in by it; nothing without.
+    pub elephant_foot_mm: Option<f64>,
+    /// Least area of a part's first layer, mm².
+    pub least_contact_mm2: Option<f64>,
+    /// Least tilt at which a part falls off its first layer, °.
+    pub least_tip_deg: Option<f64>,
+    /// Greatest height over the width of the first layer.
+    pub most_slender: Option<f64>,
     /// Where the figures come from.
     pub source: String,
 }
@@ -190,7 +217,21 @@ pub struct Printer {
 impl Printer {
     /// Whether its figures can be those of a printer.
     pub fn is_sound(&self) -> bool {
-        all_positive(self.size_mm.map(Some)) && all_positive([Some(self.height_mm), Some(self.nozzle_mm), Some(self.min_wall_nozzles)])
+        let off = [self.hole_undersize_mm, self.elephant_foot_mm];
+        all_positive(self.size_mm.map(Some))
+            && all_positive([Some(self.height_mm), Some(self.nozzle_mm), Some(self.min_wall_nozzles)])
+            && all_positive([self.least_contact_mm2, self.least_tip_deg, self.most_slender])
+            && off.iter().flatten().all(|mm| (0.0..=MOST_OFF_MM).contains(mm))
+    }
+
+    /// Width of a line, mm: what `min_wall_nozzles` is reckoned with.
+    pub fn line_mm(&self) -> f64 {
+        (1.125 * self.nozzle_mm * 1e3).round() / 1e3
+    }
+
+    /// Height of a layer of a material, mm; half a nozzle where it does not say.
+    pub fn layer_mm(&self, material: &Material) -> f64 {
+        material.layer_mm.unwrap_or(0.5 * self.nozzle_mm)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Filling plates: rectangles around the parts, packed by a library (docs/decisions/0021-plates.md).
 
 use crunch::{Item as Box, PackedItem, Rect, Rotation};
+use rayon::prelude::*;
 
 use super::plate::{Item, Plate};
 use super::room::{GAP_MM, Room, alone};
@@ -8,6 +9,7 @@ use crate::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::Printer;
 use crate::params::frame::NamedMaterial;
+use crate::printability::{self, Process};
 
 /// Steps a millimetre in which the library counts.
 const STEPS: f64 = 100.0;
@@ -38,6 +40,7 @@ pub fn all(design: &Design) -> Vec<Wanted> {
 /// [`NoRoom`] for a part that does not lie on the bed even alone.
 pub fn arrange(design: &Design, wanted: &[Wanted]) -> Result<Vec<Plate>, NoRoom> {
     let mut plates = Vec::new();
+    let supported = supported(design, wanted);
     for material in materials(design) {
         let parts: Vec<&Printed> = wanted
             .iter()
@@ -46,10 +49,20 @@ pub fn arrange(design: &Design, wanted: &[Wanted]) -> Result<Vec<Plate>, NoRoom>
             .collect();
         for (at, mut items) in filled(&parts, &design.frame.printer)?.into_iter().enumerate() {
             items.sort_by(|a, b| a.part.cmp(&b.part).then(place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal)));
-            plates.push(Plate { material: material.clone(), number: at + 1, items });
+            let supported = supported.iter().copied().filter(|name| items.iter().any(|item| item.part == *name)).collect();
+            plates.push(Plate { material: material.clone(), number: at + 1, items, supported });
         }
     }
     Ok(plates)
+}
+
+/// The wanted parts that hang over air by more than their material prints.
+fn supported(design: &Design, wanted: &[Wanted]) -> Vec<PartName> {
+    let needs = |name: &PartName| {
+        let process = Process::of(&design.material_of(*name).material, &design.frame.printer);
+        design.part(*name).is_some_and(|part| printability::needs_support(part, &process))
+    };
+    wanted.par_iter().map(|(name, _)| *name).filter(needs).collect()
 }
 
 fn place(item: &Item) -> [f64; 2] {

@@ -37,6 +37,8 @@ pub struct Plate {
     pub number: usize,
     /// What lies on it, in the order of [`PartName::ALL`].
     pub items: Vec<Item>,
+    /// The parts of it that are printed with support.
+    pub supported: Vec<PartName>,
 }
 
 impl Plate {

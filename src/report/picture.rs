@@ -51,7 +51,7 @@ pub fn png_on_bed(items: &[Item], bed: &Bed, view: View, width: u32, height: u32
 }
 
 /// Red, green, blue bytes of the picture.
-fn pixels(items: &[Item], bed: Option<&Bed>, view: View, size: [u32; 2]) -> Vec<u8> {
+pub(super) fn pixels(items: &[Item], bed: Option<&Bed>, view: View, size: [u32; 2]) -> Vec<u8> {
     let size = size.map(|s| s.max(1));
     let mut points = corners(items);
     points.extend(bed.iter().flat_map(|b| rectangle(b)));

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::assembly::Design;
-use crate::params::catalogue::Bed;
+use crate::params::catalogue::{Bed, Printer};
 use crate::plates::{Plate, Setting, Settings};
 
 /// The page.
@@ -17,9 +17,11 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
     let mut text = format!(
         "# Printing {}\n\nLaid out for {} (bed {bed}, nozzle {} mm). Open a plate's `.3mf`, choose your own printer, print. Layers, walls, infill, \
          speeds, brim and support travel with every object as far as PrusaSlicer reads them; heat, flow and fan belong to the spool and are yours to \
-         choose. A slicer that asks whether to load the project may load it: no printer and no start code is in it.\n",
+         choose. Orca Slicer and Bambu Studio take parts, names, colours and places from the plates and leave the settings of others: set them by the \
+         names in the last column. A slicer that asks whether to load the project may load it: no printer and no start code is in it.\n",
         design.frame.name, printer.name, printer.nozzle_mm
     );
+    compensation(&mut text, printer);
     let mut seen: Vec<&str> = Vec::new();
     for plate in plates {
         let name = plate.material.name.as_str();
@@ -31,24 +33,41 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
     text
 }
 
+/// What the files differ in from the design: what a slicer must not do again.
+fn compensation(text: &mut String, printer: &Printer) {
+    let [hole_mm, foot_mm] = [printer.hole_undersize_mm, printer.elephant_foot_mm].map(|mm| mm.unwrap_or(0.0));
+    if hole_mm > 0.0 {
+        let _ = write!(
+            text,
+            "\nRound holes of the STL and 3MF files are drawn {hole_mm} mm wider, as the printer's profile says: leave the slicer's own hole compensation off.\n"
+        );
+    }
+    if foot_mm > 0.0 {
+        let _ = write!(
+            text,
+            "\nTheir first layer is drawn in by {foot_mm} mm: leave the slicer's own elephant foot compensation off; the plates tell PrusaSlicer so.\n"
+        );
+    }
+}
+
 fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     let own: Vec<&Plate> = plates.iter().filter(|plate| plate.material.name == name).collect();
     let Some(first) = own.first() else { return };
     let Some((part, _)) = first.quantities().first().copied() else { return };
     let material = &first.material.material;
-    let common = Settings::of_part(part, material, &design.frame.printer);
+    let common = Settings::of_part(first.supported.contains(&part), material, &design.frame.printer);
     // Writing to a string does not fail.
     let _ = write!(text, "\n## {name}\n\n| plate | parts |\n|---|---|\n");
     for plate in &own {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
         let _ = writeln!(text, "| `plates/{}.3mf` | {} |", plate.name(), parts.join(", "));
     }
-    let _ = write!(text, "\n| of the spool | | PrusaSlicer |\n|---|---|---|\n");
+    let _ = write!(text, "\n| of the spool | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
     rows(text, &Settings::of_filament(material).0);
-    let _ = write!(text, "\n| of the object | | PrusaSlicer |\n|---|---|---|\n");
+    let _ = write!(text, "\n| of the object | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
     rows(text, &common.0);
-    for (part, _) in own.iter().flat_map(|plate| plate.quantities()) {
-        let other = Settings::of_part(part, material, &design.frame.printer);
+    for (plate, part) in own.iter().flat_map(|plate| plate.quantities().into_iter().map(move |(part, _)| (plate, part))) {
+        let other = Settings::of_part(plate.supported.contains(&part), material, &design.frame.printer);
         let differs: Vec<String> = other.beside(&common).iter().map(|one| format!("{} {}", one.words, one.value)).collect();
         if !differs.is_empty() {
             let _ = write!(text, "\n`{part}` differs: {}.\n", differs.join(", "));
@@ -61,6 +80,6 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
 
 fn rows(text: &mut String, settings: &[Setting]) {
     for one in settings {
-        let _ = writeln!(text, "| {} | {} | `{}` |", one.words, one.value, one.key);
+        let _ = writeln!(text, "| {} | {} | `{}` | `{}` |", one.words, one.value, one.key, one.orca().unwrap_or("-"));
     }
 }

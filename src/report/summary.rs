@@ -87,7 +87,7 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
 fn rods(page: &mut String, design: &Design) {
     let _ = writeln!(page, "## Cut\n\nRods of {} mm, {}:\n", design.frame.rods.rod_diameter_mm, design.frame.rod_material.name);
     for role in RodRole::ALL {
-        let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.length_mm(role));
+        let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
     }
     let rod = design.frame.bought.get("rod");
     let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));

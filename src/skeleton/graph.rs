@@ -60,10 +60,18 @@ pub struct Rod {
     pub sockets: [Socket; 2],
 }
 
+/// What rods are sawn to, mm.
+const SAWN_MM: f64 = 0.5;
+
 impl Rod {
     /// Length, mm.
     pub fn length_mm(&self) -> f64 {
         (self.end - self.start).norm()
+    }
+
+    /// Length that it is sawn to, mm: the next half millimetre below, as nobody saws finer. The bores take up the rest.
+    pub fn sawn_mm(&self) -> f64 {
+        (self.length_mm() / SAWN_MM + 1e-6).floor() * SAWN_MM
     }
 }
 
@@ -138,6 +146,11 @@ impl Skeleton {
     /// Length of the rods of a role, mm.
     pub fn length_mm(&self, role: RodRole) -> f64 {
         self.rods_of(role).next().map_or(0.0, Rod::length_mm)
+    }
+
+    /// Length that the rods of a role are sawn to, mm.
+    pub fn sawn_mm(&self, role: RodRole) -> f64 {
+        self.rods_of(role).next().map_or(0.0, Rod::sawn_mm)
     }
 
     /// A node by name.

@@ -151,7 +151,7 @@ impl Hinge {
         // The kernel slices at constant z: lay y (outward) down along -z.
         let lay = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -std::f64::consts::FRAC_PI_2);
         let laid = moving.placed(&(Isometry3::from_parts(Translation3::identity(), lay) * self.sweep_pose().inverse()));
-        laid.half(Vector3::x(), OFF_AXIS_MM).slice(-SECTION_INSET_MM)
+        laid.half(Vector3::x(), OFF_AXIS_MM).slice(-SECTION_INSET_MM).contours()
     }
 
     /// The section, a little smaller, turned about the hinge axis through the bend and a little into both sides: the

@@ -177,6 +177,23 @@ impl Feature {
         self.placed(Isometry3::from_parts(Translation3::identity(), turn))
     }
 
+    /// The same with the radius of every round bore larger by some mm; nothing else changes.
+    pub fn with_wider_bores(&self, by_mm: f64) -> Self {
+        let all = |of: &[Self]| of.iter().map(|one| one.with_wider_bores(by_mm)).collect();
+        let one = |of: &Self| Box::new(of.with_wider_bores(by_mm));
+        match self {
+            Self::Bore { radius_mm, height_mm } => Self::Bore { radius_mm: radius_mm + by_mm, height_mm: *height_mm },
+            Self::Extrude { profile, height_mm } => Self::Extrude { profile: profile.with_wider_bores(by_mm), height_mm: *height_mm },
+            Self::Hull(of) => Self::Hull(all(of)),
+            Self::Union(of) => Self::Union(all(of)),
+            Self::Intersection(of) => Self::Intersection(all(of)),
+            Self::Difference { base, cuts } => Self::Difference { base: one(base), cuts: all(cuts) },
+            Self::Placed { pose, of } => Self::Placed { pose: *pose, of: one(of) },
+            Self::Mirrored { normal, of } => Self::Mirrored { normal: *normal, of: one(of) },
+            Self::Cylinder { .. } | Self::Cone { .. } | Self::Sphere { .. } | Self::Revolve { .. } => self.clone(),
+        }
+    }
+
     /// Moved rigidly; nested moves become one.
     pub fn placed(self, pose: Isometry3<f64>) -> Self {
         match self {

@@ -45,14 +45,19 @@ impl Mesh {
     /// The outline of the cut, in pieces of any order. A corner that lies on the plane counts as above it, so that closed
     /// meshes give closed outlines.
     pub fn cut(&self, plane: &CutPlane) -> Vec<Piece> {
+        self.cut_facets(plane).into_iter().map(|(_, piece)| piece).collect()
+    }
+
+    /// The same with the number of the facet that each piece lies in.
+    pub fn cut_facets(&self, plane: &CutPlane) -> Vec<(usize, Piece)> {
         let normal = plane.normal();
         let points: Vec<Vector3<f64>> = self.vertices.iter().map(|v| Vector3::from(v.map(f64::from))).collect();
         let heights: Vec<f64> = points.iter().map(|p| normal.dot(&(p - plane.origin.coords))).collect();
-        let crossed = |triangle: &&[u32; 3]| {
+        let crossed = |(_, triangle): &(usize, &[u32; 3])| {
             let above = triangle.iter().filter(|i| heights[**i as usize] >= 0.0).count();
             above == 1 || above == 2
         };
-        self.triangles.iter().filter(crossed).map(|triangle| piece(triangle, &points, &heights, plane)).collect()
+        self.triangles.iter().enumerate().filter(crossed).map(|(at, triangle)| (at, piece(triangle, &points, &heights, plane))).collect()
     }
 }
 

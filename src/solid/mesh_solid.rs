@@ -8,6 +8,7 @@ use nalgebra::{Isometry3, Point3, Vector3};
 use super::feature::Feature;
 use super::mesh::Mesh;
 use super::profile::{Profile, circumscribed};
+use super::region::Region;
 
 /// Straight pieces that stand for a full circle: 0.3 % of its area is lost, 3 µm of a rod's radius.
 pub const SEGMENTS_PER_TURN: u32 = 48;
@@ -63,11 +64,21 @@ impl MeshSolid {
 
     /// Its mesh as it is, in canonical order.
     pub fn mesh(&self) -> Mesh {
-        let gl = self.0.get_mesh_gl64(-1);
-        let stride = gl.num_prop as usize;
-        let positions: Vec<Point3<f64>> = gl.vert_properties.chunks_exact(stride).map(|v| Point3::new(v[0], v[1], v[2])).collect();
-        let triangles: Vec<[u32; 3]> = gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]).collect();
+        let (positions, triangles) = self.corners();
         Mesh::canonical(&positions, &triangles)
+    }
+
+    /// Its facets with the kernel's own numbers, mm.
+    pub(super) fn facets(&self) -> Vec<[Point3<f64>; 3]> {
+        let (positions, triangles) = self.corners();
+        triangles.into_iter().map(|triangle| triangle.map(|corner| positions[corner as usize])).collect()
+    }
+
+    fn corners(&self) -> (Vec<Point3<f64>>, Vec<[u32; 3]>) {
+        let gl = self.0.get_mesh_gl64(-1);
+        let positions = gl.vert_properties.chunks_exact(gl.num_prop as usize).map(|v| Point3::new(v[0], v[1], v[2]));
+        let triangles = gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]);
+        (positions.collect(), triangles.collect())
     }
 
     /// Nothing in it.
@@ -139,9 +150,13 @@ impl MeshSolid {
         Self(Manifold::hull_manifolds(&[self.0.clone(), other.0.clone()]))
     }
 
-    /// Contours of the cut at a height z, mm: outer ones counter-clockwise, holes clockwise.
-    pub fn slice(&self, z_mm: f64) -> Vec<Vec<[f64; 2]>> {
-        polygons(&self.0.slice(z_mm).to_polygons())
+    /// The cut at a height z, mm.
+    pub fn slice(&self, z_mm: f64) -> Region {
+        Region::of(self.0.slice(z_mm))
+    }
+
+    pub(super) fn of(solid: Manifold) -> Self {
+        Self(solid)
     }
 
     /// The same surface with every edge cut to at most this length, for a bend that follows.
@@ -256,10 +271,6 @@ fn outlines(profile: &Profile) -> Vec<Vec<Vec2>> {
     };
     let holes = profile.holes.iter().map(|hole| oriented(hole.points(SEGMENTS_PER_TURN), false));
     std::iter::once(oriented(profile.outer.points(SEGMENTS_PER_TURN), true)).chain(holes).collect()
-}
-
-fn polygons(contours: &[Vec<Vec2>]) -> Vec<Vec<[f64; 2]>> {
-    contours.iter().map(|c| c.iter().map(|p| [p.x, p.y]).collect()).collect()
 }
 
 fn vec3(v: &Vector3<f64>) -> Vec3 {

@@ -3,6 +3,7 @@
 //! This folder alone knows the mesh kernel (a port of Manifold) and the B-rep kernel (truck).
 
 mod bend;
+mod boundary;
 mod box_tree;
 mod brep;
 mod feature;
@@ -13,8 +14,10 @@ mod mesh_section;
 mod mesh_solid;
 mod oriented_box;
 mod profile;
+mod region;
 
 pub use bend::Bend;
+pub use boundary::{Boundary, Curve, Edge, Face, NotExact, Side, Surface, square_to};
 pub use box_tree::BoxTree;
 pub use brep::Brep;
 pub use feature::Feature;
@@ -22,3 +25,4 @@ pub use mesh::Mesh;
 pub use mesh_section::{CutPlane, Piece};
 pub use mesh_solid::{Hit, MeshSolid, SEGMENTS_PER_TURN};
 pub use profile::{Contour, Profile, Segment};
+pub use region::Region;

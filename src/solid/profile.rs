@@ -190,6 +190,17 @@ impl Profile {
         self
     }
 
+    /// The same with the radius of every functional bore larger by some mm.
+    pub(super) fn with_wider_bores(&self, by_mm: f64) -> Self {
+        let wider = |contour: &Contour| match contour {
+            Contour::Circle { centre, radius_mm, bore: true } => {
+                Contour::Circle { centre: *centre, radius_mm: radius_mm + by_mm, bore: true }
+            }
+            other => other.clone(),
+        };
+        Self { outer: wider(&self.outer), holes: self.holes.iter().map(wider).collect() }
+    }
+
     /// The exact area, mm².
     pub fn area_mm2(&self) -> f64 {
         self.outer.area_mm2() - self.holes.iter().map(Contour::area_mm2).sum::<f64>()

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # slice_plate.sh FOLDER WORK: PrusaSlicer opens every plate of a built frame with settings that contradict the plate's own
 # (15 % infill, 0.3 mm layers, four walls), and slices it: the plate's own have to win, so that the filament is that of solid
-# parts within 5 %, and the objects are as many and as named as the manifest says.
+# parts within 3 %, and the objects are as many and as named as the manifest says.
 set -euo pipefail
 folder=$1
 work=$2/plates

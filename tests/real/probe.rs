@@ -152,7 +152,5 @@ fn section_mm2(mesh: &Mesh, at: Point3<f64>, normal: Unit<Vector3<f64>>) -> Opti
     let turn = UnitQuaternion::rotation_between(&normal, &Vector3::z())?;
     let laid =
         MeshSolid::from_mesh(mesh)?.placed(&(Isometry3::from_parts(Translation3::identity(), turn) * Translation3::from(-at.coords)));
-    let twice =
-        |c: &Vec<[f64; 2]>| -> f64 { (0..c.len()).map(|i| (c[i], c[(i + 1) % c.len()])).map(|([x, y], [s, t])| x * t - s * y).sum() };
-    Some(0.5 * laid.slice(0.0).iter().map(twice).sum::<f64>())
+    Some(laid.slice(0.0).area_mm2())
 }

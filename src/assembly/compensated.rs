@@ -1,0 +1,88 @@
+//! What is written for a printer that prints holes too small and first layers too wide.
+//!
+//! The nominal part is what the frame is made of: its mass, its checks and its place in the assembly are those. Only the
+//! files that are printed differ: round bores are drawn wider by the profile's `hole_undersize_mm`, whichever way
+//! they lie, and what lies in the first layer is drawn in by its `elephant_foot_mm`, from outer outlines and from
+//! holes alike. Without either the mesh is the part's own.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::design::{Design, DesignError};
+use super::printed::{Printed, laid, melted};
+use crate::params::PartName;
+use crate::params::catalogue::Printer;
+use crate::solid::gate::GateError;
+use crate::solid::{Mesh, MeshSolid, Region};
+
+/// The meshes that are printed.
+pub struct Compensated<'a>(BTreeMap<PartName, Cow<'a, Mesh>>);
+
+impl<'a> Compensated<'a> {
+    /// Those of every printed part.
+    ///
+    /// # Errors
+    /// When a part does not pass the export gate once it is changed.
+    pub fn of(design: &'a Design) -> Result<Self, DesignError> {
+        let printer = &design.frame.printer;
+        let mesh = |part: &'a Printed| {
+            let layer_mm = printer.layer_mm(&design.material_of(part.name).material);
+            let mesh = mesh(part, printer, layer_mm).map_err(|error| DesignError::Part { part: part.name, error })?;
+            Ok((part.name, mesh))
+        };
+        let meshes = design.printed.par_iter().map(mesh).collect::<Result<Vec<_>, DesignError>>()?;
+        Ok(Self(meshes.into_iter().collect()))
+    }
+
+    /// That of a part of the design.
+    pub fn mesh(&self, name: PartName) -> Option<&Mesh> {
+        self.0.get(&name).map(AsRef::as_ref)
+    }
+}
+
+/// Cutters reach this far beyond the part, mm.
+const PAST_MM: f64 = 1.0;
+
+/// Detail that is melted away, mm, in the order in which it is tried: where the border of a cut grazes a facet, more has to go.
+const MELTS_MM: [f64; 7] = [0.001, 0.002, 0.004, 0.008, 0.0005, 0.0002, 0.0001];
+/// Finest detail of an outline that is drawn in, mm, and how far its layer's top is moved, mm, in the order in which they are tried: a
+/// cut that runs along a facet's edge can leave facets without area, another one then does not. A printer places 0.01 mm at best.
+const CUTS_MM: [[f64; 2]; 6] = [[0.001, 0.0], [0.001, 0.003], [0.004, 0.0], [0.004, -0.003], [0.01, 0.0], [0.01, 0.005]];
+
+/// The mesh of a part that is printed; `layer_mm` is the height of the first layer.
+///
+/// # Errors
+/// When it does not pass the export gate: the profile takes away what the part is made of.
+pub fn mesh<'a>(part: &'a Printed, printer: &Printer, layer_mm: f64) -> Result<Cow<'a, Mesh>, GateError> {
+    let [hole_mm, foot_mm] = [printer.hole_undersize_mm, printer.elephant_foot_mm].map(|mm| mm.unwrap_or(0.0));
+    if hole_mm == 0.0 && foot_mm == 0.0 {
+        return Ok(Cow::Borrowed(&part.mesh));
+    }
+    let solid = if hole_mm == 0.0 {
+        part.printed.clone()
+    } else {
+        let feature = part.feature.with_wider_bores(0.5 * hole_mm);
+        laid(&MeshSolid::build(&feature).melted(), &part.print_pose.rotation)?.0
+    };
+    if foot_mm == 0.0 {
+        return Ok(Cow::Owned(melted(&solid, &MELTS_MM)?.1));
+    }
+    let mut refused = GateError::Empty;
+    for [fine_mm, moved_mm] in CUTS_MM {
+        match melted(&drawn_in(&solid, foot_mm, layer_mm + moved_mm, fine_mm), &MELTS_MM) {
+            Ok((_, mesh)) => return Ok(Cow::Owned(mesh)),
+            Err(error) => refused = error,
+        }
+    }
+    Err(refused)
+}
+
+/// The solid whose first layer has its outline drawn in; what is finer than `fine_mm` is left out of the outline.
+fn drawn_in(solid: &MeshSolid, by_mm: f64, layer_mm: f64, fine_mm: f64) -> MeshSolid {
+    let [low, high] = solid.bounds_mm();
+    let around = Region::rectangle([[low[0], low[1]], [high[0], high[1]]], PAST_MM);
+    let kept = solid.slice(0.5 * layer_mm).grown(-by_mm).simplified(fine_mm);
+    solid.minus(&around.minus(&kept).drawn_up(-PAST_MM, layer_mm))
+}

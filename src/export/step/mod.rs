@@ -1,0 +1,178 @@
+//! Parts and assembly as STEP, ISO 10303-21 by AP214: solids with names, colours and places, in mm.
+//!
+//! A solid is exact where the mesh can be put back on the planes and cylinders of its features, and the mesh with its coplanar
+//! facets merged elsewhere; every file tells which.
+
+mod product;
+mod shape;
+mod writer;
+
+use nalgebra::Isometry3;
+use rayon::prelude::*;
+use serde::Serialize;
+
+use self::product::{Context, Product};
+use self::writer::Writer;
+use crate::assembly::{Design, Kind, Printed, Shape};
+use crate::solid::{Boundary, Feature, Mesh, NotExact};
+
+/// How far vertices may lie beside the surfaces of their faces, mm, as every file states; see [`crate::solid::FLATNESS_MM`].
+const ACCURACY_MM: f64 = 1e-4;
+
+/// Linear red, green, blue, alpha of a solid that nobody gave a colour.
+const GREY: [f32; 4] = [0.4, 0.4, 0.4, 1.0];
+
+/// How the faces of a solid were made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Made {
+    /// On the planes and cylinders of the features, edges where they meet.
+    Exact,
+    /// From the mesh, coplanar facets merged.
+    Faceted,
+}
+
+/// A mesh that cannot be a solid.
+#[derive(Debug, thiserror::Error)]
+#[error("the mesh of {name} is not closed")]
+pub struct StepError {
+    name: String,
+}
+
+/// A solid of a file, as the manifest lists it.
+#[derive(Clone, Debug, Serialize)]
+pub struct StepEntry {
+    /// Its file; several solids share that of the assembly.
+    pub file: String,
+    /// Name of the part or shape.
+    pub name: String,
+    /// How its faces were made.
+    pub made: Made,
+    /// Why it is not exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub because: Option<String>,
+    /// How many faces it has.
+    pub faces: usize,
+    /// Volume within its faces, mm³.
+    pub volume_mm3: f64,
+    /// Volume of the mesh, mm³.
+    pub mesh_volume_mm3: f64,
+}
+
+/// A named solid with its look.
+struct Shaped {
+    name: String,
+    material: String,
+    colour: [f32; 4],
+    boundary: Boundary,
+    made: Made,
+    because: Option<String>,
+    mesh_volume_mm3: f64,
+}
+
+impl Shaped {
+    fn entry(&self, file: &str) -> StepEntry {
+        let thousandth = |value: f64| (value * 1000.0).round() / 1000.0;
+        StepEntry {
+            file: file.into(),
+            name: self.name.clone(),
+            made: self.made,
+            because: self.because.clone(),
+            faces: self.boundary.faces.len(),
+            volume_mm3: thousandth(self.boundary.volume_mm3()),
+            mesh_volume_mm3: thousandth(self.mesh_volume_mm3),
+        }
+    }
+}
+
+/// STEP files by path, and what is in them.
+pub type StepFiles = (Vec<(String, Vec<u8>)>, Vec<StepEntry>);
+
+/// Every printed part in its print orientation, and the assembled frame.
+///
+/// # Errors
+/// When a mesh is not closed.
+pub fn files(design: &Design) -> Result<StepFiles, StepError> {
+    let parts = design.printed.par_iter().map(|part| printed(design, part)).collect::<Result<Vec<_>, _>>()?;
+    let shapes = design.shapes.par_iter().map(|shape| assembled(design, shape, &parts)).collect::<Result<Vec<_>, _>>()?;
+    let mut files: Vec<(String, Vec<u8>)> = parts.par_iter().map(|part| (format!("parts/{}.step", part.name), part_file(part))).collect();
+    let mut entries: Vec<StepEntry> = parts.iter().map(|part| part.entry(&format!("parts/{}.step", part.name))).collect();
+    entries.extend(shapes.iter().map(|shape| shape.entry("frame.step")));
+    files.push(("frame.step".into(), frame_file(design, &shapes)));
+    Ok((files, entries))
+}
+
+/// A mesh as a solid: the first of these meshes that fits the surfaces of the feature, else the last, faceted.
+fn made(name: &str, meshes: &[&Mesh], by: Option<(&Feature, Isometry3<f64>)>) -> Result<(Boundary, Made, Option<NotExact>), StepError> {
+    let mut refused = None;
+    for (mesh, (feature, pose)) in meshes.iter().zip(by.iter().cycle()) {
+        match Boundary::exact(mesh, feature, pose) {
+            Ok(boundary) => return Ok((boundary, Made::Exact, None)),
+            Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    let boundary = meshes.last().and_then(|mesh| Boundary::faceted(mesh)).ok_or_else(|| StepError { name: name.into() })?;
+    Ok((boundary, Made::Faceted, refused))
+}
+
+fn printed(design: &Design, part: &Printed) -> Result<Shaped, StepError> {
+    // What was melted away can be where two surfaces touch; then a facet of the written mesh stands for both.
+    let raw = part.raw.placed(&part.print_pose).mesh();
+    let (boundary, made, refused) = made(part.name.slug(), &[&raw, &part.mesh], Some((&part.feature, part.print_pose)))?;
+    let material = design.material_of(part.name);
+    Ok(Shaped {
+        name: part.name.slug().into(),
+        material: material.name.clone(),
+        colour: material.material.colour,
+        boundary,
+        made,
+        because: refused.map(|refused| refused.to_string()),
+        mesh_volume_mm3: part.volume_mm3,
+    })
+}
+
+/// A shape of the assembly; a part that does not bend is the printed one, turned back.
+fn assembled(design: &Design, shape: &Shape, parts: &[Shaped]) -> Result<Shaped, StepError> {
+    let (name, material) = (shape.name.clone(), shape.material.clone());
+    let (colour, mesh_volume_mm3) = (shape.colour, shape.mesh.volume_mm3());
+    let rigid = |(part, _): &(&Printed, &Shaped)| shape.kind == Kind::Printed(part.name) && part.bends.is_empty();
+    if let Some((part, shaped)) = design.printed.iter().zip(parts).find(rigid) {
+        let boundary = shaped.boundary.placed(&part.print_pose.inverse());
+        return Ok(Shaped { name, material, colour, boundary, made: shaped.made, because: shaped.because.clone(), mesh_volume_mm3 });
+    }
+    let by = shape.feature.as_ref().map(|feature| (feature, Isometry3::identity()));
+    let (boundary, made, refused) = made(&name, &[&shape.mesh], by)?;
+    let because = if by.is_none() { Some("it is folded".into()) } else { refused.map(|refused| refused.to_string()) };
+    Ok(Shaped { name, material, colour, boundary, made, because, mesh_volume_mm3 })
+}
+
+/// A file with one solid, grey.
+pub fn solid(name: &str, boundary: Boundary, made: Made) -> Vec<u8> {
+    let mesh_volume_mm3 = boundary.volume_mm3();
+    let (name, material, colour) = (name.into(), String::new(), GREY);
+    part_file(&Shaped { name, material, colour, boundary, made, because: None, mesh_volume_mm3 })
+}
+
+fn part_file(part: &Shaped) -> Vec<u8> {
+    let mut writer = Writer::new(&format!("{}.step", part.name), &about(part));
+    let context = Context::new(&mut writer);
+    context.part(&mut writer, part);
+    writer.finish()
+}
+
+fn about(part: &Shaped) -> String {
+    match part.made {
+        Made::Exact => format!("{}: exact", part.name),
+        Made::Faceted => format!("{}: faceted, curved faces are narrow plane ones", part.name),
+    }
+}
+
+/// The assembly; bodies that share a shape share its solid.
+fn frame_file(design: &Design, shapes: &[Shaped]) -> Vec<u8> {
+    let mut writer = Writer::new("frame.step", &format!("{}: {}", design.frame.name, design.frame.description));
+    let context = Context::new(&mut writer);
+    let products: Vec<Product> = shapes.iter().map(|shape| context.part(&mut writer, shape)).collect();
+    let bodies: Vec<_> = design.bodies.iter().map(|body| (body.name.clone(), body.shape, body.pose)).collect();
+    context.assembly(&mut writer, &design.frame.name, &products, &bodies);
+    writer.finish()
+}

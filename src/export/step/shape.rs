@@ -1,0 +1,98 @@
+//! A boundary as the entities of a manifold solid B-rep (ISO 10303-42 and -514).
+
+use nalgebra::{Unit, Vector3};
+
+use super::writer::{Decimal, Id, Writer, length, list};
+use crate::solid::{Boundary, Curve, Edge, Face, Surface, square_to};
+
+/// Writes a solid: a closed shell of advanced faces.
+pub(super) fn solid(writer: &mut Writer, name: &str, boundary: &Boundary) -> Id {
+    let points: Vec<Id> = boundary.vertices.iter().map(|p| writer.point(p)).collect();
+    let vertices: Vec<Id> = points.iter().map(|point| writer.add(format_args!("VERTEX_POINT('',{point})"))).collect();
+    let edges: Vec<Id> = boundary
+        .edges
+        .iter()
+        .map(|edge| {
+            let curve = curve(writer, boundary, edge, &points);
+            writer.add(format_args!("EDGE_CURVE('',{},{},{curve},.T.)", vertices[edge.from], vertices[edge.to]))
+        })
+        .collect();
+    let faces: Vec<Id> = boundary.faces.iter().map(|face| advanced_face(writer, face, &edges)).collect();
+    let shell = writer.add(format_args!("CLOSED_SHELL('',{})", list(&faces)));
+    writer.add(format_args!("MANIFOLD_SOLID_BREP({},{shell})", super::writer::string(name)))
+}
+
+fn curve(writer: &mut Writer, boundary: &Boundary, edge: &Edge, points: &[Id]) -> Id {
+    let (from, to) = (boundary.vertices[edge.from], boundary.vertices[edge.to]);
+    match &edge.curve {
+        Curve::Line => {
+            let direction = writer.direction(&(to - from).try_normalize(0.0).unwrap_or_else(Vector3::z));
+            let vector = writer.add(format_args!("VECTOR('',{direction},1.)"));
+            writer.add(format_args!("LINE('',{},{vector})", points[edge.from]))
+        }
+        Curve::Ellipse { centre, axis, major, radii_mm: [a, b], .. } => {
+            let place = writer.placement(centre, axis, major);
+            if a == b {
+                writer.add(format_args!("CIRCLE('',{place},{})", length(*a)))
+            } else {
+                writer.add(format_args!("ELLIPSE('',{place},{},{})", length(*a), length(*b)))
+            }
+        }
+        Curve::Spline { points, tangents } => spline(writer, points, tangents),
+    }
+}
+
+/// Hermite pieces as one B-spline: each inner knot stands twice, between the Bézier points beside it.
+fn spline(writer: &mut Writer, points: &[nalgebra::Point3<f64>], tangents: &[Unit<Vector3<f64>>]) -> Id {
+    let mut controls = vec![writer.point(&points[0])];
+    let mut knots: Vec<Decimal> = vec![length(0.0)];
+    let mut at = 0.0;
+    for i in 1..points.len() {
+        let reach = (points[i] - points[i - 1]).norm();
+        controls.push(writer.point(&(points[i - 1] + tangents[i - 1].into_inner() * (reach / 3.0))));
+        controls.push(writer.point(&(points[i] - tangents[i].into_inner() * (reach / 3.0))));
+        at += reach;
+        knots.push(length(at));
+    }
+    controls.push(writer.point(&points[points.len() - 1]));
+    let last = knots.len() - 1;
+    let times: Vec<&str> = (0..=last).map(|i| if i == 0 || i == last { "4" } else { "2" }).collect();
+    let knots: Vec<String> = knots.iter().map(ToString::to_string).collect();
+    writer.add(format_args!(
+        "B_SPLINE_CURVE_WITH_KNOTS('',3,{},.UNSPECIFIED.,.F.,.F.,({}),({}),.UNSPECIFIED.)",
+        list(&controls),
+        times.join(","),
+        knots.join(","),
+    ))
+}
+
+fn advanced_face(writer: &mut Writer, face: &Face, edges: &[Id]) -> Id {
+    let surface = match &face.surface {
+        Surface::Plane { point, normal } => {
+            let place = writer.placement(point, normal, &square_to(normal));
+            writer.add(format_args!("PLANE('',{place})"))
+        }
+        Surface::Cylinder { point, axis, radius_mm } => {
+            let place = writer.placement(point, axis, &square_to(axis));
+            writer.add(format_args!("CYLINDRICAL_SURFACE('',{place},{})", length(*radius_mm)))
+        }
+    };
+    let is_plane = matches!(face.surface, Surface::Plane { .. });
+    let bounds: Vec<Id> = face
+        .loops
+        .iter()
+        .enumerate()
+        .map(|(at, sides)| {
+            let way = |forward| if forward { ".T." } else { ".F." };
+            let sides: Vec<Id> = sides
+                .iter()
+                .map(|side| writer.add(format_args!("ORIENTED_EDGE('',*,*,{},{})", edges[side.edge], way(side.forward))))
+                .collect();
+            let ring = writer.add(format_args!("EDGE_LOOP('',{})", list(&sides)));
+            // Around a cylinder neither of two loops is the outer one.
+            let outer = at == 0 && (is_plane || face.loops.len() == 1);
+            writer.add(format_args!("FACE_{}BOUND('',{ring},.T.)", if outer { "OUTER_" } else { "" }))
+        })
+        .collect();
+    writer.add(format_args!("ADVANCED_FACE('',{},{surface},{})", list(&bounds), if face.outward { ".T." } else { ".F." }))
+}

@@ -1,0 +1,109 @@
+//! What parts weigh on a scale: a CSV table `part,mass_g`, and `quantity` where several were weighed at once.
+
+use std::ops::RangeInclusive;
+use std::path::Path;
+
+use super::malformed::{Fault, Malformed, Place};
+use super::reading::{bytes_of, malformed};
+use super::table::{number, refused};
+
+/// Columns that must be there.
+const COLUMNS: [&str; 2] = ["part", "mass_g"];
+/// Column that may be there.
+const QUANTITY: &str = "quantity";
+/// Masses that a reading can be, g.
+const MASSES_G: RangeInclusive<f64> = 0.01..=1e4;
+/// Parts that can lie on a scale.
+const QUANTITIES: RangeInclusive<f64> = 1.0..=1000.0;
+/// Most bytes of a table.
+const MOST_BYTES: u64 = 1 << 20;
+
+/// A reading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScaleReading {
+    /// Line of the file, from 1.
+    pub line: u64,
+    /// What lay on the scale, as it is written there.
+    pub part: String,
+    /// How many of them.
+    pub quantity: u32,
+    /// Mass of all, g.
+    pub mass_g: f64,
+    /// The last digit that was written, g: what the scale resolves.
+    pub resolution_g: f64,
+}
+
+/// Reads a table of scale readings; a part may stand there more than once.
+///
+/// # Errors
+/// When it cannot be read, lacks a column, or a row is no reading.
+pub fn read_scale(path: &Path) -> Result<Vec<ScaleReading>, Malformed> {
+    rows(&bytes_of(path, MOST_BYTES)?).map_err(|(place, fault)| malformed(path, place, fault))
+}
+
+fn rows(bytes: &[u8]) -> Result<Vec<ScaleReading>, (Place, Fault)> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
+    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
+    let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
+    let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
+    let [Some(part), Some(mass)] = COLUMNS.map(place) else {
+        return Err((Place::Line(1), Fault::NoColumn { missing }));
+    };
+    let mut readings = Vec::new();
+    let mut row = csv::ByteRecord::new();
+    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
+        let line = row.position().map_or(0, csv::Position::line);
+        readings.push(reading(&row, line, part, mass, place(QUANTITY)).map_err(|fault| (Place::Line(line), fault))?);
+    }
+    if readings.is_empty() { Err((Place::Whole, Fault::Empty)) } else { Ok(readings) }
+}
+
+fn reading(row: &csv::ByteRecord, line: u64, part: usize, mass: usize, quantity: Option<usize>) -> Result<ScaleReading, Fault> {
+    let mass_g = number(row, mass, "mass_g", &MASSES_G, "g")?;
+    let quantity = match quantity.filter(|at| row.get(*at).is_some_and(|field| !field.trim_ascii().is_empty())) {
+        Some(at) => number(row, at, QUANTITY, &QUANTITIES, "parts")?,
+        None => 1.0,
+    };
+    if quantity.fract() != 0.0 {
+        return Err(Fault::NoNumber { column: QUANTITY, value: format!("{quantity}, which is not whole") });
+    }
+    let part = String::from_utf8_lossy(row.get(part).unwrap_or_default().trim_ascii()).into_owned();
+    Ok(ScaleReading { line, part, quantity: quantity as u32, mass_g, resolution_g: last_digit(row.get(mass).unwrap_or_default()) })
+}
+
+/// What the last digit of a number stands for: 0.1 of `12.3`, 1 of `12`, 0.01 of `1.23`, 10 of `1.2e2`.
+fn last_digit(field: &[u8]) -> f64 {
+    let text = String::from_utf8_lossy(field).trim().to_ascii_lowercase();
+    let (digits, power) = text.split_once('e').map_or((text.as_str(), 0), |(digits, power)| (digits, power.parse().unwrap_or(0)));
+    let behind = digits.split_once('.').map_or(0, |(_, behind)| behind.len() as i32);
+    10f64.powi(power - behind)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_readings_as_a_person_writes_them() {
+        let text = "# kitchen scale\nquantity, mass_g ,note,part\n4,12.30,red,foot\n,7,,hub\n1,1.2e1,,knee\n";
+        let readings = rows(text.as_bytes()).expect("reads");
+        let told: Vec<(u64, &str, u32, f64, f64)> =
+            readings.iter().map(|r| (r.line, r.part.as_str(), r.quantity, r.mass_g, r.resolution_g)).collect();
+        assert_eq!(told, [(3, "foot", 4, 12.3, 0.01), (4, "hub", 1, 7.0, 1.0), (5, "knee", 1, 12.0, 1.0)]);
+    }
+
+    #[test]
+    fn analytic_what_is_no_reading_is_refused_with_its_line() {
+        for (text, line) in [
+            ("part,grams\nhub,7\n", Place::Line(1)),
+            ("part,mass_g\nhub,7\nhub,0\n", Place::Line(3)),
+            ("part,mass_g\nhub,seven\n", Place::Line(2)),
+            ("part,mass_g,quantity\nhub,7,1.5\n", Place::Line(2)),
+            ("part,mass_g\nhub,7,4\n", Place::Line(2)),
+            ("part,mass_g\n", Place::Whole),
+        ] {
+            assert_eq!(rows(text.as_bytes()).expect_err("is refused").0, line, "{text}");
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! What of a part is printed over air.
+//!
+//! A layer reaches over the one below by its height times the tangent of the angle that needs no support; what lies
+//! farther out hangs. What hangs in layers one upon another is one place: the top of a lying bore is a bridge from side to
+//! side, not a row of strips.
+
+use super::Process;
+use super::chords::{self, Laid};
+use super::layers::Layers;
+use crate::solid::{Mesh, MeshSolid, Region};
+
+/// A place that hangs.
+#[derive(Clone)]
+pub struct Hanging {
+    /// In plan, print axes.
+    pub plan: Region,
+    /// Its area in plan, mm².
+    pub area_mm2: f64,
+    /// Height of its lowest and highest layer's underside, mm.
+    pub heights_mm: [f64; 2],
+    /// Whether it begins with a piece that touches nothing below.
+    pub island: bool,
+    /// How far its farthest corner is from what it rests on, mm; endless for one that rests on nothing.
+    pub reach_mm: f64,
+    /// Longest line across it from one support to another, mm.
+    pub span_mm: f64,
+    /// Whether lines of one direction rest at both ends over nearly all of it.
+    pub bridged: bool,
+}
+
+/// A place to which layers are still added.
+struct Open {
+    plan: Region,
+    /// What was below it, near it.
+    under: Region,
+    first: usize,
+    last: usize,
+    island: bool,
+}
+
+/// Pieces that are apart by no more than this touch, mm.
+const TOUCH_MM: f64 = 0.02;
+/// Of what a place rests on, this much around it is looked at, mm.
+const AROUND_MM: f64 = 0.5;
+/// Pieces smaller than this are left out, mm².
+const LEAST_MM2: f64 = 1e-3;
+/// Share of a bridge that may hang loose: its rounded corners.
+const LOOSE_SHARE: f64 = 0.15;
+
+/// Every place of a part that hangs and is wider than a line; solid and mesh are the same.
+pub(super) fn of(solid: &MeshSolid, mesh: &Mesh, process: &Process) -> Vec<Hanging> {
+    let layers = Layers::hanging_over(solid, mesh, process.layer_mm, process.overhang.sin());
+    let sizes = Sizes { line_mm: process.line_mm, step_mm: process.layer_mm * process.overhang.tan() };
+    places(&layers, sizes)
+}
+
+/// Sizes by which it is judged.
+#[derive(Clone, Copy)]
+struct Sizes {
+    /// Width of a line, mm.
+    line_mm: f64,
+    /// How far a layer may reach over the one below, mm.
+    step_mm: f64,
+}
+
+fn places(layers: &Layers, sizes: Sizes) -> Vec<Hanging> {
+    let mut open: Vec<Open> = Vec::new();
+    let mut closed = Vec::new();
+    for &at in layers.hanging() {
+        let (Some(below), Some(cut)) = (layers.cut(at - 1), layers.cut(at)) else { continue };
+        let (still, done): (Vec<Open>, Vec<Open>) = open.into_iter().partition(|place| place.last + 1 == at);
+        closed.extend(done);
+        open = still;
+        for [plan, under] in over_air(below, cut, sizes) {
+            let island = under.is_empty() || plan.grown(TOUCH_MM).intersection(&under).is_empty();
+            // The next layer closes a gap of two steps.
+            let near = plan.grown(2.0 * sizes.step_mm + TOUCH_MM);
+            let touches = |place: &Open| near.may_meet(&place.plan) && !place.plan.intersection(&near).is_empty();
+            let (joined, apart): (Vec<Open>, Vec<Open>) = open.into_iter().partition(|place| touches(place));
+            open = apart;
+            let own = Open { plan, under, first: at, last: at, island };
+            open.push(joined.into_iter().fold(own, |all, one| Open {
+                plan: all.plan.union(&one.plan),
+                under: all.under.union(&one.under),
+                first: all.first.min(one.first),
+                last: at,
+                island: all.island || one.island,
+            }));
+        }
+    }
+    closed.extend(open);
+    closed.into_iter().filter_map(|place| place.closed(layers, sizes)).collect()
+}
+
+/// What of a layer hangs over the one below, in pieces: its plan and what is below around it.
+fn over_air(below: &Region, cut: &Region, sizes: Sizes) -> Vec<[Region; 2]> {
+    let mut pieces = Vec::new();
+    for out in cut.minus(below).bodies() {
+        if out.area_mm2() < LEAST_MM2 {
+            continue;
+        }
+        let near = below.within(out.bounds_mm(), AROUND_MM);
+        let beyond = out.minus(&near.grown(sizes.step_mm + 1e-4));
+        if beyond.area_mm2() < LEAST_MM2 {
+            continue;
+        }
+        for plan in beyond.grown(sizes.step_mm + TOUCH_MM).intersection(&out).bodies() {
+            let under = plan.grown(AROUND_MM).intersection(&near);
+            pieces.push([plan, under]);
+        }
+    }
+    pieces
+}
+
+impl Open {
+    fn closed(self, layers: &Layers, sizes: Sizes) -> Option<Hanging> {
+        let plan = self.plan.grown(sizes.step_mm).grown(-sizes.step_mm);
+        // A strip that is narrower than a line is laid on what is beside it.
+        if plan.grown(-0.5 * sizes.line_mm).is_empty() {
+            return None;
+        }
+        // Not the slivers at the seams between its layers.
+        let support = self.under.minus(&plan.grown(TOUCH_MM));
+        let Laid { loose_mm2, span_mm } = chords::best(&plan, &support, sizes.line_mm);
+        let area_mm2 = plan.area_mm2();
+        let heights_mm = [layers.bottom_mm(self.first), layers.bottom_mm(self.last)];
+        let reach_mm = chords::farthest_mm(&plan, &support) - TOUCH_MM;
+        Some(Hanging { plan, area_mm2, heights_mm, island: self.island, reach_mm, span_mm, bridged: loose_mm2 <= LOOSE_SHARE * area_mm2 })
+    }
+}

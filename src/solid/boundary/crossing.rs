@@ -1,0 +1,78 @@
+//! Whether the loops of a face cross each other.
+
+use nalgebra::{Point2, Point3};
+
+use super::curve::beside_mm;
+use super::surface::square_to;
+use super::{Boundary, Edge, Face, Surface};
+
+/// Pieces of an arc that are compared.
+const PIECES: u32 = 12;
+
+/// How close pieces may come where no end is shared, as a share of their lengths' product.
+const TOUCH: f64 = 1e-9;
+
+/// A face whose border comes closer to itself than this is taken for touching itself, mm: readers could not tell inside from outside.
+const TOUCH_MM: f64 = 3e-4;
+
+impl Boundary {
+    /// Whether a vertex lies all but on an edge that does not end there, on a face with straight edges.
+    pub(super) fn touches_itself(&self, face: &Face) -> bool {
+        let edges: Vec<&Edge> = face.loops.iter().flatten().map(|side| &self.edges[side.edge]).collect();
+        edges.len() > 3
+            && edges.iter().flat_map(|edge| [edge.from, edge.to]).any(|corner| {
+                let others = edges.iter().filter(|edge| edge.from != corner && edge.to != corner);
+                let near = |edge: &Edge| beside_mm(&self.vertices[corner], &self.vertices[edge.from], &self.vertices[edge.to]) < TOUCH_MM;
+                others.copied().any(near)
+            })
+    }
+
+    /// Whether pieces of a face's loops cross, seen flat on its surface.
+    pub(super) fn crosses_itself(&self, face: &Face) -> bool {
+        let mut pieces: Vec<[Point2<f64>; 2]> = Vec::new();
+        for side in face.loops.iter().flatten() {
+            let points: Vec<Point2<f64>> = self.points_of(&self.edges[side.edge], PIECES).iter().map(|p| flat(&face.surface, p)).collect();
+            pieces.extend(points.windows(2).map(|pair| [pair[0], unrolled(&face.surface, pair[1], pair[0])]));
+        }
+        let low = |piece: &[Point2<f64>; 2]| piece[0].y.min(piece[1].y);
+        pieces.sort_by(|a, b| low(a).total_cmp(&low(b)));
+        (0..pieces.len()).any(|i| {
+            let high = pieces[i][0].y.max(pieces[i][1].y);
+            pieces[i + 1..].iter().take_while(|other| low(other) <= high).any(|other| {
+                let moved = unrolled(&face.surface, other[0], pieces[i][0]);
+                let other = [moved, other[1] + (moved - other[0])];
+                cross(&pieces[i], &other)
+            })
+        })
+    }
+}
+
+/// A point of a surface in the plane; a cylinder unrolled.
+fn flat(surface: &Surface, p: &Point3<f64>) -> Point2<f64> {
+    match surface {
+        Surface::Plane { point, normal } => {
+            let x = square_to(normal);
+            Point2::new((p - point).dot(&x), (p - point).dot(&normal.cross(&x)))
+        }
+        Surface::Cylinder { point, axis, radius_mm } => {
+            let x = square_to(axis);
+            let arm = p - point;
+            Point2::new(radius_mm * libm::atan2(arm.dot(&axis.cross(&x)), arm.dot(&x)), arm.dot(axis))
+        }
+    }
+}
+
+/// The same point of a cylinder's unrolled surface next to another.
+fn unrolled(surface: &Surface, p: Point2<f64>, beside: Point2<f64>) -> Point2<f64> {
+    let Surface::Cylinder { radius_mm, .. } = surface else { return p };
+    let turn = std::f64::consts::TAU * radius_mm;
+    Point2::new(p.x - turn * ((p.x - beside.x) / turn).round(), p.y)
+}
+
+/// Whether both pieces have the other's ends on different sides.
+fn cross([a, b]: &[Point2<f64>; 2], [c, d]: &[Point2<f64>; 2]) -> bool {
+    let side = |p: &Point2<f64>, q: &Point2<f64>, r: &Point2<f64>| (q - p).perp(&(r - p));
+    let limit = TOUCH * (b - a).norm() * (d - c).norm();
+    let apart = |u: f64, v: f64| u > limit && v < -limit || u < -limit && v > limit;
+    apart(side(a, b, c), side(a, b, d)) && apart(side(c, d, a), side(c, d, b))
+}

@@ -1,0 +1,210 @@
+//! The surfaces that a feature tree is bounded by, and which facets of the mesh stand for them.
+
+use nalgebra::{Isometry3, Matrix3, Point3, Unit, Vector3};
+
+use super::regions::Facet;
+use super::surface::{Surface, across};
+use crate::solid::profile::{Contour, Profile, Segment, circumscribed, sweep_angle};
+use crate::solid::{Feature, MeshSolid, SEGMENTS_PER_TURN};
+
+/// A surface with what its facets look like.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    pub(super) surface: Surface,
+    /// Of a cylinder: how far its facets' planes and their corners are from the axis, mm.
+    reach_mm: [f64; 2],
+}
+
+/// Rotation or reflection, then a shift.
+type Place = (Matrix3<f64>, Vector3<f64>);
+
+/// How far a facet's corners may lie beside the surface that it stands for, mm: what melting detail away can move them.
+pub(super) const BESIDE_MM: f64 = 0.0015;
+
+/// A facet that lies on a plane this well is not taken for a chord of a cylinder, mm.
+const PLANE_FIRST_MM: f64 = 1e-4;
+
+/// Every plane and cylinder of a tree, moved by a pose; other surfaces are left out.
+pub(super) fn surfaces(feature: &Feature, pose: &Isometry3<f64>) -> Vec<Known> {
+    let mut found: Vec<Known> = Vec::new();
+    let place = (pose.rotation.to_rotation_matrix().into_inner(), pose.translation.vector);
+    collect(feature, &place, &mut found);
+    let mut distinct: Vec<Known> = Vec::new();
+    for known in found {
+        let same = |other: &Known| {
+            let reach = (0..2).all(|i| (other.reach_mm[i] - known.reach_mm[i]).abs() < 1e-9);
+            reach && other.surface.is_same(&known.surface)
+        };
+        if !distinct.iter().any(same) {
+            distinct.push(known);
+        }
+    }
+    distinct
+}
+
+fn collect(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
+    let turn = std::f64::consts::TAU / f64::from(SEGMENTS_PER_TURN);
+    match feature {
+        Feature::Extrude { profile, height_mm } => extruded(profile, *height_mm, place, found),
+        Feature::Cylinder { radius_mm, height_mm } => {
+            caps(*height_mm, place, found);
+            found.push(upright([0.0, 0.0], *radius_mm, [radius_mm * libm::cos(0.5 * turn), *radius_mm], place));
+        }
+        Feature::Bore { radius_mm, height_mm } => {
+            caps(*height_mm, place, found);
+            found.push(upright([0.0, 0.0], *radius_mm, [*radius_mm, circumscribed(*radius_mm, SEGMENTS_PER_TURN)], place));
+        }
+        Feature::Cone { height_mm, .. } => caps(*height_mm, place, found),
+        Feature::Sphere { .. } => {}
+        Feature::Revolve { profile, .. } => revolved(profile, place, found),
+        Feature::Hull(of) => {
+            if of.iter().all(has_planes_only) {
+                hull(feature, place, found);
+            } else {
+                of.iter().for_each(|feature| collect(feature, place, found));
+            }
+        }
+        Feature::Union(of) | Feature::Intersection(of) => of.iter().for_each(|feature| collect(feature, place, found)),
+        Feature::Difference { base, cuts } => std::iter::once(&**base).chain(cuts).for_each(|feature| collect(feature, place, found)),
+        Feature::Placed { pose, of } => {
+            let rotation = pose.rotation.to_rotation_matrix().into_inner();
+            collect(of, &(place.0 * rotation, place.0 * pose.translation.vector + place.1), found);
+        }
+        Feature::Mirrored { normal, of } => {
+            let n = normal.normalize();
+            collect(of, &(place.0 * (Matrix3::identity() - 2.0 * n * n.transpose()), place.1), found);
+        }
+    }
+}
+
+fn plane(point: Vector3<f64>, normal: Vector3<f64>, place: &Place) -> Known {
+    let surface = Surface::Plane { point: (place.0 * point + place.1).into(), normal: Unit::new_normalize(place.0 * normal) };
+    Known { surface, reach_mm: [0.0; 2] }
+}
+
+fn upright(centre: [f64; 2], radius_mm: f64, reach_mm: [f64; 2], place: &Place) -> Known {
+    let point = place.0 * Vector3::new(centre[0], centre[1], 0.0) + place.1;
+    let surface = Surface::Cylinder { point: point.into(), axis: Unit::new_normalize(place.0 * Vector3::z()), radius_mm };
+    Known { surface, reach_mm }
+}
+
+fn caps(height_mm: f64, place: &Place, found: &mut Vec<Known>) {
+    found.extend([0.0, height_mm].map(|z| plane(Vector3::new(0.0, 0.0, z), Vector3::z(), place)));
+}
+
+fn extruded(profile: &Profile, height_mm: f64, place: &Place, found: &mut Vec<Known>) {
+    caps(height_mm, place, found);
+    for contour in std::iter::once(&profile.outer).chain(&profile.holes) {
+        match contour {
+            Contour::Circle { centre, radius_mm, bore } => {
+                let half = std::f64::consts::PI / f64::from(SEGMENTS_PER_TURN);
+                let outer = if *bore { circumscribed(*radius_mm, SEGMENTS_PER_TURN) } else { *radius_mm };
+                found.push(upright([centre.x, centre.y], *radius_mm, [outer * libm::cos(half), outer], place));
+            }
+            Contour::Path { start, segments } => {
+                let mut from = *start;
+                for segment in segments {
+                    match segment {
+                        Segment::Line { to } => {
+                            let along = to - from;
+                            found.push(plane(Vector3::new(from.x, from.y, 0.0), Vector3::new(along.y, -along.x, 0.0), place));
+                            from = *to;
+                        }
+                        Segment::Arc { to, centre, counter_clockwise } => {
+                            let radius = (from - centre).norm();
+                            let sweep = sweep_angle(from, *to, *centre, *counter_clockwise).abs();
+                            let steps = (sweep / std::f64::consts::TAU * f64::from(SEGMENTS_PER_TURN)).ceil().max(1.0);
+                            let inner = radius * libm::cos(0.5 * sweep / steps);
+                            found.push(upright([centre.x, centre.y], radius, [inner, radius], place));
+                            from = *to;
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Of a turned profile in (r, z), lines square and parallel to the axis.
+fn revolved(profile: &Profile, place: &Place, found: &mut Vec<Known>) {
+    let Contour::Path { start, segments } = &profile.outer else { return };
+    let mut from = *start;
+    let half = std::f64::consts::PI / f64::from(SEGMENTS_PER_TURN);
+    for segment in segments {
+        let (Segment::Line { to } | Segment::Arc { to, .. }) = segment;
+        if matches!(segment, Segment::Line { .. }) {
+            let along = to - from;
+            if along.y.abs() < 1e-9 {
+                found.push(plane(Vector3::new(0.0, 0.0, from.y), Vector3::z(), place));
+            } else if along.x.abs() < 1e-9 && from.x > 1e-9 {
+                found.push(upright([0.0, 0.0], from.x, [from.x * libm::cos(half), from.x], place));
+            }
+        }
+        from = *to;
+    }
+}
+
+fn has_planes_only(feature: &Feature) -> bool {
+    match feature {
+        Feature::Extrude { profile, .. } => std::iter::once(&profile.outer).chain(&profile.holes).all(|contour| match contour {
+            Contour::Circle { .. } => false,
+            Contour::Path { segments, .. } => segments.iter().all(|segment| matches!(segment, Segment::Line { .. })),
+        }),
+        Feature::Hull(of) | Feature::Union(of) | Feature::Intersection(of) => of.iter().all(has_planes_only),
+        Feature::Difference { base, cuts } => has_planes_only(base) && cuts.iter().all(has_planes_only),
+        Feature::Placed { of, .. } | Feature::Mirrored { of, .. } => has_planes_only(of),
+        _ => false,
+    }
+}
+
+/// The planes of a hull around what has planes only: the mesh kernel's facets are exact there.
+fn hull(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
+    let facets = MeshSolid::build(feature).facets();
+    for facet in facets.into_iter().map(Facet::new).filter(|facet| facet.height_mm > 0.01) {
+        found.push(plane(facet.corners[0].coords, facet.normal, place));
+    }
+}
+
+impl Known {
+    /// How far a facet is from being a piece of this surface, mm; `None` when it is none.
+    pub(super) fn beside_mm(&self, facet: &Facet) -> Option<f64> {
+        let lean = BESIDE_MM / facet.height_mm.max(f64::MIN_POSITIVE);
+        let off = match &self.surface {
+            Surface::Plane { normal, .. } => {
+                if facet.normal.cross(normal).norm() > 2.0 * lean + 1e-4 {
+                    return None;
+                }
+                facet.corners.iter().map(|p| self.surface.distance_mm(p).abs()).fold(0.0, f64::max)
+            }
+            Surface::Cylinder { point, axis, .. } => {
+                let [inner, outer] = self.reach_mm;
+                let middle = facet.corners.iter().map(|p| p - point).sum::<Vector3<f64>>() / 3.0;
+                let chord = (facet.normal.dot(&middle).abs() - inner).abs();
+                if facet.normal.dot(axis).abs() > 2.0 * lean + 1e-4 || chord > BESIDE_MM + 2.0 * lean * outer {
+                    return None;
+                }
+                let off = |p: &Point3<f64>| {
+                    let r = across(axis, &(p - point)).norm();
+                    (r - outer).max(inner - r)
+                };
+                facet.corners.iter().map(off).fold(PLANE_FIRST_MM, f64::max)
+            }
+        };
+        (off < BESIDE_MM).then_some(off)
+    }
+
+    pub(super) fn is_cylinder(&self) -> bool {
+        matches!(self.surface, Surface::Cylinder { .. })
+    }
+
+    /// Whether a point lies on the surface, or between it and its facets.
+    pub(super) fn is_near(&self, p: &Point3<f64>, within_mm: f64) -> bool {
+        match &self.surface {
+            Surface::Plane { .. } => self.surface.distance_mm(p).abs() < within_mm,
+            Surface::Cylinder { point, axis, .. } => {
+                let r = across(axis, &(p - point)).norm();
+                self.reach_mm[0] - within_mm < r && r < self.reach_mm[1] + within_mm
+            }
+        }
+    }
+}

@@ -1,0 +1,202 @@
+"""check_step.py FOLDER...: OCCT (through CadQuery's binding) reads every STEP file of frames built with `build --step`.
+
+Each file is read in a process of its own with a time limit. A part must be one valid, closed solid with the volume that the
+manifest gives for the mesh, within 0.5 %, and with its own, within 0.02 %. The assembly must have the names, places and colours
+of `frame.glb`, and each solid in it must be as good as a part. One line a file: "ok NAME" or "FAILED NAME: WHY".
+"""
+
+import json
+import multiprocessing
+import struct
+import sys
+from pathlib import Path
+
+# Seconds for one file; the assembly takes about 40 alone on a slow machine.
+LIMIT_S = 600
+
+# Shares by which volumes may differ: from the mesh, whose arcs are chords, and from what we say ourselves.
+FROM_MESH, FROM_OURS = 0.005, 0.0002
+
+PLACE_MM, COLOUR = 0.002, 0.01
+
+
+def explore(shape, kind):
+    from OCP.TopExp import TopExp_Explorer
+
+    found, explorer = [], TopExp_Explorer(shape, kind)
+    while explorer.More():
+        found.append(explorer.Current())
+        explorer.Next()
+    return found
+
+
+def faults_of(shape, entry):
+    """What is wrong with a shape that should be one solid."""
+    from OCP.BRep import BRep_Tool
+    from OCP.BRepCheck import BRepCheck_Analyzer
+    from OCP.BRepGProp import BRepGProp
+    from OCP.GProp import GProp_GProps
+    from OCP.TopAbs import TopAbs_SHELL, TopAbs_SOLID
+
+    name = entry["name"]
+    solids, shells = explore(shape, TopAbs_SOLID), explore(shape, TopAbs_SHELL)
+    if len(solids) != 1 or len(shells) != 1:
+        return [f"{name}: {len(solids)} solids, {len(shells)} shells"]
+    faults = []
+    if not BRepCheck_Analyzer(solids[0]).IsValid():
+        faults.append(f"{name} is not valid")
+    if not BRep_Tool.IsClosed_s(shells[0]):
+        faults.append(f"{name} is not closed")
+    properties = GProp_GProps()
+    BRepGProp.VolumeProperties_s(solids[0], properties)
+    volume = properties.Mass()
+    for key, share in [("mesh_volume_mm3", FROM_MESH), ("volume_mm3", FROM_OURS)]:
+        if abs(volume / entry[key] - 1) > share:
+            faults.append(f"{name}: {volume:.3f} mm3, {key} {entry[key]}")
+    return faults
+
+
+def check_part(path, entry):
+    from OCP.IFSelect import IFSelect_RetDone
+    from OCP.STEPControl import STEPControl_Reader
+    from OCP.TopAbs import TopAbs_SOLID
+
+    reader = STEPControl_Reader()
+    if reader.ReadFile(str(path)) != IFSelect_RetDone:
+        return ["cannot be read"]
+    reader.TransferRoots()
+    shape = reader.OneShape()
+    if shape.IsNull() or shape.ShapeType() != TopAbs_SOLID:
+        return ["is no solid"]
+    return faults_of(shape, entry)
+
+
+def glb_bodies(path):
+    """Name, matrix rows in mm, colour of each body, by the GLB."""
+    data = path.read_bytes()
+    length = struct.unpack_from("<I", data, 12)[0]
+    header = json.loads(data[20 : 20 + length])
+    bodies = {}
+    for node in header["nodes"]:
+        if "mesh" not in node:
+            continue
+        x, y, z, w = node.get("rotation", [0, 0, 0, 1])
+        turn = [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+        at = [1000 * value for value in node.get("translation", [0, 0, 0])]
+        material = header["materials"][header["meshes"][node["mesh"]]["primitives"][0]["material"]]
+        colour = material["pbrMetallicRoughness"]["baseColorFactor"]
+        bodies[node["name"]] = ([row + [shift] for row, shift in zip(turn, at)], colour)
+    return bodies
+
+
+def label_name(label):
+    from OCP.TDataStd import TDataStd_Name
+
+    name = TDataStd_Name()
+    return name.Get().ToExtString() if label.FindAttribute(TDataStd_Name.GetID_s(), name) else None
+
+
+def check_frame(path, entries):
+    from OCP.IFSelect import IFSelect_RetDone
+    from OCP.Quantity import Quantity_Color
+    from OCP.STEPCAFControl import STEPCAFControl_Reader
+    from OCP.TCollection import TCollection_ExtendedString
+    from OCP.TDF import TDF_Label, TDF_LabelSequence
+    from OCP.TDocStd import TDocStd_Document
+    from OCP.XCAFDoc import XCAFDoc_ColorSurf, XCAFDoc_ColorTool, XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
+
+    document = TDocStd_Document(TCollection_ExtendedString("step"))
+    reader = STEPCAFControl_Reader()
+    reader.SetNameMode(True)
+    reader.SetColorMode(True)
+    if reader.ReadFile(str(path)) != IFSelect_RetDone or not reader.Transfer(document):
+        return ["cannot be read"]
+    shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
+    colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
+    free = TDF_LabelSequence()
+    shapes.GetFreeShapes(free)
+    if free.Length() != 1:
+        return [f"{free.Length()} assemblies"]
+    parts = TDF_LabelSequence()
+    XCAFDoc_ShapeTool.GetComponents_s(free.Value(1), parts)
+    wanted, faults, seen = glb_bodies(path.with_name("frame.glb")), [], set()
+    names = []
+    for at in range(1, parts.Length() + 1):
+        label, original = parts.Value(at), TDF_Label()
+        XCAFDoc_ShapeTool.GetReferredShape_s(label, original)
+        body, part = label_name(label), label_name(original)
+        names.append(body)
+        if body not in wanted:
+            continue
+        rows, colour = wanted[body]
+        move = XCAFDoc_ShapeTool.GetLocation_s(label).Transformation()
+        off = max(abs(move.Value(i + 1, j + 1) - rows[i][j]) for i in range(3) for j in range(4))
+        if off > PLACE_MM:
+            faults.append(f"{body} is {off:.4f} beside its place")
+        if part in seen:
+            continue
+        seen.add(part)
+        shape = XCAFDoc_ShapeTool.GetShape_s(original)
+        found = Quantity_Color()
+        if not (XCAFDoc_ColorTool.GetColor_s(original, XCAFDoc_ColorSurf, found) or colours.GetColor(shape, XCAFDoc_ColorSurf, found)):
+            faults.append(f"{part} has no colour")
+        elif max(abs(a - b) for a, b in zip([found.Red(), found.Green(), found.Blue()], colour)) > COLOUR:
+            faults.append(f"{part} has colour {found.Red():.3f} {found.Green():.3f} {found.Blue():.3f}, not {colour[:3]}")
+        entry = next((entry for entry in entries if entry["name"] == part), None)
+        faults += faults_of(shape, entry) if entry else [f"{part} is not in the manifest"]
+    if sorted(names) != sorted(wanted):
+        faults.append(f"bodies differ from frame.glb: {sorted(set(names) ^ set(wanted))[:5]}")
+    if len(seen) != len(entries):
+        faults.append(f"{len(seen)} different solids, the manifest has {len(entries)}")
+    return faults
+
+
+def work(queue, check, *arguments):
+    try:
+        queue.put(check(*arguments))
+    except Exception as error:  # whatever the reader throws is a finding
+        queue.put([repr(error)])
+
+
+def in_time(check, *arguments):
+    """The faults that a check finds, in a process that is ended when it takes too long or dies."""
+    queue = multiprocessing.Queue()
+    process = multiprocessing.Process(target=work, args=(queue, check, *arguments))
+    process.start()
+    process.join(LIMIT_S)
+    if process.is_alive():
+        process.kill()
+        process.join()
+        return [f"not read within {LIMIT_S} s"]
+    return queue.get() if process.exitcode == 0 else [f"the reader died with {process.exitcode}"]
+
+
+def main():
+    failed = False
+    for folder in map(Path, sys.argv[1:]):
+        entries = json.loads((folder / "manifest.json").read_text())["step"]
+        files = {}
+        for entry in entries:
+            files.setdefault(entry["file"], []).append(entry)
+        on_disk = {str(path.relative_to(folder)) for path in folder.rglob("*.step")}
+        if on_disk != set(files):
+            print(f"FAILED STEP {folder.name}: the manifest lists other files than there are: {sorted(on_disk ^ set(files))}")
+            failed = True
+        for file, entries in files.items():
+            if file == "frame.step":
+                faults = in_time(check_frame, folder / file, entries)
+            else:
+                faults = in_time(check_part, folder / file, entries[0])
+            name = f"STEP {folder.name}/{file}"
+            made = entries[0]["made"] if len(entries) == 1 else f"{len(entries)} solids"
+            print(f"FAILED {name}: {'; '.join(faults)}" if faults else f"ok {name} ({made})", flush=True)
+            failed |= bool(faults)
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
