@@ -29,6 +29,7 @@ for ((run = 0; run < runs; run++)); do
     measured "flexframe build" "$binary" build -q -o "$work/all"
     measured "flexframe build --no-pictures" "$binary" build -q --no-pictures -o "$work/meshes"
     measured "the same with --step" "$binary" build -q --no-pictures --step -o "$work/step"
+    measured "flexframe build --step" "$binary" build -q --step -o "$work/both"
     measured "without --step on one thread" env RAYON_NUM_THREADS=1 "$binary" build -q --no-pictures -o "$work/one"
     if [[ -n ${CADQUERY:-} ]]; then
         measured "CadQuery" "$CADQUERY" benches/peers/cadquery_frame.py "$work/cadquery"

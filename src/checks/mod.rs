@@ -36,6 +36,7 @@ pub use ground::GroundClearance;
 pub use hinge::{HingeStrain, LayerStrain, NotchPreload};
 pub use interference::SharedVolume;
 pub use mass_budget::TakeOffMass;
+pub use printing::standing;
 pub use propeller::PropellerClearance;
 pub use seating::{SeatedEnd, SocketGeometry};
 pub use strength::strength;

@@ -9,10 +9,9 @@ use rayon::prelude::*;
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
 use super::{bridge, footing, island, overhang};
-use crate::assembly::Printed;
+use crate::assembly::{Design, Printed};
 use crate::figures::decimals;
 use crate::params::PartName;
-use crate::params::frame::NamedMaterial;
 use crate::printability::{self, Fault, Footing, Hanging, Process};
 use crate::solid::Region;
 
@@ -25,7 +24,9 @@ pub(super) struct Hung<'a> {
 }
 
 impl<'a> Hung<'a> {
-    fn of(part: &Printed, material: &'a NamedMaterial, process: Process) -> Self {
+    fn in_design(design: &'a Design, part: &Printed) -> Self {
+        let material = design.material_of(part.name);
+        let process = Process::of(&material.material, &design.frame.printer);
         Self { part: part.name, material: &material.name, process, places: printability::hanging(part, &process) }
     }
 
@@ -75,15 +76,22 @@ pub(super) fn place(hanging: &Hanging) -> String {
     format!("around {x}, {y} as printed, {} to {} mm high", decimals(hanging.heights_mm[0], 1), decimals(hanging.heights_mm[1], 1))
 }
 
+/// How a part stands while it is printed: three findings.
+pub fn standing(design: &Design, part: &Printed) -> [Finding; 3] {
+    stands(&Hung::in_design(design, part), design, part)
+}
+
+fn stands(hung: &Hung, design: &Design, part: &Printed) -> [Finding; 3] {
+    let footing = Footing::of(part, hung.process.layer_mm, &hung.supported());
+    footing::findings(part.name, &footing, &design.frame.printer)
+}
+
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let design = scene.design;
-    let printer = &design.frame.printer;
     let found = |part: &Printed| {
-        let material = design.material_of(part.name);
-        let hung = Hung::of(part, material, Process::of(&material.material, printer));
-        let footing = Footing::of(part, hung.process.layer_mm, &hung.supported());
-        let stands = footing::findings(part.name, &footing, printer);
-        [overhang::finding(&hung), island::finding(&hung), bridge::finding(&hung)].into_iter().chain(stands).collect()
+        let hung = Hung::in_design(design, part);
+        let over_air = [overhang::finding(&hung), island::finding(&hung), bridge::finding(&hung)];
+        over_air.into_iter().chain(stands(&hung, design, part)).collect()
     };
     let found: Vec<Vec<Finding>> = design.printed.par_iter().map(found).collect();
     found.into_iter().flatten().collect()

@@ -45,7 +45,7 @@ pub struct ThinnestWall {
 
 impl ThinnestWall {
     /// Of a part: wall or floor, and gap.
-    fn of(part: &Printed, printer: &Printer, material: &Material) -> [Self; 2] {
+    pub fn of(part: &Printed, printer: &Printer, material: &Material) -> [Self; 2] {
         let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
         let reach = REACH * limit_mm;
         let Walls { wall, gap } = Walls::of(&part.mesh, printer.layer_mm(material), reach);
@@ -54,7 +54,8 @@ impl ThinnestWall {
         [one(false, thinnest, limit_mm), one(true, gap, printer.line_mm())]
     }
 
-    fn finding(&self) -> Finding {
+    /// Whether the limit is kept, and what was found.
+    pub fn finding(&self) -> Finding {
         let Self { part, gap, thinnest, limit_mm } = self;
         let reach_mm = REACH * limit_mm;
         let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));

@@ -624,7 +624,7 @@ pub(super) struct RenderOptions {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Instead, each part as it is printed with what hangs over air marked, from above and from below.
+    /// Instead, each part as it is printed, from above and from below, with what hangs over air, is too thin or holds badly marked.
     #[arg(long)]
     pub findings: bool,
     /// Folder that takes the folder `FRAME-pictures`, or `FRAME-findings`.

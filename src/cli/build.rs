@@ -148,8 +148,9 @@ fn table(design: &Design, masses: &MassTable, place: &Path) -> String {
     }
     for line in masses.lines.iter().filter(|line| line.kind == "rod") {
         let name = line.name.trim_end_matches("_rod");
-        let length = design.skeleton.rods.iter().find(|rod| rod.role.slug() == name).map_or(0.0, |rod| rod.length_mm());
-        text += &format!("{:<24} {:>3}  {:<9} {:>9} {:>8.2}  {length:.2} long\n", line.name, line.quantity, line.material, "", line.each_g);
+        let rod = design.skeleton.rods.iter().find(|rod| rod.role.slug() == name);
+        let sawn = rod.map_or(0.0, |rod| design.skeleton.sawn_mm(rod.role));
+        text += &format!("{:<24} {:>3}  {:<9} {:>9} {:>8.2}  saw to {sawn:.1}\n", line.name, line.quantity, line.material, "", line.each_g);
     }
     text + &format!("{}: {:.1} g in all, of which {:.1} g are estimates\n", place.display(), masses.total_g, masses.estimated_g)
 }

@@ -7,14 +7,14 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::report::{hanging_picture, scene};
+use crate::report::{printing_picture, scene};
 
 /// Writes `FRAME-pictures` with every picture, or `FRAME-findings`.
 pub(super) fn render(options: &RenderOptions, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("drawing", common);
     let design = session::design(&options.frame)?;
     let files: Vec<(String, Vec<u8>)> = if options.findings {
-        hanging_picture::pictures(&design)
+        printing_picture::pictures(&design)
     } else {
         scene::pictures(&design).into_iter().map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes)).collect()
     };

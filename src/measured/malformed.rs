@@ -72,6 +72,8 @@ pub enum Fault {
     NoColumn {
         /// Their names.
         missing: Vec<String>,
+        /// Every column that such a table can have, in words.
+        known: &'static str,
     },
     /// A column that is there twice.
     #[error("has the column `{name}` twice")]
@@ -149,9 +151,7 @@ impl Fault {
                 "a logger's file holds u32 t_us, u16 x, u16 y, u16 z, little-endian, 12 bits each axis: is it one?".into()
             }
             Self::NoHeight { .. } => "name the folder FRAME_HEIGHTcm, as in soft_050cm".into(),
-            Self::NoColumn { .. } => {
-                "the first line names the columns, with commas: trial,height_m,t_s,accel_g, and x,y,z if they are there".into()
-            }
+            Self::NoColumn { known, .. } => format!("the first line names the columns, with commas: {known}"),
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),

@@ -48,7 +48,7 @@ fn rows(bytes: &[u8]) -> Result<Vec<ScaleReading>, (Place, Fault)> {
     let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
     let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
     let [Some(part), Some(mass)] = COLUMNS.map(place) else {
-        return Err((Place::Line(1), Fault::NoColumn { missing }));
+        return Err((Place::Line(1), Fault::NoColumn { missing, known: "part,mass_g, and quantity if several lay on the scale" }));
     };
     let mut readings = Vec::new();
     let mut row = csv::ByteRecord::new();

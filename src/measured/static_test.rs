@@ -31,7 +31,7 @@ fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (Place, Fault)> {
     let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
     let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
     let [Some(displacement), Some(force)] = COLUMNS.map(place) else {
-        return Err((Place::Line(1), Fault::NoColumn { missing }));
+        return Err((Place::Line(1), Fault::NoColumn { missing, known: "displacement_mm,force_n" }));
     };
     let mut points = Vec::new();
     let mut row = csv::ByteRecord::new();

@@ -41,7 +41,7 @@ impl Header {
         let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
         let columns = match COLUMNS.map(place) {
             [Some(trial), Some(height), Some(time), Some(accel)] => [trial, height, time, accel],
-            _ => return Err(Fault::NoColumn { missing }),
+            _ => return Err(Fault::NoColumn { missing, known: "trial,height_m,t_s,accel_g, and x,y,z if they are there" }),
         };
         let others = names.iter().filter(|name| known().all(|known| known != name)).cloned().collect();
         Ok(Self { columns, axes: AXES.map(place), others })

@@ -14,6 +14,8 @@ use crate::solid::{Mesh, MeshSolid, Region};
 pub struct Hanging {
     /// In plan, print axes.
     pub plan: Region,
+    /// Layer by layer: the height of its underside, mm, and what of it hangs over the one below.
+    pub layers: Vec<(f64, Region)>,
     /// Its area in plan, mm².
     pub area_mm2: f64,
     /// Height of its lowest and highest layer's underside, mm.
@@ -31,6 +33,7 @@ pub struct Hanging {
 /// A place to which layers are still added.
 struct Open {
     plan: Region,
+    layers: Vec<(usize, Region)>,
     /// What was below it, near it.
     under: Region,
     first: usize,
@@ -78,9 +81,10 @@ fn places(layers: &Layers, sizes: Sizes) -> Vec<Hanging> {
             let touches = |place: &Open| near.may_meet(&place.plan) && !place.plan.intersection(&near).is_empty();
             let (joined, apart): (Vec<Open>, Vec<Open>) = open.into_iter().partition(|place| touches(place));
             open = apart;
-            let own = Open { plan, under, first: at, last: at, island };
+            let own = Open { layers: vec![(at, plan.clone())], plan, under, first: at, last: at, island };
             open.push(joined.into_iter().fold(own, |all, one| Open {
                 plan: all.plan.union(&one.plan),
+                layers: [one.layers, all.layers].concat(),
                 under: all.under.union(&one.under),
                 first: all.first.min(one.first),
                 last: at,
@@ -125,6 +129,16 @@ impl Open {
         let area_mm2 = plan.area_mm2();
         let heights_mm = [layers.bottom_mm(self.first), layers.bottom_mm(self.last)];
         let reach_mm = chords::farthest_mm(&plan, &support) - TOUCH_MM;
-        Some(Hanging { plan, area_mm2, heights_mm, island: self.island, reach_mm, span_mm, bridged: loose_mm2 <= LOOSE_SHARE * area_mm2 })
+        let layers = self.layers.into_iter().map(|(at, piece)| (layers.bottom_mm(at), piece)).collect();
+        Some(Hanging {
+            plan,
+            layers,
+            area_mm2,
+            heights_mm,
+            island: self.island,
+            reach_mm,
+            span_mm,
+            bridged: loose_mm2 <= LOOSE_SHARE * area_mm2,
+        })
     }
 }
