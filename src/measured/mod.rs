@@ -13,6 +13,7 @@ mod malformed;
 mod reading;
 mod record;
 mod scale;
+mod sheet;
 mod spread;
 mod static_test;
 mod summary;

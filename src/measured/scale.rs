@@ -5,18 +5,17 @@ use std::path::Path;
 
 use super::malformed::{Fault, Malformed, Place};
 use super::reading::{bytes_of, malformed};
-use super::table::{number, refused};
+use super::sheet::{self, Columns, MOST_BYTES};
+use super::table::number;
 
-/// Columns that must be there.
-const COLUMNS: [&str; 2] = ["part", "mass_g"];
 /// Column that may be there.
 const QUANTITY: &str = "quantity";
+const COLUMNS: Columns<2> =
+    Columns { needed: ["part", "mass_g"], optional: Some(QUANTITY), known: "part,mass_g, and quantity if several lay on the scale" };
 /// Masses that a reading can be, g.
 const MASSES_G: RangeInclusive<f64> = 0.01..=1e4;
 /// Parts that can lie on a scale.
 const QUANTITIES: RangeInclusive<f64> = 1.0..=1000.0;
-/// Most bytes of a table.
-const MOST_BYTES: u64 = 1 << 20;
 
 /// A reading.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,21 +41,7 @@ pub fn read_scale(path: &Path) -> Result<Vec<ScaleReading>, Malformed> {
 }
 
 fn rows(bytes: &[u8]) -> Result<Vec<ScaleReading>, (Place, Fault)> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
-    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
-    let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
-    let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
-    let [Some(part), Some(mass)] = COLUMNS.map(place) else {
-        return Err((Place::Line(1), Fault::NoColumn { missing, known: "part,mass_g, and quantity if several lay on the scale" }));
-    };
-    let mut readings = Vec::new();
-    let mut row = csv::ByteRecord::new();
-    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
-        let line = row.position().map_or(0, csv::Position::line);
-        readings.push(reading(&row, line, part, mass, place(QUANTITY)).map_err(|fault| (Place::Line(line), fault))?);
-    }
-    if readings.is_empty() { Err((Place::Whole, Fault::Empty)) } else { Ok(readings) }
+    sheet::rows(bytes, &COLUMNS, |row, line, ([part, mass], quantity)| reading(row, line, part, mass, quantity))
 }
 
 fn reading(row: &csv::ByteRecord, line: u64, part: usize, mass: usize, quantity: Option<usize>) -> Result<ScaleReading, Fault> {

@@ -5,16 +5,14 @@ use std::path::Path;
 
 use super::malformed::{Fault, Malformed, Place};
 use super::reading::{bytes_of, malformed};
-use super::table::{number, refused};
+use super::sheet::{self, Columns, MOST_BYTES};
+use super::table::number;
 
-/// Columns that must be there.
-const COLUMNS: [&str; 2] = ["displacement_mm", "force_n"];
+const COLUMNS: Columns<2> = Columns { needed: ["displacement_mm", "force_n"], optional: None, known: "displacement_mm,force_n" };
 /// Displacements, mm, and forces, N, that can be.
 const BOUNDS: [RangeInclusive<f64>; 2] = [0.0..=200.0, 0.0..=1e5];
 /// Units of the columns.
 const UNITS: [&str; 2] = ["mm", "N"];
-/// Most bytes of a table.
-const MOST_BYTES: u64 = 1 << 20;
 
 /// Displacement, mm, and force, N, of each row of a table.
 ///
@@ -25,25 +23,13 @@ pub fn read_static_test(path: &Path) -> Result<Vec<[f64; 2]>, Malformed> {
 }
 
 fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (Place, Fault)> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
-    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
-    let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
-    let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
-    let [Some(displacement), Some(force)] = COLUMNS.map(place) else {
-        return Err((Place::Line(1), Fault::NoColumn { missing, known: "displacement_mm,force_n" }));
-    };
-    let mut points = Vec::new();
-    let mut row = csv::ByteRecord::new();
-    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
-        let line = row.position().map_or(0, csv::Position::line);
+    sheet::rows(bytes, &COLUMNS, |row, _, (places, _)| {
         let mut point = [0.0; 2];
-        for (at, column) in [displacement, force].into_iter().enumerate() {
-            point[at] = number(&row, column, COLUMNS[at], &BOUNDS[at], UNITS[at]).map_err(|fault| (Place::Line(line), fault))?;
+        for (at, column) in places.into_iter().enumerate() {
+            point[at] = number(row, column, COLUMNS.needed[at], &BOUNDS[at], UNITS[at])?;
         }
-        points.push(point);
-    }
-    if points.is_empty() { Err((Place::Whole, Fault::Empty)) } else { Ok(points) }
+        Ok(point)
+    })
 }
 
 /// Points of a static test.

@@ -1,0 +1,45 @@
+//! A short CSV table that a person wrote: one thing a row, columns in any order, remarks after `#`.
+
+use super::malformed::{Fault, Place};
+use super::table::refused;
+
+/// Most bytes of such a table.
+pub(super) const MOST_BYTES: u64 = 1 << 20;
+
+/// Columns of a table.
+pub(super) struct Columns<const N: usize> {
+    /// Those that must be there.
+    pub needed: [&'static str; N],
+    /// One that may be there.
+    pub optional: Option<&'static str>,
+    /// All of them in words, for who lacks one.
+    pub known: &'static str,
+}
+
+/// Places of the columns in a row: those that are needed, and the one that may be there.
+pub(super) type Places<const N: usize> = ([usize; N], Option<usize>);
+
+/// What each row says; at least one.
+pub(super) fn rows<T, const N: usize>(
+    bytes: &[u8],
+    columns: &Columns<N>,
+    read: impl Fn(&csv::ByteRecord, u64, Places<N>) -> Result<T, Fault>,
+) -> Result<Vec<T>, (Place, Fault)> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
+    let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
+    let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
+    let found = columns.needed.map(place);
+    let missing: Vec<String> = columns.needed.iter().zip(found).filter(|(_, at)| at.is_none()).map(|(name, _)| (*name).into()).collect();
+    if !missing.is_empty() {
+        return Err((Place::Line(1), Fault::NoColumn { missing, known: columns.known }));
+    }
+    let places = (found.map(Option::unwrap_or_default), columns.optional.and_then(place));
+    let mut said = Vec::new();
+    let mut row = csv::ByteRecord::new();
+    while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
+        let line = row.position().map_or(0, csv::Position::line);
+        said.push(read(&row, line, places).map_err(|fault| (Place::Line(line), fault))?);
+    }
+    if said.is_empty() { Err((Place::Whole, Fault::Empty)) } else { Ok(said) }
+}
