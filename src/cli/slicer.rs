@@ -101,8 +101,8 @@ fn ended(mut child: Child, log: &Path) -> io::Result<()> {
             Some(status) if status.success() => return Ok(()),
             Some(status) => {
                 let said = text_of(log).unwrap_or_default();
-                let said = said.trim().lines().last().unwrap_or_default();
-                return Err(io::Error::other(format!("it ended with {status}: {said}")));
+                let said = said.trim().lines().last().map(|line| format!(": {line}")).unwrap_or_default();
+                return Err(io::Error::other(format!("it ended with {status}{said}")));
             }
             None if begun.elapsed() > PATIENCE => {
                 child.kill()?;

@@ -38,7 +38,7 @@ pub enum Misread {
         nearest: Vec<String>,
     },
     /// Too light or too heavy for what it is called.
-    #[error("{quantity} x `{part}` weigh {mass_g} g, {ratio:.2} of the {solid_g:.2} g that they would weigh solid; a print has {} to {}: is it another part, another number of them, or are rods or support weighed with it?", BELIEVED.start(), BELIEVED.end())]
+    #[error("{quantity} x `{part}` weigh {mass_g} g, {ratio:.2} times the {solid_g:.2} g that they would weigh solid; a print has {} to {} times that: is it another part, another number of them, or are rods or support weighed with it?", BELIEVED.start(), BELIEVED.end())]
     Unbelieved {
         /// What was read.
         part: String,
