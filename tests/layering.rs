@@ -28,7 +28,7 @@ const LAYERS: [(&str, &[&str]); 26] = [
     ("fit", &["effects", "sim", "measured"]),
     ("diagnose", &["effects", "sim", "fit"]),
     ("plant", &["params", "effects"]),
-    ("variant", &["figures", "params", "skeleton", "assembly", "checks", "body", "effects", "sim"]),
+    ("variant", &["figures", "params", "skeleton", "assembly", "mechanics", "checks", "body", "effects", "sim"]),
     ("schema", &["params", "effects", "plant"]),
     (
         "report",

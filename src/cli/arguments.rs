@@ -93,12 +93,12 @@ pub(super) enum Command {
     Params(ParamsOptions),
     /// Compare two frames, or a frame with its former self: what differs, and what is better or worse.
     #[command(
-        after_help = "Examples:\n  flexframe diff cognifly light.toml\n  flexframe diff --git HEAD~1 light.toml --format markdown --fail-on-increase mass=2g\n  flexframe diff cognifly cognifly-mini -o out\n\nWhat may not grow is a measure by its name; `flexframe solve --help` lists them."
+        after_help = "Examples:\n  flexframe diff cognifly light.toml\n  flexframe diff --git HEAD~1 light.toml --format markdown --fail-on-increase mass=2g\n  flexframe diff cognifly cognifly-mini -o out\n  flexframe diff cognifly light.toml --strength --fail-on-increase design_drop.peak=5g\n\nWhat may not grow is a measure by its name; `flexframe solve --help` lists them."
     )]
     Diff(DiffOptions),
     /// Say what a parameter is, what it drives, and what 5 % less and more of it do.
     #[command(
-        after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json\n  flexframe explain bought.battery"
+        after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json\n  flexframe explain strut_rod --strength\n  flexframe explain bought.battery"
     )]
     Explain(ExplainOptions),
     /// Write a variant of a frame, with what has to change to keep every limit.
@@ -108,7 +108,7 @@ pub(super) enum Command {
     New(NewOptions),
     /// Search for the frame with the least of a measure that keeps every limit.
     #[command(
-        after_help = "Examples:\n  flexframe solve --minimise mass --vary arm_rod,cage_rod,strut_rod,motor_position -o light\n  flexframe solve cognifly --minimise envelope.volume --subject-to 'clearance.propeller>=3mm' --vary arm_rod=70..90,cage_rod\n\nMeasures: mass, mass.printed, mass.rods, envelope.width, envelope.depth, envelope.height, envelope.volume, clearance.propeller,\nclearance.part, clearance.ground, engagement, hinge.strain, wall, printed.volume, peak. It is a local search: another start may\nlead elsewhere. Exit code 1 when no frame keeps every limit."
+        after_help = "Examples:\n  flexframe solve --minimise mass --vary arm_rod,cage_rod,strut_rod,motor_position -o light\n  flexframe solve cognifly --minimise envelope.volume --subject-to 'clearance.propeller>=3mm' --vary arm_rod=70..90,cage_rod\n\nMeasures: mass, mass.printed, mass.rods, envelope.width, envelope.depth, envelope.height, envelope.volume, clearance.propeller,\nclearance.part, clearance.ground, engagement, hinge.strain, wall, printed.volume, peak; and of the frame's own mechanics, which\ntake a second or two a frame: stiffness, design_drop.peak, design_drop.travel, design_drop.strain. It is a local search: another start may\nlead elsewhere. Exit code 1 when no frame keeps every limit."
     )]
     Solve(SolveOptions),
     /// Say at every save of a frame file what it changed.
@@ -216,12 +216,9 @@ pub(super) struct CheckOptions {
     /// Write what fails now into the list of --baseline; nothing fails then.
     #[arg(long, requires = "baseline")]
     pub update_baseline: bool,
-    /// Drop the frame's own model, too: payload, strains and rods against the limits of the design drop.
-    #[arg(long)]
-    pub strength: bool,
-    /// With --strength: numbers of the mechanics instead of those that come with the program.
-    #[arg(long, value_name = "TOML", requires = "strength")]
-    pub mechanics: Option<String>,
+    /// Whether the mechanics are asked.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
     /// Do not keep findings, nor use those that were kept (FLEXFRAME_CACHE=off does the same).
     #[arg(long)]
     pub no_cache: bool,
@@ -236,6 +233,17 @@ pub(super) enum PageFormat {
     Json,
     /// A page for a pull request.
     Markdown,
+}
+
+/// Whether a frame's own mechanics are asked.
+#[derive(Debug, Args)]
+pub(super) struct MechanicsOption {
+    /// Ask the frame's own mechanics, too, a second or two a frame: stiffness, and payload, travel, strains and rods in the design drop.
+    #[arg(long)]
+    pub strength: bool,
+    /// With --strength: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "strength")]
+    pub mechanics: Option<String>,
 }
 
 /// Options of `diff`.
@@ -253,6 +261,9 @@ pub(super) struct DiffOptions {
     /// How to say it; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
     pub format: Option<PageFormat>,
+    /// Whether the mechanics are asked.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
     /// Write diff.md, diff.json and a picture of both frames into the folder `diff-A-B` of this one.
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
@@ -267,6 +278,9 @@ pub(super) struct ExplainOptions {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
+    /// Whether the mechanics are asked.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
 }
 
 /// Options of `new`.
@@ -315,6 +329,9 @@ pub(super) struct SolveOptions {
     /// What may vary: keys, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
     #[arg(long, value_delimiter = ',', required = true, value_name = "KEY,…")]
     pub vary: Vec<String>,
+    /// With a measure of the mechanics: their numbers instead of those that come with the program.
+    #[arg(long, value_name = "TOML")]
+    pub mechanics: Option<String>,
     /// Most frames to look at.
     #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
     pub frames: u16,

@@ -69,17 +69,16 @@ fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Res
         }
     };
     let mut findings = findings;
-    if options.strength {
-        findings.extend(strength(frame.clone(), &file, options)?);
+    if let Some(settings) = session::mechanics(&options.mechanics)? {
+        findings.extend(strength(frame.clone(), &file, &settings)?);
     }
     Ok(Held::new(&frame, &file, findings, masses, rules))
 }
 
 /// What the design drop of the frame's own model does to it.
-fn strength(frame: Frame, file: &FrameFile, options: &CheckOptions) -> Result<Vec<Finding>, Failure> {
+fn strength(frame: Frame, file: &FrameFile, settings: &Settings) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file)?;
-    let settings = Settings::load(options.mechanics.as_deref())?;
-    let found = predict(&design, &mass::table(&design), &settings).map_err(stiffness::refused)?;
+    let found = predict(&design, &mass::table(&design), settings).map_err(stiffness::refused)?;
     Ok(checks::strength(&design, &settings.limits, &found))
 }
 

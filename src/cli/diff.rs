@@ -8,18 +8,25 @@ use super::output;
 use super::progress::Progress;
 use super::revision::Revision;
 use super::session::{self, Failure};
+use super::stiffness;
 use super::terminal;
+use crate::checks;
+use crate::mechanics::settings::Settings;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
 use crate::report::{diff_page, side_by_side};
-use crate::variant::{Difference, Evaluation, Increase, PEAK_CAVEAT, Side};
+use crate::variant::{Difference, Evaluation, Increase, MECHANICS_CAVEAT, PEAK_CAVEAT, Side};
 
 /// Says what differs; exits 1 when a measure grew by more than allowed.
 pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, Failure> {
     let increases = options.fail_on_increase.iter().map(|text| Increase::parse(text)).collect::<Result<Vec<_>, _>>();
     let increases = increases.map_err(|error| Failure::Usage { message: format!("--fail-on-increase: {error}") })?;
+    let settings = session::mechanics(&options.mechanics)?;
+    if let Some(increase) = increases.iter().find(|increase| increase.measure.is_mechanics() && settings.is_none()) {
+        return Err(Failure::Usage { message: format!("--fail-on-increase: {} is only known with --strength", increase.measure.name) });
+    }
     let working = Progress::of("comparing", common);
-    let sides = sides(options)?;
+    let sides = sides(options, settings.as_ref())?;
     let difference = Difference::of(&sides);
     drop(working);
     let page = diff_page::markdown(&difference);
@@ -53,23 +60,30 @@ pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, F
     Ok(if exceeded.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-fn sides(options: &DiffOptions) -> Result<[Side; 2], Failure> {
+fn sides(options: &DiffOptions, settings: Option<&Settings>) -> Result<[Side; 2], Failure> {
     match (&options.git, options.frames.as_slice()) {
-        (None, [a, b]) => Ok([side(a, &Disk, "")?, side(b, &Disk, "")?]),
+        (None, [a, b]) => Ok([side(a, &Disk, "", settings)?, side(b, &Disk, "", settings)?]),
         (Some(name), [frame]) => {
             session::needs_file(frame, "--git compares a file with its former self")?;
             let revision = Revision::of(Path::new(frame), name)?;
-            Ok([side(frame, &revision, &format!("@{}", revision.short()))?, side(frame, &Disk, "")?])
+            Ok([side(frame, &revision, &format!("@{}", revision.short()), settings)?, side(frame, &Disk, "", settings)?])
         }
         (None, _) => Err(Failure::Usage { message: "give two frames, or one and --git REVISION".into() }),
         (Some(_), _) => Err(Failure::Usage { message: "give one frame with --git REVISION".into() }),
     }
 }
 
-fn side(frame: &str, files: &dyn Files, suffix: &str) -> Result<Side, Failure> {
+fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&Settings>) -> Result<Side, Failure> {
     let (frame, file) = session::resolved(FrameFile::load_from(frame, files)?)?;
     let name = format!("{}{suffix}", frame.name);
-    Ok(Side { name, evaluation: Evaluation::of(session::designed(frame, &file)?) })
+    let mut evaluation = Evaluation::of(session::designed(frame, &file)?);
+    if let Some(settings) = settings {
+        evaluation = evaluation.strengthened(settings).map_err(stiffness::refused)?;
+        let predicted = evaluation.prediction.iter().flat_map(|found| checks::strength(&evaluation.design, &settings.limits, found));
+        let predicted: Vec<_> = predicted.collect();
+        evaluation.findings.extend(predicted);
+    }
+    Ok(Side { name, evaluation })
 }
 
 fn folder_name(name: &str) -> String {
@@ -80,6 +94,9 @@ fn json(difference: &Difference) -> serde_json::Value {
     let mut value = serde_json::json!(difference);
     value["schema_version"] = 1.into();
     value["peak"] = PEAK_CAVEAT.into();
+    if difference.measures.iter().any(|change| change.name == "stiffness") {
+        value["mechanics"] = MECHANICS_CAVEAT.into();
+    }
     value
 }
 

@@ -10,7 +10,7 @@ use super::terminal;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::Place;
 use crate::params::{Frame, FrameFile, follows};
-use crate::variant::{MEASURES, PEAK_CAVEAT, Response, sensitivity};
+use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitivity};
 
 /// By how much the parameter is changed.
 const SHARE: f64 = 0.05;
@@ -27,13 +27,15 @@ pub(super) fn explain(options: &ExplainOptions, common: &Common) -> Result<ExitC
         return Ok(ExitCode::SUCCESS);
     }
     let parameter = session::parameter(&options.key)?;
+    let settings = session::mechanics(&options.mechanics)?;
     let working = Progress::of("trying values", common);
-    let responses = sensitivity(&file, &frame, parameter, SHARE);
+    let responses = sensitivity(&file, &frame, parameter, SHARE, settings.as_ref());
     drop(working);
     if common.json {
         terminal::print_json(&json(parameter, &frame, &responses))?;
     } else {
-        terminal::print(&format!("{}\n{}\n{PEAK_CAVEAT}\n", head(parameter, &frame, &file), table(parameter, &responses)))?;
+        let mechanics = if settings.is_some() { format!("{MECHANICS_CAVEAT}\n") } else { String::new() };
+        terminal::print(&format!("{}\n{}\n{PEAK_CAVEAT}\n{mechanics}", head(parameter, &frame, &file), table(parameter, &responses)))?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -115,6 +117,9 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
     text.push('\n');
     for (at, measure) in MEASURES.iter().enumerate() {
         let of = |response: &Response| response.measures.as_ref().ok().and_then(|measures| measures[at]);
+        if measure.is_mechanics() && responses.iter().all(|response| of(response).is_none()) {
+            continue;
+        }
         let middle = responses.get(1).and_then(of);
         text += &format!("{:<20} {:<4}", measure.name, measure.unit);
         for (column, response) in responses.iter().enumerate() {
@@ -150,8 +155,12 @@ fn signed(change: f64, places: usize) -> String {
 fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Value {
     let response = |response: &Response| match &response.measures {
         Ok(measures) => {
-            let named: serde_json::Map<String, serde_json::Value> =
-                MEASURES.iter().zip(measures).map(|(measure, value)| (measure.name.to_string(), serde_json::json!(value))).collect();
+            let named: serde_json::Map<String, serde_json::Value> = MEASURES
+                .iter()
+                .zip(measures)
+                .filter(|(measure, value)| value.is_some() || !measure.is_mechanics())
+                .map(|(measure, value)| (measure.name.to_string(), serde_json::json!(value)))
+                .collect();
             serde_json::json!({ "value": response.value, "measures": named })
         }
         Err(why) => serde_json::json!({ "value": response.value, "refused": why }),

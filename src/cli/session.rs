@@ -2,10 +2,11 @@
 
 use std::io;
 
-use super::arguments::FrameOption;
+use super::arguments::{FrameOption, MechanicsOption};
 use super::choice;
 use crate::assembly::{Design, DesignError};
 use crate::measured::Malformed;
+use crate::mechanics::settings::Settings;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::{Reason, Refusal, nearest};
@@ -34,6 +35,11 @@ pub enum Failure {
         /// What the system said.
         error: io::Error,
     },
+}
+
+/// Numbers of the mechanics, where they are to be asked.
+pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<Settings>, Failure> {
+    Ok(option.strength.then(|| Settings::load(option.mechanics.as_deref())).transpose()?)
 }
 
 impl Failure {

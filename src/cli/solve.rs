@@ -8,9 +8,13 @@ use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
 use crate::assembly::Workshop;
+use crate::mechanics::settings::Settings;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::variant::{Aim, Evaluation, Goal, MEASURES, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve};
+use crate::variant::{
+    Aim, Evaluation, Goal, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names,
+    solve,
+};
 
 /// Searches, says what it found, and writes it when asked to; exits 1 when no frame keeps every limit.
 pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, Failure> {
@@ -26,8 +30,16 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
     if let Some(twice) = vary.iter().enumerate().find(|(at, v)| vary[..*at].iter().any(|other| other.key() == v.key())) {
         return Err(usage(format!("--vary: {} stands there twice", twice.1.key())));
     }
+    let asked = aim.is_mechanics() || goals.iter().any(|goal| goal.measure.is_mechanics());
+    if options.mechanics.is_some() && !asked {
+        return Err(usage(
+            "--mechanics: neither aim nor goal is one of the mechanics: stiffness, design_drop.peak, .travel, .strain".into(),
+        ));
+    }
+    let mechanics = asked.then(|| Settings::load(options.mechanics.as_deref())).transpose()?;
     let working = Progress::of("searching", common);
-    let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most: usize::from(options.frames) };
+    let most = usize::from(options.frames);
+    let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most, mechanics };
     let found = solve(&problem);
     drop(working);
     let solution = match found {
@@ -42,6 +54,10 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
         terminal::print_json(&json(&solution))?;
     } else if !common.quiet {
         let begun = Evaluation::quick(before.clone(), &mut Workshop::default()).ok();
+        let begun = match &problem.mechanics {
+            None => begun,
+            Some(settings) => begun.and_then(|begun| begun.strengthened(settings).ok()),
+        };
         terminal::print(&told(&solution, &before.name, begun.as_ref()))?;
     }
     if let (Some(place), Some(base)) = (place, base) {
@@ -98,7 +114,7 @@ fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String
         text += &format!("{:<34} {before:>10.3} {after:>10.3} {}\n", vary.key(), vary.parameter.unit());
     }
     text.push('\n');
-    for measure in &MEASURES {
+    for measure in known(&solution.evaluation) {
         let [was, is] = [begun, Some(&solution.evaluation)].map(|evaluation| measure.told(evaluation.and_then(|e| measure.of(e))));
         text += &format!("{:<34} {was:>10} {is:>10} {}\n", measure.name, measure.unit);
     }
@@ -113,14 +129,21 @@ fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String
         text += "\nwhat is wrong with the nearest frames beyond\n";
         solution.refused.iter().for_each(|reason| text += &format!("  {reason}\n"));
     }
-    format!("{text}\n{PEAK_CAVEAT}\n")
+    let mechanics = if solution.evaluation.prediction.is_some() { format!("{MECHANICS_CAVEAT}\n") } else { String::new() };
+    format!("{text}\n{PEAK_CAVEAT}\n{mechanics}")
+}
+
+/// The measures that were asked for.
+fn known(evaluation: &Evaluation) -> impl Iterator<Item = &'static Measure> {
+    let mechanics = evaluation.prediction.is_some();
+    MEASURES.iter().filter(move |measure| mechanics || !measure.is_mechanics())
 }
 
 fn json(solution: &Solution) -> serde_json::Value {
     let value = |(vary, before, after): &(Vary, f64, f64)| serde_json::json!({ "key": vary.key(), "before": before, "after": after });
     let binding = |b: &crate::variant::Binding| serde_json::json!({ "what": b.what, "margin": b.margin, "unit": b.unit });
     let measures: serde_json::Map<String, serde_json::Value> =
-        MEASURES.iter().map(|m| (m.name.to_string(), serde_json::json!(m.of(&solution.evaluation)))).collect();
+        known(&solution.evaluation).map(|m| (m.name.to_string(), serde_json::json!(m.of(&solution.evaluation)))).collect();
     serde_json::json!({
         "schema_version": 1,
         "looked_at": solution.looked_at,

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::variant::{Changed, Difference, PEAK_CAVEAT, Trend};
+use crate::variant::{Changed, Difference, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Trend, measure};
 
 /// Titles of the sections, in order.
 const TITLES: [&str; 4] = ["measures", "parameters", "masses, g", "printed volumes, mm3"];
@@ -54,7 +54,13 @@ pub fn text(difference: &Difference) -> String {
     if difference.is_empty() {
         text += "\nno difference\n";
     }
-    format!("{text}\n{PEAK_CAVEAT}\n")
+    format!("{text}\n{}", caveats(difference))
+}
+
+/// What the predicted figures leave out.
+fn caveats(difference: &Difference) -> String {
+    let mechanics = difference.measures.iter().any(|change| measure(&change.name).is_some_and(Measure::is_mechanics));
+    if mechanics { format!("{PEAK_CAVEAT}\n\n{MECHANICS_CAVEAT}\n") } else { format!("{PEAK_CAVEAT}\n") }
 }
 
 fn word(change: &Changed) -> &'static str {
@@ -101,7 +107,7 @@ pub fn markdown(difference: &Difference) -> String {
             page += "\n</details>\n";
         }
     }
-    format!("{page}\n{PEAK_CAVEAT}\n")
+    format!("{page}\n{}", caveats(difference))
 }
 
 /// Text that cannot break a table.

@@ -13,7 +13,7 @@ mod solve;
 pub use create::{CreateError, Creation, Moved, Request, create};
 pub use difference::{Changed, Difference, Side, Trend};
 pub use goal::{Goal, GoalError, Increase, Sense};
-pub use measures::{Better, Evaluation, MEASURES, Measure, measure, measure_names};
+pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, measure, measure_names};
 pub use peak::{PEAK_CAVEAT, predicted_peak_g};
 pub use problem::{Aim, Binding, Problem, Solution, SolveError, Vary};
 pub use sensitivity::{Response, sensitivity};

@@ -2,6 +2,7 @@
 
 use super::goal::Goal;
 use super::measures::{Evaluation, Measure};
+use crate::mechanics::settings::Settings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -68,6 +69,18 @@ pub struct Problem<'a> {
     pub start: Vec<f64>,
     /// How many frames may be looked at.
     pub most: usize,
+    /// Numbers of the frame's own mechanics, where the aim or a goal is one of their measures: a second or two a frame.
+    pub mechanics: Option<Settings>,
+}
+
+impl Problem<'_> {
+    /// A frame as far as the problem wants to know it.
+    pub(super) fn known(&self, evaluation: Evaluation) -> Result<Evaluation, String> {
+        match &self.mechanics {
+            None => Ok(evaluation),
+            Some(settings) => evaluation.strengthened(settings).map_err(|error| error.to_string()),
+        }
+    }
 }
 
 /// A limit that holds the answer back.

@@ -126,7 +126,7 @@ impl<'a> Search<'a> {
             self.problem.vary.iter().zip(values).zip(from).map(part).sum::<f64>()
         };
         let quick = |frame| Evaluation::quick(frame, &mut self.workshop.borrow_mut()).map_err(|error| error.to_string());
-        let evaluation = match self.frame(values).and_then(quick) {
+        let evaluation = match self.frame(values).and_then(quick).and_then(|evaluation| self.problem.known(evaluation)) {
             Ok(evaluation) => evaluation,
             Err(why) => {
                 let aim = if let Aim::Near(from) = &self.problem.aim { near(from) } else { 1.0 };

@@ -35,7 +35,8 @@ pub fn solve(problem: &Problem) -> Result<Solution, SolveError> {
     let start = if problem.start.is_empty() { own.clone() } else { problem.start.clone() };
     let mut search = Search::new(problem);
     if let Aim::Measure(measure) = problem.aim {
-        let first = Evaluation::quick(before, &mut search.workshop.borrow_mut()).ok().and_then(|e| measure.of(&e));
+        let first = Evaluation::quick(before, &mut search.workshop.borrow_mut()).map_err(|error| error.to_string());
+        let first = first.and_then(|evaluation| problem.known(evaluation)).ok().and_then(|evaluation| measure.of(&evaluation));
         search.scale = first.filter(|value| value.abs() > 0.0).map_or(1.0, f64::abs);
     }
     descend(&search, &start, STEPS[0], problem.most / 2);
@@ -54,7 +55,7 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
     for best in ranked.iter().take(VERIFIED) {
         let Ok(frame) = search.frame(best) else { continue };
         let Ok(design) = Design::with(frame, &mut search.workshop.borrow_mut()) else { continue };
-        let evaluation = Evaluation::of(design);
+        let Ok(evaluation) = search.problem.known(Evaluation::of(design)) else { continue };
         let broken = broken(&evaluation, &search.problem.goals);
         if broken.is_empty() {
             let values: Vec<(Vary, f64, f64)> =
