@@ -451,6 +451,9 @@ pub(super) struct DropOptions {
     /// With --model frame: numbers of the mechanics instead of those that come with the program.
     #[arg(long, value_name = "TOML")]
     pub mechanics: Option<String>,
+    /// With --model frame: degrees that the frame is turned about X and Y when it touches, -30 to 30; four to five times as slow.
+    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
+    pub tilt: Vec<f64>,
     /// Drop heights, m.
     #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…")]
     pub height: Vec<f64>,

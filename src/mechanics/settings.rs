@@ -66,7 +66,7 @@ const KEYS: [(&str, [f64; 2], &str); 21] = [
     ("flexible.poisson", [0.3, 0.499], "1"),
     ("flexible.rest_time_s", [0.1, 1e4], "s"),
     ("flexible.relaxation_exponent", [0.0, 0.2], "1"),
-    ("flexible.impact_loss", [0.0, 1.0], "1"),
+    ("flexible.impact_loss", [0.0, 5.0], "1"),
     ("rods.shear_mpa", [100.0, 5e4], "MPa"),
     ("joints.socket_foundation", [1.0, 20.0], "1"),
     ("joints.plug_foundation", [1.0, 20.0], "1"),
