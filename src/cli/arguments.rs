@@ -451,6 +451,13 @@ pub(super) struct DropOptions {
     /// With --model frame: numbers of the mechanics instead of those that come with the program.
     #[arg(long, value_name = "TOML")]
     pub mechanics: Option<String>,
+    /// With --model frame: measured drops, as `measure` reads them, to find modulus and loss in an impact from; writes them as a
+    /// file for --mechanics, and predicts each height from the others. Heights are those of the drops.
+    #[arg(long, num_args = 1.., value_name = "DROPS", conflicts_with_all = ["tilt", "height", "trace"])]
+    pub fit: Vec<PathBuf>,
+    /// The logger.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
     /// With --model frame: degrees that the frame is turned about X and Y when it touches, -30 to 30; four to five times as slow.
     #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
     pub tilt: Vec<f64>,

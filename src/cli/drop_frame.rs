@@ -23,14 +23,20 @@ use crate::units::Angle;
 /// Largest turn at first touch, degrees: beyond it more than the feet would touch.
 const MOST_TILT_DEG: f64 = 30.0;
 
-/// Drops a frame's own model and writes its folder.
-pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
+/// The frame that is dropped.
+pub(super) fn frame(options: &DropOptions) -> Result<FrameOption, Failure> {
     let Some(frame) = &options.frame else {
         return Err(Failure::Usage { message: "--model frame needs a frame: flexframe drop cognifly --model frame".into() });
     };
+    Ok(FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })
+}
+
+/// Drops a frame's own model and writes its folder.
+pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
+    let frame = frame(options)?;
     let settings = Settings::load(options.mechanics.as_deref())?;
     let working = Progress::of("dropping", common);
-    let design = session::design(&FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })?;
+    let design = session::design(&frame)?;
     let masses = mass::table(&design);
     let parts = part_models(&design, &settings).map_err(refused)?;
     let tilt = tilt(options)?;

@@ -10,6 +10,7 @@ mod coupon;
 mod diagnose;
 mod diff;
 mod drop;
+mod drop_fit;
 mod drop_frame;
 mod explain;
 mod fit;

@@ -9,7 +9,6 @@ use super::foot::{Foot, Grip};
 use super::frame_builder::TOUCH_MM;
 use super::frame_model::{FrameModel, ModelError};
 use super::memory::Energies;
-use super::relaxation::Relaxation;
 use super::rotation::exp;
 use super::settings::Settings;
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
@@ -19,6 +18,9 @@ use crate::units::Angle;
 
 /// Gravity, mm/ms².
 const GRAVITY: f64 = 9.81e-3;
+
+/// Bandwidth of the logger in the measured drops, Hz, first order (ADXL377).
+pub const LOGGER_HZ: f64 = 500.0;
 
 /// How a drop is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,10 +101,9 @@ impl Impact {
     /// When the motion is lost.
     pub fn new(model: &FrameModel, settings: &Settings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
         let speed_m_s = (2.0 * 9.81 * height_m).sqrt();
-        let relaxation = Relaxation::new(settings.relaxation_exponent, settings.rest_time_s, settings.impact_loss);
         let touching = touching(&model.system, model.hub, run.tilt);
         let rest = touching.places[model.hub].z;
-        let mut motion = Motion::new(&model.system, relaxation, touching, falling(model, speed_m_s), GRAVITY);
+        let mut motion = Motion::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY);
         let copies = model.extent.copies();
         let hub = model.system.unknowns.of(model.hub)[2];
         let start = motion.energies();
@@ -209,6 +210,14 @@ impl Impact {
         }
         passed
     }
+}
+
+/// Largest of readings a millisecond apart, g, in the mean over the phases of the logger's clock: what a peak is by its records.
+/// Readings `step_ms` apart come in.
+pub fn sampled_peak_g(reading_g: &[f64], step_ms: f64) -> f64 {
+    let each = ((1.0 / step_ms).round() as usize).max(1);
+    let of_phase = |phase: usize| reading_g.iter().skip(phase).step_by(each).copied().fold(f64::NEG_INFINITY, f64::max);
+    (0..each).map(of_phase).sum::<f64>() / each as f64
 }
 
 /// The frame at rest in itself, turned, its lowest foot on the ground as deep as a foot stands at rest.

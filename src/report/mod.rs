@@ -20,6 +20,7 @@ pub mod fit_plots;
 pub mod fold_scene;
 pub mod hanging_picture;
 pub mod impact_data;
+pub mod impact_fit_data;
 pub mod impact_plots;
 mod lettering;
 mod lines;
