@@ -532,6 +532,12 @@ pub(super) struct DiagnoseOptions {
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper", value_name = "MODEL")]
     pub model: String,
+    /// A frame whose own static curve is a candidate, too: the drops tell how much of it there is.
+    #[arg(long, value_name = "FRAME")]
+    pub frame: Option<String>,
+    /// With --frame: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "frame")]
+    pub mechanics: Option<String>,
     /// Heights that no fit sees, m: the gap there says what a name is worth.
     #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…")]
     pub hold_out_heights: Vec<f64>,

@@ -29,7 +29,8 @@ pub(super) fn drop(options: &DropOptions, common: &Common) -> Result<ExitCode, F
     if options.model == FRAME {
         return super::drop_frame::drop_frame(options, heights_m, common);
     }
-    for (given, name) in [(!options.fit.is_empty(), "--fit"), (!options.tilt.is_empty(), "--tilt"), (options.mechanics.is_some(), "--mechanics")]
+    for (given, name) in
+        [(!options.fit.is_empty(), "--fit"), (!options.tilt.is_empty(), "--tilt"), (options.mechanics.is_some(), "--mechanics")]
     {
         if given {
             return Err(Failure::Usage { message: format!("{name} goes with --model frame, the frame's own geometry") });

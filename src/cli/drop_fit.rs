@@ -11,7 +11,7 @@ use super::session::{self, Failure};
 use super::stiffness::refused;
 use super::terminal;
 use crate::assembly::mass;
-use crate::impact_fit::{Height, Subject, fit};
+use crate::impact_fit::{Height, Subject, Surface, fit};
 use crate::measured::{self, DropSet, Summary};
 use crate::mechanics::frame_model::{Extent, FrameModel};
 use crate::mechanics::settings::Settings;
@@ -27,7 +27,10 @@ pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCod
     let design = session::design(&frame)?;
     let masses = mass::table(&design);
     let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
-    let found = fit(&Subject { model: &model, settings: &settings }, &heights).map_err(refused)?;
+    let subject = Subject { model: &model, settings: &settings };
+    let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
+    let surface = Surface::new(&subject, &heights_m).map_err(refused)?;
+    let found = fit(&subject, surface, &heights).map_err(refused)?;
     let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
     let json = impact_fit_data::json(&fitted);
     let files = [

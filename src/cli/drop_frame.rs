@@ -75,6 +75,8 @@ fn tilt(options: &DropOptions) -> Result<[Angle; 2], Failure> {
     match options.tilt[..] {
         [] => Ok([Angle::deg(0.0); 2]),
         [x, y] if x.abs() <= MOST_TILT_DEG && y.abs() <= MOST_TILT_DEG => Ok([Angle::deg(x), Angle::deg(y)]),
-        _ => Err(Failure::Usage { message: format!("--tilt takes two angles about X and Y, {MOST_TILT_DEG} degrees at most each: --tilt 5,0") }),
+        _ => Err(Failure::Usage {
+            message: format!("--tilt takes two angles about X and Y, {MOST_TILT_DEG} degrees at most each: --tilt 5,0"),
+        }),
     }
 }

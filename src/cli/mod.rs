@@ -15,6 +15,7 @@ mod drop_frame;
 mod explain;
 mod fit;
 mod fold;
+mod frame_reduction;
 mod frame_text;
 mod frames;
 mod measure;

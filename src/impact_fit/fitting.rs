@@ -142,16 +142,14 @@ fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 
     Ok(asked.iter().zip(told).map(row).collect())
 }
 
-/// Fits the two numbers.
+/// Fits the two numbers, with the model's answers for the same heights in the same order.
 ///
 /// # Errors
 /// When there is no height, or the model's motion is lost.
-pub fn fit(subject: &Subject, heights: &[Height]) -> Result<FrameFit, ImpactFitError> {
+pub fn fit(subject: &Subject, mut surface: Surface, heights: &[Height]) -> Result<FrameFit, ImpactFitError> {
     if heights.is_empty() {
         return Err(ImpactFitError::NoHeight);
     }
-    let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
-    let mut surface = Surface::new(subject, &heights_m)?;
     let every: Vec<usize> = (0..heights.len()).collect();
     let mut best = search(&surface, heights, &every)?;
     let mut interpolation = f64::INFINITY;

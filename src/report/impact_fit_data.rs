@@ -46,7 +46,8 @@ pub fn json(found: &Fitted) -> Value {
 
 /// Predictions, a line each.
 pub fn predictions_csv(found: &Fitted) -> String {
-    let mut text = "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse\n".to_string();
+    let mut text =
+        "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse\n".to_string();
     for (how, row) in found.rows() {
         let Some(height) = found.measured(row.height_m) else { continue };
         let from: Vec<String> = row.from_m.iter().map(f64::to_string).collect();
