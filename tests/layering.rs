@@ -29,7 +29,7 @@ const LAYERS: [(&str, &[&str]); 27] = [
     ("impact_fit", &["mechanics", "measured", "fit"]),
     ("diagnose", &["effects", "sim", "fit"]),
     ("plant", &["params", "effects"]),
-    ("variant", &["figures", "params", "skeleton", "assembly", "checks", "body", "effects", "sim"]),
+    ("variant", &["figures", "params", "skeleton", "assembly", "mechanics", "checks", "body", "effects", "sim"]),
     ("schema", &["params", "effects", "plant"]),
     (
         "report",

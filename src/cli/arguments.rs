@@ -238,6 +238,15 @@ pub(super) enum PageFormat {
     Markdown,
 }
 
+/// The frame's own mechanics where they are not computed unless asked for.
+#[derive(Debug, Args)]
+pub(super) struct MechanicsOption {
+    /// Stiffness and peak by the frame's own mechanics, too: some two seconds a frame. With a file, numbers of the mechanics instead
+    /// of those that come with the program.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "", value_name = "TOML")]
+    pub mechanics: Option<String>,
+}
+
 /// Options of `diff`.
 #[derive(Debug, Args)]
 pub(super) struct DiffOptions {
@@ -247,6 +256,9 @@ pub(super) struct DiffOptions {
     /// Compare a file with what it was at this revision of its git repository.
     #[arg(long, value_name = "REVISION")]
     pub git: Option<String>,
+    /// The frame's own mechanics.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
     /// Exit 1 when a measure grows by more than this; may be given several times.
     #[arg(long, value_name = "MEASURE=AMOUNT")]
     pub fail_on_increase: Vec<String>,
@@ -267,6 +279,9 @@ pub(super) struct ExplainOptions {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
+    /// The frame's own mechanics.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
 }
 
 /// Options of `new`.
@@ -312,6 +327,9 @@ pub(super) struct SolveOptions {
     /// What to keep besides the frame's limits, such as 'clearance.propeller>=3mm'; may be given several times.
     #[arg(long, value_delimiter = ',', value_name = "GOAL")]
     pub subject_to: Vec<String>,
+    /// The frame's own mechanics.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
     /// What may vary: keys, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
     #[arg(long, value_delimiter = ',', required = true, value_name = "KEY,…")]
     pub vary: Vec<String>,

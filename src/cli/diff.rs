@@ -8,7 +8,9 @@ use super::output;
 use super::progress::Progress;
 use super::revision::Revision;
 use super::session::{self, Failure};
+use super::stiffness::refused;
 use super::terminal;
+use crate::mechanics::settings::Settings;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
 use crate::report::{diff_page, side_by_side};
@@ -19,7 +21,9 @@ pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, F
     let increases = options.fail_on_increase.iter().map(|text| Increase::parse(text)).collect::<Result<Vec<_>, _>>();
     let increases = increases.map_err(|error| Failure::Usage { message: format!("--fail-on-increase: {error}") })?;
     let working = Progress::of("comparing", common);
-    let sides = sides(options)?;
+    let mechanics = options.mechanics.settings()?;
+    let [before, after] = sides(options)?;
+    let sides = [predicted(before, mechanics.as_ref())?, predicted(after, mechanics.as_ref())?];
     let difference = Difference::of(&sides);
     drop(working);
     let page = diff_page::markdown(&difference);
@@ -70,6 +74,14 @@ fn side(frame: &str, files: &dyn Files, suffix: &str) -> Result<Side, Failure> {
     let (frame, file) = session::resolved(FrameFile::load_from(frame, files)?)?;
     let name = format!("{}{suffix}", frame.name);
     Ok(Side { name, evaluation: Evaluation::of(session::designed(frame, &file)?) })
+}
+
+/// A side with its own mechanics, where they are asked for.
+fn predicted(side: Side, mechanics: Option<&Settings>) -> Result<Side, Failure> {
+    let Some(settings) = mechanics else { return Ok(side) };
+    let Side { name, evaluation } = side;
+    let evaluation = evaluation.predicted(settings).map_err(|error| refused(format!("{name}: {error}")))?;
+    Ok(Side { name, evaluation })
 }
 
 fn folder_name(name: &str) -> String {

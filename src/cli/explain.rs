@@ -27,8 +27,9 @@ pub(super) fn explain(options: &ExplainOptions, common: &Common) -> Result<ExitC
         return Ok(ExitCode::SUCCESS);
     }
     let parameter = session::parameter(&options.key)?;
+    let mechanics = options.mechanics.settings()?;
     let working = Progress::of("trying values", common);
-    let responses = sensitivity(&file, &frame, parameter, SHARE);
+    let responses = sensitivity(&file, &frame, parameter, SHARE, mechanics.as_ref());
     drop(working);
     if common.json {
         terminal::print_json(&json(parameter, &frame, &responses))?;
@@ -113,7 +114,8 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
     text += &format!("\n{:<20} {:<4}", "value", p.unit());
     responses.iter().for_each(|response| text += &format!(" {:>12}", round(response.value)));
     text.push('\n');
-    for (at, measure) in MEASURES.iter().enumerate() {
+    let known = |at: usize| responses.iter().any(|response| response.measures.as_ref().is_ok_and(|measures| measures[at].is_some()));
+    for (at, measure) in MEASURES.iter().enumerate().filter(|(at, measure)| !measure.is_mechanical() || known(*at)) {
         let of = |response: &Response| response.measures.as_ref().ok().and_then(|measures| measures[at]);
         let middle = responses.get(1).and_then(of);
         text += &format!("{:<20} {:<4}", measure.name, measure.unit);
@@ -150,8 +152,12 @@ fn signed(change: f64, places: usize) -> String {
 fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Value {
     let response = |response: &Response| match &response.measures {
         Ok(measures) => {
-            let named: serde_json::Map<String, serde_json::Value> =
-                MEASURES.iter().zip(measures).map(|(measure, value)| (measure.name.to_string(), serde_json::json!(value))).collect();
+            let named: serde_json::Map<String, serde_json::Value> = MEASURES
+                .iter()
+                .zip(measures)
+                .filter(|(measure, value)| !measure.is_mechanical() || value.is_some())
+                .map(|(measure, value)| (measure.name.to_string(), serde_json::json!(value)))
+                .collect();
             serde_json::json!({ "value": response.value, "measures": named })
         }
         Err(why) => serde_json::json!({ "value": response.value, "refused": why }),

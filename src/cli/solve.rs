@@ -10,7 +10,9 @@ use super::terminal;
 use crate::assembly::Workshop;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::variant::{Aim, Evaluation, Goal, MEASURES, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve};
+use crate::variant::{
+    Aim, Evaluation, Goal, MEASURES, Measure, Mechanics, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names, solve,
+};
 
 /// Searches, says what it found, and writes it when asked to; exits 1 when no frame keeps every limit.
 pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, Failure> {
@@ -19,6 +21,8 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
         .ok_or_else(|| usage(format!("--minimise: there is no measure `{}`; there are {}", options.minimise, measure_names())))?;
     let goals = options.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
     let goals = goals.map_err(|error| usage(format!("--subject-to: {error}")))?;
+    let (slow, goals): (Vec<Goal>, Vec<Goal>) = goals.into_iter().partition(|goal| goal.measure.is_mechanical());
+    let mechanics = mechanics(options, aim, slow)?;
     let place = options.output.as_ref().map(|name| frame_text::place(name)).transpose()?;
     let base = place.as_ref().map(|place| frame_text::base_for(place, &options.frame.frame)).transpose()?;
     let (before, file) = session::load(&options.frame)?;
@@ -27,7 +31,8 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
         return Err(usage(format!("--vary: {} stands there twice", twice.1.key())));
     }
     let working = Progress::of("searching", common);
-    let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most: usize::from(options.frames) };
+    let problem =
+        Problem { file: &file, aim: Aim::Measure(aim), goals, mechanics, vary, start: Vec::new(), most: usize::from(options.frames) };
     let found = solve(&problem);
     drop(working);
     let solution = match found {
@@ -42,6 +47,10 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
         terminal::print_json(&json(&solution))?;
     } else if !common.quiet {
         let begun = Evaluation::quick(before.clone(), &mut Workshop::default()).ok();
+        let begun = match &problem.mechanics {
+            Some(mechanics) => begun.and_then(|evaluation| evaluation.predicted(&mechanics.settings).ok()),
+            None => begun,
+        };
         terminal::print(&told(&solution, &before.name, begun.as_ref()))?;
     }
     if let (Some(place), Some(base)) = (place, base) {
@@ -58,6 +67,22 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
         }
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// What is asked of the frame's own mechanics: only where the command line says so, for they take their time.
+fn mechanics(options: &SolveOptions, aim: &Measure, goals: Vec<Goal>) -> Result<Option<Mechanics>, Failure> {
+    if aim.is_mechanical() {
+        let name = aim.name;
+        let message = format!(
+            "--minimise {name}: too slow for the search; minimise something else, and keep it below a limit: --subject-to '{name}<=100'"
+        );
+        return Err(Failure::Usage { message });
+    }
+    match (options.mechanics.settings()?, goals.first()) {
+        (Some(settings), _) => Ok(Some(Mechanics { settings, goals })),
+        (None, None) => Ok(None),
+        (None, Some(goal)) => Err(Failure::Usage { message: format!("{} needs --mechanics: the frame's own", goal.measure.name) }),
+    }
 }
 
 /// How far a parameter without bounds of its own may vary, in shares of its value.
@@ -98,7 +123,7 @@ fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String
         text += &format!("{:<34} {before:>10.3} {after:>10.3} {}\n", vary.key(), vary.parameter.unit());
     }
     text.push('\n');
-    for measure in &MEASURES {
+    for measure in MEASURES.iter().filter(|measure| !measure.is_mechanical() || solution.evaluation.prediction.is_some()) {
         let [was, is] = [begun, Some(&solution.evaluation)].map(|evaluation| measure.told(evaluation.and_then(|e| measure.of(e))));
         text += &format!("{:<34} {was:>10} {is:>10} {}\n", measure.name, measure.unit);
     }
@@ -119,8 +144,9 @@ fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String
 fn json(solution: &Solution) -> serde_json::Value {
     let value = |(vary, before, after): &(Vary, f64, f64)| serde_json::json!({ "key": vary.key(), "before": before, "after": after });
     let binding = |b: &crate::variant::Binding| serde_json::json!({ "what": b.what, "margin": b.margin, "unit": b.unit });
+    let measures = MEASURES.iter().filter(|measure| !measure.is_mechanical() || solution.evaluation.prediction.is_some());
     let measures: serde_json::Map<String, serde_json::Value> =
-        MEASURES.iter().map(|m| (m.name.to_string(), serde_json::json!(m.of(&solution.evaluation)))).collect();
+        measures.map(|m| (m.name.to_string(), serde_json::json!(m.of(&solution.evaluation)))).collect();
     serde_json::json!({
         "schema_version": 1,
         "looked_at": solution.looked_at,

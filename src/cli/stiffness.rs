@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, StiffnessOptions};
+use super::arguments::{Common, MechanicsOption, StiffnessOptions};
 use super::frame_reduction;
 use super::output;
 use super::progress::Progress;
@@ -30,6 +30,15 @@ const MODES: usize = 8;
 /// A failure of the model, as the user has to be told it.
 pub(super) fn refused(error: impl std::fmt::Display) -> Failure {
     Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
+}
+
+impl MechanicsOption {
+    /// The numbers; none when the mechanics are not asked for.
+    pub(super) fn settings(&self) -> Result<Option<Settings>, Failure> {
+        let Some(path) = &self.mechanics else { return Ok(None) };
+        let path = Some(path.as_str()).filter(|path| !path.is_empty());
+        Ok(Some(Settings::load(path)?))
+    }
 }
 
 /// Largest displacement of a mode in pictures, mm.

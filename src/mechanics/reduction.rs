@@ -99,7 +99,7 @@ mod tests {
         for (share, base, own) in [(0.1, 1800.0, 14_000.0), (0.3, 1700.0, 20_000.0), (0.02, 1500.0, 90_000.0)] {
             let left = 1.0 - share;
             let (sum, product) = (base / left + own / left, base / left * own);
-            let root = (sum * sum - 4.0 * product).sqrt();
+            let root = f64::sqrt(sum * sum - 4.0 * product);
             let squares = [0.5 * (sum - root), 0.5 * (sum + root)];
             let beta = own / (own - squares[1]);
             let moved = left + share * beta;

@@ -76,7 +76,7 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     }
     let vary = movable(request.from);
     let from: Vec<f64> = vary.iter().map(|v| request.from.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
-    let problem = Problem { file: request.file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most: request.most };
+    let problem = Problem { file: request.file, aim: Aim::Near(from), goals: Vec::new(), mechanics: None, vary, start, most: request.most };
     let Solution { evaluation, values, looked_at, .. } = solve(&problem)?;
     let moved = values
         .into_iter()

@@ -197,14 +197,15 @@ fn measure_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
         }
         let mut changed = Changed::numbers(name, measure.unit, values, measure.places());
         let worse = |grown: f64| (grown > 0.0) == (measure.better == Better::Less);
-        changed.trend = match changed.grown() {
+        changed.trend = match changed.grown().filter(|_| measure.better != Better::Neither) {
             Some(grown) if worse(grown) => Trend::Worse,
             Some(_) => Trend::Better,
             None => Trend::Neither,
         };
         changed
     };
-    MEASURES.iter().map(change).collect()
+    let told = |measure: &&super::measures::Measure| !measure.is_mechanical() || sides.iter().any(|e| e.prediction.is_some());
+    MEASURES.iter().filter(told).map(change).collect()
 }
 
 #[cfg(test)]

@@ -6,6 +6,8 @@ use crate::assembly::{Design, Workshop};
 use crate::body::{Body, Origin};
 use crate::checks::{self, Finding, Verdict};
 use crate::figures::decimals;
+use crate::mechanics::prediction::{Prediction, PredictionError, predict};
+use crate::mechanics::settings::Settings;
 use crate::params::Frame;
 
 /// Which way is better.
@@ -15,6 +17,8 @@ pub enum Better {
     Less,
     /// More.
     More,
+    /// Neither as such.
+    Neither,
 }
 
 /// A frame, designed and held against its limits.
@@ -27,6 +31,8 @@ pub struct Evaluation {
     pub findings: Vec<Finding>,
     /// Predicted peak of a drop from 1 m, g.
     pub peak_g: f64,
+    /// What the frame's own mechanics predict, where that was asked for.
+    pub prediction: Option<Prediction>,
 }
 
 impl Evaluation {
@@ -48,8 +54,17 @@ impl Evaluation {
         Ok(Self::with(design, masses, findings))
     }
 
+    /// The same with what the frame's own mechanics predict; takes a second or two.
+    ///
+    /// # Errors
+    /// When the frame has no model, no equilibrium, or its motion is lost.
+    pub fn predicted(mut self, settings: &Settings) -> Result<Self, PredictionError> {
+        self.prediction = Some(predict(&self.design, &self.masses, settings)?);
+        Ok(self)
+    }
+
     fn with(design: Design, masses: MassTable, findings: Vec<Finding>) -> Self {
-        let mut evaluation = Self { design, masses, findings, peak_g: f64::NAN };
+        let mut evaluation = Self { design, masses, findings, peak_g: f64::NAN, prediction: None };
         evaluation.peak_g = predicted_peak_g(&evaluation.body());
         evaluation
     }
@@ -104,6 +119,11 @@ impl Measure {
         (self.value)(evaluation).filter(|value| value.is_finite())
     }
 
+    /// Whether it is of the frame's own mechanics, and has a value only where those were asked for.
+    pub fn is_mechanical(&self) -> bool {
+        self.name.starts_with(MECHANICAL)
+    }
+
     /// How many decimals its unit is told with.
     pub fn places(&self) -> usize {
         if matches!(self.unit, "mm3" | "mm") && self.name.starts_with("printed") { 0 } else { 2 }
@@ -115,8 +135,11 @@ impl Measure {
     }
 }
 
+/// How the names of the mechanics' measures begin.
+const MECHANICAL: &str = "frame.";
+
 /// Every measure, in the order of tables.
-pub const MEASURES: [Measure; 15] = [
+pub const MEASURES: [Measure; 18] = [
     Measure { name: "mass", unit: "g", doc: "take-off mass", better: Better::Less, value: |e| Some(e.masses.total_g) },
     Measure {
         name: "mass.printed",
@@ -207,6 +230,27 @@ pub const MEASURES: [Measure; 15] = [
         value: |e| Some(e.printed_mm3()),
     },
     Measure { name: "peak", unit: "g", doc: "predicted peak of a drop from 1 m", better: Better::Less, value: |e| Some(e.peak_g) },
+    Measure {
+        name: "frame.stiffness",
+        unit: "N/mm",
+        doc: "stiffness at rest by the frame's own mechanics",
+        better: Better::Neither,
+        value: |e| e.prediction.as_ref().map(|p| p.initial_n_mm),
+    },
+    Measure {
+        name: "frame.secant",
+        unit: "N/mm",
+        doc: "secant stiffness at 8 mm by the frame's own mechanics",
+        better: Better::Neither,
+        value: |e| e.prediction.as_ref().map(|p| p.secant_8_mm_n_mm),
+    },
+    Measure {
+        name: "frame.peak",
+        unit: "g",
+        doc: "payload's peak in the design drop by the frame's own mechanics",
+        better: Better::Less,
+        value: |e| e.prediction.as_ref().map(|p| p.payload_peak_g),
+    },
 ];
 
 /// A measure by its name.
@@ -242,7 +286,7 @@ mod tests {
         assert!(rest == quick.findings, "the other rules say something else");
         for measure in &MEASURES {
             assert_eq!(measure.of(&quick), measure.of(&whole), "{}", measure.name);
-            assert!(measure.of(&quick).is_some(), "{}", measure.name);
+            assert_eq!(measure.of(&quick).is_some(), !measure.is_mechanical(), "{}", measure.name);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::goal::Goal;
 use super::measures::{Evaluation, Measure};
+use crate::mechanics::settings::Settings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -54,6 +55,14 @@ pub enum Aim {
     Near(Vec<f64>),
 }
 
+/// What is asked of the frame's own mechanics.
+pub struct Mechanics {
+    /// Their numbers.
+    pub settings: Settings,
+    /// What is kept.
+    pub goals: Vec<Goal>,
+}
+
 /// What to search for.
 pub struct Problem<'a> {
     /// The frame that is changed.
@@ -62,6 +71,8 @@ pub struct Problem<'a> {
     pub aim: Aim,
     /// What is kept besides the rules.
     pub goals: Vec<Goal>,
+    /// What of the frame's own mechanics is kept: too slow for the search, it is held against the best frames at the end.
+    pub mechanics: Option<Mechanics>,
     /// What varies.
     pub vary: Vec<Vary>,
     /// Where the search begins; the frame's own values when empty.

@@ -2,6 +2,7 @@
 
 use super::measures::{Evaluation, MEASURES};
 use crate::assembly::Workshop;
+use crate::mechanics::settings::Settings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -14,21 +15,30 @@ pub struct Response {
 }
 
 /// The measures at a parameter's value and at this share of it less and more, no farther than its bounds; all else stays as
-/// the file says, and what follows follows.
-pub fn sensitivity(file: &FrameFile, frame: &Frame, parameter: &Parameter, share: f64) -> Vec<Response> {
+/// the file says, and what follows follows. The frame's own mechanics only with their numbers.
+pub fn sensitivity(file: &FrameFile, frame: &Frame, parameter: &Parameter, share: f64, mechanics: Option<&Settings>) -> Vec<Response> {
     let Some(value) = frame.value(parameter.table, parameter.key) else { return Vec::new() };
     let step = if value == 0.0 { share * (parameter.max - parameter.min) } else { share * value.abs() };
     let mut workshop = Workshop::default();
     [value - step, value, value + step]
         .map(|wanted| wanted.clamp(parameter.min, parameter.max))
-        .map(|value| Response { value, measures: at(file, parameter, value, &mut workshop) })
+        .map(|value| Response { value, measures: at(file, parameter, value, mechanics, &mut workshop) })
         .into()
 }
 
-fn at(file: &FrameFile, parameter: &Parameter, value: f64, workshop: &mut Workshop) -> Result<Vec<Option<f64>>, String> {
+fn at(
+    file: &FrameFile,
+    parameter: &Parameter,
+    value: f64,
+    mechanics: Option<&Settings>,
+    workshop: &mut Workshop,
+) -> Result<Vec<Option<f64>>, String> {
     let mut file = file.clone();
     file.set_number(&format!("{}.{}", parameter.table, parameter.key), value);
     let frame = Frame::resolve(&file).map_err(|refusal| refusal.to_string())?;
-    let evaluation = Evaluation::quick(frame, workshop).map_err(|error| error.to_string())?;
+    let mut evaluation = Evaluation::quick(frame, workshop).map_err(|error| error.to_string())?;
+    if let Some(settings) = mechanics {
+        evaluation = evaluation.predicted(settings).map_err(|error| error.to_string())?;
+    }
     Ok(MEASURES.iter().map(|measure| measure.of(&evaluation)).collect())
 }

@@ -54,8 +54,12 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
     for best in ranked.iter().take(VERIFIED) {
         let Ok(frame) = search.frame(best) else { continue };
         let Ok(design) = Design::with(frame, &mut search.workshop.borrow_mut()) else { continue };
-        let evaluation = Evaluation::of(design);
-        let broken = broken(&evaluation, &search.problem.goals);
+        let mut evaluation = Evaluation::of(design);
+        let mut broken = broken(&evaluation, &search.problem.goals);
+        if let Some(mechanics) = search.problem.mechanics.as_ref().filter(|_| broken.is_empty()) {
+            evaluation = evaluation.predicted(&mechanics.settings).map_err(|error| SolveError::Problem(error.to_string()))?;
+            broken = self::broken(&evaluation, &mechanics.goals);
+        }
         if broken.is_empty() {
             let values: Vec<(Vary, f64, f64)> =
                 search.problem.vary.iter().zip(own.iter().zip(best)).map(|(vary, (a, b))| (*vary, *a, *b)).collect();
@@ -132,7 +136,8 @@ fn binding(evaluation: &Evaluation, problem: &Problem, values: &[(Vary, f64, f64
             }
         }
     }
-    for goal in &problem.goals {
+    let mechanical = problem.mechanics.iter().flat_map(|mechanics| &mechanics.goals);
+    for goal in problem.goals.iter().chain(mechanical) {
         let margin = goal.measure.of(evaluation).map_or(0.0, |value| goal.margin(value));
         if margin / scale(goal.measure.unit) < BINDS {
             found.push((margin, Binding { what: goal.told(), margin, unit: goal.measure.unit.into() }));
