@@ -9,7 +9,7 @@
 //! [`coupon`] is what tells a printer's clearances, [`weighing`] compares masses with what slicer and scale say.
 //! [`gate`] judges findings for build servers, [`variant`] compares frames and searches for better ones.
 //! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
-//! reads real drops, [`fit`] brings a model to them.
+//! reads real drops, [`fit`] brings a model to them, [`impact_fit`] the frame's own mechanics.
 //! [`schema`] tells editors what files look like.
 //! Only the command line in `cli` prints and writes files.
 //!
@@ -27,6 +27,7 @@ pub mod export;
 pub mod figures;
 pub mod fit;
 pub mod gate;
+pub mod impact_fit;
 pub mod measured;
 pub mod mechanics;
 pub mod params;

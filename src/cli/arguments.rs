@@ -468,6 +468,16 @@ pub(super) struct DropOptions {
     /// With --model frame: numbers of the mechanics instead of those that come with the program.
     #[arg(long, value_name = "TOML")]
     pub mechanics: Option<String>,
+    /// With --model frame: measured drops, as `measure` reads them, to find modulus and loss in an impact from; writes them as a
+    /// file for --mechanics, and predicts each height from the others. Heights are those of the drops.
+    #[arg(long, num_args = 1.., value_name = "DROPS", conflicts_with_all = ["tilt", "height", "trace"])]
+    pub fit: Vec<PathBuf>,
+    /// The logger.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// With --model frame: degrees that the frame is turned about X and Y when it touches, -30 to 30; four to five times as slow.
+    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
+    pub tilt: Vec<f64>,
     /// Drop heights, m.
     #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…")]
     pub height: Vec<f64>,
@@ -539,6 +549,12 @@ pub(super) struct DiagnoseOptions {
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper", value_name = "MODEL")]
     pub model: String,
+    /// A frame whose own static curve is a candidate, too: the drops tell how much of it there is.
+    #[arg(long, value_name = "FRAME")]
+    pub frame: Option<String>,
+    /// With --frame: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "frame")]
+    pub mechanics: Option<String>,
     /// Heights that no fit sees, m: the gap there says what a name is worth.
     #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…")]
     pub hold_out_heights: Vec<f64>,

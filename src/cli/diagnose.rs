@@ -1,20 +1,26 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use super::arguments::{Common, DiagnoseOptions, FrameOption};
 use super::fit::frame_and_paths;
+use super::frame_reduction::{self, PRESSED_MM};
 use super::measure::calibration;
 use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
+use super::stiffness::refused;
 use super::terminal;
 use crate::assembly::mass;
 use crate::body::Body;
 use crate::diagnose::{self, Diagnosis, Settings, Stage, Verdict, observables};
-use crate::effects::{Channel, Model};
+use crate::effects::{Channel, FrameCurve, Model};
 use crate::fit::{Chosen, Keep, Unfit, Waves};
 use crate::measured::{self, Fall, StaticTest};
+use crate::mechanics::frame_model::{Extent, FrameModel};
+use crate::mechanics::settings::Settings as Mechanics;
+use crate::mechanics::static_curve::StaticCurve;
 use crate::report::diagnosis_data::{self, Compared, Pressed};
 use crate::report::page::{Block, html, markdown};
 use crate::report::{diagnosis_page, drop_data};
@@ -31,6 +37,9 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
         model.body = Body::of(&design, &mass::table(&design));
+    }
+    if let Some(frame) = &options.frame {
+        model.frame_curve = curve_of(frame, options.mechanics.as_deref())?;
     }
     let set = measured::read(&paths, &calibration(&options.calibration)?)?;
     let pressed = options.static_test.as_deref().map(StaticTest::read).transpose()?;
@@ -64,6 +73,16 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
         terminal::print(&format!("{}{}: {} files\n", summary(&found, &compared), place.display(), files.len()))?;
     }
     Ok(if found.verdict == Verdict::NothingMissing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// A frame's static curve.
+fn curve_of(frame: &str, mechanics: Option<&str>) -> Result<Option<Arc<FrameCurve>>, Failure> {
+    let settings = Mechanics::load(mechanics)?;
+    let design = session::design(&FrameOption { frame: frame.into(), rigid: None })?;
+    let masses = mass::table(&design);
+    let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
+    let curve = StaticCurve::new(&quarter, PRESSED_MM, &[]).map_err(refused)?;
+    Ok(frame_reduction::model(&design, &masses, &quarter, &curve, &settings)?.frame_curve)
 }
 
 fn usage(error: Unfit) -> Failure {

@@ -23,8 +23,18 @@ const MOST_HEIGHTS: usize = 100;
 /// Drops a model and writes its folder.
 pub(super) fn drop(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
     let heights_m = heights(options)?;
+    if options.model == FRAME && !options.fit.is_empty() {
+        return super::drop_fit::drop_fit(options, common);
+    }
     if options.model == FRAME {
         return super::drop_frame::drop_frame(options, heights_m, common);
+    }
+    for (given, name) in
+        [(!options.fit.is_empty(), "--fit"), (!options.tilt.is_empty(), "--tilt"), (options.mechanics.is_some(), "--mechanics")]
+    {
+        if given {
+            return Err(Failure::Usage { message: format!("{name} goes with --model frame, the frame's own geometry") });
+        }
     }
     let mut model = Model::load(&options.model)?;
     let working = Progress::of("dropping", common);

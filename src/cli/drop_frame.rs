@@ -18,19 +18,31 @@ use crate::mechanics::settings::Settings;
 use crate::report::impact_data::{self, Impacts};
 use crate::report::picture::View;
 use crate::report::{bent_scene, impact_plots};
+use crate::units::Angle;
 
-/// Drops a frame's own model and writes its folder.
-pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
+/// Largest turn at first touch, degrees: beyond it more than the feet would touch.
+const MOST_TILT_DEG: f64 = 30.0;
+
+/// The frame that is dropped.
+pub(super) fn frame(options: &DropOptions) -> Result<FrameOption, Failure> {
     let Some(frame) = &options.frame else {
         return Err(Failure::Usage { message: "--model frame needs a frame: flexframe drop cognifly --model frame".into() });
     };
+    Ok(FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })
+}
+
+/// Drops a frame's own model and writes its folder.
+pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
+    let frame = frame(options)?;
     let settings = Settings::load(options.mechanics.as_deref())?;
     let working = Progress::of("dropping", common);
-    let design = session::design(&FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })?;
+    let design = session::design(&frame)?;
     let masses = mass::table(&design);
     let parts = part_models(&design, &settings).map_err(refused)?;
-    let model = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Quarter).map_err(refused)?;
-    let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run::default()).map_err(refused);
+    let tilt = tilt(options)?;
+    let extent = if options.tilt.iter().any(|degrees| *degrees != 0.0) { Extent::Whole } else { Extent::Quarter };
+    let model = FrameModel::of_parts(&design, &parts, &masses, &settings, extent).map_err(refused)?;
+    let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run { tilt, ..Run::default() }).map_err(refused);
     let impacts = heights_m.iter().map(drop).collect::<Result<Vec<_>, _>>()?;
     let gap_mm = checks::ground_clearance(&design, &masses).map(|ground| ground.clearance_mm);
     let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, gap_mm, impacts: &impacts };
@@ -56,4 +68,15 @@ pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Comm
         terminal::print(&format!("{}{}: {} files\n", impact_data::table(&found), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// How the frame is turned when it touches.
+fn tilt(options: &DropOptions) -> Result<[Angle; 2], Failure> {
+    match options.tilt[..] {
+        [] => Ok([Angle::deg(0.0); 2]),
+        [x, y] if x.abs() <= MOST_TILT_DEG && y.abs() <= MOST_TILT_DEG => Ok([Angle::deg(x), Angle::deg(y)]),
+        _ => Err(Failure::Usage {
+            message: format!("--tilt takes two angles about X and Y, {MOST_TILT_DEG} degrees at most each: --tilt 5,0"),
+        }),
+    }
 }

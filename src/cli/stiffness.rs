@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use super::arguments::{Common, StiffnessOptions};
+use super::frame_reduction;
 use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
@@ -127,6 +128,8 @@ pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<E
     if let Some(bound) = Bound::new(&design, &whole).filter(|_| !options.no_pictures) {
         files.extend(bent_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
     }
+    let reduced = frame_reduction::model(&design, &masses, &quarter, &curve, &settings)?;
+    files.push(("model.toml".into(), reduced.to_toml().into_bytes()));
     files.push(("mechanics.toml".into(), settings.to_toml(&remark).into_bytes()));
     drop(working);
     let place = output::write_folder(&options.output, &format!("{}-stiffness", design.frame.name), &files)?;

@@ -65,7 +65,11 @@ impl Candidate {
     /// The base model on its own.
     pub fn base(problem: &Problem, model: &Model) -> Option<Self> {
         let [k, c] = model.stiffness_and_damping();
-        let with = |k: f64, c: f64| Model { name: model.name.clone(), ..Model::base(model.body.clone(), model.sensor, k, c) };
+        let with = |k: f64, c: f64| Model {
+            name: model.name.clone(),
+            frame_curve: model.frame_curve.clone(),
+            ..Model::base(model.body.clone(), model.sensor, k, c)
+        };
         Self::best(problem, [with(k, c), with(k, 0.4 * c), with(0.5 * k, 1.5 * c), with(2.0 * k, 0.7 * c)])
     }
 }

@@ -17,7 +17,7 @@ use super::search::{RARE, Search, Setting};
 use super::stage::Stage;
 use super::surface::{Patch, surface};
 use super::trend::trend_p;
-use crate::effects::{CATALOGUE, Model};
+use crate::effects::{Model, candidates};
 use crate::fit::{Problem, Waves, inverse};
 
 /// What was found.
@@ -385,8 +385,9 @@ fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate
     };
     let mut all: Vec<Ranked> = looked_at.into_par_iter().map(one).collect();
     all.sort_by(|a, b| a.score.total_cmp(&b.score));
-    for spec in
-        CATALOGUE.iter().filter(|spec| search.levels.get(1).is_some_and(|level| level.candidates.iter().all(|one| one.ids() != [spec.id])))
+    for spec in candidates(chosen.model())
+        .iter()
+        .filter(|spec| search.levels.get(1).is_some_and(|level| level.candidates.iter().all(|one| one.ids() != [spec.id])))
     {
         all.push(Ranked {
             id: spec.id.into(),

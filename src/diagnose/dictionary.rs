@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use crate::effects::{CATALOGUE, Model, Spec};
+use crate::effects::{Model, Spec, candidates};
 use crate::fit::Problem;
 
 /// An effect at some values.
@@ -70,6 +70,7 @@ fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {
         "foot_stagger" => single(&[1.0, 4.0, 10.0]),
         "drop_height_error" => single(&[-0.1, 0.1]),
         "air_drag" => single(&[0.05, 0.3]),
+        "frame_force_curve" => single(&[0.3, 1.0]),
         _ => Vec::new(),
     }
 }
@@ -78,7 +79,7 @@ fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {
 pub fn starts(model: &Model) -> Vec<Start> {
     let listed = |spec: &Spec| model.effects.iter().any(|listed| listed.spec.id == spec.id);
     let mut all = Vec::new();
-    for spec in CATALOGUE.into_iter().filter(|spec| !listed(spec)) {
+    for spec in candidates(model).into_iter().filter(|spec| !listed(spec)) {
         let words = spec.choice.map_or(1, |choice| choice.words.len());
         for word in 0..words {
             all.extend(values(spec, model).into_iter().map(|values| Start { spec, word, values }));

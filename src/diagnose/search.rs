@@ -9,7 +9,7 @@ use super::candidate::{Candidate, promises, tries};
 use super::dictionary::Dictionary;
 use super::nulls::Nulls;
 use super::stage::Stage;
-use crate::effects::{CATALOGUE, Model};
+use crate::effects::{Model, candidates};
 use crate::fit::Problem;
 
 /// Chance below which something is missing.
@@ -141,7 +141,7 @@ impl Setting<'_> {
     fn singles(&self, base: &Candidate, dictionary: &Dictionary) -> Option<Vec<Candidate>> {
         let promises = promises(self.problem, &base.fitted, dictionary)?;
         let fit = |id: &str| Candidate::best(self.problem, tries(&promises, id).into_iter().map(|start| start.on(base.model())));
-        Some(self.ranked(CATALOGUE.par_iter().filter_map(|spec| fit(spec.id)).collect()))
+        Some(self.ranked(candidates(base.model()).into_par_iter().filter_map(|spec| fit(spec.id)).collect()))
     }
 
     /// Sets with one effect more, from the best of one size; each of the best is also swapped, as its effects come from

@@ -26,9 +26,23 @@ pub const CATALOGUE: [&Spec; 16] = [
     &air_drag::SPEC,
 ];
 
+/// The effects that need to know a frame: a model without its curve cannot have them.
+pub const OF_FRAME: [&Spec; 1] = [&frame_force_curve::SPEC];
+
+/// Every effect, the base's first.
+pub fn every() -> impl Iterator<Item = &'static Spec> {
+    BASE.into_iter().chain(CATALOGUE).chain(OF_FRAME)
+}
+
+/// The effects that can come on top of a model.
+pub fn candidates(model: &Model) -> Vec<&'static Spec> {
+    let of_frame = OF_FRAME.into_iter().filter(|_| model.frame_curve.is_some());
+    CATALOGUE.into_iter().chain(of_frame).collect()
+}
+
 /// An effect's entry by its id, the base's among them.
 pub fn by_id(id: &str) -> Option<&'static Spec> {
-    BASE.into_iter().chain(CATALOGUE).find(|spec| spec.id == id)
+    every().find(|spec| spec.id == id)
 }
 
 #[cfg(test)]
@@ -37,7 +51,7 @@ mod tests {
 
     #[test]
     fn analytic_ids_and_keys_are_unique_and_bounds_hold_defaults() {
-        let specs: Vec<&Spec> = BASE.into_iter().chain(CATALOGUE).collect();
+        let specs: Vec<&Spec> = every().collect();
         for (at, spec) in specs.iter().enumerate() {
             assert!(specs[at + 1..].iter().all(|other| other.id != spec.id), "{}", spec.id);
             for parameter in spec.parameters {

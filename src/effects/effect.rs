@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use super::{Fall, Feet, Payload, Sensor};
+use super::{Fall, Feet, Payload, Sensor, Softening};
 
 /// A parameter of an effect, in the unit of model files and results.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,6 +115,8 @@ pub struct Arrangement {
     pub tension_factor: f64,
     /// Feet that touch one after the other.
     pub feet: Option<Feet>,
+    /// A frame's curve in the spring's place.
+    pub softening: Option<Softening>,
     /// A payload on a spring of its own.
     pub payload: Option<Payload>,
     /// What the sensor makes of it.

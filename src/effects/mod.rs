@@ -17,6 +17,7 @@ mod drop_height_error;
 mod effect;
 mod fall;
 mod foot_stagger;
+mod frame_force_curve;
 mod hunt_crossley_damping;
 mod linear_damper;
 mod linear_spring;
@@ -32,14 +33,15 @@ mod sensor_low_pass;
 mod sensor_saturation;
 mod unilateral_contact;
 
-pub use catalogue::{BASE, CATALOGUE, by_id};
+pub use catalogue::{BASE, CATALOGUE, OF_FRAME, by_id, candidates, every};
 pub use effect::{Arrangement, Choice, Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
 pub use fall::Fall;
 pub use foot_stagger::Feet;
+pub use frame_force_curve::{FrameCurve, POINTS, REACH_MM, Softening};
 pub use linear_damper::LinearDamper;
 pub use linear_spring::LinearSpring;
 pub use model::{Listed, Model};
-pub use model_text::{CHANNEL, PLAIN_NUMBERS, channel_words};
+pub use model_text::{CHANNEL, CURVE, PLAIN_NUMBERS, channel_words};
 pub use payload_mode::Payload;
 pub use sensor::{Channel, Sensor};
 

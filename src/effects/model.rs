@@ -1,8 +1,10 @@
 //! An impact model as meant: body, sensor and effects, every number within its bounds.
 
+use std::sync::Arc;
+
 use super::effect::{Arrangement, Effect, Spec, Stage};
 use super::sensor::{Channel, Sensor};
-use super::{BASE, Fall, linear_damper, linear_spring};
+use super::{Fall, FrameCurve, Softening, every, linear_damper, linear_spring};
 use crate::body::Body;
 
 /// An effect with its values.
@@ -41,6 +43,8 @@ pub struct Model {
     pub sensor: Sensor,
     /// Spring and damper first, then what comes on top in the order of the catalogue.
     pub effects: Vec<Listed>,
+    /// The frame's static curve, where one is known; it acts by `frame_force_curve`.
+    pub frame_curve: Option<Arc<FrameCurve>>,
 }
 
 impl Model {
@@ -50,7 +54,7 @@ impl Model {
             Listed { spec: &linear_spring::SPEC, values: vec![stiffness_n_m], word: 0 },
             Listed { spec: &linear_damper::SPEC, values: vec![damping_n_s_m], word: 0 },
         ];
-        Self { name: "base".into(), body, sensor, effects }
+        Self { name: "base".into(), body, sensor, effects, frame_curve: None }
     }
 
     /// The same with an effect on top; one that is listed already is replaced.
@@ -86,7 +90,10 @@ impl Model {
 
     /// How fall, contact and sensor are arranged.
     pub fn arrangement(&self) -> Arrangement {
-        let mut arrangement = Arrangement { fall: Fall::default(), tension_factor: 1.0, feet: None, payload: None, sensor: self.sensor };
+        let mut arrangement =
+            Arrangement { fall: Fall::default(), tension_factor: 1.0, feet: None, softening: None, payload: None, sensor: self.sensor };
+        let share = self.value("frame_force_curve", "share").filter(|share| *share > 0.0);
+        arrangement.softening = share.zip(self.frame_curve.clone()).map(|(share, curve)| Softening { share, curve });
         for effect in self.effects.iter().filter(|listed| listed.spec.stage == Stage::Arrangement).filter_map(Listed::effect) {
             effect.arrange(&mut arrangement);
         }
@@ -96,7 +103,7 @@ impl Model {
 
 /// Place of an effect in the order of composition.
 pub(super) fn order(spec: &Spec) -> usize {
-    BASE.iter().chain(&super::CATALOGUE).position(|known| known.id == spec.id).unwrap_or(usize::MAX)
+    every().position(|known| known.id == spec.id).unwrap_or(usize::MAX)
 }
 
 impl Sensor {

@@ -1,11 +1,13 @@
 //! A model file to a model, and back.
 
+use std::sync::Arc;
+
 use super::effect::Spec;
 use super::model::{Listed, Model};
 use super::sensor::{Channel, Sensor};
-use super::{BASE, CATALOGUE};
+use super::{BASE, FrameCurve, REACH_MM, every};
 use crate::body::{Body, Origin};
-use crate::params::refusal::Refusal;
+use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
 
 /// A number of a model file that belongs to no effect: key, bounds, unit.
@@ -45,8 +47,20 @@ impl Plain {
     }
 }
 
-fn specs() -> impl Iterator<Item = &'static Spec> {
-    BASE.into_iter().chain(CATALOGUE)
+/// Keys of the points of a frame's curve: compressions, and force over stiffness at rest, mm.
+pub const CURVE: [&str; 2] = ["effects.frame_force_curve.x_mm", "effects.frame_force_curve.phi_mm"];
+
+/// The frame's curve of a file that has the effect.
+fn curve(file: &ImpactFile, effects: &[Listed]) -> Result<Option<Arc<FrameCurve>>, Refusal> {
+    if effects.iter().all(|listed| listed.spec.id != "frame_force_curve") {
+        return Ok(None);
+    }
+    let [x_mm, phi_mm] = [file.numbers(CURVE[0], REACH_MM, "mm")?, file.numbers(CURVE[1], [-REACH_MM[1], REACH_MM[1]], "mm")?];
+    let refused = |message| Reason::Impossible {
+        message,
+        remedy: "give the points of one curve, the origin first; `flexframe stiffness FRAME` writes them into its model.toml".into(),
+    };
+    FrameCurve::new(&x_mm, &phi_mm).map(|curve| Some(Arc::new(curve))).map_err(|message| file.refuse(CURVE[0], refused(message)))
 }
 
 /// Whether the file has the effect's table with nothing in it.
@@ -76,14 +90,14 @@ impl Model {
     /// What it says that cannot be, with its place.
     pub fn resolve(file: &ImpactFile) -> Result<Self, Refusal> {
         let plain = [&MASS, &GAP, &CUTOFF, &ORDER, &LIMIT].map(|plain| plain.key.to_string());
-        let empty = specs().filter(|spec| is_empty_table(file, spec)).map(|spec| format!("effects.{}", spec.id));
-        let words = [CHANNEL.to_string(), "description".into()];
-        let known: Vec<String> = plain.into_iter().chain(words).chain(specs().flat_map(keys)).chain(empty).collect();
-        file.only(&known, &specs().map(|spec| spec.id).collect::<Vec<_>>())?;
+        let empty = every().filter(|spec| is_empty_table(file, spec)).map(|spec| format!("effects.{}", spec.id));
+        let words = [CHANNEL.to_string(), "description".into()].into_iter().chain(CURVE.map(String::from));
+        let known: Vec<String> = plain.into_iter().chain(words).chain(every().flat_map(keys)).chain(empty).collect();
+        file.only(&known, &every().map(|spec| spec.id).collect::<Vec<_>>())?;
         let order = ORDER.stated(file)?;
         if order.fract() != 0.0 {
             let [min, max] = ORDER.bounds;
-            let reason = crate::params::refusal::Reason::Impossible {
+            let reason = Reason::Impossible {
                 message: format!("`{}` = {order} is no whole number", ORDER.key),
                 remedy: format!("give a whole number from {min} to {max}"),
             };
@@ -94,13 +108,14 @@ impl Model {
         let origin = Origin::Model(file.name.clone());
         let body = Body { mass_kg: MASS.stated(file)?, gap_m: GAP.stated(file)? * 1e-3, travel_m: None, origin };
         let mut effects = Vec::new();
-        for spec in specs() {
+        for spec in every() {
             let listed_empty = is_empty_table(file, spec);
             if listed_empty || BASE.iter().any(|base| base.id == spec.id) || keys(spec).any(|key| file.entries.contains_key(&key)) {
                 effects.push(listed(file, spec)?);
             }
         }
-        Ok(Self { name: file.name.clone(), body, sensor, effects })
+        let frame_curve = curve(file, &effects)?;
+        Ok(Self { name: file.name.clone(), body, sensor, effects, frame_curve })
     }
 
     /// The model as a file.
@@ -119,9 +134,20 @@ impl Model {
             if let Some(choice) = spec.choice {
                 text += &format!("{} = \"{}\"\n", choice.key, choice.words[*word]);
             }
+            if let Some(curve) = self.frame_curve.as_ref().filter(|_| spec.id == "frame_force_curve") {
+                for (key, column) in ["x_mm", "phi_mm"].into_iter().zip(0..2) {
+                    let values: Vec<String> = curve.points_mm().map(|point| format!("{:?}", rounded(point[column]))).collect();
+                    text += &format!("{key} = [{}]\n", values.join(", "));
+                }
+            }
         }
         text
     }
+}
+
+/// To a nanometre: what a curve's points are worth, and what reads back as it was written.
+fn rounded(mm: f64) -> f64 {
+    (mm * 1e6).round() / 1e6
 }
 
 /// An effect's values from its table.
@@ -141,6 +167,7 @@ fn listed(file: &ImpactFile, spec: &'static Spec) -> Result<Listed, Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::effects::{CATALOGUE, OF_FRAME};
 
     fn paper() -> String {
         ImpactFile::names().next().map(|name| Model::load(name).expect("comes with the program").to_toml()).expect("there is one")
@@ -154,14 +181,16 @@ mod tests {
     #[test]
     fn analytic_a_model_written_reads_back() {
         let mut text = paper();
-        for spec in CATALOGUE {
+        for spec in CATALOGUE.into_iter().chain(OF_FRAME) {
             text += &format!("\n[effects.{}]\n", spec.id);
             for parameter in spec.parameters {
                 text += &format!("{} = {:?}\n", parameter.key, 0.3 * parameter.min + 0.7 * parameter.max);
             }
         }
+        text += "x_mm = [0.0, 1.0, 2.5, 9.0]\nphi_mm = [0.0, 0.98, 2.3, 6.123456]\n";
         let model = Model::resolve(&ImpactFile::parse("all", &text).expect("TOML")).expect("a model");
-        assert_eq!(model.effects.len(), 18);
+        assert_eq!(model.effects.len(), 19);
+        assert!(model.arrangement().softening.is_some());
         let again = Model::resolve(&ImpactFile::parse("all", &model.to_toml()).expect("TOML")).expect("a model");
         assert_eq!(again.to_toml(), model.to_toml());
     }
@@ -182,6 +211,11 @@ mod tests {
             (paper.clone() + "[effects.bottoming]\nx_b_mm = 16.0\n", "`effects.bottoming.k_b` is not stated"),
             (paper.clone() + "[effects.bottoming]\nx_b = 16.0\n", "unknown key `effects.bottoming.x_b`"),
             (paper.clone() + "[effects.cubic_stiffness]\n", "`effects.cubic_stiffness.k3` is not stated"),
+            (paper.clone() + "[effects.frame_force_curve]\nshare = 1.0\n", "`effects.frame_force_curve.x_mm` is not stated"),
+            (
+                paper.clone() + "[effects.frame_force_curve]\nshare = 1.0\nx_mm = [0.0, 2.0, 1.0]\nphi_mm = [0.0, 2.0, 1.0]\n",
+                "1 mm does not come after 2 mm",
+            ),
             (paper.clone() + "[", "this is not TOML"),
         ];
         for (text, says) in cases {

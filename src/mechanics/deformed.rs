@@ -98,8 +98,12 @@ fn weights(at: &Vector3<f64>, nodes: &[usize], rest: &[Vector3<f64>]) -> [(usize
 impl FrameModel {
     /// A state of the quarter as one of the whole frame: each module by the first's, turned and mirrored.
     ///
-    /// Both models hold the same parts in the same order; rods of the ring are found by their mirrored places.
+    /// Both models hold the same parts in the same order; rods of the ring are found by their mirrored places. A whole frame's
+    /// state stays as it is.
     pub fn unfolded(&self, quarter: &FrameModel, state: &State) -> State {
+        if quarter.extent == Extent::Whole {
+            return state.clone();
+        }
         let mut whole = self.system.rest();
         let rest = &quarter.system.structure.nodes;
         let hub = quarter.hub;

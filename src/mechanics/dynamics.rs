@@ -89,8 +89,8 @@ struct Step {
 }
 
 impl<'a> Motion<'a> {
-    /// Starts from rest shape with velocities; gravity acts along -z, mm/ms².
-    pub fn new(system: &'a System, relaxation: Relaxation, velocity: Vec<f64>, gravity_mm_ms2: f64) -> Self {
+    /// Starts from a state without strain, with velocities; gravity acts along -z, mm/ms².
+    pub fn new(system: &'a System, relaxation: Relaxation, state: State, velocity: Vec<f64>, gravity_mm_ms2: f64) -> Self {
         let masses = system.masses();
         let mut gravity = vec![0.0; masses.len()];
         for node in 0..system.structure.nodes.len() {
@@ -107,7 +107,7 @@ impl<'a> Motion<'a> {
             work: system.pattern.work(),
             sum: Sum::default(),
             t_ms: 0.0,
-            state: system.rest(),
+            state,
             velocity,
             acceleration,
             force: vec![0.0; masses.len()],

@@ -20,7 +20,7 @@ use crate::skeleton::{Rod, RodRole};
 const LINK: (Elastic, f64) = (Elastic { young_mpa: 2e4, shear_mpa: 8e3 }, 2.0);
 
 /// How deep the feet stand in the ground at rest, mm: enough that the ground is felt.
-const TOUCH_MM: f64 = 1e-5;
+pub(super) const TOUCH_MM: f64 = 1e-5;
 
 /// A meeting this far off a rod's axis belongs to another, mm.
 const OFF_AXIS_MM: f64 = 0.6;

@@ -2,16 +2,25 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::Vector3;
+
 use super::dynamics::{DynamicsError, Motion};
+use super::foot::{Foot, Grip};
+use super::frame_builder::TOUCH_MM;
 use super::frame_model::{FrameModel, ModelError};
 use super::memory::Energies;
-use super::relaxation::Relaxation;
+use super::rotation::exp;
 use super::settings::Settings;
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
 use super::structure::State;
+use super::system::System;
+use crate::units::Angle;
 
 /// Gravity, mm/ms².
 const GRAVITY: f64 = 9.81e-3;
+
+/// Bandwidth of the logger in the measured drops, Hz, first order (ADXL377).
+pub const LOGGER_HZ: f64 = 500.0;
 
 /// How a drop is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,11 +31,13 @@ pub struct Run {
     pub longest_ms: f64,
     /// How long the feet have to be in the air for the contact to have ended, ms.
     pub apart_ms: f64,
+    /// How far the frame is turned about X, then about Y, when it touches. Other than none needs the whole frame.
+    pub tilt: [Angle; 2],
 }
 
 impl Default for Run {
     fn default() -> Self {
-        Self { step_ms: 0.1, longest_ms: 40.0, apart_ms: 1.0 }
+        Self { step_ms: 0.1, longest_ms: 40.0, apart_ms: 1.0, tilt: [Angle::rad(0.0); 2] }
     }
 }
 
@@ -90,11 +101,11 @@ impl Impact {
     /// When the motion is lost.
     pub fn new(model: &FrameModel, settings: &Settings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
         let speed_m_s = (2.0 * 9.81 * height_m).sqrt();
-        let relaxation = Relaxation::new(settings.relaxation_exponent, settings.rest_time_s, settings.impact_loss);
-        let mut motion = Motion::new(&model.system, relaxation, falling(model, speed_m_s), GRAVITY);
+        let touching = touching(&model.system, model.hub, run.tilt);
+        let rest = touching.places[model.hub].z;
+        let mut motion = Motion::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY);
         let copies = model.extent.copies();
         let hub = model.system.unknowns.of(model.hub)[2];
-        let rest = model.system.structure.nodes[model.hub].place.z;
         let start = motion.energies();
         let mut impact = Self {
             height_m,
@@ -114,7 +125,7 @@ impl Impact {
         while motion.t_ms < run.longest_ms - 1e-9 {
             motion.advance(run.step_ms)?;
             let down_mm = rest - motion.state.places[model.hub].z;
-            let proper_g = motion.acceleration[hub] / GRAVITY + 1.0;
+            let proper_g = along_axis_g(model, &motion);
             let ground_n = motion.ground_n * copies;
             impact.moments.push(Moment { t_ms: motion.t_ms, down_mm, up_m_s: motion.velocity[hub], proper_g, ground_n });
             impact.watch_rods(model, &motion.state);
@@ -199,6 +210,45 @@ impl Impact {
         }
         passed
     }
+}
+
+/// Largest of readings a millisecond apart, g, in the mean over the phases of the logger's clock: what a peak is by its records.
+/// Readings `step_ms` apart come in.
+pub fn sampled_peak_g(reading_g: &[f64], step_ms: f64) -> f64 {
+    let each = ((1.0 / step_ms).round() as usize).max(1);
+    let of_phase = |phase: usize| reading_g.iter().skip(phase).step_by(each).copied().fold(f64::NEG_INFINITY, f64::max);
+    (0..each).map(of_phase).sum::<f64>() / each as f64
+}
+
+/// The frame at rest in itself, turned, its lowest foot on the ground as deep as a foot stands at rest.
+fn touching(system: &System, hub: usize, tilt: [Angle; 2]) -> State {
+    let mut state = system.rest();
+    if tilt.iter().all(|angle| angle.to_rad() == 0.0) {
+        return state;
+    }
+    let [about_x, about_y] = tilt.map(Angle::to_rad);
+    let turn = exp(&Vector3::new(0.0, about_y, 0.0)) * exp(&Vector3::new(about_x, 0.0, 0.0));
+    let centre = state.places[hub];
+    state.places.iter_mut().for_each(|place| *place = centre + turn * (*place - centre));
+    state.turns.iter_mut().for_each(|own| *own = turn * *own);
+    let feet = &system.structure.feet;
+    let above = |foot: &Foot| (state.places[foot.node] + turn * foot.arm).z - (foot.ground_mm - TOUCH_MM);
+    let lowest = feet.iter().map(above).fold(f64::INFINITY, f64::min);
+    let down = lowest + TOUCH_MM;
+    state.places.iter_mut().for_each(|place| place.z -= down);
+    for (grip, foot) in state.grips.iter_mut().zip(feet) {
+        let at = state.places[foot.node] + turn * foot.arm;
+        *grip = Grip { place: (at.z < foot.ground_mm).then_some([at.x, at.y]) };
+    }
+    state
+}
+
+/// Proper acceleration of the centre along its own axis, g.
+fn along_axis_g(model: &FrameModel, motion: &Motion) -> f64 {
+    let of = model.system.unknowns.of(model.hub);
+    let value = |at: usize| if of[at] == super::sparse::NOWHERE { 0.0 } else { motion.acceleration[of[at]] };
+    let proper = Vector3::new(value(0), value(1), value(2) + GRAVITY);
+    (motion.state.turns[model.hub] * Vector3::z()).dot(&proper) / GRAVITY
 }
 
 /// Every node falls.

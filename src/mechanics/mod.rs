@@ -18,6 +18,7 @@ pub mod modes;
 pub mod parts_plan;
 pub mod plan;
 pub mod prediction;
+pub mod reduction;
 pub mod relaxation;
 pub mod rotation;
 pub mod section;

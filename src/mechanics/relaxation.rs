@@ -34,10 +34,13 @@ pub struct Relaxation {
 }
 
 impl Relaxation {
-    /// The law with an exponent, whose modulus at `rest_s` is that at rest, and a loss on top: one branch at the frequency of
-    /// an impact, of so much loss there over the stiffness at rest. What it adds to the stiffness there it has from nowhere else.
-    pub fn new(exponent: f64, rest_s: f64, loss: f64) -> Self {
+    /// The law with an exponent, whose modulus at `rest_s` is that at rest, times a factor, and a loss on top: one branch at the
+    /// frequency of an impact, of so much loss there over the stiffness at rest. What it adds to the stiffness there it has from
+    /// nowhere else.
+    pub fn new(exponent: f64, rest_s: f64, factor: f64, loss: f64) -> Self {
         let mut law = Self::power_law(exponent, rest_s);
+        law.lasting *= factor;
+        law.branches.iter_mut().for_each(|branch| branch.share *= factor);
         if loss > 0.0 {
             law.branches.push(Branch { share: 2.0 * loss, time_ms: LOSS_MS });
         }
@@ -105,7 +108,11 @@ mod tests {
         }
         assert_eq!(Relaxation::power_law(0.0, 30.0).scale(0.1), 1.0);
         // ω τ = 1: the branch stores as much as it loses.
-        let lossy = Relaxation::new(0.0, 30.0, 0.2);
+        let lossy = Relaxation::new(0.0, 30.0, 1.0, 0.2);
         assert!((lossy.loss_factor(1.0 / (std::f64::consts::TAU * LOSS_MS)) - 0.2 / 1.2).abs() < 1e-12);
+        // A factor leaves the law's loss as it is.
+        let soft = Relaxation::new(0.0555, 30.0, 0.5, 0.0);
+        assert!((soft.modulus(4.0) / Relaxation::power_law(0.0555, 30.0).modulus(4.0) - 0.5).abs() < 1e-12);
+        assert!((soft.loss_factor(0.1) - Relaxation::power_law(0.0555, 30.0).loss_factor(0.1)).abs() < 1e-12);
     }
 }

@@ -1,5 +1,6 @@
 //! Numbers of the mechanics that no frame file holds, as `params/mechanics.toml` states them.
 
+use super::relaxation::Relaxation;
 use super::section::Elastic;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
@@ -19,6 +20,8 @@ pub struct Settings {
     pub rest_time_s: f64,
     /// Exponent of relaxation.
     pub relaxation_exponent: f64,
+    /// Modulus in an impact over what the relaxation says of it.
+    pub impact_modulus: f64,
     /// Loss at the frequency of an impact beside that of relaxation, over the stiffness at rest.
     pub impact_loss: f64,
     /// Shear modulus of the rods, MPa.
@@ -58,15 +61,21 @@ pub struct DropLimits {
     pub buckling_factor: f64,
 }
 
+/// Bounds of [`Settings::impact_modulus`].
+pub const IMPACT_MODULUS: [f64; 2] = [0.1, 3.0];
+/// Bounds of [`Settings::impact_loss`].
+pub const IMPACT_LOSS: [f64; 2] = [0.0, 3.0];
+
 /// Keys with their bounds and units, in the order of the fields; the band stands on its own.
-const KEYS: [(&str, [f64; 2], &str); 21] = [
+const KEYS: [(&str, [f64; 2], &str); 22] = [
     ("flexible.young_mpa", [10.0, 400.0], "MPa"),
     ("flexible.young_low_mpa", [5.0, 400.0], "MPa"),
     ("flexible.young_high_mpa", [10.0, 800.0], "MPa"),
     ("flexible.poisson", [0.3, 0.499], "1"),
     ("flexible.rest_time_s", [0.1, 1e4], "s"),
     ("flexible.relaxation_exponent", [0.0, 0.2], "1"),
-    ("flexible.impact_loss", [0.0, 1.0], "1"),
+    ("flexible.impact_modulus", IMPACT_MODULUS, "1"),
+    ("flexible.impact_loss", IMPACT_LOSS, "1"),
     ("rods.shear_mpa", [100.0, 5e4], "MPa"),
     ("joints.socket_foundation", [1.0, 20.0], "1"),
     ("joints.plug_foundation", [1.0, 20.0], "1"),
@@ -105,8 +114,8 @@ impl Settings {
         for (value, (key, bounds, unit)) in values.iter_mut().zip(KEYS) {
             *value = file.stated(key, bounds, unit)?;
         }
-        let [young_mpa, low, high, poisson, rest_time_s, relaxation_exponent, impact_loss, rod_shear_mpa, rest @ ..] = values;
-        let [socket_foundation, plug_foundation, core_rigid, notch_contact, friction, foot_stiffness, rest @ ..] = rest;
+        let [young_mpa, low, high, poisson, rest_time_s, relaxation_exponent, impact_modulus, impact_loss, rest @ ..] = values;
+        let [rod_shear_mpa, socket_foundation, plug_foundation, core_rigid, notch_contact, friction, foot_stiffness, rest @ ..] = rest;
         let [drop_m, payload_peak_g, strain_factor, buckling_factor, element_mm, socket_elements, rod_element_mm] = rest;
         Ok(Self {
             name: file.name.clone(),
@@ -115,6 +124,7 @@ impl Settings {
             poisson,
             rest_time_s,
             relaxation_exponent,
+            impact_modulus,
             impact_loss,
             rod_shear_mpa,
             socket_foundation,
@@ -135,6 +145,11 @@ impl Settings {
         Elastic { young_mpa: self.young_mpa, shear_mpa: self.young_mpa / (2.0 * (1.0 + self.poisson)) }
     }
 
+    /// How the flexible material relaxes in an impact.
+    pub fn relaxation(&self) -> Relaxation {
+        Relaxation::new(self.relaxation_exponent, self.rest_time_s, self.impact_modulus, self.impact_loss)
+    }
+
     /// The same as a file.
     pub fn to_toml(&self, remark: &str) -> String {
         let values = [
@@ -144,6 +159,7 @@ impl Settings {
             self.poisson,
             self.rest_time_s,
             self.relaxation_exponent,
+            self.impact_modulus,
             self.impact_loss,
             self.rod_shear_mpa,
             self.socket_foundation,

@@ -47,6 +47,8 @@ pub struct Motion {
     preload_n: f64,
     riders: Vec<Rider>,
     on_rider: bool,
+    /// Share and points of the frame's curve, m.
+    curve: Option<(f64, Vec<[f64; 2]>)>,
     stagger_m: f64,
     extra_m: f64,
     drag_1_m: f64,
@@ -89,6 +91,10 @@ impl Motion {
             preload_n: or_zero("preload", "f0_n"),
             riders,
             on_rider: model.arrangement().sensor.on_payload,
+            curve: model
+                .frame_curve
+                .as_ref()
+                .map(|curve| (or_zero("frame_force_curve", "share"), curve.points_mm().map(|point| point.map(|mm| mm * 1e-3)).collect())),
             stagger_m: or_zero("foot_stagger", "delta_mm") * 1e-3,
             extra_m: or_zero("drop_height_error", "dh_m"),
             drag_1_m: or_zero("air_drag", "beta"),
@@ -111,13 +117,50 @@ impl Motion {
         squared.sqrt()
     }
 
+    /// What the frame's curve makes of a compression, m: Bézier's cubic between its points, by repeated halving of ways
+    /// (P. de Casteljau).
+    fn bent(&self, x: f64) -> f64 {
+        let Some((share, points)) = &self.curve else { return x };
+        if x <= 0.0 || *share == 0.0 {
+            return x;
+        }
+        let count = points.len();
+        // Slope of the parabola through three neighbours; straight at the last, 1 at rest.
+        let way = |i: usize| {
+            if i == 0 {
+                return 1.0;
+            }
+            let chord = |a: usize, b: usize| (points[b][1] - points[a][1]) / (points[b][0] - points[a][0]);
+            if i + 1 == count {
+                return chord(i - 1, i);
+            }
+            let weight = (points[i + 1][0] - points[i][0]) / (points[i + 1][0] - points[i - 1][0]);
+            weight * chord(i - 1, i) + (1.0 - weight) * chord(i, i + 1)
+        };
+        let phi = match (1..count).find(|i| x < points[*i][0]) {
+            None => points[count - 1][1] + way(count - 1) * (x - points[count - 1][0]),
+            Some(i) => {
+                let third = (points[i][0] - points[i - 1][0]) / 3.0;
+                let t = (x - points[i - 1][0]) / (3.0 * third);
+                let mut hull = [points[i - 1][1], points[i - 1][1] + third * way(i - 1), points[i][1] - third * way(i), points[i][1]];
+                for last in (1..4).rev() {
+                    for j in 0..last {
+                        hull[j] += t * (hull[j + 1] - hull[j]);
+                    }
+                }
+                hull[0]
+            }
+        };
+        (1.0 - share) * x + share * phi
+    }
+
     /// Force of the frame on the body, N.
     fn force_n(&self, y: &State, past: Past) -> f64 {
         let (x, v) = (y[0], y[1]);
         let mut sum = if self.stagger_m > 0.0 {
-            (0..past.touched).map(|foot| 0.25 * (self.k * (x - self.stagger_m * foot as f64 / 3.0) + self.c * v)).sum()
+            (0..past.touched).map(|foot| 0.25 * (self.k * self.bent(x - self.stagger_m * foot as f64 / 3.0) + self.c * v)).sum()
         } else {
-            self.k * x + self.c * v
+            self.k * self.bent(x) + self.c * v
         };
         sum += self.k3 * x * x * x + self.bilinear[1] * (x - self.bilinear[0]).max(0.0);
         sum += self.chi * x * v + self.c2 * v * v.abs() + y[MAXWELL];

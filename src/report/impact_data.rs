@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::mechanics::impact::Impact;
+use crate::mechanics::impact::{Impact, LOGGER_HZ};
 use crate::mechanics::settings::Settings;
 
 /// What was computed.
@@ -19,12 +19,9 @@ pub struct Impacts<'a> {
     pub impacts: &'a [Impact],
 }
 
-/// The sensor's bandwidth, Hz, first order: that of the logger in the measured drops.
-pub const SENSOR_HZ: f64 = 500.0;
-
 /// Peak behind the sensor, g.
 pub fn sensor_peak_g(impact: &Impact) -> f64 {
-    impact.through(SENSOR_HZ).into_iter().fold(0.0, f64::max)
+    impact.through(LOGGER_HZ).into_iter().fold(0.0, f64::max)
 }
 
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
@@ -60,7 +57,7 @@ fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
     });
     if series {
         value["moments"] = json!(impact.moments);
-        value["sensor_g"] = json!(impact.through(SENSOR_HZ));
+        value["sensor_g"] = json!(impact.through(LOGGER_HZ));
     }
     value
 }
@@ -83,7 +80,7 @@ pub fn json(found: &Impacts, series: bool) -> Value {
 pub fn trace_csv(found: &Impacts) -> String {
     let mut text = "height_m,t_ms,down_mm,up_m_s,proper_g,sensor_g,ground_n\n".to_string();
     for impact in found.impacts {
-        for (m, sensor) in impact.moments.iter().zip(impact.through(SENSOR_HZ)) {
+        for (m, sensor) in impact.moments.iter().zip(impact.through(LOGGER_HZ)) {
             text += &format!("{},{:.3},{},{},{},{sensor},{}\n", impact.height_m, m.t_ms, m.down_mm, m.up_m_s, m.proper_g, m.ground_n);
         }
     }

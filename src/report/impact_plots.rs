@@ -2,10 +2,10 @@
 
 use plotters::chart::SeriesLabelPosition;
 
-use super::impact_data::{Impacts, SENSOR_HZ};
+use super::impact_data::Impacts;
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
-use crate::mechanics::impact::{Impact, Moment};
+use crate::mechanics::impact::{Impact, LOGGER_HZ, Moment};
 
 /// Every plot, path and bytes.
 ///
@@ -32,7 +32,7 @@ fn acceleration(found: &Impacts) -> Lines {
     let mut all = Vec::new();
     for (at, impact) in found.impacts.iter().enumerate() {
         all.push(series(impact, impact.moments.iter().map(|m| m.proper_g), at, None));
-        all.push(series(impact, impact.through(SENSOR_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
+        all.push(series(impact, impact.through(LOGGER_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
     }
     Lines {
         title: format!("{}: payload, pale as it is, strong through the sensor", found.frame),

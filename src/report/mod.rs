@@ -19,6 +19,7 @@ pub mod fit_data;
 pub mod fit_plots;
 pub mod fold_scene;
 pub mod impact_data;
+pub mod impact_fit_data;
 pub mod impact_plots;
 mod lettering;
 mod lines;

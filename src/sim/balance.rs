@@ -3,7 +3,6 @@
 use serde::Serialize;
 
 use super::system::{Phase, System};
-use crate::effects::Effect;
 use crate::effects::{GRAVITY_M_S2, Motion};
 
 /// Which moment.
@@ -95,10 +94,7 @@ impl Balance {
 fn terms(system: &System, phase: Phase, y: &[f64]) -> Vec<TermEnergy> {
     let works = &y[system.core..];
     let base = Motion { x_m: y[0], v_m_s: y[1], own: &[] };
-    let spring_j = match &system.arrangement.feet {
-        None => system.spring.stored_j(&base),
-        Some(feet) => 0.5 * system.spring.stiffness_n_m * feet.mean_square_m2(base.x_m, phase.touched),
-    };
+    let spring_j = system.spring_j(&base, phase.touched);
     let mut stored = vec![("linear_spring", spring_j), ("linear_damper", 0.0)];
     stored.extend(system.forces.iter().map(|term| (term.id, term.effect.stored_j(&term.motion(y)))));
     let mut found: Vec<TermEnergy> = stored.into_iter().zip(works).map(|((id, stored_j), work_j)| term(id, *work_j, stored_j)).collect();

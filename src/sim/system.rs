@@ -5,7 +5,7 @@
 
 use super::switch::Switch;
 use crate::body::Body;
-use crate::effects::{Arrangement, Effect, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
+use crate::effects::{Arrangement, Effect, Feet, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
 
 /// States without energies at the most: x, v, three stages, one of an effect, two of the payload.
 pub(super) const CORE: usize = 8;
@@ -140,7 +140,13 @@ impl System {
         let terms = self.forces.iter().chain(&self.stop).map(|term| (term.id, term.effect.as_ref()));
         let arranging = self.arranging.iter().map(|(id, effect)| (*id, effect.as_ref()));
         let all = base.into_iter().chain(terms).chain(arranging);
-        all.filter_map(|(id, effect)| Some((id, effect.outside(reach)?))).collect()
+        let mut found: Vec<(&'static str, String)> = all.filter_map(|(id, effect)| Some((id, effect.outside(reach)?))).collect();
+        let reaches = self.arrangement.softening.as_ref().map(|softening| softening.curve.reach_m());
+        if let Some(reach_m) = reaches.filter(|reach_m| reach.deepest_m > *reach_m) {
+            let [deep, known] = [reach.deepest_m, reach_m].map(|m| m * 1e3);
+            found.push(("frame_force_curve", format!("{deep:.1} mm is deeper than the {known:.1} mm to which the frame's curve goes")));
+        }
+        found
     }
 
     /// Index of the state that the sensor reads.
@@ -174,13 +180,40 @@ impl System {
         found
     }
 
+    /// The spring's force on all feet, N.
+    fn spring_n(&self, at: &Motion) -> f64 {
+        match &self.arrangement.softening {
+            None => self.spring.force_n(at),
+            Some(softening) => self.spring.stiffness_n_m * softening.compression_m(at.x_m),
+        }
+    }
+
+    /// What the feet that have touched leave of the compression, in mean over four, m.
+    fn mean_compression_m(&self, feet: &Feet, x_m: f64, touched: usize) -> f64 {
+        match &self.arrangement.softening {
+            None => feet.mean_compression_m(x_m, touched),
+            Some(softening) => feet.at_m[..touched].iter().map(|at| 0.25 * softening.compression_m(x_m - at)).sum(),
+        }
+    }
+
+    /// What the spring stores, J.
+    pub(super) fn spring_j(&self, at: &Motion, touched: usize) -> f64 {
+        let square_m2 = match (&self.arrangement.feet, &self.arrangement.softening) {
+            (None, None) => return self.spring.stored_j(at),
+            (None, Some(softening)) => softening.square_m2(at.x_m),
+            (Some(feet), None) => feet.mean_square_m2(at.x_m, touched),
+            (Some(feet), Some(softening)) => feet.at_m[..touched].iter().map(|from| 0.25 * softening.square_m2(at.x_m - from)).sum(),
+        };
+        0.5 * self.spring.stiffness_n_m * square_m2
+    }
+
     /// Spring's and damper's forces, N.
     pub(super) fn base_n(&self, phase: Phase, y: &[f64]) -> [f64; 2] {
         let at = Motion { x_m: y[0], v_m_s: y[1], own: &[] };
         match &self.arrangement.feet {
-            None => [self.spring.force_n(&at), self.damper.force_n(&at)],
+            None => [self.spring_n(&at), self.damper.force_n(&at)],
             Some(feet) => [
-                self.spring.stiffness_n_m * feet.mean_compression_m(at.x_m, phase.touched),
+                self.spring.stiffness_n_m * self.mean_compression_m(feet, at.x_m, phase.touched),
                 0.25 * phase.touched as f64 * self.damper.force_n(&at),
             ],
         }

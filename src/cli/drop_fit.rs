@@ -1,0 +1,63 @@
+//! `flexframe drop --model frame --fit`: what drops say of the flexible material, and how well one height tells another.
+
+use std::process::ExitCode;
+
+use super::arguments::{Common, DropOptions};
+use super::drop_frame::frame;
+use super::measure::calibration;
+use super::output;
+use super::progress::Progress;
+use super::session::{self, Failure};
+use super::stiffness::refused;
+use super::terminal;
+use crate::assembly::mass;
+use crate::impact_fit::{Height, Subject, Surface, fit};
+use crate::measured::{self, DropSet, Summary};
+use crate::mechanics::frame_model::{Extent, FrameModel};
+use crate::mechanics::settings::Settings;
+use crate::report::impact_fit_data::{self, Fitted};
+
+/// Fits a frame's own model to drops and writes its folder.
+pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
+    let frame = frame(options)?;
+    let settings = Settings::load(options.mechanics.as_deref())?;
+    let set = measured::read(&options.fit, &calibration(&options.calibration)?)?;
+    let heights = heights(&set)?;
+    let working = Progress::of("fitting", common);
+    let design = session::design(&frame)?;
+    let masses = mass::table(&design);
+    let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
+    let subject = Subject { model: &model, settings: &settings };
+    let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
+    let surface = Surface::new(&subject, &heights_m).map_err(refused)?;
+    let found = fit(&subject, surface, &heights).map_err(refused)?;
+    let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
+    let json = impact_fit_data::json(&fitted);
+    let files = [
+        ("predictions.csv".into(), impact_fit_data::predictions_csv(&fitted).into_bytes()),
+        ("fit.json".into(), format!("{json:#}\n").into_bytes()),
+        ("mechanics.toml".into(), found.settings.to_toml(&impact_fit_data::remark(&fitted)).into_bytes()),
+    ];
+    drop(working);
+    let place = output::write_folder(&options.output, &format!("drop-fit-{}", design.frame.name), &files)?;
+    if common.json {
+        terminal::print_json(&json)?;
+    } else if !common.quiet {
+        let notes: String = set.notes.iter().map(|note| format!("note: {note}\n")).collect();
+        terminal::print(&format!("{}{notes}{}: {} files\n", impact_fit_data::table(&fitted), place.display(), files.len()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What each height says.
+fn heights(set: &DropSet) -> Result<Vec<Height>, Failure> {
+    if set.frames().len() > 1 {
+        let names: Vec<&str> = set.frames().into_iter().map(|frame| frame.unwrap_or("unnamed")).collect();
+        return Err(Failure::Usage { message: format!("the drops are of several frames ({}): name those of one", names.join(", ")) });
+    }
+    let of = |(group, drops): &(&measured::Group, Vec<measured::Drop>)| {
+        let height = Height::of(&Summary::of(group, drops));
+        height.ok_or_else(|| Failure::Usage { message: format!("no drop from {} m has an impact without a flag", group.height_m) })
+    };
+    measured::drops(set).iter().map(of).collect()
+}
