@@ -30,7 +30,7 @@ fn waves(plan: &Plan) -> Waves {
 #[test]
 fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
     let fine = clean(&plan(1), 1.0);
-    let expected = Expected { step_s: 1e-3, samples: 31, spread: 0.0, varied: [0.0; 2] };
+    let expected = Expected::plain(1e-3, 31);
     let at = |t_s: f64| {
         let place = t_s.max(0.0) / 5e-5;
         let left = place.floor() as usize;
