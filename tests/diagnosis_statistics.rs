@@ -51,6 +51,25 @@ fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
 }
 
 #[test]
+fn planted_half_scatter_moves_the_trigger_as_predicted() {
+    // Coloured scatter of half the reading lets one in fifty records be laid a step too late.
+    let scatter = Spread { share: 0.5, ..plan(1).scatter };
+    let planted = Plan { scatter, ..plan(3) };
+    let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..planted.clone() });
+    let ground = Ground::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
+    let apart = |expected: Expected| {
+        let predicted = expected.window(&expected.system(&base()), 1.0).expect("it holds the body");
+        // In units of the standard error of a mean of 80 drops, at the trigger and the sample behind it.
+        let mean = &many.groups[0].mean;
+        [1, 2].map(|i| (mean[i] - predicted[i]) / (0.5 * mean[i] / 80f64.sqrt()))
+    };
+    let (without, with) = (apart(Expected::plain(1e-3, 31)), apart(ground.problem.expected));
+    assert!(without[0] > 0.6 && without[1] > 0.3, "{without:?}");
+    // The mean of 12,000 is itself known to 0.1 of that.
+    assert!(with.iter().all(|apart| apart.abs() < 0.25), "{with:?}");
+}
+
+#[test]
 fn analytic_bounds_and_units_do_not_stop_a_minimum() {
     // A minimum at (2, 3e-8 · 1e8 = 3) whose second parameter is eight orders smaller, and one that lies behind a bound.
     let residual = |x: &[f64]| Some(DVector::from_vec(vec![x[0] - 2.0, 1e8 * x[1] - 3.0, 0.1 * (x[0] - 2.0) * (1e8 * x[1] - 3.0)]));

@@ -4,12 +4,13 @@
 //! noise, and the covariance of the mean waves, and weighs them by Bayes' rule, all equally likely; k and c have an even
 //! prior and are integrated out along their tangent at the best fit. It says nothing where the drops are as likely
 //! as those of a null, at the level at which 5 % of nulls alarm. No rule that looks at mean waves has more names right on these
-//! truths. What it does not see: how single records scatter about their mean, which `records` adds.
+//! truths. What it does not see: how single records scatter about
+//! their mean; `scatter` says how much that would add for somebody who knows its law.
 
 use std::collections::BTreeMap;
 
 use flexframe::effects::{CATALOGUE, Model};
-use flexframe::fit::{Expected, Layout, Problem, Whitening};
+use flexframe::fit::{Layout, Problem, inverse_root};
 use flexframe::plant::Plan;
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
@@ -17,7 +18,7 @@ use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use crate::covariance::{covariances, expected};
+use crate::covariance::{covariances, exact};
 use crate::truth::{DETECTABLE, STRENGTHS, at_strength, plan};
 
 /// Nulls that alarm.
@@ -43,17 +44,19 @@ struct Seen {
     tangent: DMatrix<f64>,
     /// Half the logarithm of how much k and c are worth.
     worth: f64,
+    /// With the refitted k and c.
+    model: Model,
 }
 
 impl Seen {
     fn of(problem: &Problem, model: &Model) -> Option<Self> {
         let fitted = problem.fit(Layout::named(model.clone(), &["k", "c"])?, 12)?;
-        let jacobian = fitted.minimum.jacobian;
+        let (model, jacobian) = (fitted.model().clone(), fitted.minimum.jacobian);
         let normal = jacobian.transpose() * &jacobian;
         let root = normal.cholesky()?;
         let worth = root.l().diagonal().iter().map(|one| libm::log(*one)).sum();
         let tangent = root.l().solve_lower_triangular(&jacobian.transpose())?.transpose();
-        Some(Self { apart: fitted.minimum.residual, tangent, worth })
+        Some(Self { apart: fitted.minimum.residual, tangent, worth, model })
     }
 
     /// Logarithm of the likelihood, but for what is common to all.
@@ -65,13 +68,21 @@ impl Seen {
 
 /// What the drops of one truth look like to the judge: every hypothesis, the null first.
 fn seen(truth: &Plan, hypotheses: &[&Model]) -> Option<Vec<Seen>> {
-    let expected: Expected = expected(truth);
-    let system = expected.system(&truth.model);
-    let means: Vec<(f64, Vec<f64>)> =
-        truth.heights_m.iter().map(|height_m| Some((*height_m, expected.window(&system, *height_m)?))).collect::<Option<_>>()?;
-    let whitening = Whitening::of(&covariances(truth)?, &vec![truth.drops; means.len()])?;
-    let problem = Problem { expected, chosen: (0..means.len()).collect(), means, whitening };
+    let problem = exact(truth)?;
     hypotheses.iter().map(|model| Seen::of(&problem, model)).collect()
+}
+
+/// What the scatter of single records tells from the null in addition, in units of noncentrality: twice the divergence of Wishart
+/// densities (S. Kullback, *Information Theory and Statistics*, 9.1) for somebody who knows the scatter's law.
+fn in_scatter(truth: &Plan, null: &Model) -> Option<f64> {
+    let nulls = covariances(&Plan { model: null.clone(), ..truth.clone() })?;
+    let one = |(own, null): (&DMatrix<f64>, &DMatrix<f64>)| {
+        let inverse = inverse_root(null)?;
+        let white = &inverse * own * inverse.transpose();
+        let spread: f64 = white.symmetric_eigenvalues().iter().map(|one| one - 1.0 - libm::log(*one)).sum();
+        Some((truth.drops - 1) as f64 * spread)
+    };
+    covariances(truth)?.iter().zip(&nulls).map(one).sum()
 }
 
 /// The best-supported effect, and the logarithm of its weight over that of the null.
@@ -110,10 +121,10 @@ pub fn ceiling(level: usize, from: u64, to: u64) {
         let mut gains: Vec<f64> = (0..NULL_DRAWS).map(|_| judged(&of_null, &ids, &mut rng).1).collect();
         gains.sort_by(f64::total_cmp);
         let needed = gains[((1.0 - ALARMS) * NULL_DRAWS as f64) as usize];
-        let shares: Vec<Option<[f64; 3]>> = truths.par_iter().map(|truth| share(truth, &hypotheses, &ids, needed)).collect();
+        let shares: Vec<Option<[f64; 4]>> = truths.par_iter().map(|truth| share(truth, &hypotheses, &ids, needed)).collect();
         for (truth, share) in truths.iter().zip(shares) {
-            let Some([right, first, apart]) = share else { continue };
-            println!("{} {} seed {seed}: noncentrality {apart:.0}, right {right:.3}, first {first:.3}", truth.id, STRENGTHS[truth.at]);
+            let Some([right, first, apart, scatter]) = share else { continue };
+            println!("{} {} seed {seed}: noncentrality {apart:.0}, scatter {scatter:.0}, right {right:.3}, first {first:.3}", truth.id, STRENGTHS[truth.at]);
             sums.add(truth, [right, first, apart]);
         }
     }
@@ -127,7 +138,7 @@ fn truths(level: usize, seed: u64) -> Vec<Truth> {
 }
 
 /// Shares of draws that are named right and ranked first, and the noncentrality.
-fn share(truth: &Truth, hypotheses: &[&Model], ids: &[&'static str], needed: f64) -> Option<[f64; 3]> {
+fn share(truth: &Truth, hypotheses: &[&Model], ids: &[&'static str], needed: f64) -> Option<[f64; 4]> {
     let seen = seen(&truth.plan, hypotheses)?;
     let mut rng = Pcg64::seed_from_u64(truth.plan.seed);
     let (mut right, mut first) = (0.0, 0.0);
@@ -136,7 +147,7 @@ fn share(truth: &Truth, hypotheses: &[&Model], ids: &[&'static str], needed: f64
         first += f64::from(u8::from(id == truth.id)) / DRAWS as f64;
         right += f64::from(u8::from(id == truth.id && gain > needed)) / DRAWS as f64;
     }
-    Some([right, first, seen[0].apart.norm_squared()])
+    Some([right, first, seen[0].apart.norm_squared(), in_scatter(&truth.plan, &seen[0].model)?])
 }
 
 impl Sums {

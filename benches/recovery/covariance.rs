@@ -1,19 +1,29 @@
 //! The generator's own covariance of records, by quadrature over all that is random in them instead of by draws.
 
 use flexframe::effects::Model;
-use flexframe::fit::{BEFORE, Expected};
+use flexframe::fit::{BEFORE, Expected, Problem, Whitening};
 use flexframe::plant::Plan;
 use flexframe::sim::System;
 use nalgebra::{DMatrix, DVector};
 
 /// What a plan's mean waves are: the mean over phases, drops that differ in k and c, and cut readings.
-pub fn expected(plan: &Plan) -> Expected {
+fn expected(plan: &Plan) -> Expected {
     let limited = plan.model.value("sensor_saturation", "limit_g").is_some();
     Expected {
         spread: if limited { plan.scatter.share } else { 0.0 },
         varied: [plan.scatter.stiffness, plan.scatter.damping],
         ..Expected::plain(1.0 / plan.rate_hz, (0.030 * plan.rate_hz).round() as usize + BEFORE)
     }
+}
+
+/// A plan's mean waves without noise, whitened by their own covariance, by quadrature.
+pub fn exact(plan: &Plan) -> Option<Problem> {
+    let expected = expected(plan);
+    let system = expected.system(&plan.model);
+    let mean = |height_m: &f64| Some((*height_m, expected.window(&system, *height_m)?));
+    let means = plan.heights_m.iter().map(mean).collect::<Option<Vec<_>>>()?;
+    let whitening = Whitening::of(&covariances(plan)?, &vec![plan.drops; means.len()])?;
+    Some(Problem { expected, chosen: (0..means.len()).collect(), means, whitening })
 }
 
 /// Models of single drops with their weights: Gauss and Hermite, three points for k and three for c.

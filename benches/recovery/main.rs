@@ -8,17 +8,17 @@ mod case;
 mod ceiling;
 mod covariance;
 mod oracle;
+mod pairs;
 mod singles;
 mod truth;
 
 use flexframe::diagnose::Verdict;
-use flexframe::effects::CATALOGUE;
 use flexframe::plant::Hidden;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use case::diagnosed;
-use truth::{DETECTABLE, at_strength, left_by_catalogue, plan};
+use truth::{DETECTABLE, left_by_catalogue, plan};
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
@@ -43,7 +43,7 @@ fn main() {
         ceiling::ceiling(level, from, to);
     }
     if what.contains("pairs") {
-        pairs(level, from, to);
+        pairs::pairs(level, from, to);
     }
     if what.contains("hidden") {
         hidden(level, from, to);
@@ -58,35 +58,6 @@ fn nulls(level: usize, from: u64, to: u64) {
         println!("null {seed}: {}", case.line());
     }
     println!("NULLS level {level}: {alarms} alarms of {}", 10 * (to - from));
-}
-
-fn pairs(level: usize, from: u64, to: u64) {
-    let (mut exact, mut count) = (0, 0);
-    for seed in 10 * from..10 * to {
-        let mut rng = Pcg64::seed_from_u64(seed + 4242);
-        let (a, b) = (rng.random_range(0..CATALOGUE.len()), rng.random_range(0..CATALOGUE.len()));
-        if a == b {
-            continue;
-        }
-        let strength = 400.0;
-        let (Some(first), Some(second)) =
-            (at_strength(CATALOGUE[a].id, seed, strength, level), at_strength(CATALOGUE[b].id, seed, strength, level))
-        else {
-            continue;
-        };
-        let Some(added) = second.model.effects.iter().find(|listed| listed.spec.id == CATALOGUE[b].id) else { continue };
-        let mut plan = first.clone();
-        plan.model = plan.model.with(added.spec, &added.values, added.word);
-        plan.scatter.tilt_deg = 0.0;
-        let case = diagnosed(&plan);
-        let mut truth = vec![CATALOGUE[a].id, CATALOGUE[b].id];
-        truth.sort_by_key(|id| CATALOGUE.iter().position(|spec| spec.id == *id));
-        let good = case.set() == truth;
-        exact += usize::from(good);
-        count += 1;
-        println!("{} pair {truth:?}: {}", if good { "ok " } else { "BAD" }, case.line());
-    }
-    println!("PAIRS level {level}: {exact}/{count} exact");
 }
 
 fn hidden(level: usize, from: u64, to: u64) {

@@ -11,7 +11,7 @@ use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, noise_free, noncent
 /// estimate it. No bound: the score is ours, not the best there could be.
 fn told_the_scatter(plan: &Plan) -> Option<&'static str> {
     let few = waves(plan);
-    let whitening = noise_free(plan)?.0.whitening;
+    let whitening = noise_free(plan)?.whitening;
     let ground = Ground::of(&few, &base())?;
     let mut problem = Problem::of(&few, whitening, ground.problem.expected.spread);
     problem.expected = ground.problem.expected;

@@ -7,6 +7,8 @@ use flexframe::plant::{Plan, Scatter as Spread, clean, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use crate::covariance::exact;
+
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 1.5];
 /// Noncentralities at the middle level.
 pub const STRENGTHS: [f64; 5] = [5.0, 19.0, 71.0, 266.0, 1000.0];
@@ -69,36 +71,44 @@ pub fn waves(plan: &Plan) -> Waves {
     Waves::of(&records(plan).into_iter().map(drop).collect::<Vec<_>>()).expect("planted drops are usable")
 }
 
-/// A truth's noise-free mean waves with the generator's own covariance of the mean, read off many drops.
-pub fn noise_free(plan: &Plan) -> Option<(Problem, Scatter)> {
-    let drops = if plan.model.value("sensor_saturation", "limit_g").is_some() { 3000 } else { 300 };
-    let many = waves(&Plan { drops, ..plan.clone() });
-    let scatter = Scatter::of(&many);
-    let whitening = Whitening::of(&scatter.plain_covariances(), &vec![plan.drops; plan.heights_m.len()])?;
-    let mut problem = Problem::of(&many, whitening, 0.0);
+/// A truth's noise-free mean waves with the generator's own covariance of the mean: read off many drops, or by quadrature
+/// where k and c scatter, as the mean of some hundred such drops is not without noise.
+pub fn noise_free(plan: &Plan) -> Option<Problem> {
+    if plan.scatter.stiffness > 0.0 && plan.hidden.is_none() {
+        return exact(plan);
+    }
+    let counts = vec![plan.drops; plan.heights_m.len()];
+    let limited = plan.model.value("sensor_saturation", "limit_g").is_some();
+    let many = waves(&Plan { drops: if limited { 3000 } else { 300 }, ..plan.clone() });
+    let mut problem = Problem::of(&many, Whitening::of(&Scatter::of(&many).plain_covariances(), &counts)?, 0.0);
     let expected: Expected = problem.expected;
-    if plan.scatter.stiffness == 0.0 && plan.model.value("sensor_saturation", "limit_g").is_none() {
+    if plan.scatter.stiffness == 0.0 && !limited {
         for (height_m, mean) in &mut problem.means {
             *mean = expected.mean_over_phases(&clean(plan, *height_m));
         }
     }
-    Some((problem, scatter))
+    Some(problem)
 }
 
 pub fn noncentrality(plan: &Plan) -> Option<f64> {
-    let (problem, _) = noise_free(plan)?;
+    let problem = noise_free(plan)?;
     let [k, c] = plan.model.stiffness_and_damping();
     Some(problem.fit(Layout::of(Model::base(plan.model.body.clone(), plan.model.sensor, k, c)), 25)?.chi2())
 }
 
-/// What the best catalogue fit, pairs included, leaves of a truth.
-pub fn left_by_catalogue(plan: &Plan) -> Option<f64> {
-    let (problem, _) = noise_free(plan)?;
+/// The catalogue's fits to a truth's noise-free mean waves, pairs included.
+pub fn catalogue(plan: &Plan) -> Option<Search> {
+    let problem = noise_free(plan)?;
     let few = waves(plan);
     let ground = Ground::of(&few, &base())?;
     let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
     let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, most: 2, stage: &|_| () };
-    let search = Search::run(&setting, &base())?;
+    Search::run(&setting, &base())
+}
+
+/// What the best catalogue fit leaves of a truth.
+pub fn left_by_catalogue(plan: &Plan) -> Option<f64> {
+    let search = catalogue(plan)?;
     search.levels.iter().flat_map(|level| &level.candidates).map(|candidate: &Candidate| candidate.fitted.chi2()).min_by(f64::total_cmp)
 }
 
