@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use flexframe::diagnose::{Diagnosis, Settings, Verdict, diagnose};
+use flexframe::diagnose::{Diagnosis, Estimate, Settings, Verdict, diagnose};
 use flexframe::effects::Model;
 use flexframe::fit::Expected;
 use flexframe::plant::{Plan, clean};
@@ -38,18 +38,13 @@ impl Case {
         self.diagnosis.ranking.iter().find(|one| !one.id.contains('+')).map_or("", |one| &one.id)
     }
 
-    /// Parameters whose interval holds the truth, and how many there are; none when the set is not the true one.
-    pub fn covered(&self, truth: &Model) -> [usize; 2] {
+    /// Each parameter and whether its interval holds the truth; none when the set is not the true one.
+    pub fn covered(&self, truth: &Model) -> Vec<(&'static str, bool)> {
         if self.diagnosis.verdict == Verdict::NothingMissing || truth.effects.len() != self.diagnosis.chosen.model().effects.len() {
-            return [0, 0];
+            return Vec::new();
         }
-        let mut count = [0, 0];
-        for one in &self.diagnosis.estimates {
-            let Some(value) = truth.value(one.effect, one.key) else { return [0, 0] };
-            count[0] += usize::from((one.ci95[0]..=one.ci95[1]).contains(&value));
-            count[1] += 1;
-        }
-        count
+        let held = |one: &Estimate| Some((one.key, (one.ci95[0]..=one.ci95[1]).contains(&truth.value(one.effect, one.key)?)));
+        self.diagnosis.estimates.iter().map(held).collect::<Option<_>>().unwrap_or_default()
     }
 
     /// Gap to the noise-free wave at a height that was not dropped from, after over before.

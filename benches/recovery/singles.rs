@@ -13,7 +13,8 @@ struct Sums {
     curve: BTreeMap<usize, [usize; 2]>,
     confused: BTreeMap<(String, String), usize>,
     ratios: Vec<f64>,
-    covered: [usize; 2],
+    /// Intervals that hold the truth, and how many there are, by parameter.
+    covered: BTreeMap<&'static str, [usize; 2]>,
     seconds: Vec<f64>,
     stronger: [usize; 2],
     /// First of the ranking of single effects, whatever the verdict; a strength each, and how many there are.
@@ -30,9 +31,11 @@ pub fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
                 let case = diagnosed(&plan);
                 let good = case.first() == Some(spec.id);
                 let ratio = case.ratio(&plan);
+                let covered = case.covered(&plan.model);
+                let missed: Vec<&str> = covered.iter().filter(|(_, held)| !held).map(|(key, _)| *key).collect();
                 let values = plan.model.effects.last().map(|listed| listed.values.clone()).unwrap_or_default();
                 println!(
-                    "{} {} {values:.3?} nc {found:.0} top {} ratio {:.2}: {}",
+                    "{} {} {values:.3?} nc {found:.0} top {} ratio {:.2} missed {missed:?}: {}",
                     if good { "ok " } else { "BAD" },
                     spec.id,
                     case.top(),
@@ -55,9 +58,10 @@ pub fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
                     sums.ratios.extend(ratio);
                     *sums.confused.entry((spec.id.into(), case.first().unwrap_or("nothing").into())).or_default() += 1;
                 }
-                let covered = case.covered(&plan.model);
-                sums.covered[0] += covered[0];
-                sums.covered[1] += covered[1];
+                for (key, held) in covered {
+                    let count = sums.covered.entry(key).or_default();
+                    *count = [count[0] + usize::from(held), count[1] + 1];
+                }
                 sums.seconds.push(case.seconds);
             }
         }
@@ -90,7 +94,8 @@ fn summary(level: usize, sums: &mut Sums) {
     );
     let ranked = sums.ranked.iter().fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
     println!("RANKED FIRST level {level}: {:?}, all {}/{}", sums.ranked, ranked[0], ranked[1]);
-    println!("COVERAGE level {level}: {}/{}", sums.covered[0], sums.covered[1]);
+    let held = sums.covered.values().fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
+    println!("COVERAGE level {level}: {}/{}, by parameter {:?}", held[0], held[1], sums.covered);
     println!("HELD OUT level {level}: median ratio {:.3}, 90 % below {:.3}", middle(&sums.ratios, 0.5), middle(&sums.ratios, 0.9));
     println!("TIME level {level}: median {:.2} s, 95 % below {:.2} s", middle(&sums.seconds, 0.5), middle(&sums.seconds, 0.95));
 }
