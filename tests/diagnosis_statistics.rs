@@ -30,7 +30,7 @@ fn waves(plan: &Plan) -> Waves {
 #[test]
 fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
     let fine = clean(&plan(1), 1.0);
-    let expected = Expected { step_s: 1e-3, samples: 31, spread: 0.0, varied: [0.0; 2] };
+    let expected = Expected::plain(1e-3, 31);
     let at = |t_s: f64| {
         let place = t_s.max(0.0) / 5e-5;
         let left = place.floor() as usize;
@@ -48,6 +48,25 @@ fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
     for (ours, theirs) in expected.mean_over_phases(&fine).iter().zip(&mean) {
         assert!((ours - theirs).abs() < 0.05, "{ours} {theirs}");
     }
+}
+
+#[test]
+fn planted_half_scatter_moves_the_trigger_as_predicted() {
+    // Coloured scatter of half the reading lets one in fifty records be laid a step too late.
+    let scatter = Spread { share: 0.5, ..plan(1).scatter };
+    let planted = Plan { scatter, ..plan(3) };
+    let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..planted.clone() });
+    let ground = Ground::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
+    let apart = |expected: Expected| {
+        let predicted = expected.window(&expected.system(&base()), 1.0).expect("it holds the body");
+        // In units of the standard error of a mean of 80 drops, at the trigger and the sample behind it.
+        let mean = &many.groups[0].mean;
+        [1, 2].map(|i| (mean[i] - predicted[i]) / (0.5 * mean[i] / 80f64.sqrt()))
+    };
+    let (without, with) = (apart(Expected::plain(1e-3, 31)), apart(ground.problem.expected));
+    assert!(without[0] > 0.6 && without[1] > 0.3, "{without:?}");
+    // The mean of 12,000 is itself known to 0.1 of that.
+    assert!(with.iter().all(|apart| apart.abs() < 0.25), "{with:?}");
 }
 
 #[test]

@@ -48,6 +48,10 @@ fn products(first: &[f64], second: &[f64], rest: &[f64]) -> Vec<Vec<f64>> {
     first.iter().flat_map(|a| second.iter().map(move |b| [&[*a, *b], rest].concat())).collect()
 }
 
+/// A payload's frequencies. Two waves that ring out within 20 ms are out of step when they differ by more than 25 Hz, and a fit
+/// from there ends in a minimum of its own.
+const FREQUENCIES_HZ: [f64; 16] = [45.0, 58.0, 72.0, 88.0, 105.0, 124.0, 144.0, 166.0, 189.0, 214.0, 240.0, 268.0, 298.0, 330.0, 365.0, 410.0];
+
 /// Values to start from, over the bounds of the library and dense enough for a fit to find its way from the nearest.
 fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {
     let single = |list: &[f64]| list.iter().map(|value| vec![*value]).collect();
@@ -66,7 +70,7 @@ fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {
         }
         "sensor_saturation" => single(&[15.0, 25.0, 35.0, 50.0, 70.0, 95.0, 130.0, 180.0]),
         "sensor_gain" => single(&[0.85, 1.15]),
-        "payload_mode" => products(&[0.03, 0.1, 0.3], &[45.0, 60.0, 80.0, 105.0, 140.0, 185.0, 245.0, 320.0, 420.0], &[0.05]),
+        "payload_mode" => products(&[0.05, 0.2], &FREQUENCIES_HZ, &[0.05]),
         "foot_stagger" => single(&[1.0, 4.0, 10.0]),
         "drop_height_error" => single(&[-0.1, 0.1]),
         "air_drag" => single(&[0.05, 0.3]),

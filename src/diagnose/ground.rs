@@ -51,7 +51,7 @@ impl Ground {
             [stiffness, damping, ..] if spread == 0.0 => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
             _ => [0.0; 2],
         };
-        let expected = Expected { varied, ..problem.expected };
+        let expected = Expected { varied, flicker: scatter.flicker(&family), ..problem.expected };
         Some(Self { problem: Problem { whitening, expected, ..problem }, scatter, family, flat_top })
     }
 }

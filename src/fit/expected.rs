@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::flicker::Flicker;
 use super::waves::{BEFORE, TRIGGER_G};
 use crate::effects::Model;
 use crate::sim::{Settings, Stop, System, wave};
@@ -34,6 +35,32 @@ pub struct Expected {
     /// Scatter of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
     /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
     pub varied: [f64; 2],
+    /// Scatter of single readings, where it moves the trigger.
+    pub flicker: Flicker,
+}
+
+/// A wave from first touch on, g, at steps of 0.05 ms.
+#[derive(Debug)]
+pub struct Fine<'a> {
+    wave: &'a [f64],
+    /// When it first crosses the trigger, s.
+    pub crossing_s: f64,
+}
+
+impl<'a> Fine<'a> {
+    fn of(wave: &'a [f64]) -> Self {
+        Self { wave, crossing_s: crossing_s(wave).min(ONSET_S) }
+    }
+
+    /// Between its points; zero before first touch, g.
+    pub fn at(&self, t_s: f64) -> f64 {
+        if t_s <= 0.0 {
+            return 0.0;
+        }
+        let place = t_s / FINE_S;
+        let at = (place.floor() as usize).min(self.wave.len() - 2);
+        self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at])
+    }
 }
 
 /// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
@@ -44,6 +71,11 @@ pub struct Ready {
 }
 
 impl Expected {
+    /// Of records that differ by the phase of the clock alone.
+    pub fn plain(step_s: f64, samples: usize) -> Self {
+        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: Flicker::default() }
+    }
+
     /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
     /// stiffness or damping scatter, the mean is taken over them (Gauss and Hermite, three points each).
     pub fn system(&self, model: &Model) -> Ready {
@@ -76,6 +108,10 @@ impl Expected {
                 fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
             }
             mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
+            if self.flicker.moves() {
+                let shift = self.flicker.shift(&Fine::of(&fine), self.step_s, self.samples);
+                mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += weight * shift);
+            }
         }
         Some(mean)
     }
@@ -94,15 +130,12 @@ impl Expected {
 
     /// Covariance of records of a wave that differ by the phase of the clock alone, g².
     pub fn over_phases(&self, fine: &[f64]) -> DMatrix<f64> {
-        let (crossing, mean) = (crossing_s(fine).min(ONSET_S), self.mean_over_phases(fine));
+        let (mean, fine) = (self.mean_over_phases(fine), Fine::of(fine));
         let mut sum = DMatrix::zeros(self.samples, self.samples);
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
             let off = DVector::from_fn(self.samples, |i, _| {
-                let place = (crossing + self.step_s * (i as f64 + part - BEFORE as f64)) / FINE_S;
-                let at = (place.max(0.0).floor() as usize).min(fine.len() - 2);
-                let reading = if place < 0.0 { 0.0 } else { fine[at] + (place - at as f64) * (fine[at + 1] - fine[at]) };
-                reading - mean[i]
+                fine.at(fine.crossing_s + self.step_s * (i as f64 + part - BEFORE as f64)) - mean[i]
             });
             sum += &off * off.transpose() / PHASES as f64;
         }

@@ -3,14 +3,17 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::expected::Expected;
+use super::flicker::Flicker;
 use super::waves::{BEFORE, Waves};
 
 /// Correlation times of coloured scatter, s.
-const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
+pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
 /// Most sets tried.
 const ROUNDS: usize = 60;
 /// Kinds before those of changing parameters.
 const FIXED: usize = 5;
+/// Which of them is one factor a record.
+const COMMON: usize = 3;
 /// Keeps kinds apart that are nearly the same.
 const RIDGE: f64 = 1e-9;
 
@@ -100,6 +103,13 @@ impl Family {
     pub fn changing(&self, covariances: &[DMatrix<f64>]) -> Vec<f64> {
         let amounts = self.amounts(covariances);
         (0..self.changes).map(|change| amounts[FIXED + change].max(0.0).sqrt()).collect()
+    }
+
+    /// Scatter in proportion to the wave in the sum that is nearest to covariances.
+    pub fn flicker(&self, covariances: &[DMatrix<f64>]) -> Flicker {
+        let amounts = self.amounts(covariances);
+        let coloured = FIXED + self.changes;
+        Flicker { by_time: std::array::from_fn(|time| amounts[if time < TIMES_S.len() { coloured + 2 * time } else { COMMON }]) }
     }
 
     fn amounts(&self, covariances: &[DMatrix<f64>]) -> DVector<f64> {

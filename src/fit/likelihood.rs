@@ -32,7 +32,7 @@ impl Likelihood {
         let waves = chosen.waves()?;
         let scatter = Scatter::of(&waves);
         let whitening = Whitening::of(&scatter.plain_covariances(), scatter.counts()).ok_or(Unfit::Singular)?;
-        let expected = Expected { step_s: waves.step_s, samples: waves.samples, spread: 0.0, varied: [0.0; 2] };
+        let expected = Expected::plain(waves.step_s, waves.samples);
         Ok(Self { waves, expected, whitening })
     }
 

@@ -47,7 +47,7 @@ impl Problem {
     /// All heights of measured waves.
     pub fn of(waves: &Waves, whitening: Whitening, spread: f64) -> Self {
         let means = waves.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
-        let expected = Expected { step_s: waves.step_s, samples: waves.samples, spread, varied: [0.0; 2] };
+        let expected = Expected { spread, ..Expected::plain(waves.step_s, waves.samples) };
         Self { expected, means, whitening, chosen: (0..waves.groups.len()).collect() }
     }
 

@@ -5,6 +5,7 @@ use rand::Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
 
 use super::family::{Family, inverse_root};
+use super::flicker::Flicker;
 use super::waves::Waves;
 
 /// Smallest scatter that is believed, g: a fraction of a count of the converter.
@@ -67,6 +68,11 @@ impl Scatter {
     /// Standard deviations between records of the family's parameters of change, on their own scales.
     pub fn changing(&self, family: &Family) -> Vec<f64> {
         family.changing(&self.sampled())
+    }
+
+    /// Scatter of readings in proportion to the wave.
+    pub fn flicker(&self, family: &Family) -> Flicker {
+        family.flicker(&self.sampled())
     }
 
     /// The family's nearest sum alone.

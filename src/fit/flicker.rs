@@ -1,0 +1,120 @@
+//! What scatter of single readings does to a mean of records that were laid at their trigger.
+//!
+//! Where readings scatter by half of themselves, one in fifty of the first large ones falls below the trigger, and its
+//! record is laid a step too late; just below the crossing some are early. Followed here is the chance that no sample was beyond the trigger yet,
+//! with mean and variance that the scatter then has, sample by sample: an assumed normal density (P. S. Maybeck, *Stochastic Models,
+//! Estimation, and Control*, vol. 2, 12.7), which is right to a tenth of the shift itself.
+
+use super::expected::Fine;
+use super::family::TIMES_S;
+use super::waves::{BEFORE, TRIGGER_G};
+
+/// Scatter of readings as part of the wave that changes no mean by as much as can be seen.
+const SLIGHT: f64 = 0.15;
+/// Phases of the clock.
+const PHASES: usize = 20;
+/// Samples from the crossing on of which one is beyond the trigger.
+const LATEST: usize = 6;
+/// Chance that is not followed.
+const NEVER: f64 = 1e-7;
+
+/// Scatter of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
+/// one factor a record.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Flicker {
+    /// Variances, no unit.
+    pub by_time: [f64; TIMES_S.len() + 1],
+}
+
+impl Flicker {
+    fn variance(&self) -> f64 {
+        self.by_time.iter().sum()
+    }
+
+    /// Whether it moves a mean.
+    pub fn moves(&self) -> bool {
+        self.variance() > SLIGHT * SLIGHT
+    }
+
+    /// Correlation of the factor over a time, s.
+    fn kept(&self, time_s: f64) -> f64 {
+        let long = self.by_time[TIMES_S.len()];
+        let sum: f64 = TIMES_S.iter().zip(self.by_time).map(|(own_s, part)| part * libm::exp(-time_s / own_s)).sum();
+        (sum + long) / self.variance()
+    }
+
+    /// What is to be added to a mean window without scatter, g.
+    pub fn shift(&self, fine: &Fine, step_s: f64, samples: usize) -> Vec<f64> {
+        let kept: Vec<f64> = (0..samples).map(|lag| self.kept(lag as f64 * step_s)).collect();
+        let first = (fine.crossing_s / step_s).ceil() as usize + 1;
+        let mut sum = vec![0.0; samples];
+        for phase in 0..PHASES {
+            let part = (phase as f64 + 0.5) / PHASES as f64;
+            let wave: Vec<f64> = (0..first + LATEST + samples)
+                .map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64)))
+                .collect();
+            Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.laid(first, &mut sum);
+            sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
+        }
+        sum.iter_mut().for_each(|sum| *sum /= PHASES as f64);
+        sum
+    }
+}
+
+/// Samples of one phase.
+struct Record<'a> {
+    wave: &'a [f64],
+    kept: &'a [f64],
+    sd: f64,
+}
+
+impl Record<'_> {
+    /// Adds the mean window over the scatter; `crossing` is the first sample that is beyond the trigger without it.
+    fn laid(&self, crossing: usize, sum: &mut [f64]) {
+        let (mut open, mut mean, mut variance, mut before) = (1.0, 0.0, 1.0, 0.0);
+        for at in BEFORE..=crossing + LATEST {
+            mean *= self.kept[1];
+            variance = 1.0 - self.kept[1] * self.kept[1] * (1.0 - variance);
+            let along = self.sd * self.wave[at].abs() * variance.sqrt();
+            let missed = Missed::of(self.wave[at].abs() * (1.0 + self.sd * mean), along);
+            let last = at == crossing + LATEST;
+            let hit = if last { open } else { open * (1.0 - missed.chance) };
+            if hit > NEVER {
+                let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.chance) };
+                for (i, sum) in sum.iter_mut().enumerate() {
+                    let kept = i.checked_sub(BEFORE).map_or(0.0, |lag| self.kept[lag]);
+                    let reading = if i + 1 == BEFORE { before } else { self.wave[at + i - BEFORE] };
+                    *sum += hit * reading * (1.0 + self.sd * kept * factor);
+                }
+            }
+            open -= hit;
+            if open < NEVER {
+                break;
+            }
+            let moved = missed.first / missed.chance;
+            before = self.wave[at] * (1.0 + self.sd * (mean + variance.sqrt() * moved));
+            mean += variance.sqrt() * moved;
+            variance *= (1.0 + missed.second / missed.chance - moved * moved).clamp(0.0, 1.0);
+        }
+    }
+}
+
+/// A reading that stays within the trigger: its chance, and moments of its deviation over the part where it does.
+struct Missed {
+    chance: f64,
+    first: f64,
+    second: f64,
+}
+
+impl Missed {
+    fn of(mean_g: f64, sd_g: f64) -> Self {
+        if sd_g <= 1e-9 {
+            return Self { chance: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
+        }
+        let (low, high) = ((-TRIGGER_G - mean_g) / sd_g, (TRIGGER_G - mean_g) / sd_g);
+        let density = |z: f64| libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
+        let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
+        let ends = |z: f64| if z.is_finite() { z * density(z) } else { 0.0 };
+        Self { chance: below(high) - below(low), first: density(low) - density(high), second: ends(low) - ends(high) }
+    }
+}
