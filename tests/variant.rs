@@ -421,6 +421,46 @@ fn analytic_bill_in_every_form() {
 }
 
 #[test]
+fn planted_a_thicker_hinge_is_stiffer_hits_harder_and_is_held_to_it() {
+    let bench = Bench::new(&[("thick.toml", "base = \"cognifly\"\nname = \"thick\"\n[corner]\ncorner_hinge_thickness_mm = 3.3\n")]);
+    let plain = bench.json(&["diff", "cognifly", "thick.toml", "--json"]);
+    let names = |difference: &serde_json::Value| -> Vec<String> {
+        let measures = difference["measures"].as_array().expect("a list").iter();
+        measures.map(|m| m["name"].as_str().expect("a name").to_string()).collect()
+    };
+    assert!(names(&plain).iter().all(|name| name != "stiffness"));
+    let found = bench.json(&["diff", "cognifly", "thick.toml", "--strength", "--json"]);
+    let grown = |name: &str| {
+        let at = names(&found).iter().position(|known| known == name).unwrap_or_else(|| panic!("no {name}: {found}"));
+        let [a, b] = [0, 1].map(|side| found["measures"][at]["values"][side].as_f64().expect("a number"));
+        b / a
+    };
+    // The webs bend: their stiffness grows with the cube of the thickness, that of the frame with a part of it.
+    assert!((1.03..1.3).contains(&grown("stiffness")), "{}", grown("stiffness"));
+    assert!(grown("design_drop.peak") > 1.0 && grown("design_drop.travel") < 1.0);
+    let (code, _, err) = bench.run(&["diff", "cognifly", "thick.toml", "--strength", "--fail-on-increase", "design_drop.peak=0.1g"]);
+    assert!(code == 1 && err.contains("design_drop.peak grew by"), "{code} {err}");
+    let (code, _, err) = bench.run(&["diff", "cognifly", "thick.toml", "--fail-on-increase", "stiffness=1"]);
+    assert!(code == 2 && err.contains("only known with --strength"), "{code} {err}");
+}
+
+#[test]
+fn planted_solve_keeps_a_goal_of_the_mechanics() {
+    let bench = Bench::new(&[]);
+    let before = bench.json(&["explain", "strut_rod", "--strength", "--json"]);
+    let own = before["responses"][1]["measures"]["stiffness"].as_f64().expect("a number");
+    let goal = format!("stiffness>={}", 1.02 * own);
+    let solve = ["solve", "--minimise", "mass", "--vary", "strut_rod=49..54", "--frames", "12", "--json"];
+    let found = bench.json(&[&solve[..], &["--subject-to", &goal]].concat());
+    assert!(found["measures"]["stiffness"].as_f64().expect("a number") >= 1.02 * own, "{found}");
+    // A longer strut is stiffer and heavier: the least that does is not the longest.
+    let strut = found["values"][0]["after"].as_f64().expect("a number");
+    assert!((50.1..53.0).contains(&strut), "{strut}");
+    let (code, _, err) = bench.run(&["solve", "--minimise", "mass", "--vary", "strut_rod", "--mechanics", "x.toml"]);
+    assert!(code == 2 && err.contains("neither aim nor goal"), "{err}");
+}
+
+#[test]
 fn analytic_schemas_name_every_parameter_and_its_bounds() {
     let bench = Bench::new(&[]);
     let schema = bench.json(&["schema"]);
