@@ -91,7 +91,7 @@ fn measured_records_are_predicted_from_those_of_the_other_heights() {
 fn planted_numbers_are_found_again() {
     let Bench { model, settings, .. } = bench();
     let subject = Subject { model, settings };
-    let (modulus, loss) = (0.5, 0.6_f64);
+    let (modulus, loss) = (0.5_f64, 0.6_f64);
     let height = |height_m: f64| {
         let told = subject.run([libm::log(modulus), loss.sqrt()], height_m).expect("is followed");
         let peak_g = libm::exp(told.ln_peak);

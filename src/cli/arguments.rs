@@ -629,6 +629,10 @@ pub(super) struct StiffnessOptions {
     /// Hold the curve against a static test.
     #[arg(long, value_name = "CSV")]
     pub compare: Option<PathBuf>,
+    /// Ratios to another frame of the same material, each with the band that the guesses of the mechanics leave it: a preset's name
+    /// or a TOML file. Takes some ten seconds.
+    #[arg(long, value_name = "FRAME")]
+    pub reference: Option<String>,
     /// How far the centre is pressed down, mm.
     #[arg(long, default_value_t = 34.0, value_name = "MM", value_parser = down_mm)]
     pub down: f64,

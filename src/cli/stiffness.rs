@@ -2,12 +2,13 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, StiffnessOptions};
+use super::arguments::{Common, FrameOption, StiffnessOptions};
 use super::frame_reduction;
 use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
+use crate::assembly::mass::MassTable;
 use crate::assembly::{Design, mass};
 use crate::export::bent_glb;
 use crate::measured::read_static_test;
@@ -16,6 +17,7 @@ use crate::mechanics::deformed::Bound;
 use crate::mechanics::frame_model::{Extent, FrameModel};
 use crate::mechanics::modes::Modes;
 use crate::mechanics::parts_plan::part_models;
+use crate::mechanics::ratio::{Ratio, ratios};
 use crate::mechanics::settings::Settings;
 use crate::mechanics::static_curve::StaticCurve;
 use crate::report::picture::View;
@@ -77,6 +79,14 @@ fn bent_files(
     Ok(files)
 }
 
+/// A reference's name, and the frame's ratios to it.
+fn reference(name: &str, design: &Design, masses: &MassTable, settings: &Settings) -> Result<(String, Vec<Ratio>), Failure> {
+    let other = session::design(&FrameOption { frame: name.into(), rigid: None })?;
+    let weighed = mass::table(&other);
+    let found = ratios((design, masses), (&other, &weighed), settings).map_err(refused)?;
+    Ok((other.frame.name.clone(), found))
+}
+
 /// Presses a frame down and writes its folder.
 pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<ExitCode, Failure> {
     let mut settings = Settings::load(options.mechanics.as_deref())?;
@@ -96,6 +106,7 @@ pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<E
     let curve = StaticCurve::new(&quarter, options.down, &INSIDE_MM).map_err(refused)?;
     let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(refused)?;
     let modes = if options.no_modes { None } else { Some(Modes::new(&whole, MODES).map_err(refused)?) };
+    let reference = options.reference.as_ref().map(|name| reference(name, &design, &masses, &settings)).transpose()?;
     let rms = measured.as_ref().and_then(|points| rms_n(&curve, points));
     let found = Stiffness {
         frame: &design.frame.name,
@@ -105,6 +116,7 @@ pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<E
         measured: measured.as_deref().unwrap_or(&[]),
         rms_n: rms,
         calibrated: calibration.is_some(),
+        ratios: reference.as_ref().map(|(name, ratios)| (name.as_str(), ratios.as_slice())),
     };
     let json = stiffness_data::json(&found);
     let mut files = stiffness_plots::plots(&found)

@@ -79,6 +79,13 @@ impl Beam {
         frame.local(self)
     }
 
+    /// The force of [`Self::feel`] alone.
+    pub fn push(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> Ends {
+        let frame = Frame::new(self, places, turns);
+        let local = frame.local(self);
+        frame.force(&local, &(self.stiffness * local * scale + bias))
+    }
+
     /// Force and tangent; the force in its own frame is `scale` times the elastic one and `bias` on top.
     pub fn feel(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> Felt {
         let frame = Frame::new(self, places, turns);
@@ -153,6 +160,17 @@ mod tests {
             let bias = Local::from_column_slice(&values[15..22]) * 50.0;
             let error = error(&beam, places, turns, &bias);
             prop_assert!(error < 1e-6, "{error}");
+        }
+
+        #[test]
+        fn analytic_the_force_alone_is_that_beside_the_tangent(values in proptest::collection::vec(-1.0f64..1.0, 19)) {
+            let v = |at: usize| Vector3::new(values[at], values[at + 1], values[at + 2]);
+            let beam = Beam::new([0, 1], [Vector3::zeros(), Vector3::new(3.0, 1.0, -2.0)], Vector3::y(), &rigidity()).expect("is a beam");
+            let (places, turns) = ([v(0), Vector3::new(3.0, 1.0, -2.0) + v(3)], [exp(&v(6)), exp(&v(9))]);
+            let bias = Local::from_column_slice(&values[12..19]) * 50.0;
+            let felt = beam.feel(places, turns.each_ref(), 1.3, &bias);
+            let pushed = beam.push(places, turns.each_ref(), 1.3, &bias);
+            prop_assert!((felt.force - pushed).amax() < 1e-9 * felt.force.amax());
         }
 
         #[test]

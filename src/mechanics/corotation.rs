@@ -51,6 +51,26 @@ impl Frame {
         g
     }
 
+    /// From force in the frame to that at the ends.
+    pub(super) fn force(&self, local: &Local, own: &Local) -> Ends {
+        let [a, b] = [1, 4].map(|at| {
+            let (angle, moment) = (local.fixed_rows::<3>(at).into_owned(), own.fixed_rows::<3>(at).into_owned());
+            inverse_tangent(&angle).transpose() * moment
+        });
+        let mut force = -(self.spin().transpose() * (a + b));
+        force[0] -= own[0];
+        force[6] += own[0];
+        for i in 0..3 {
+            force[3 + i] += a[i];
+            force[9 + i] += b[i];
+        }
+        let mut turned = Ends::zeros();
+        for i in 0..4 {
+            turned.fixed_rows_mut::<3>(3 * i).copy_from(&(self.axes * force.fixed_rows::<3>(3 * i)));
+        }
+        turned
+    }
+
     /// From force and stiffness in the frame to those at the ends.
     pub(super) fn spread(&self, local: &Local, own: &Local, stiffness: &Matrix7) -> (Ends, Tangent) {
         let spin = self.spin();

@@ -150,6 +150,27 @@ impl Settings {
         Relaxation::new(self.relaxation_exponent, self.rest_time_s, self.impact_modulus, self.impact_loss)
     }
 
+    /// The same with other guesses: those of its numbers that nobody has measured and that a stiffness depends on, each within
+    /// its bounds. `change` gets their number, 0 to 6, and their value.
+    #[must_use]
+    pub fn with_guesses(&self, mut change: impl FnMut(usize, f64) -> f64) -> Self {
+        let mut other = self.clone();
+        let guesses: [(&str, &mut f64); 7] = [
+            ("flexible.poisson", &mut other.poisson),
+            ("joints.socket_foundation", &mut other.socket_foundation),
+            ("joints.plug_foundation", &mut other.plug_foundation),
+            ("joints.core_rigid", &mut other.core_rigid),
+            ("joints.notch_contact", &mut other.notch_contact),
+            ("ground.friction", &mut other.friction),
+            ("ground.foot_stiffness", &mut other.foot_stiffness),
+        ];
+        for (at, (key, value)) in guesses.into_iter().enumerate() {
+            let bounds = KEYS.iter().find(|(known, ..)| *known == key).map_or([f64::NEG_INFINITY, f64::INFINITY], |(_, bounds, _)| *bounds);
+            *value = change(at, *value).clamp(bounds[0], bounds[1]);
+        }
+        other
+    }
+
     /// The same as a file.
     pub fn to_toml(&self, remark: &str) -> String {
         let values = [

@@ -100,7 +100,33 @@ impl System {
         }
     }
 
-    fn add(&self, element: usize, nodes: &[usize], force: &[f64], tangent: &[f64], sum: &mut Sum) {
+    /// Force of a state alone; the tangent stays as it was.
+    pub fn push(&self, state: &State, bias: &Bias, sum: &mut Sum) {
+        sum.force.clear();
+        sum.force.resize(self.unknowns.size(), 0.0);
+        sum.contacts.clear();
+        let body = &self.structure;
+        let ends = |nodes: [usize; 2]| (nodes.map(|n| state.places[n]), nodes.map(|n| &state.turns[n]));
+        let scale = |at: usize| if body.viscous[at] { bias.scale } else { 1.0 };
+        for (at, beam) in body.beams.iter().enumerate() {
+            let (places, turns) = ends(beam.nodes);
+            self.add_force(&beam.nodes, beam.push(places, turns, scale(at), &bias.beams[at]).as_slice(), sum);
+        }
+        for (number, tie) in body.ties.iter().enumerate() {
+            let (places, turns) = ends(tie.nodes);
+            let (_, force, _) = tie.feel(places, turns, scale(body.beams.len() + number), &bias.ties[number]);
+            self.add_force(&tie.nodes, force.as_slice(), sum);
+        }
+        for (foot, grip) in body.feet.iter().zip(&state.grips) {
+            let contact = foot.touch(&state.places[foot.node], &state.turns[foot.node], grip);
+            if let Some(contact) = &contact {
+                self.add_force(&[foot.node], contact.force.as_slice(), sum);
+            }
+            sum.contacts.push(contact);
+        }
+    }
+
+    fn add_force(&self, nodes: &[usize], force: &[f64], sum: &mut Sum) {
         for (block, node) in nodes.iter().enumerate() {
             for (at, unknown) in self.unknowns.of(*node).into_iter().enumerate() {
                 if unknown != NOWHERE {
@@ -108,6 +134,10 @@ impl System {
                 }
             }
         }
+    }
+
+    fn add(&self, element: usize, nodes: &[usize], force: &[f64], tangent: &[f64], sum: &mut Sum) {
+        self.add_force(nodes, force, sum);
         let size = force.len();
         let slots = &self.slots[element];
         for row in 0..size {

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::mechanics::modes::Modes;
+use crate::mechanics::ratio::Ratio;
 use crate::mechanics::settings::Settings;
 use crate::mechanics::static_curve::{Inside, StaticCurve};
 
@@ -22,6 +23,8 @@ pub struct Stiffness<'a> {
     pub rms_n: Option<f64>,
     /// Whether the modulus was fitted to what was measured.
     pub calibrated: bool,
+    /// A reference's name, and ratios to it.
+    pub ratios: Option<(&'a str, &'a [Ratio])>,
 }
 
 /// Displacements at which the secant is told, mm.
@@ -73,6 +76,7 @@ pub fn json(found: &Stiffness) -> Value {
         "modes": modes,
         "measured": measured,
         "rms_n": found.rms_n,
+        "ratios": found.ratios.map(|(reference, ratios)| json!({ "reference": reference, "ratios": ratios })),
     })
 }
 
@@ -113,6 +117,12 @@ pub fn table(found: &Stiffness) -> String {
         text += &format!("\n measured    model   of {} points, rms {rms:.2} N\n", found.measured.len());
         for [x, f] in found.measured {
             text += &format!("{f:>9.1} {:>8.1}   N at {x} mm\n", curve.force_n(*x).unwrap_or(f64::NAN));
+        }
+    }
+    if let Some((reference, ratios)) = found.ratios {
+        text += &format!("\nover {reference}, and between what when each guess is half or twice\n");
+        for Ratio { displacement_mm, ratio, band: [low, high] } in ratios {
+            text += &format!("{displacement_mm:>9} mm {ratio:>7.3} {low:>7.3} to {high:.3}\n");
         }
     }
     text += &insides(curve);

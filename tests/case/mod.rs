@@ -2,11 +2,18 @@
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
+use flexframe::assembly::{Design, mass};
 use flexframe::diagnose::{Diagnosis, Observable, Settings, diagnose, joined, observables};
-use flexframe::effects::{Channel, Model, by_id};
+use flexframe::effects::{Channel, FrameCurve, Model, by_id};
 use flexframe::fit::{Chosen, Keep, Layout, Paper, Waves, fit};
 use flexframe::measured::{self, Calibration, DropSet};
+use flexframe::mechanics;
+use flexframe::mechanics::frame_model::{Extent, FrameModel};
+use flexframe::mechanics::reduction::Reduction;
+use flexframe::mechanics::static_curve::StaticCurve;
+use flexframe::params::Frame;
 
 /// Cutoffs at which the paper's damper is fitted again, Hz; the second is its notebook's 500 rad/s, the fifth its text's.
 const CUTOFFS_HZ: [f64; 6] = [50.0, 79.577_471_545_947_67, 150.0, 300.0, 500.0, 1000.0];
@@ -33,6 +40,10 @@ pub struct Study {
     pub all: Diagnosis,
     /// 50 and 100 cm, judged on 150 cm.
     pub judged: Diagnosis,
+    /// Both again with the real frame's own static curve among the effects.
+    pub with_curve: [Diagnosis; 2],
+    /// The rider that the frame's symmetric modes stand for: share, and frequency, Hz.
+    pub rider: Option<[f64; 2]>,
 }
 
 fn drops() -> DropSet {
@@ -50,6 +61,15 @@ fn waves(set: &DropSet, channel: Channel) -> Waves {
     Chosen::of(set, channel, Keep::Evidence).expect("there are drops").waves().expect("they can be laid upon each other")
 }
 
+/// The real frame reduced to one coordinate, by the numbers that come with the program: the curve does not depend on the modulus.
+fn reduced() -> Reduction {
+    let settings = mechanics::settings::Settings::load(None).expect("the program's own numbers are sound");
+    let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
+    let quarter = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
+    let curve = StaticCurve::new(&quarter, 30.0, &[]).expect("is followed");
+    Reduction::of(&quarter, &curve, &settings).expect("has modes")
+}
+
 impl Study {
     /// Reads, fits, diagnoses.
     pub fn made() -> Self {
@@ -65,13 +85,24 @@ impl Study {
             (value("cutoff_hz"), value("c"), fit.objective[1])
         };
         let settings = Settings { most_effects: 3, seed: SEED };
+        let reduced = reduced();
+        let [x_mm, phi_mm] = [0, 1].map(|column| reduced.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
+        let mut bent = model.clone();
+        bent.frame_curve = Some(Arc::new(FrameCurve::new(&x_mm, &phi_mm).expect("is a curve")));
+        let both = |model: &Model| {
+            let all = diagnose(&axial, None, model, &settings).expect("a diagnosis");
+            [all, diagnose(&axial.only(|h| h < 1.2), Some(&axial.only(|h| h > 1.2)), model, &settings).expect("a diagnosis")]
+        };
+        let [all, judged] = both(&model);
         Self {
             magnitude: observables(&magnitude, &model),
             axial: observables(&axial, &model),
             damper_at: CUTOFFS_HZ.iter().map(|cutoff_hz| damper(*cutoff_hz, &["c"])).collect(),
             free_cutoff: damper(200.0, &["c", "cutoff_hz"]),
-            all: diagnose(&axial, None, &model, &settings).expect("a diagnosis"),
-            judged: diagnose(&axial.only(|h| h < 1.2), Some(&axial.only(|h| h > 1.2)), &model, &settings).expect("a diagnosis"),
+            all,
+            judged,
+            with_curve: both(&bent),
+            rider: reduced.rider,
         }
     }
 
@@ -92,6 +123,7 @@ impl Study {
         self.place(&mut page);
         self.trap(&mut page);
         self.gaps(&mut page);
+        self.frame(&mut page);
         self.end(&mut page);
         page
     }
@@ -190,6 +222,72 @@ impl Study {
             after.template_g,
             after.records_g / after.template_g
         );
+    }
+
+    fn frame(&self, page: &mut String) {
+        page.push_str(
+            "## The frame's own curve\n\n\
+             The same with `frame_force_curve`, the static curve that [mechanics](mechanics.md) computes from the real frame's geometry, among the\n\
+             effects (`diagnose --frame cognifly-v8`).\n\n\
+             | | chosen | share of the curve | 150 cm or left out: before, g | after, g | single records, g |\n|---|---|---|---|---|---|\n",
+        );
+        for (what, found) in [
+            ("all heights", &self.all),
+            ("all heights, with the curve", &self.with_curve[0]),
+            ("50 and 100 cm", &self.judged),
+            ("50 and 100 cm, with the curve", &self.with_curve[1]),
+        ] {
+            let share = found.chosen.model().value("frame_force_curve", "share").map_or("-".into(), |share| format!("{share:.2}"));
+            let (before, after) = (&found.before.held_out, &found.after.held_out);
+            let _ = writeln!(
+                page,
+                "| {what} | {} | {share} | {:.2} | {:.2} | {:.1} |",
+                joined(&found.chosen),
+                before.net_g,
+                after.net_g,
+                after.records_g
+            );
+        }
+        for (what, found) in [("all heights", &self.with_curve[0]), ("50 and 100 cm", &self.with_curve[1])] {
+            let alone = found.ranking.iter().position(|one| one.id == "frame_force_curve");
+            let best = found.ranking.iter().position(|one| one.id.contains("frame_force_curve"));
+            let Some((alone, best)) = alone.zip(best) else { continue };
+            let _ = write!(
+                page,
+                "\nOf the {} sets of {what}, the curve alone is number {} (score {:.0}: {}); the best with it is number {}, {} (score {:.0}).\n",
+                found.ranking.len(),
+                alone + 1,
+                found.ranking[alone].score,
+                found.ranking[alone].reason_rejected.as_deref().unwrap_or("chosen"),
+                best + 1,
+                found.ranking[best].id,
+                found.ranking[best].score
+            );
+        }
+        let [without, with] = [&self.judged, &self.with_curve[1]].map(|found| &found.after.held_out);
+        let word = if with.net_g < 0.98 * without.net_g {
+            "shrinks further"
+        } else if with.net_g > 1.02 * without.net_g {
+            "grows"
+        } else {
+            "does not shrink further"
+        };
+        let _ = write!(
+            page,
+            "\nTrained on 50 and 100 cm, the gap at 150 cm {word} with the curve: {:.2} g against {:.2} g without it, single records {:.1} g against {:.1} g.\n",
+            with.net_g, without.net_g, with.records_g, without.records_g
+        );
+        if let Some([share, f_hz]) = self.rider {
+            let of = |key: &str| self.all.chosen.model().value("payload_mode", key);
+            let fitted = of("mu")
+                .zip(of("f_hz"))
+                .map_or("no payload mode is chosen".into(), |(mu, f)| format!("the fit asks for mu = {mu:.2} at {f:.0} Hz"));
+            let _ = write!(
+                page,
+                "The frame's own symmetric modes stand for a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}.\n"
+            );
+        }
+        page.push('\n');
     }
 
     fn end(&self, page: &mut String) {
