@@ -476,3 +476,37 @@ fn analytic_watch_says_what_a_save_changes() {
     assert!(code == 2 && err.contains("watch a file"), "{err}");
     assert_eq!(bench.run(&["watch", "nowhere.toml"]).0, 2);
 }
+
+#[test]
+fn analytic_the_frames_own_mechanics_are_told_where_asked_for_and_nowhere_else() {
+    let bench = Bench::new(&[("thick.toml", "base = \"cognifly-v8\"\n[corner]\ncorner_hinge_thickness_mm = 3.4\n")]);
+    let measures = |arguments: &[&str]| -> Vec<(String, Vec<Option<f64>>)> {
+        let (code, out, said) = bench.run(arguments);
+        assert_eq!(code, 0, "{said}");
+        let json: Value = serde_json::from_str(&out).expect("JSON");
+        let row = |m: &Value| {
+            let values = m["values"].as_array().expect("two").iter().map(Value::as_f64).collect();
+            (m["name"].as_str().expect("a name").to_string(), values)
+        };
+        json["measures"].as_array().expect("a list").iter().map(row).collect()
+    };
+    let plain = measures(&["diff", "cognifly-v8", "thick.toml", "--json"]);
+    assert!(plain.iter().all(|(name, _)| !name.starts_with("frame.")));
+    let told = measures(&["diff", "cognifly-v8", "thick.toml", "--json", "--mechanics"]);
+    assert_eq!(told.len(), plain.len() + 3);
+    // A thicker hinge is stiffer.
+    let (_, stiffness) = told.iter().find(|(name, _)| name == "frame.stiffness").expect("is told");
+    let [Some(before), Some(after)] = stiffness[..] else { panic!("{stiffness:?}") };
+    assert!(before > 5.0 && after > 1.02 * before, "{before} {after}");
+    // Named wrongly.
+    let solve = |goal: &[&str]| bench.run(&[&["solve", "cognifly", "--vary", "arm_rod"][..], goal].concat());
+    for (goal, says) in [
+        (&["--minimise", "frame.peak"][..], "too slow for the search"),
+        (&["--minimise", "mass", "--subject-to", "frame.peak<=120"], "needs --mechanics"),
+        (&["--minimise", "mass", "--mechanics=absent.toml"], "absent.toml"),
+    ] {
+        let (code, _, said) = solve(goal);
+        assert_eq!(code, 2, "{said}");
+        assert!(said.contains(says), "{says:?} is not in:\n{said}");
+    }
+}
