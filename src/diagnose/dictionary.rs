@@ -66,7 +66,11 @@ fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {
         }
         "sensor_saturation" => single(&[15.0, 25.0, 35.0, 50.0, 70.0, 95.0, 130.0, 180.0]),
         "sensor_gain" => single(&[0.85, 1.15]),
-        "payload_mode" => products(&[0.03, 0.1, 0.3], &[45.0, 60.0, 80.0, 105.0, 140.0, 185.0, 245.0, 320.0, 420.0], &[0.05]),
+        "payload_mode" => {
+            let own = model.frame_mode.map(|[mu, f_hz]| vec![mu, f_hz, 0.05]);
+            let grid = products(&[0.03, 0.1, 0.3], &[45.0, 60.0, 80.0, 105.0, 140.0, 185.0, 245.0, 320.0, 420.0], &[0.05]);
+            grid.into_iter().chain(own).collect()
+        }
         "foot_stagger" => single(&[1.0, 4.0, 10.0]),
         "drop_height_error" => single(&[-0.1, 0.1]),
         "air_drag" => single(&[0.05, 0.3]),
