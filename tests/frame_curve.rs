@@ -86,6 +86,23 @@ fn planted_a_wrong_frames_curve_is_not_named_alone() {
 }
 
 #[test]
+fn analytic_energies_balance_with_the_curve_and_beyond_its_end_it_is_marked() {
+    let mut model = Model::load("paper-corrected").expect("comes with the program");
+    model = model.with(flexframe::effects::by_id("frame_force_curve").expect("an effect"), &[1.0], 0);
+    for (reach, feet) in [(12, false), (12, true), (4, false)] {
+        model.frame_curve = Some(curve(&SOFT[..reach]));
+        let spec = flexframe::effects::by_id("foot_stagger").expect("an effect");
+        let dropped = if feet { model.clone().with(spec, &[5.0], 0) } else { model.clone() };
+        let trace = flexframe::sim::simulate(&flexframe::sim::System::new(&dropped), 0.5, &flexframe::sim::Settings::REPORT);
+        for balance in trace.compression.iter().chain(&trace.release) {
+            assert!(balance.residual().abs() < 1e-8, "{reach} {feet}: {}", balance.residual());
+        }
+        let marked = trace.outside.iter().any(|mark| mark.to_string().contains("to which the frame's curve goes"));
+        assert_eq!(marked, reach == 4, "{:?}", trace.outside);
+    }
+}
+
+#[test]
 fn analytic_a_share_of_nothing_leaves_every_bit_and_one_is_the_frames_curve() {
     let file = |share: f64| {
         let text = Model::load("paper-corrected").expect("comes with the program").to_toml();

@@ -102,6 +102,12 @@ fn planted_mistakes_exit_2_and_write_nothing() {
         (&["--model", "papr"], "there is no model `papr`"),
         (&["--model", "absent.toml"], "cannot read absent.toml"),
         (&["--rigid", "pla"], "required"),
+        (&["--fit", "drops.csv"], "--fit goes with --model frame"),
+        (&["--tilt", "5,0"], "--tilt goes with --model frame"),
+        (&["--model", "frame"], "--model frame needs a frame"),
+        (&["cognifly", "--model", "frame", "--tilt", "40,0"], "30 degrees at most"),
+        (&["cognifly", "--model", "frame", "--tilt", "5"], "two angles"),
+        (&["cognifly", "--model", "frame", "--fit", "absent.csv"], "absent.csv"),
     ] {
         let output = drop(&place, arguments);
         let said = String::from_utf8_lossy(&output.stderr).into_owned();

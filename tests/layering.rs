@@ -59,6 +59,7 @@ const LAYERS: [(&str, &[&str]); 27] = [
     (
         "cli",
         &[
+            "units",
             "figures",
             "gate",
             "schema",

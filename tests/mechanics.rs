@@ -9,6 +9,7 @@ use flexframe::mechanics::parts_plan::part_models;
 use flexframe::mechanics::settings::Settings;
 use flexframe::mechanics::static_curve::StaticCurve;
 use flexframe::params::Frame;
+use flexframe::units::Angle;
 
 fn settings() -> Settings {
     Settings::load(None).expect("the program's own numbers are sound")
@@ -106,6 +107,22 @@ fn analytic_the_drops_energies_add_up_and_shorter_steps_agree() {
     assert!(usual.unaccounted.abs() < 0.05 && short.unaccounted.abs() < 0.03, "{} {}", usual.unaccounted, short.unaccounted);
     let [a, b] = [usual.peak()[0], short.peak()[0]];
     assert!((a / b - 1.0).abs() < 0.03, "{a} {b}");
+}
+
+#[test]
+fn analytic_a_frame_hardly_turned_falls_as_a_level_one_and_turned_either_way_alike() {
+    let (design, settings) = (design(|_| ()), Settings { element_mm: 1.6, socket_elements: 2.0, ..settings() });
+    let model = |extent| FrameModel::new(&design, &mass::table(&design), &settings, extent).expect("has a model");
+    let (quarter, whole) = (model(Extent::Quarter), model(Extent::Whole));
+    let run = |x_deg: f64| Run { longest_ms: 12.0, tilt: [Angle::deg(x_deg), Angle::deg(0.0)], ..Run::default() };
+    let drop = |model: &FrameModel, x_deg: f64| Impact::new(model, &settings, 1.0, &run(x_deg)).expect("is followed");
+    let [level, hardly] = [drop(&quarter, 0.0).peak(), drop(&whole, 1e-4).peak()];
+    assert!((hardly[0] / level[0] - 1.0).abs() < 0.01 && (hardly[1] - level[1]).abs() < 0.2, "{level:?} {hardly:?}");
+    let [left, right] = [drop(&whole, 5.0), drop(&whole, -5.0)];
+    assert!((left.peak()[0] / right.peak()[0] - 1.0).abs() < 0.03, "{:?} {:?}", left.peak(), right.peak());
+    // Turned by 5 degrees two feet touch before the others: the peak comes later and is lower.
+    assert!(left.peak()[0] < 0.95 * level[0] && left.peak()[1] > level[1] + 1.5, "{:?} {level:?}", left.peak());
+    assert!(left.unaccounted.abs() < 0.06, "{}", left.unaccounted);
 }
 
 #[test]

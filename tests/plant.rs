@@ -1,6 +1,8 @@
 //! Planted drops against the simulation, which shares no equation with them.
 
-use flexframe::effects::{Model, by_id};
+use std::sync::Arc;
+
+use flexframe::effects::{FrameCurve, Model, by_id};
 use flexframe::plant::Motion;
 use flexframe::sim::{Settings, System, wave};
 
@@ -26,11 +28,20 @@ const CASES: [(&str, &[f64], usize); 18] = [
     ("air_drag", &[0.2], 0),
 ];
 
+/// The base with a frame's curve, alone and with feet that touch one after the other.
+fn bent(base: &Model) -> [(&'static str, Model); 2] {
+    let curve = FrameCurve::new(&[0.0, 2.0, 5.0, 9.0, 16.0], &[0.0, 1.8, 3.9, 5.9, 8.1]).expect("is a curve");
+    let mut with = base.clone().with(by_id("frame_force_curve").expect("an effect"), &[0.8], 0);
+    with.frame_curve = Some(Arc::new(curve));
+    [("frame_force_curve", with.clone()), ("foot_stagger", with.with(by_id("foot_stagger").expect("an effect"), &[6.0], 0))]
+}
+
 #[test]
 fn analytic_two_codes_two_methods_one_wave() {
     let base = Model::load("paper").expect("the paper's model");
-    for (id, values, word) in CASES {
-        let model = base.clone().with(by_id(id).expect("an effect"), values, word);
+    let listed = CASES.into_iter().map(|(id, values, word)| (id, base.clone().with(by_id(id).expect("an effect"), values, word)));
+    for (id, model) in listed.chain(bent(&base)) {
+        let values = &model.effects.last().expect("has effects").values;
         for height_m in [0.5, 1.5] {
             let mut simulated = vec![0.0; 700];
             wave(&System::new(&model), height_m, 5e-5, &Settings::REPORT, &mut simulated);

@@ -456,6 +456,8 @@ fn planted_solve_keeps_a_goal_of_the_mechanics() {
     // A longer strut is stiffer and heavier: the least that does is not the longest.
     let strut = found["values"][0]["after"].as_f64().expect("a number");
     assert!((50.1..53.0).contains(&strut), "{strut}");
+    let (code, _, err) = bench.run(&["solve", "--minimise", "stiffness", "--vary", "strut_rod", "--mechanics", "absent.toml"]);
+    assert!(code == 2 && err.contains("absent.toml"), "{err}");
     let (code, _, err) = bench.run(&["solve", "--minimise", "mass", "--vary", "strut_rod", "--mechanics", "x.toml"]);
     assert!(code == 2 && err.contains("neither aim nor goal"), "{err}");
 }

@@ -1,7 +1,6 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
 use std::process::ExitCode;
-use std::sync::Arc;
 
 use super::arguments::{Common, DiagnoseOptions, FrameOption};
 use super::fit::frame_and_paths;
@@ -15,13 +14,14 @@ use super::terminal;
 use crate::assembly::mass;
 use crate::body::Body;
 use crate::diagnose::{self, Diagnosis, Settings, Stage, Verdict, observables};
-use crate::effects::{Channel, FrameCurve, Model};
+use crate::effects::{Channel, Model};
 use crate::fit::{Chosen, Keep, Unfit, Waves};
 use crate::measured::{self, Fall, StaticTest};
 use crate::mechanics::frame_model::{Extent, FrameModel};
 use crate::mechanics::settings::Settings as Mechanics;
 use crate::mechanics::static_curve::StaticCurve;
 use crate::report::diagnosis_data::{self, Compared, Pressed};
+use crate::report::own_mode::OwnMode;
 use crate::report::page::{Block, html, markdown};
 use crate::report::{diagnosis_page, drop_data};
 
@@ -39,7 +39,9 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
         model.body = Body::of(&design, &mass::table(&design));
     }
     if let Some(frame) = &options.frame {
-        model.frame_curve = curve_of(frame, options.mechanics.as_deref())?;
+        let own = reduced(frame, options.mechanics.as_deref())?;
+        model.frame_mode = own.value("payload_mode", "mu").zip(own.value("payload_mode", "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
+        model.frame_curve = own.frame_curve;
     }
     let set = measured::read(&paths, &calibration(&options.calibration)?)?;
     let pressed = options.static_test.as_deref().map(StaticTest::read).transpose()?;
@@ -62,6 +64,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
     let found =
         diagnose::watched(&fitted, held_out, &model, &settings, &stage).map_err(|error| Failure::Usage { message: error.to_string() })?;
+    compared.own_mode = model.frame_mode.map(|mode| OwnMode::of(mode, &found));
     compared.static_test = pressed.map(|test| Pressed::of(&test, &found));
     let json = diagnosis_data::json(&found, &compared);
     let files = files(&found, &compared, &json)?;
@@ -75,14 +78,14 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     Ok(if found.verdict == Verdict::NothingMissing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// A frame's static curve.
-fn curve_of(frame: &str, mechanics: Option<&str>) -> Result<Option<Arc<FrameCurve>>, Failure> {
+/// A frame reduced to one coordinate.
+fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
     let settings = Mechanics::load(mechanics)?;
     let design = session::design(&FrameOption { frame: frame.into(), rigid: None })?;
     let masses = mass::table(&design);
     let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
     let curve = StaticCurve::new(&quarter, PRESSED_MM, &[]).map_err(refused)?;
-    Ok(frame_reduction::model(&design, &masses, &quarter, &curve, &settings)?.frame_curve)
+    frame_reduction::model(&design, &masses, &quarter, &curve, &settings)
 }
 
 fn usage(error: Unfit) -> Failure {
@@ -131,6 +134,7 @@ fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOption
         seed: options.seed,
         falls: Fall::of(set),
         static_test: None,
+        own_mode: None,
     };
     Ok((waves, compared))
 }

@@ -44,8 +44,10 @@ pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Comm
     let model = FrameModel::of_parts(&design, &parts, &masses, &settings, extent).map_err(refused)?;
     let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run { tilt, ..Run::default() }).map_err(refused);
     let impacts = heights_m.iter().map(drop).collect::<Result<Vec<_>, _>>()?;
-    let gap_mm = checks::ground_clearance(&design, &masses).map(|ground| ground.clearance_mm);
-    let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, gap_mm, impacts: &impacts };
+    let level = extent == Extent::Quarter;
+    let gap_mm = checks::ground_clearance(&design, &masses).filter(|_| level).map(|ground| ground.clearance_mm);
+    let tilt_deg = <[f64; 2]>::try_from(options.tilt.as_slice()).unwrap_or_default();
+    let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, gap_mm, tilt_deg, impacts: &impacts };
     let json = impact_data::json(&found, options.trace);
     let mut files = impact_plots::plots(&found)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;

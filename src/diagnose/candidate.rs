@@ -68,6 +68,7 @@ impl Candidate {
         let with = |k: f64, c: f64| Model {
             name: model.name.clone(),
             frame_curve: model.frame_curve.clone(),
+            frame_mode: model.frame_mode,
             ..Model::base(model.body.clone(), model.sensor, k, c)
         };
         Self::best(problem, [with(k, c), with(k, 0.4 * c), with(0.5 * k, 1.5 * c), with(2.0 * k, 0.7 * c)])

@@ -70,7 +70,10 @@ fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {
         }
         "sensor_saturation" => single(&[15.0, 25.0, 35.0, 50.0, 70.0, 95.0, 130.0, 180.0]),
         "sensor_gain" => single(&[0.85, 1.15]),
-        "payload_mode" => products(&[0.05, 0.2], &FREQUENCIES_HZ, &[0.05]),
+        "payload_mode" => {
+            let own = model.frame_mode.map(|[mu, f_hz]| vec![mu, f_hz, 0.05]);
+            products(&[0.05, 0.2], &FREQUENCIES_HZ, &[0.05]).into_iter().chain(own).collect()
+        }
         "foot_stagger" => single(&[1.0, 4.0, 10.0]),
         "drop_height_error" => single(&[-0.1, 0.1]),
         "air_drag" => single(&[0.05, 0.3]),

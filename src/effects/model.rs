@@ -45,6 +45,8 @@ pub struct Model {
     pub effects: Vec<Listed>,
     /// The frame's static curve, where one is known; it acts by `frame_force_curve`.
     pub frame_curve: Option<Arc<FrameCurve>>,
+    /// Share and frequency, Hz, of a payload mode that a frame's own modes stand for, where they are known: where a fit may begin.
+    pub frame_mode: Option<[f64; 2]>,
 }
 
 impl Model {
@@ -54,7 +56,7 @@ impl Model {
             Listed { spec: &linear_spring::SPEC, values: vec![stiffness_n_m], word: 0 },
             Listed { spec: &linear_damper::SPEC, values: vec![damping_n_s_m], word: 0 },
         ];
-        Self { name: "base".into(), body, sensor, effects, frame_curve: None }
+        Self { name: "base".into(), body, sensor, effects, frame_curve: None, frame_mode: None }
     }
 
     /// The same with an effect on top; one that is listed already is replaced.

@@ -115,7 +115,7 @@ impl Model {
             }
         }
         let frame_curve = curve(file, &effects)?;
-        Ok(Self { name: file.name.clone(), body, sensor, effects, frame_curve })
+        Ok(Self { name: file.name.clone(), body, sensor, effects, frame_curve, frame_mode: None })
     }
 
     /// The model as a file.

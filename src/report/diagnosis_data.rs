@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::drop_data;
+use super::own_mode::OwnMode;
 use crate::diagnose::{Candidate, Diagnosis, Estimate, Gaps, Ranked, joined};
 use crate::measured::{Fall, StaticTest};
 use crate::sim::System;
@@ -29,6 +30,8 @@ pub struct Compared {
     pub falls: Vec<Fall>,
     /// A static test beside the models.
     pub static_test: Option<Pressed>,
+    /// A frame's own mode beside the one found.
+    pub own_mode: Option<OwnMode>,
 }
 
 impl Compared {
@@ -44,7 +47,8 @@ impl Compared {
                 if fall.agrees() { "it agrees with the height" } else { "the height is not what was stated, or the release was not free" }
             )
         });
-        falls.chain(self.static_test.iter().flat_map(Pressed::sentences)).collect()
+        let pressed = self.static_test.iter().flat_map(Pressed::sentences);
+        falls.chain(pressed).chain(self.own_mode.iter().map(OwnMode::sentence)).collect()
     }
 }
 
@@ -119,7 +123,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     let keys: Vec<String> = diagnosis.estimates.iter().map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
     let correlations: Vec<Vec<Value>> =
         (0..keys.len()).map(|i| (0..keys.len()).map(|j| rounded(diagnosis.correlations[(i, j)])).collect()).collect();
-    json!({
+    let mut all = json!({
         "schema_version": 1,
         "verdict": diagnosis.verdict.id(),
         "reasons": diagnosis.reasons,
@@ -147,7 +151,11 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "left_out": compared.left_out.iter().map(|(trial, reason)| json!({ "trial": trial, "reason": reason })).collect::<Vec<_>>(),
         "held_out_heights_m": compared.held_out_heights_m,
         "seed": compared.seed,
-    })
+    });
+    if let Some(mode) = &compared.own_mode {
+        all["frame_mode"] = json!(mode);
+    }
+    all
 }
 
 fn parameter(estimate: &Estimate) -> (String, Value) {

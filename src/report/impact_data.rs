@@ -13,8 +13,10 @@ pub struct Impacts<'a> {
     pub settings: &'a Settings,
     /// Mass of the whole frame, g.
     pub mass_g: f64,
-    /// Room under what hangs lowest, mm.
+    /// Room under what hangs lowest, mm; none of a frame that is turned.
     pub gap_mm: Option<f64>,
+    /// How far the frame is turned about X and Y when it touches, degrees.
+    pub tilt_deg: [f64; 2],
     /// Height by height.
     pub impacts: &'a [Impact],
 }
@@ -72,6 +74,9 @@ pub fn json(found: &Impacts, series: bool) -> Value {
         "young_mpa": found.settings.young_mpa,
         "young_band_mpa": found.settings.young_band_mpa,
         "relaxation_exponent": found.settings.relaxation_exponent,
+        "impact_modulus": found.settings.impact_modulus,
+        "impact_loss": found.settings.impact_loss,
+        "tilt_deg": found.tilt_deg,
         "heights": found.impacts.iter().map(|impact| of_height(found, impact, series)).collect::<Vec<_>>(),
     })
 }
@@ -90,14 +95,23 @@ pub fn trace_csv(found: &Impacts) -> String {
 /// What a person reads.
 pub fn table(found: &Impacts) -> String {
     let mut text = format!(
-        "{}: {:.1} g, E {:.1} MPa at rest (known from {:.1} to {:.1}), relaxation exponent {}\n\n",
+        "{}: {:.1} g, E {:.1} MPa at rest (known from {:.1} to {:.1}), relaxation exponent {}, modulus and loss in an impact {} and {}\n",
         found.frame,
         found.mass_g,
         found.settings.young_mpa,
         found.settings.young_band_mpa[0],
         found.settings.young_band_mpa[1],
-        found.settings.relaxation_exponent
+        found.settings.relaxation_exponent,
+        found.settings.impact_modulus,
+        found.settings.impact_loss
     );
+    if found.tilt_deg != [0.0; 2] {
+        text += &format!(
+            "turned by {} and {} degrees about X and Y at first touch; peaks are along the frame's own axis\n",
+            found.tilt_deg[0], found.tilt_deg[1]
+        );
+    }
+    text.push('\n');
     text += "height  impact  --- peak, g ---     at  travel  contact  rebound   -- lost, % --\n";
     text += "     m     m/s  proper   sensor     ms      mm       ms    speed   TPU   ground\n";
     for impact in found.impacts {

@@ -25,6 +25,7 @@ mod lettering;
 mod lines;
 pub mod measure_data;
 pub mod measure_plots;
+pub mod own_mode;
 pub mod page;
 mod pdf_document;
 pub mod picture;

@@ -282,9 +282,9 @@ impl Study {
             let fitted = of("mu")
                 .zip(of("f_hz"))
                 .map_or("no payload mode is chosen".into(), |(mu, f)| format!("the fit asks for mu = {mu:.2} at {f:.0} Hz"));
-            let _ = write!(
+            let _ = writeln!(
                 page,
-                "The frame's own symmetric modes stand for a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}.\n"
+                "The frame's own symmetric modes stand for a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}."
             );
         }
         page.push('\n');
