@@ -34,6 +34,14 @@ struct Truth {
     /// Index of its strength.
     at: usize,
     plan: Plan,
+    /// Noncentrality.
+    apart: f64,
+}
+
+impl Truth {
+    fn detectable(&self) -> bool {
+        self.apart > DETECTABLE
+    }
 }
 
 /// A hypothesis as seen from a truth: its k and c refitted to the truth's mean waves.
@@ -49,14 +57,14 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(problem: &Problem, model: &Model) -> Option<Self> {
+    fn of(problem: &Problem, model: &Model, gain: f64) -> Option<Self> {
         let fitted = problem.fit(Layout::named(model.clone(), &["k", "c"])?, 12)?;
         let (model, jacobian) = (fitted.model().clone(), fitted.minimum.jacobian);
         let normal = jacobian.transpose() * &jacobian;
         let root = normal.cholesky()?;
         let worth = root.l().diagonal().iter().map(|one| libm::log(*one)).sum();
         let tangent = root.l().solve_lower_triangular(&jacobian.transpose())?.transpose();
-        Some(Self { apart: fitted.minimum.residual, tangent, worth, model })
+        Some(Self { apart: fitted.minimum.residual * gain.sqrt(), tangent, worth, model })
     }
 
     /// Logarithm of the likelihood, but for what is common to all.
@@ -67,9 +75,9 @@ impl Seen {
 }
 
 /// What the drops of one truth look like to the judge: every hypothesis, the null first.
-fn seen(truth: &Plan, hypotheses: &[&Model]) -> Option<Vec<Seen>> {
+fn seen(truth: &Plan, hypotheses: &[&Model], gain: f64) -> Option<Vec<Seen>> {
     let problem = exact(truth)?;
-    hypotheses.iter().map(|model| Seen::of(&problem, model)).collect()
+    hypotheses.iter().map(|model| Seen::of(&problem, model, gain)).collect()
 }
 
 /// What the scatter of single records tells from the null in addition, in units of noncentrality: twice the divergence of Wishart
@@ -85,17 +93,29 @@ fn in_scatter(truth: &Plan, null: &Model) -> Option<f64> {
     covariances(truth)?.iter().zip(&nulls).map(one).sum()
 }
 
-/// The best-supported effect, and the logarithm of its weight over that of the null.
-fn judged(seen: &[Seen], ids: &[&'static str], rng: &mut Pcg64) -> (&'static str, f64) {
+/// What the judge says.
+struct Judged {
+    /// The best-supported effect.
+    id: &'static str,
+    /// Logarithm of its weight over that of the null.
+    over_null: f64,
+    /// The best-supported effect for somebody who is told as well that it is detectable.
+    detectable: &'static str,
+}
+
+fn judged(seen: &[Seen], truths: &[Truth], rng: &mut Pcg64) -> Judged {
     let noise = DVector::from_fn(seen[0].apart.len(), |_, _| StandardNormal.sample(rng));
     let weights: Vec<f64> = seen.iter().map(|one| one.weight(&noise)).collect();
     let most = weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let mut by_id: BTreeMap<&'static str, f64> = BTreeMap::new();
-    for (id, weight) in ids.iter().zip(&weights[1..]) {
-        *by_id.entry(id).or_default() += libm::exp(weight - most);
-    }
-    let best = by_id.iter().max_by(|a, b| a.1.total_cmp(b.1)).map_or(("", 0.0), |(id, sum)| (*id, *sum));
-    (best.0, libm::log(best.1.max(1e-300)) + most - weights[0])
+    let best = |of: &dyn Fn(&Truth) -> bool| {
+        let mut by_id: BTreeMap<&'static str, f64> = BTreeMap::new();
+        for (truth, weight) in truths.iter().zip(&weights[1..]).filter(|(truth, _)| of(truth)) {
+            *by_id.entry(truth.id).or_default() += libm::exp(weight - most);
+        }
+        by_id.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(("", 0.0))
+    };
+    let (id, sum) = best(&|_| true);
+    Judged { id, over_null: libm::log(sum.max(1e-300)) + most - weights[0], detectable: best(&Truth::detectable).0 }
 }
 
 #[derive(Default)]
@@ -109,23 +129,25 @@ struct Sums {
 }
 
 /// Prints the ceiling of some seeds at a level.
-pub fn ceiling(level: usize, from: u64, to: u64) {
+///
+/// `gain` multiplies what the mean waves tell, as somebody might know who reads more than means.
+pub fn ceiling(level: usize, from: u64, to: u64, gain: f64) {
     let mut sums = Sums::default();
     for seed in from..to {
         let truths = truths(level, seed);
         let null = plan(level, 7919 * seed + 17);
         let hypotheses: Vec<&Model> = std::iter::once(&null.model).chain(truths.iter().map(|truth| &truth.plan.model)).collect();
-        let ids: Vec<&'static str> = truths.iter().map(|truth| truth.id).collect();
-        let Some(of_null) = seen(&null, &hypotheses) else { continue };
+        let Some(of_null) = seen(&null, &hypotheses, gain) else { continue };
         let mut rng = Pcg64::seed_from_u64(seed);
-        let mut gains: Vec<f64> = (0..NULL_DRAWS).map(|_| judged(&of_null, &ids, &mut rng).1).collect();
-        gains.sort_by(f64::total_cmp);
-        let needed = gains[((1.0 - ALARMS) * NULL_DRAWS as f64) as usize];
-        let shares: Vec<Option<[f64; 4]>> = truths.par_iter().map(|truth| share(truth, &hypotheses, &ids, needed)).collect();
+        let mut over: Vec<f64> = (0..NULL_DRAWS).map(|_| judged(&of_null, &truths, &mut rng).over_null).collect();
+        over.sort_by(f64::total_cmp);
+        let needed = over[((1.0 - ALARMS) * NULL_DRAWS as f64) as usize];
+        let shares: Vec<Option<Share>> =
+            truths.par_iter().map(|truth| Share::of(truth, &truths, &seen(&truth.plan, &hypotheses, gain)?, needed)).collect();
         for (truth, share) in truths.iter().zip(shares) {
-            let Some([right, first, apart, scatter]) = share else { continue };
-            println!("{} {} seed {seed}: noncentrality {apart:.0}, scatter {scatter:.0}, right {right:.3}, first {first:.3}", truth.id, STRENGTHS[truth.at]);
-            sums.add(truth, [right, first, apart]);
+            let Some(share) = share else { continue };
+            println!("{} {} seed {seed}: noncentrality {:.0}, {share:.3?}", truth.id, STRENGTHS[truth.at], truth.apart);
+            sums.add(truth, &share);
         }
     }
     sums.print(level);
@@ -133,32 +155,52 @@ pub fn ceiling(level: usize, from: u64, to: u64) {
 
 fn truths(level: usize, seed: u64) -> Vec<Truth> {
     let all: Vec<(&'static str, usize)> = CATALOGUE.iter().flat_map(|spec| (0..STRENGTHS.len()).map(|at| (spec.id, at))).collect();
-    let one = |(id, at): (&'static str, usize)| Some(Truth { id, at, plan: at_strength(id, seed, STRENGTHS[at], level)? });
+    let null = plan(level, 7919 * seed + 17).model;
+    let one = |(id, at): (&'static str, usize)| {
+        let plan = at_strength(id, seed, STRENGTHS[at], level)?;
+        let apart = Seen::of(&exact(&plan)?, &null, 1.0)?.apart.norm_squared();
+        Some(Truth { id, at, plan, apart })
+    };
     all.into_par_iter().filter_map(one).collect()
 }
 
-/// Shares of draws that are named right and ranked first, and the noncentrality.
-fn share(truth: &Truth, hypotheses: &[&Model], ids: &[&'static str], needed: f64) -> Option<[f64; 4]> {
-    let seen = seen(&truth.plan, hypotheses)?;
-    let mut rng = Pcg64::seed_from_u64(truth.plan.seed);
-    let (mut right, mut first) = (0.0, 0.0);
-    for _ in 0..DRAWS {
-        let (id, gain) = judged(&seen, ids, &mut rng);
-        first += f64::from(u8::from(id == truth.id)) / DRAWS as f64;
-        right += f64::from(u8::from(id == truth.id && gain > needed)) / DRAWS as f64;
+/// Shares of draws of one truth.
+#[derive(Debug)]
+struct Share {
+    /// Named, and rightly.
+    right: f64,
+    /// First in the ranking, alarm or not.
+    first: f64,
+    /// First among the detectable truths.
+    detectable: f64,
+    /// What the scatter of single records would tell from the null in addition, noncentrality.
+    scatter: f64,
+}
+
+impl Share {
+    fn of(truth: &Truth, truths: &[Truth], seen: &[Seen], needed: f64) -> Option<Self> {
+        let mut rng = Pcg64::seed_from_u64(truth.plan.seed);
+        let mut share = Self { right: 0.0, first: 0.0, detectable: 0.0, scatter: in_scatter(&truth.plan, &seen[0].model)? };
+        let one = |good: bool| f64::from(u8::from(good)) / DRAWS as f64;
+        for _ in 0..DRAWS {
+            let judged = judged(seen, truths, &mut rng);
+            share.first += one(judged.id == truth.id);
+            share.right += one(judged.id == truth.id && judged.over_null > needed);
+            share.detectable += one(judged.detectable == truth.id);
+        }
+        Some(share)
     }
-    Some([right, first, seen[0].apart.norm_squared(), in_scatter(&truth.plan, &seen[0].model)?])
 }
 
 impl Sums {
-    fn add(&mut self, truth: &Truth, [right, first, apart]: [f64; 3]) {
-        self.right[truth.at] += right;
-        self.first[truth.at] += first;
+    fn add(&mut self, truth: &Truth, share: &Share) {
+        self.right[truth.at] += share.right;
+        self.first[truth.at] += share.first;
         self.all[truth.at] += 1.0;
-        if apart > DETECTABLE {
+        if truth.detectable() {
             let own = self.by_id.entry(truth.id).or_default();
-            (own[0], own[1]) = (own[0] + right, own[1] + 1.0);
-            self.detectable = [self.detectable[0] + right, self.detectable[1] + first, self.detectable[2] + 1.0];
+            (own[0], own[1]) = (own[0] + share.detectable, own[1] + 1.0);
+            self.detectable = [self.detectable[0] + share.right, self.detectable[1] + share.detectable, self.detectable[2] + 1.0];
         }
     }
 
@@ -168,11 +210,15 @@ impl Sums {
         for (id, [right, all]) in &self.by_id {
             println!("CEILING level {level}: detectable {id} {right:.1}/{all}");
         }
-        println!("CEILING level {level}: of all {:.3}, four stronger {:.3}", sum(&self.right) / sum(&self.all), sum(&self.right[1..]) / sum(&self.all[1..]));
+        println!(
+            "CEILING level {level}: of all {:.3}, four stronger {:.3}",
+            sum(&self.right) / sum(&self.all),
+            sum(&self.right[1..]) / sum(&self.all[1..])
+        );
         println!("CEILING level {level}: first in the ranking of all {:.3}", sum(&self.first) / sum(&self.all));
         println!("CEILING level {level}: by strength {:.3?}, first {:.3?}", ratios(&self.right), ratios(&self.first));
         println!(
-            "CEILING level {level}: of {} detectable {:.3}, first {:.3}",
+            "CEILING level {level}: of {} detectable {:.3}, told that it is detectable {:.3}",
             self.detectable[2],
             self.detectable[0] / self.detectable[2],
             self.detectable[1] / self.detectable[2]

@@ -54,13 +54,16 @@ fn covariance(plan: &Plan, height_m: f64) -> Option<DMatrix<f64>> {
     for (weight, mut model) in drops(plan) {
         model.effects.retain(|listed| listed.spec.id != "sensor_saturation");
         let fine = one.fine(&System::new(&model), height_m)?;
-        let open = |reading: f64| 0.5 * libm::erfc((reading - limit_g) / (plan.scatter.share * reading.abs()).max(1e-9) / std::f64::consts::SQRT_2);
+        let open = |reading: f64| {
+            0.5 * libm::erfc((reading - limit_g) / (plan.scatter.share * reading.abs()).max(1e-9) / std::f64::consts::SQRT_2)
+        };
         let free: Vec<f64> = fine.iter().map(|reading| reading * open(*reading)).collect();
         let cut: Vec<f64> = fine.iter().map(|reading| reading.min(limit_g)).collect();
         let free_mean = DVector::from_vec(one.mean_over_phases(&free));
         let coloured = one.over_phases(&free) + &free_mean * free_mean.transpose();
         let share = plan.scatter.share * plan.scatter.share;
-        sum += (one.over_phases(&cut) + coloured.map_with_location(|i, j, square| square * share * libm::pow(kept, i.abs_diff(j) as f64))) * weight;
+        sum += (one.over_phases(&cut) + coloured.map_with_location(|i, j, square| square * share * libm::pow(kept, i.abs_diff(j) as f64)))
+            * weight;
         means.push(DVector::from_vec(one.mean_over_phases(&cut)));
         weights.push(weight);
     }

@@ -40,7 +40,8 @@ fn main() {
         oracle::oracle(level, from, to);
     }
     if what.contains("ceiling") {
-        ceiling::ceiling(level, from, to);
+        let gain = option("--gain").map_or(1.0, |text| text.parse().expect("a number"));
+        ceiling::ceiling(level, from, to, gain);
     }
     if what.contains("pairs") {
         pairs::pairs(level, from, to);

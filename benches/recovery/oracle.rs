@@ -41,4 +41,3 @@ pub fn oracle(level: usize, from: u64, to: u64) {
     println!("ORACLE level {level}: detectable {}/{}, by strength {good:?} of {all:?}", detectable[0], detectable[1]);
     println!("ORACLE level {level}: all {}/{}", good.iter().sum::<usize>(), all.iter().sum::<usize>());
 }
-

@@ -49,7 +49,16 @@ pub fn pairs(level: usize, from: u64, to: u64) {
         if alone.iter().all(|left| *left > DETECTABLE) {
             separable = [separable[0] + usize::from(good), separable[1] + 1];
         }
-        println!("{} pair {seed} {truth:?}: alone {:.0} {:.0}, {rival}: {}", if good { "ok " } else { "BAD" }, alone[0], alone[1], case.line());
+        println!(
+            "{} pair {seed} {truth:?}: alone {:.0} {:.0}, {rival}: {}",
+            if good { "ok " } else { "BAD" },
+            alone[0],
+            alone[1],
+            case.line()
+        );
     }
-    println!("PAIRS level {level}: {}/{} exact; of those where each alone leaves more than 30 {}/{}", exact[0], exact[1], separable[0], separable[1]);
+    println!(
+        "PAIRS level {level}: {}/{} exact; of those where each alone leaves more than 30 {}/{}",
+        exact[0], exact[1], separable[0], separable[1]
+    );
 }

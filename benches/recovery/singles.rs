@@ -99,4 +99,3 @@ fn summary(level: usize, sums: &mut Sums) {
     println!("HELD OUT level {level}: median ratio {:.3}, 90 % below {:.3}", middle(&sums.ratios, 0.5), middle(&sums.ratios, 0.9));
     println!("TIME level {level}: median {:.2} s, 95 % below {:.2} s", middle(&sums.seconds, 0.5), middle(&sums.seconds, 0.95));
 }
-

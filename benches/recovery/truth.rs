@@ -136,4 +136,3 @@ pub fn at_strength(id: &str, seed: u64, strength: f64, level: usize) -> Option<P
     }
     Some(plan)
 }
-

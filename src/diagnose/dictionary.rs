@@ -50,7 +50,8 @@ fn products(first: &[f64], second: &[f64], rest: &[f64]) -> Vec<Vec<f64>> {
 
 /// A payload's frequencies. Two waves that ring out within 20 ms are out of step when they differ by more than 25 Hz, and a fit
 /// from there ends in a minimum of its own.
-const FREQUENCIES_HZ: [f64; 16] = [45.0, 58.0, 72.0, 88.0, 105.0, 124.0, 144.0, 166.0, 189.0, 214.0, 240.0, 268.0, 298.0, 330.0, 365.0, 410.0];
+const FREQUENCIES_HZ: [f64; 16] =
+    [45.0, 58.0, 72.0, 88.0, 105.0, 124.0, 144.0, 166.0, 189.0, 214.0, 240.0, 268.0, 298.0, 330.0, 365.0, 410.0];
 
 /// Values to start from, over the bounds of the library and dense enough for a fit to find its way from the nearest.
 fn values(spec: &Spec, model: &Model) -> Vec<Vec<f64>> {

@@ -134,9 +134,8 @@ impl Expected {
         let mut sum = DMatrix::zeros(self.samples, self.samples);
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
-            let off = DVector::from_fn(self.samples, |i, _| {
-                fine.at(fine.crossing_s + self.step_s * (i as f64 + part - BEFORE as f64)) - mean[i]
-            });
+            let off =
+                DVector::from_fn(self.samples, |i, _| fine.at(fine.crossing_s + self.step_s * (i as f64 + part - BEFORE as f64)) - mean[i]);
             sum += &off * off.transpose() / PHASES as f64;
         }
         sum

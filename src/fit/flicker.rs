@@ -50,9 +50,8 @@ impl Flicker {
         let mut sum = vec![0.0; samples];
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
-            let wave: Vec<f64> = (0..first + LATEST + samples)
-                .map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64)))
-                .collect();
+            let wave: Vec<f64> =
+                (0..first + LATEST + samples).map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64))).collect();
             Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.laid(first, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
         }
