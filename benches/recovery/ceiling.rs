@@ -146,7 +146,11 @@ pub fn ceiling(level: usize, from: u64, to: u64, gain: f64) {
             truths.par_iter().map(|truth| Share::of(truth, &truths, &seen(&truth.plan, &hypotheses, gain)?, needed)).collect();
         for (truth, share) in truths.iter().zip(shares) {
             let Some(share) = share else { continue };
-            println!("{} {} seed {seed}: noncentrality {:.0}, {share:.3?}", truth.id, STRENGTHS[truth.at], truth.apart);
+            let Share { right, first, detectable, scatter } = share;
+            let (id, strength, apart) = (truth.id, STRENGTHS[truth.at], truth.apart);
+            println!(
+                "{id} {strength} seed {seed}: noncentrality {apart:.0}, in the scatter {scatter:.0}, right {right:.3}, first {first:.3}, told detectable {detectable:.3}"
+            );
             sums.add(truth, &share);
         }
     }
@@ -165,7 +169,6 @@ fn truths(level: usize, seed: u64) -> Vec<Truth> {
 }
 
 /// Shares of draws of one truth.
-#[derive(Debug)]
 struct Share {
     /// Named, and rightly.
     right: f64,
