@@ -107,6 +107,7 @@ mod tests {
             let [found, f] = two_masses(squares.map(f64::sqrt), part).expect("has two masses");
             assert!((found / share - 1.0).abs() < 1e-6 && (f * f / own - 1.0).abs() < 1e-6, "{share}: {found} {f}");
         }
-        assert_eq!(two_masses([40.0, 41.0], 0.001), None);
+        // No rider of less than six tenths of the mass takes half of it into the upper mode.
+        assert_eq!(two_masses([40.0, 120.0], 0.5), None);
     }
 }
