@@ -10,6 +10,7 @@ mod integrate;
 mod outside;
 mod root;
 mod sampler;
+mod spring;
 mod switch;
 mod system;
 mod trace;

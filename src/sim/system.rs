@@ -5,7 +5,7 @@
 
 use super::switch::Switch;
 use crate::body::Body;
-use crate::effects::{Arrangement, Effect, Feet, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
+use crate::effects::{Arrangement, Effect, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
 
 /// States without energies at the most: x, v, three stages, one of an effect, two of the payload.
 pub(super) const CORE: usize = 8;
@@ -178,33 +178,6 @@ impl System {
             found.extend([Switch::Ground, Switch::Push]);
         }
         found
-    }
-
-    /// The spring's force on all feet, N.
-    fn spring_n(&self, at: &Motion) -> f64 {
-        match &self.arrangement.softening {
-            None => self.spring.force_n(at),
-            Some(softening) => self.spring.stiffness_n_m * softening.compression_m(at.x_m),
-        }
-    }
-
-    /// What the feet that have touched leave of the compression, in mean over four, m.
-    fn mean_compression_m(&self, feet: &Feet, x_m: f64, touched: usize) -> f64 {
-        match &self.arrangement.softening {
-            None => feet.mean_compression_m(x_m, touched),
-            Some(softening) => feet.at_m[..touched].iter().map(|at| 0.25 * softening.compression_m(x_m - at)).sum(),
-        }
-    }
-
-    /// What the spring stores, J.
-    pub(super) fn spring_j(&self, at: &Motion, touched: usize) -> f64 {
-        let square_m2 = match (&self.arrangement.feet, &self.arrangement.softening) {
-            (None, None) => return self.spring.stored_j(at),
-            (None, Some(softening)) => softening.square_m2(at.x_m),
-            (Some(feet), None) => feet.mean_square_m2(at.x_m, touched),
-            (Some(feet), Some(softening)) => feet.at_m[..touched].iter().map(|from| 0.25 * softening.square_m2(at.x_m - from)).sum(),
-        };
-        0.5 * self.spring.stiffness_n_m * square_m2
     }
 
     /// Spring's and damper's forces, N.
