@@ -4,8 +4,8 @@
 //! noise, and the covariance of the mean waves, and weighs them by Bayes' rule, all equally likely; k and c have an even
 //! prior and are integrated out along their tangent at the best fit. It says nothing where the drops are as likely
 //! as those of a null, at the level at which 5 % of nulls alarm. No rule that looks at mean waves has more names right on these
-//! truths. What it does not see: how single records scatter about
-//! their mean; `scatter` says how much that would add for somebody who knows its law.
+//! truths. What it does not see: how single records scatter about their mean; a line a truth says how much that would add
+//! for somebody who knows its law.
 
 use std::collections::BTreeMap;
 
@@ -81,7 +81,7 @@ fn seen(truth: &Plan, hypotheses: &[&Model], gain: f64) -> Option<Vec<Seen>> {
 }
 
 /// What the scatter of single records tells from the null in addition, in units of noncentrality: twice the divergence of Wishart
-/// densities (S. Kullback, *Information Theory and Statistics*, 9.1) for somebody who knows the scatter's law.
+/// densities (S. Kullback, *Information Theory and Statistics*, chapter 9) for somebody who knows the scatter's law.
 fn in_scatter(truth: &Plan, null: &Model) -> Option<f64> {
     let nulls = covariances(&Plan { model: null.clone(), ..truth.clone() })?;
     let one = |(own, null): (&DMatrix<f64>, &DMatrix<f64>)| {

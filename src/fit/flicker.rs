@@ -1,9 +1,10 @@
 //! What scatter of single readings does to a mean of records that were laid at their trigger.
 //!
 //! Where readings scatter by half of themselves, one in fifty of the first large ones falls below the trigger, and its
-//! record is laid a step too late; just below the crossing some are early. Followed here is the chance that no sample was beyond the trigger yet,
-//! with mean and variance that the scatter then has, sample by sample: an assumed normal density (P. S. Maybeck, *Stochastic Models,
-//! Estimation, and Control*, vol. 2, 12.7), which is right to a tenth of the shift itself.
+//! record is laid a step too late; just below the crossing some are early. Followed here is the chance that no sample was
+//! beyond the trigger yet, with mean and variance that the scatter then has, sample by sample: an assumed normal density
+//! (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger a tenth of the shift
+//! is left, a third behind it. Wrong where the scatter is not in proportion to the wave, and where white noise comes near the trigger.
 
 use super::expected::Fine;
 use super::family::TIMES_S;
