@@ -2,27 +2,54 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{BomFormat, BomOptions, Common};
+use super::failure::Failure;
+use super::options::{Common, FrameOption};
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::export::{bill, bill_page, bom};
 use crate::frame::assembly::mass;
+
+/// List what to print, to buy and to cut.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  flexframe bom light.toml\n  flexframe bom light.toml --format csv --kerf 1.5 > bom.csv")]
+pub(super) struct Args {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// How to say it; --json is the same as --format json.
+    #[arg(long, value_enum, default_value = "markdown", value_name = "FORMAT")]
+    pub format: BomFormat,
+    /// Width of a saw cut instead of 1 mm.
+    #[arg(long, value_name = "MM")]
+    pub kerf: Option<f64>,
+}
+
+/// Forms of a bill of materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum BomFormat {
+    /// A page.
+    Markdown,
+    /// A table, as in `bom.csv`.
+    Csv,
+    /// Everything.
+    Json,
+}
 
 /// Most that a saw cut may take, mm.
 const WIDEST_KERF_MM: f64 = 10.0;
 
 /// Prints the bill; exits 1 when a rod is longer than the stock.
-pub(super) fn bom(options: &BomOptions, common: &Common) -> Result<ExitCode, Failure> {
-    if let Some(kerf) = options.kerf.filter(|kerf| !(0.0..=WIDEST_KERF_MM).contains(kerf)) {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    if let Some(kerf) = args.kerf.filter(|kerf| !(0.0..=WIDEST_KERF_MM).contains(kerf)) {
         return Err(Failure::Usage { message: format!("--kerf {kerf} is out of bounds: give 0 to {WIDEST_KERF_MM} mm") });
     }
     let working = Progress::of("listing", common);
-    let design = session::design(&options.frame)?;
+    let design = session::design(&args.frame)?;
     let masses = mass::table(&design);
-    let bill = bill::bill(&design, &masses, options.kerf);
+    let bill = bill::bill(&design, &masses, args.kerf);
     drop(working);
-    match options.format {
+    match args.format {
         _ if common.json => terminal::print_json(&bill)?,
         BomFormat::Json => terminal::print_json(&bill)?,
         BomFormat::Csv => terminal::print(&bom::csv(&bill))?,

@@ -1,14 +1,15 @@
 //! `flexframe build`: a frame's folder.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use rayon::prelude::*;
 
-use super::arguments::{BuildOptions, Common};
+use super::failure::Failure;
+use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::checks::{self, Finding, Verdict};
 use crate::export::{bill, bom, glb, manifest, step, stl, three_mf};
@@ -23,21 +24,45 @@ use crate::printing::plates::{Plate, Wanted};
 use crate::report::page::{print_settings, summary};
 use crate::report::picture::{plate_picture, scene};
 
+/// Write STL, GLB, bill of materials, manifest, report and pictures of a frame.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  flexframe build\n  flexframe build my-frame.toml -o frames --rigid pla")]
+pub(super) struct Args {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Folder that takes the frame's folder.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+    /// Leave out the pictures.
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Write STEP files, too: one a part, and `frame.step` with everything in its place.
+    #[arg(long, conflicts_with = "part")]
+    pub step: bool,
+    /// Plates of one printed part alone, to print it again, into the folder `FRAME-PART`.
+    #[arg(long, value_name = "PART")]
+    pub part: Option<String>,
+    /// How many of it, 1 when nothing is said.
+    #[arg(long, value_name = "N", requires = "part")]
+    pub quantity: Option<usize>,
+}
+
 /// Most copies of one part.
 const MOST_COPIES: usize = 100;
 
 /// Builds a frame and writes its folder; a violated limit is a warning here, `check` gates.
-pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("building", common);
-    let design = session::design(&options.frame)?;
-    if let Some(part) = &options.part {
-        return one_part(&design, part, options, common);
+    let design = session::design(&args.frame)?;
+    if let Some(part) = &args.part {
+        return one_part(&design, part, args, common);
     }
     let masses = mass::table(&design);
     let findings = checks::check(&design, &masses);
-    let files = files(&design, &masses, &findings, options)?;
+    let files = files(&design, &masses, &findings, args)?;
     drop(working);
-    let place = output::write_folder(&options.output, &design.frame.name, &files)?;
+    let place = output::write_folder(&args.output, &design.frame.name, &files)?;
     for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
         terminal::tell(&format!("warning: {}", finding.message));
     }
@@ -51,9 +76,9 @@ pub(super) fn build(options: &BuildOptions, common: &Common) -> Result<ExitCode,
 }
 
 /// Every file of the folder, path and bytes; the manifest last.
-fn files(design: &Design, masses: &MassTable, findings: &[Finding], options: &BuildOptions) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+fn files(design: &Design, masses: &MassTable, findings: &[Finding], args: &Args) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let failed = |what: String| move |error| Failure::Machine { what, error };
-    let pictures = !options.no_pictures;
+    let pictures = !args.no_pictures;
     let mut files = Vec::new();
     let meshes = compensated(design)?;
     for part in &design.printed {
@@ -70,7 +95,7 @@ fn files(design: &Design, masses: &MassTable, findings: &[Finding], options: &Bu
         files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
     }
     let mut solids = Vec::new();
-    if options.step {
+    if args.step {
         let (step, entries) = step::files(design).map_err(std::io::Error::other).map_err(failed("cannot make STEP files".into()))?;
         files.extend(step);
         solids = entries;
@@ -112,7 +137,7 @@ fn plate_files(design: &Design, meshes: &Compensated, plates: &[Plate]) -> Resul
 }
 
 /// Plates of a part that has to be printed again.
-fn one_part(design: &Design, part: &str, options: &BuildOptions, common: &Common) -> Result<ExitCode, Failure> {
+fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let usage = |message: String| Failure::Usage { message };
     let known = || design.printed.iter().map(|printed| printed.name.slug());
     let Some(name) = PartName::ALL.into_iter().find(|name| name.slug() == part && design.part(*name).is_some()) else {
@@ -123,7 +148,7 @@ fn one_part(design: &Design, part: &str, options: &BuildOptions, common: &Common
             known().collect::<Vec<_>>().join(", ")
         )));
     };
-    let quantity = options.quantity.unwrap_or(1);
+    let quantity = args.quantity.unwrap_or(1);
     if !(1..=MOST_COPIES).contains(&quantity) {
         return Err(usage(format!("--quantity {quantity} is out of bounds: give 1 to {MOST_COPIES}")));
     }
@@ -131,7 +156,7 @@ fn one_part(design: &Design, part: &str, options: &BuildOptions, common: &Common
     let plates = plates::arrange(design, &wanted).map_err(|error| usage(format!("{error}: choose another printer in the frame file")))?;
     let mut files = plate_files(design, &compensated(design)?, &plates)?;
     files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
-    let place = output::write_folder(&options.output, &format!("{}-{part}", design.frame.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("{}-{part}", design.frame.name), &files)?;
     if !common.quiet {
         terminal::print(&format!(
             "{}: {quantity} {part} on {} plate{}\n",

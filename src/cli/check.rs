@@ -1,13 +1,15 @@
 //! `flexframe check`: the gate.
 
 use std::fs;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::arguments::{CheckFormat, CheckOptions, Common, FrameOption};
 use super::cache::{Cache, Kept};
+use super::failure::{Failure, mechanics_refused};
+use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
-use super::session::{self, Failure};
-use super::{frames, output, stiffness, table, terminal};
+use super::session;
+use super::{frames, output, table, terminal};
 use crate::checks::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
@@ -16,19 +18,71 @@ use crate::mechanics::settings::Settings;
 use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile, LoadError};
 
+/// Hold frames against their limits; exits 1 when one is violated.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json\n  flexframe check 'frames/*.toml' --format github --baseline accepted.json\n\nFindings of a frame that was held before by this program are taken from FLEXFRAME_CACHE, else XDG_CACHE_HOME/flexframe,\nelse ~/.cache/flexframe."
+)]
+pub(super) struct Args {
+    /// Presets' names, TOML files, or patterns of files such as 'frames/**/*.toml'.
+    #[arg(default_value = "cognifly", value_name = "FRAME")]
+    pub frames: Vec<String>,
+    /// Material of the rigid parts instead of the frame files': a name of params/materials.toml.
+    #[arg(long, value_name = "MATERIAL")]
+    pub rigid: Option<String>,
+    /// Print every finding, not only the tightest of those that are alike.
+    #[arg(long)]
+    pub all: bool,
+    /// How to say it; --json is the same as --format json.
+    #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
+    pub format: Option<CheckFormat>,
+    /// Notes beyond their figure fail, too.
+    #[arg(long)]
+    pub strict: bool,
+    /// A list of accepted findings: only what is not on it, or is worse than there, fails.
+    #[arg(long, value_name = "FILE")]
+    pub baseline: Option<PathBuf>,
+    /// Write what fails now into the list of --baseline; nothing fails then.
+    #[arg(long, requires = "baseline")]
+    pub update_baseline: bool,
+    /// Whether the mechanics are asked.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
+    /// Do not keep findings, nor use those that were kept (FLEXFRAME_CACHE=off does the same).
+    #[arg(long)]
+    pub no_cache: bool,
+}
+
+/// How `check` says what it found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum CheckFormat {
+    /// A table for a person.
+    Text,
+    /// Everything.
+    Json,
+    /// JUnit XML: a suite a frame, a case a finding.
+    Junit,
+    /// Annotations of GitHub Actions.
+    Github,
+    /// A page for a pull request or a job's summary.
+    Markdown,
+    /// SARIF 2.1.0, for code scanning.
+    Sarif,
+}
+
 /// Holds frames against their limits; exits 1 when one is violated, 2 when one does not read.
-pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let names = frames::expand(&options.frames)?;
-    let known = baseline(options)?;
-    let (baseline, former) = if options.update_baseline { (None, known) } else { (known, None) };
-    let rules = Rules { strict: options.strict, baseline: baseline.as_ref() };
-    let cache = Cache::new(!options.no_cache);
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let names = frames::expand(&args.frames)?;
+    let known = baseline(args)?;
+    let (baseline, former) = if args.update_baseline { (None, known) } else { (known, None) };
+    let rules = Rules { strict: args.strict, baseline: baseline.as_ref() };
+    let cache = Cache::new(!args.no_cache);
     let working = Progress::of("checking", common);
     let mut told = Vec::new();
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, options, rules, &cache).map_err(|failure| {
+            let result = hold(&asked, args, rules, &cache).map_err(|failure| {
                 told.push(failure.render());
                 refused(&failure)
             });
@@ -39,14 +93,14 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
     for message in &told {
         terminal::tell(message.trim_end());
     }
-    if options.baseline.is_some() {
+    if args.baseline.is_some() {
         told_apart(&outcomes)?;
     }
-    if options.update_baseline {
-        return update(options, common, &outcomes, former);
+    if args.update_baseline {
+        return update(args, common, &outcomes, former);
     }
-    say(options, common, &outcomes)?;
-    if let (Some(list), Some(path)) = (&baseline, &options.baseline) {
+    say(args, common, &outcomes)?;
+    if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
         for done in list.done(&outcomes) {
             let line = format!("note: {}: {} of {} is good now; strike it from {}", done.frame, done.rule, done.subject, path.display());
             terminal::tell(&line);
@@ -56,8 +110,8 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
 }
 
 /// One frame's findings, kept ones where there are any.
-fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Result<Held, Failure> {
-    let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: options.rigid.clone() })?;
+fn hold(asked: &str, args: &Args, rules: Rules, cache: &Cache) -> Result<Held, Failure> {
+    let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: args.rigid.clone() })?;
     let Kept { findings, masses } = match cache.get(&frame) {
         Some(kept) => kept,
         None => {
@@ -69,7 +123,7 @@ fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Res
         }
     };
     let mut findings = findings;
-    if let Some(settings) = session::mechanics(&options.mechanics)? {
+    if let Some(settings) = session::mechanics(&args.mechanics)? {
         findings.extend(strength(frame.clone(), &file, &settings)?);
     }
     Ok(Held::new(&frame, &file, findings, masses, rules))
@@ -78,7 +132,7 @@ fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Res
 /// What the design drop of the frame's own model does to it.
 fn strength(frame: Frame, file: &FrameFile, settings: &Settings) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file)?;
-    let found = predict(&design, &mass::table(&design), settings).map_err(stiffness::refused)?;
+    let found = predict(&design, &mass::table(&design), settings).map_err(mechanics_refused)?;
     Ok(checks::strength(&design, &settings.limits, &found))
 }
 
@@ -95,8 +149,8 @@ fn refused(failure: &Failure) -> Refused {
 }
 
 /// The list of accepted findings, when there is one to read.
-fn baseline(options: &CheckOptions) -> Result<Option<Baseline>, Failure> {
-    let Some(path) = options.baseline.as_ref().filter(|path| !options.update_baseline || path.exists()) else { return Ok(None) };
+fn baseline(args: &Args) -> Result<Option<Baseline>, Failure> {
+    let Some(path) = args.baseline.as_ref().filter(|path| !args.update_baseline || path.exists()) else { return Ok(None) };
     let (_, source) = read_source(path.clone())?;
     let wrong = |error| Failure::Usage {
         message: format!("{} is no list of accepted findings: {error}; remove it, and --update-baseline writes one", path.display()),
@@ -121,8 +175,8 @@ fn told_apart(outcomes: &[Outcome]) -> Result<(), Failure> {
 }
 
 /// Writes the list of what fails now; frames that are not among these keep their entries. A frame that does not read keeps the list from being written.
-fn update(options: &CheckOptions, common: &Common, outcomes: &[Outcome], former: Option<Baseline>) -> Result<ExitCode, Failure> {
-    let Some(path) = &options.baseline else { return Ok(ExitCode::SUCCESS) };
+fn update(args: &Args, common: &Common, outcomes: &[Outcome], former: Option<Baseline>) -> Result<ExitCode, Failure> {
+    let Some(path) = &args.baseline else { return Ok(ExitCode::SUCCESS) };
     if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
         return Ok(ExitCode::from(code));
     }
@@ -138,8 +192,8 @@ fn update(options: &CheckOptions, common: &Common, outcomes: &[Outcome], former:
     Ok(ExitCode::SUCCESS)
 }
 
-fn say(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure> {
-    let format = if common.json { CheckFormat::Json } else { options.format.unwrap_or(CheckFormat::Text) };
+fn say(args: &Args, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure> {
+    let format = if common.json { CheckFormat::Json } else { args.format.unwrap_or(CheckFormat::Text) };
     let xml =
         || junit::xml(outcomes).map_err(|e| Failure::Machine { what: "cannot make the report".into(), error: std::io::Error::other(e) });
     match format {
@@ -150,7 +204,7 @@ fn say(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<
             }
             Ok(())
         }
-        CheckFormat::Text => terminal::print(&text(options, outcomes)),
+        CheckFormat::Text => terminal::print(&text(args, outcomes)),
         CheckFormat::Json => terminal::print_json(&json(outcomes)),
         CheckFormat::Junit => terminal::print(&xml()?),
         CheckFormat::Github => terminal::print(&github::annotations(outcomes)),
@@ -159,14 +213,14 @@ fn say(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<
     }
 }
 
-fn text(options: &CheckOptions, outcomes: &[Outcome]) -> String {
+fn text(args: &Args, outcomes: &[Outcome]) -> String {
     let mut text = String::new();
     for Outcome { asked, result } in outcomes {
         if outcomes.len() > 1 {
             text += &format!("== {asked}\n");
         }
         text += &match result {
-            Ok(held) => frame_text(options, held),
+            Ok(held) => frame_text(args, held),
             Err(refused) => format!("refused: {}\n", refused.message),
         };
     }
@@ -178,14 +232,14 @@ fn text(options: &CheckOptions, outcomes: &[Outcome]) -> String {
     text
 }
 
-fn frame_text(options: &CheckOptions, held: &Held) -> String {
+fn frame_text(args: &Args, held: &Held) -> String {
     let findings: Vec<Finding> = held.findings.iter().map(|judged| judged.finding.clone()).collect();
     let every: Vec<Tightest> = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
-    let table = table::findings(&if options.all { every } else { checks::tightest(&findings) });
+    let table = table::findings(&if args.all { every } else { checks::tightest(&findings) });
     let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));
     let (frame, mass_g, count) = (&held.frame, held.masses.total_g, findings.len());
     let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };
-    let how = if options.strict { "violate a limit or warn" } else { "violate a limit" };
+    let how = if args.strict { "violate a limit or warn" } else { "violate a limit" };
     format!("{table}{frame}: {mass_g:.1} g; {fails} of {count} findings {how}{known}\n")
 }
 

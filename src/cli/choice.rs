@@ -1,6 +1,6 @@
 //! Keys of a frame file that hold a name instead of a number: what they choose, which names there are, what follows from them.
 
-use super::session::Failure;
+use super::failure::Failure;
 use crate::params::frame::ROLES;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;

@@ -1,15 +1,17 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::arguments::{Common, DiagnoseOptions, FrameOption};
+use super::failure::Failure;
+use super::failure::mechanics_refused;
 use super::fit::frame_and_paths;
 use super::frame_reduction::{self, PRESSED_MM};
 use super::measure::calibration;
+use super::options::{CalibrationOptions, Common, FrameOption};
 use super::output;
 use super::progress::Progress;
-use super::session::{self, Failure};
-use super::stiffness::refused;
+use super::session;
 use super::terminal;
 use crate::frame::assembly::mass;
 use crate::impact::body::Body;
@@ -29,30 +31,67 @@ use crate::report::data::own_mode::OwnMode;
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
+/// Find where a model and measured drops disagree, name the missing effect, add it, and show the gap shrink.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
+)]
+pub(super) struct Args {
+    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    #[arg(required = true, value_name = "DROPS")]
+    pub drops: Vec<PathBuf>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
+    #[arg(long, default_value = "paper", value_name = "MODEL")]
+    pub model: String,
+    /// A frame whose own static curve is a candidate, too: the drops tell how much of it there is.
+    #[arg(long, value_name = "FRAME")]
+    pub frame: Option<String>,
+    /// With --frame: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "frame")]
+    pub mechanics: Option<String>,
+    /// Heights that no fit sees, m: the gap there says what a name is worth.
+    #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…")]
+    pub hold_out_heights: Vec<f64>,
+    /// A static test of the same frame, CSV of `displacement_mm,force_n`: compared with each model, not fitted.
+    #[arg(long, value_name = "CSV")]
+    pub static_test: Option<PathBuf>,
+    /// Most effects on top of spring and damper, 1 to 3.
+    #[arg(long, default_value_t = 3, value_name = "N")]
+    pub max_effects: usize,
+    /// Of the simulated data.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `diagnose-MODEL`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
 /// Diagnoses drops and writes a folder.
-pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<ExitCode, Failure> {
-    if !(1..=3).contains(&options.max_effects) {
-        return Err(Failure::Usage { message: format!("--max-effects {} is out of bounds: give 1, 2 or 3", options.max_effects) });
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    if !(1..=3).contains(&args.max_effects) {
+        return Err(Failure::Usage { message: format!("--max-effects {} is out of bounds: give 1, 2 or 3", args.max_effects) });
     }
-    let (frame, paths) = frame_and_paths(&options.drops)?;
-    let mut model = Model::load(&options.model)?;
-    let most = options.max_effects;
+    let (frame, paths) = frame_and_paths(&args.drops)?;
+    let mut model = Model::load(&args.model)?;
+    let most = args.max_effects;
     let working = Progress::staged("diagnosing", Stage::count(most), common);
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
         model.body = Body::of(&design, &mass::table(&design));
     }
-    if let Some(frame) = &options.frame {
-        let own = reduced(frame, options.mechanics.as_deref())?;
+    if let Some(frame) = &args.frame {
+        let own = reduced(frame, args.mechanics.as_deref())?;
         model.frame_mode = own.value("payload_mode", "mu").zip(own.value("payload_mode", "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
-    let set = measured::read(&paths, &calibration(&options.calibration)?)?;
-    let pressed = options.static_test.as_deref().map(StaticTest::read).transpose()?;
-    let (waves, mut compared) = compared(&set, &mut model, options).map_err(usage)?;
-    let held = |height_m: f64| options.hold_out_heights.iter().any(|out| (out - height_m).abs() < 1e-6);
-    if let Some(unknown) =
-        options.hold_out_heights.iter().find(|out| waves.groups.iter().all(|group| (group.height_m - **out).abs() >= 1e-6))
+    let set = measured::read(&paths, &calibration(&args.calibration)?)?;
+    let pressed = args.static_test.as_deref().map(StaticTest::read).transpose()?;
+    let (waves, mut compared) = compared(&set, &mut model, args).map_err(usage)?;
+    let held = |height_m: f64| args.hold_out_heights.iter().any(|out| (out - height_m).abs() < 1e-6);
+    if let Some(unknown) = args.hold_out_heights.iter().find(|out| waves.groups.iter().all(|group| (group.height_m - **out).abs() >= 1e-6))
     {
         let heights: Vec<String> = waves.groups.iter().map(|group| group.height_m.to_string()).collect();
         return Err(Failure::Usage {
@@ -63,7 +102,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     if fitted.groups.is_empty() {
         return Err(Failure::Usage { message: "--hold-out-heights leaves no height to fit".into() });
     }
-    let settings = Settings { most_effects: most, seed: options.seed };
+    let settings = Settings { most_effects: most, seed: args.seed };
     let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
     let found =
@@ -73,7 +112,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     let json = diagnosis_data::json(&found, &compared);
     let files = files(&found, &compared, &json)?;
     drop(working);
-    let place = output::write_folder(&options.output, &format!("diagnose-{}", model.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("diagnose-{}", model.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
@@ -87,8 +126,8 @@ fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
     let settings = Mechanics::load(mechanics)?;
     let design = session::design(&FrameOption { frame: frame.into(), rigid: None })?;
     let masses = mass::table(&design);
-    let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
-    let curve = StaticCurve::new(&quarter, PRESSED_MM, &[]).map_err(refused)?;
+    let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
+    let curve = StaticCurve::new(&quarter, PRESSED_MM, &[]).map_err(mechanics_refused)?;
     frame_reduction::model(&design, &masses, &quarter, &curve, &settings)
 }
 
@@ -105,7 +144,7 @@ fn word(channel: Channel) -> &'static str {
 
 /// The drops in the channel that can be compared, and how it was chosen: a magnitude whose impulse no vertical impact has
 /// holds sideways motion, so the axis is taken where it was measured.
-fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOptions) -> Result<(Waves, Compared), Unfit> {
+fn compared(set: &measured::DropSet, model: &mut Model, args: &Args) -> Result<(Waves, Compared), Unfit> {
     let stated = model.sensor.channel;
     let mut chosen = Chosen::of(set, stated, Keep::Evidence)?;
     let mut reason = None;
@@ -134,8 +173,8 @@ fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOption
         channel_reason: reason,
         drops: waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
         left_out: chosen.left_out.iter().map(|left| (left.trial.clone(), left.reason.clone())).collect(),
-        held_out_heights_m: options.hold_out_heights.clone(),
-        seed: options.seed,
+        held_out_heights_m: args.hold_out_heights.clone(),
+        seed: args.seed,
         falls: Fall::of(set),
         static_test: None,
         own_mode: None,

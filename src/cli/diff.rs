@@ -1,14 +1,14 @@
 //! `flexframe diff`: what two frames differ in.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::arguments::{Common, DiffOptions, PageFormat};
+use super::failure::{Failure, mechanics_refused};
+use super::options::{Common, MechanicsOption, PageFormat};
 use super::output;
 use super::progress::Progress;
 use super::revision::Revision;
-use super::session::{self, Failure};
-use super::stiffness;
+use super::session;
 use super::terminal;
 use crate::checks;
 use crate::mechanics::settings::Settings;
@@ -18,21 +18,47 @@ use crate::report::page::diff_page;
 use crate::report::picture::side_by_side;
 use crate::variant::{Difference, Evaluation, Increase, MECHANICS_CAVEAT, PEAK_CAVEAT, Side};
 
+/// Compare two frames, or a frame with its former self: what differs, and what is better or worse.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe diff cognifly light.toml\n  flexframe diff --git HEAD~1 light.toml --format markdown --fail-on-increase mass=2g\n  flexframe diff cognifly cognifly-mini -o out\n  flexframe diff cognifly light.toml --strength --fail-on-increase design_drop.peak=5g\n\nWhat may not grow is a measure by its name; `flexframe solve --help` lists them."
+)]
+pub(super) struct Args {
+    /// Two presets' names or TOML files; one file with --git.
+    #[arg(required = true, num_args = 1..=2, value_name = "FRAME")]
+    pub frames: Vec<String>,
+    /// Compare a file with what it was at this revision of its git repository.
+    #[arg(long, value_name = "REVISION")]
+    pub git: Option<String>,
+    /// Exit 1 when a measure grows by more than this; may be given several times.
+    #[arg(long, value_name = "MEASURE=AMOUNT")]
+    pub fail_on_increase: Vec<String>,
+    /// How to say it; --json is the same as --format json.
+    #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
+    pub format: Option<PageFormat>,
+    /// Whether the mechanics are asked.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
+    /// Write diff.md, diff.json and a picture of both frames into the folder `diff-A-B` of this one.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
 /// Says what differs; exits 1 when a measure grew by more than allowed.
-pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let increases = options.fail_on_increase.iter().map(|text| Increase::parse(text)).collect::<Result<Vec<_>, _>>();
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let increases = args.fail_on_increase.iter().map(|text| Increase::parse(text)).collect::<Result<Vec<_>, _>>();
     let increases = increases.map_err(|error| Failure::Usage { message: format!("--fail-on-increase: {error}") })?;
-    let settings = session::mechanics(&options.mechanics)?;
+    let settings = session::mechanics(&args.mechanics)?;
     if let Some(increase) = increases.iter().find(|increase| increase.measure.is_mechanics() && settings.is_none()) {
         return Err(Failure::Usage { message: format!("--fail-on-increase: {} is only known with --strength", increase.measure.name) });
     }
     let working = Progress::of("comparing", common);
-    let sides = sides(options, settings.as_ref())?;
+    let sides = sides(args, settings.as_ref())?;
     let difference = Difference::of(&sides);
     drop(working);
     let page = diff_page::markdown(&difference);
     let json = json(&difference);
-    let place = match &options.output {
+    let place = match &args.output {
         None => None,
         Some(folder) => {
             let designs = sides.each_ref().map(|side| &side.evaluation.design);
@@ -46,7 +72,7 @@ pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, F
             Some(output::write_folder(folder, &format!("diff-{a}-{b}"), &files)?)
         }
     };
-    match options.format.unwrap_or(PageFormat::Text) {
+    match args.format.unwrap_or(PageFormat::Text) {
         _ if common.json => terminal::print(&format!("{json:#}\n"))?,
         PageFormat::Json => terminal::print(&format!("{json:#}\n"))?,
         PageFormat::Markdown => terminal::print(&page)?,
@@ -61,8 +87,8 @@ pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, F
     Ok(if exceeded.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-fn sides(options: &DiffOptions, settings: Option<&Settings>) -> Result<[Side; 2], Failure> {
-    match (&options.git, options.frames.as_slice()) {
+fn sides(args: &Args, settings: Option<&Settings>) -> Result<[Side; 2], Failure> {
+    match (&args.git, args.frames.as_slice()) {
         (None, [a, b]) => Ok([side(a, &Disk, "", settings)?, side(b, &Disk, "", settings)?]),
         (Some(name), [frame]) => {
             session::needs_file(frame, "--git compares a file with its former self")?;
@@ -79,7 +105,7 @@ fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&Settings
     let name = format!("{}{suffix}", frame.name);
     let mut evaluation = Evaluation::of(session::designed(frame, &file)?);
     if let Some(settings) = settings {
-        evaluation = evaluation.strengthened(settings).map_err(stiffness::refused)?;
+        evaluation = evaluation.strengthened(settings).map_err(mechanics_refused)?;
         let predicted = evaluation.prediction.iter().flat_map(|found| checks::strength(&evaluation.design, &settings.limits, found));
         let predicted: Vec<_> = predicted.collect();
         evaluation.findings.extend(predicted);

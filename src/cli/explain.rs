@@ -2,23 +2,41 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, ExplainOptions};
 use super::choice::{self, Choice, Followed};
+use super::failure::Failure;
+use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::Place;
 use crate::params::{Frame, FrameFile, follows};
 use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitivity};
 
+/// Say what a parameter is, what it drives, and what 5 % less and more of it do.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json\n  flexframe explain strut_rod --strength\n  flexframe explain bought.battery"
+)]
+pub(super) struct Args {
+    /// The parameter: its key with or without table, or a beginning of it; or a key of a name, such as bought.battery.
+    #[arg(value_name = "KEY")]
+    pub key: String,
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Whether the mechanics are asked.
+    #[command(flatten)]
+    pub mechanics: MechanicsOption,
+}
+
 /// By how much the parameter is changed.
 const SHARE: f64 = 0.05;
 
 /// Explains a parameter, or a choice of a name.
-pub(super) fn explain(options: &ExplainOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let (frame, file) = session::load(&options.frame)?;
-    if let Some(choice) = choice::of(&options.key, &frame, &file)? {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let (frame, file) = session::load(&args.frame)?;
+    if let Some(choice) = choice::of(&args.key, &frame, &file)? {
         if common.json {
             terminal::print_json(&choice_json(&choice))?;
         } else {
@@ -26,8 +44,8 @@ pub(super) fn explain(options: &ExplainOptions, common: &Common) -> Result<ExitC
         }
         return Ok(ExitCode::SUCCESS);
     }
-    let parameter = session::parameter(&options.key)?;
-    let settings = session::mechanics(&options.mechanics)?;
+    let parameter = session::parameter(&args.key)?;
+    let settings = session::mechanics(&args.mechanics)?;
     let working = Progress::of("trying values", common);
     let responses = sensitivity(&file, &frame, parameter, SHARE, settings.as_ref());
     drop(working);

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::arguments::{Aim, Common, FitOptions, FrameOption};
+use super::failure::Failure;
 use super::measure::calibration;
+use super::options::{CalibrationOptions, Common, FrameOption};
 use super::output;
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::frame::assembly::mass;
 use crate::impact::body::Body;
@@ -19,33 +20,87 @@ use crate::params::preset;
 use crate::report::chart::fit_plots;
 use crate::report::data::{drop_data, fit_data};
 
+/// Fit parameters of a model to measured drops.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's."
+)]
+pub(super) struct Args {
+    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    #[arg(required = true, value_name = "DROPS")]
+    pub drops: Vec<PathBuf>,
+    /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
+    #[arg(long, default_value = "paper-corrected", value_name = "MODEL")]
+    pub model: String,
+    /// Parameters that are fitted, by their keys in the model file; the others keep their values.
+    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]
+    pub free: Vec<String>,
+    /// What is made small.
+    #[arg(long, value_enum, default_value = "ml")]
+    pub objective: Aim,
+    /// Use flagged drops, too, as the paper's objective does: all that have a whole impact.
+    #[arg(long)]
+    pub all: bool,
+    /// Resampled fits for the intervals; 0 for none.
+    #[arg(long, default_value_t = 200, value_name = "N")]
+    pub bootstrap: usize,
+    /// Of the resampling.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub seed: u64,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `fit-MODEL`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// What a fit makes small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Aim {
+    /// Minus the logarithm of the likelihood: distance of the mean waves in units of their scatter.
+    Ml,
+    /// log(1 + sum over heights of the mean squared error up to each drop's peak), as in the paper's notebook.
+    Paper,
+}
+
+impl Aim {
+    /// Its name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ml => "ml",
+            Self::Paper => "paper",
+        }
+    }
+}
+
 /// Bootstrap samples at the most.
 const MOST_SAMPLES: usize = 100_000;
 
 /// Fits and writes a folder.
-pub(super) fn fit(options: &FitOptions, common: &Common) -> Result<ExitCode, Failure> {
-    if options.bootstrap > MOST_SAMPLES {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    if args.bootstrap > MOST_SAMPLES {
         return Err(Failure::Usage { message: format!("--bootstrap takes at most {MOST_SAMPLES} samples") });
     }
-    let (frame, paths) = frame_and_paths(&options.drops)?;
-    let mut model = Model::load(&options.model)?;
+    let (frame, paths) = frame_and_paths(&args.drops)?;
+    let mut model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
         model.body = Body::of(&design, &mass::table(&design));
     }
-    let set = measured::read(&paths, &calibration(&options.calibration)?)?;
-    let layout = layout(model, &options.free).map_err(usage)?;
-    let keep = if options.objective == Aim::Paper || options.all { Keep::Every } else { Keep::Clean };
+    let set = measured::read(&paths, &calibration(&args.calibration)?)?;
+    let layout = layout(model, &args.free).map_err(usage)?;
+    let keep = if args.objective == Aim::Paper || args.all { Keep::Every } else { Keep::Clean };
     let chosen = Chosen::of(&set, layout.model.sensor.channel, keep).map_err(usage)?;
-    let (fitted, numbers) = fitted(options, &chosen, &layout).map_err(usage)?;
+    let (fitted, numbers) = fitted(args, &chosen, &layout).map_err(usage)?;
     let run = fit_data::Run {
         fit: &fitted,
         chosen: &chosen,
-        objective: options.objective.name(),
+        objective: args.objective.name(),
         numbers,
-        bootstrap: options.bootstrap,
-        seed: options.seed,
+        bootstrap: args.bootstrap,
+        seed: args.seed,
     };
     let json = fit_data::json(&run);
     let mut files = fit_plots::plots(&run)
@@ -53,12 +108,12 @@ pub(super) fn fit(options: &FitOptions, common: &Common) -> Result<ExitCode, Fai
     files.push(("model.toml".into(), fitted.model.to_toml().into_bytes()));
     files.push(("fit.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
-    let place = output::write_folder(&options.output, &format!("fit-{}", fitted.model.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("fit-{}", fitted.model.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
         let notes: String = set.notes.iter().map(|note| format!("note: {note}\n")).collect();
-        terminal::print(&format!("{}{notes}{}: {} files\n", table(&fitted, &chosen, options, numbers), place.display(), files.len()))?;
+        terminal::print(&format!("{}{notes}{}: {} files\n", table(&fitted, &chosen, args, numbers), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -96,18 +151,18 @@ fn layout(model: Model, free: &[String]) -> Result<Layout, Unfit> {
 }
 
 /// The fit, and how many numbers were compared where they are independent.
-fn fitted(options: &FitOptions, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<usize>), Unfit> {
-    match options.objective {
-        Aim::Paper => Ok((fit::fit(&Paper::of(chosen), layout, options.bootstrap, options.seed)?, None)),
+fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<usize>), Unfit> {
+    match args.objective {
+        Aim::Paper => Ok((fit::fit(&Paper::of(chosen), layout, args.bootstrap, args.seed)?, None)),
         Aim::Ml => {
             let likelihood = Likelihood::of(chosen)?;
-            let fit = fit::fit(&likelihood, layout, options.bootstrap, options.seed)?;
+            let fit = fit::fit(&likelihood, layout, args.bootstrap, args.seed)?;
             Ok((fit, Some(likelihood.numbers())))
         }
     }
 }
 
-fn table(fit: &Fit, chosen: &Chosen, options: &FitOptions, numbers: Option<usize>) -> String {
+fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> String {
     let Body { mass_kg, gap_m, .. } = &fit.model.body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&fit.model.body));
     let channel = match fit.model.sensor.channel {
@@ -119,7 +174,7 @@ fn table(fit: &Fit, chosen: &Chosen, options: &FitOptions, numbers: Option<usize
     for LeftOut { trial, reason } in &chosen.left_out {
         text += &format!("left out  {trial}: {reason}\n");
     }
-    if chosen.impulses_kept && options.objective == Aim::Ml && !options.all {
+    if chosen.impulses_kept && args.objective == Aim::Ml && !args.all {
         text += "impossible impulses are kept: most drops of a height have one, so they are no accident of single drops\n";
     }
     let [start, end] = fit.objective;

@@ -1,11 +1,13 @@
 //! `flexframe fold`: how a frame is put together, as data, as motion, and on paper.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::arguments::{Common, FoldOptions};
+use super::failure::Failure;
+use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::export::{fold_glb, fold_json};
 use crate::frame::assembly::{Design, mass};
@@ -14,13 +16,31 @@ use crate::report::booklet::content::Booklet;
 use crate::report::booklet::{booklet_html, booklet_pdf};
 use crate::report::picture::fold_scene;
 
+/// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
+pub(super) struct Args {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// One step only: its pictures before and after, into `FRAME-step-N`.
+    #[arg(long, value_name = "N", requires = "png")]
+    pub step: Option<usize>,
+    /// With --step: write the pictures.
+    #[arg(long, requires = "step")]
+    pub png: bool,
+    /// Folder that takes the folder `FRAME-fold`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
 /// The file with the steps.
 const STEPS: &str = "fold.json";
 
 /// Writes `FRAME-fold`: the steps, the animation and the instructions; or the pictures of one step.
-pub(super) fn fold(options: &FoldOptions, common: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("folding", common);
-    let design = session::design(&options.frame)?;
+    let design = session::design(&args.frame)?;
     let sequence = match FoldSequence::new(&design.frame, &design.skeleton) {
         Ok(sequence) => sequence,
         Err(error) => {
@@ -29,12 +49,12 @@ pub(super) fn fold(options: &FoldOptions, common: &Common) -> Result<ExitCode, F
         }
     };
     let name = &design.frame.name;
-    let (folder, files) = match options.step {
+    let (folder, files) = match args.step {
         Some(number) => (format!("{name}-step-{number}"), step_pictures(&design, &sequence, number)?),
         None => (format!("{name}-fold"), everything(&design, &sequence)?),
     };
     drop(working);
-    let place = output::write_folder(&options.output, &folder, &files)?;
+    let place = output::write_folder(&args.output, &folder, &files)?;
     if common.json {
         let steps = match files.iter().find(|(path, _)| path == STEPS) {
             Some((_, steps)) => steps.clone(),
@@ -42,7 +62,7 @@ pub(super) fn fold(options: &FoldOptions, common: &Common) -> Result<ExitCode, F
         };
         terminal::print(&String::from_utf8_lossy(&steps))?;
     } else if !common.quiet {
-        let steps = sequence.steps.iter().filter(|s| options.step.is_none_or(|number| number == s.number));
+        let steps = sequence.steps.iter().filter(|s| args.step.is_none_or(|number| number == s.number));
         let lines = steps.map(|s| format!("{:>2}  {} x  {}\n", s.number, s.repeats, s.title));
         terminal::print(&format!("{}{}: {} files\n", lines.collect::<String>(), place.display(), files.len()))?;
     }

@@ -1,7 +1,7 @@
 //! A frame's own mechanics as an impact model of one coordinate.
 
-use super::session::Failure;
-use super::stiffness::refused;
+use super::failure::Failure;
+use super::failure::mechanics_refused;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::impact::body::Body;
@@ -26,9 +26,9 @@ pub(super) fn model(
     curve: &StaticCurve,
     settings: &Settings,
 ) -> Result<Model, Failure> {
-    let reduction = Reduction::of(quarter, curve, settings).map_err(refused)?;
+    let reduction = Reduction::of(quarter, curve, settings).map_err(mechanics_refused)?;
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
-    let frame_curve = FrameCurve::new(&x_mm, &phi_mm).map_err(refused)?;
+    let frame_curve = FrameCurve::new(&x_mm, &phi_mm).map_err(mechanics_refused)?;
     let sensor = Sensor::new(LOGGER_HZ, 1, LIMIT_G, Channel::Axial);
     let mut model = Model::base(Body::of(design, masses), sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
     model.name = format!("{}-reduced", design.frame.name);

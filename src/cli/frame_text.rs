@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Item, Key, Table, TableLike, TomlError};
 
+use super::failure::Failure;
 use super::output;
-use super::session::Failure;
 use crate::params::frame_file::Value;
 use crate::params::{FrameFile, preset};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::session::Failure;
+use super::failure::Failure;
 
 /// Most frames that one command takes.
 const MOST_FRAMES: usize = 1000;

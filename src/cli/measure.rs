@@ -1,21 +1,39 @@
 //! `flexframe measure`: what measured drops say.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::arguments::{CalibrationOptions, Common, MeasureOptions};
+use super::failure::Failure;
+use super::options::{CalibrationOptions, Common};
 use super::output;
 use super::progress::Progress;
-use super::session::Failure;
 use super::terminal;
 use crate::impact::measured;
 use crate::impact::measured::{Calibration, Drop, Group, Spread, Summary};
 use crate::report::chart::measure_plots;
 use crate::report::data::measure_data;
 
+/// Read measured drops, judge each, and write a table of heights and plots.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md says how records are judged."
+)]
+pub(super) struct Args {
+    /// Files of the logger, CSV tables, or folders of them.
+    #[arg(required = true, value_name = "PATH")]
+    pub paths: Vec<PathBuf>,
+    /// How the logger counts.
+    #[command(flatten)]
+    pub calibration: CalibrationOptions,
+    /// Folder that takes the folder `measure`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
 /// Reads drops, judges each, and writes a folder.
-pub(super) fn measure(options: &MeasureOptions, common: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("reading", common);
-    let set = measured::read(&options.paths, &calibration(&options.calibration)?)?;
+    let set = measured::read(&args.paths, &calibration(&args.calibration)?)?;
     let groups = measured::drops(&set);
     let json = measure_data::json(&set, &groups);
     let mut files = measure_plots::plots(&groups)
@@ -24,7 +42,7 @@ pub(super) fn measure(options: &MeasureOptions, common: &Common) -> Result<ExitC
     files.push(("drops.csv".into(), measure_data::drops_csv(&groups).into_bytes()));
     files.push(("measure.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
-    let place = output::write_folder(&options.output, "measure", &files)?;
+    let place = output::write_folder(&args.output, "measure", &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
@@ -36,16 +54,16 @@ pub(super) fn measure(options: &MeasureOptions, common: &Common) -> Result<ExitC
 }
 
 /// The logger's calibration with the command line's changes.
-pub(super) fn calibration(options: &CalibrationOptions) -> Result<Calibration, Failure> {
+pub(super) fn calibration(args: &CalibrationOptions) -> Result<Calibration, Failure> {
     let three = |values: &[f64], what: &str, good: fn(f64) -> bool| {
         let three: Option<[f64; 3]> = values.try_into().ok().filter(|values: &[f64; 3]| values.iter().all(|value| good(*value)));
         three.ok_or_else(|| Failure::Usage { message: format!("--{what} takes three numbers, for x, y and z: as in 2019.94,2020,2020.77") })
     };
     let mut calibration = Calibration::default();
-    if let Some(offsets) = &options.offset_counts {
+    if let Some(offsets) = &args.offset_counts {
         calibration.offset_counts = three(offsets, "offset-counts", f64::is_finite)?;
     }
-    if let Some(scales) = &options.counts_per_g {
+    if let Some(scales) = &args.counts_per_g {
         calibration.counts_per_g = three(scales, "counts-per-g", |scale| scale.is_finite() && scale.abs() > 1e-6)?;
     }
     Ok(calibration)

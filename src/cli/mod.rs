@@ -1,25 +1,28 @@
 //! The command line: the only place that prints, and that opens files for writing.
+//!
+//! A subcommand is a file: its `Args`, with the words of its help, and its `run`. [`commands!`] below is the one list of them.
 
-mod arguments;
 mod bom;
 mod build;
 mod cache;
 mod check;
 mod choice;
+mod completions;
 mod coupon;
 mod diagnose;
 mod diff;
 mod drop;
-mod drop_fit;
-mod drop_frame;
 mod explain;
+mod failure;
 mod fit;
 mod fold;
 mod frame_reduction;
 mod frame_text;
 mod frames;
+mod man;
 mod measure;
 mod new;
+mod options;
 mod output;
 mod params;
 mod plant;
@@ -38,10 +41,79 @@ mod weigh;
 
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser};
+use clap::{Parser, Subcommand};
 
-use arguments::{Arguments, Command};
-pub use session::Failure;
+pub use failure::Failure;
+use options::Common;
+
+/// Flexible, printable drone frames from one parameter file.
+#[derive(Debug, Parser)]
+#[command(name = "flexframe", version, about, arg_required_else_help = true, after_help = EXAMPLES)]
+struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    command: Command,
+    /// How to talk about it.
+    #[command(flatten)]
+    common: Common,
+}
+
+const EXAMPLES: &str = "Examples:
+  flexframe build                                  the default frame into out/cognifly
+  flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
+  flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
+  flexframe render cognifly
+  flexframe drop --model paper --height 0.5,1,1.5
+  flexframe measure ../shared/data/crash_landing
+  flexframe fit --model paper-corrected ../shared/data/crash_landing/soft_*
+  flexframe params --filter arm
+
+Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
+
+/// Makes the subcommands of the files that hold them, in the order of the help.
+macro_rules! commands {
+    ($($name:ident in $file:ident),* $(,)?) => {
+        /// The subcommands.
+        #[derive(Debug, Subcommand)]
+        #[expect(clippy::large_enum_variant, reason = "one is made, once")]
+        enum Command {
+            $($name($file::Args),)*
+        }
+
+        impl Command {
+            fn run(&self, common: &Common) -> Result<ExitCode, Failure> {
+                match self {
+                    $(Self::$name(args) => $file::run(args, common),)*
+                }
+            }
+        }
+    };
+}
+
+commands! {
+    Build in build,
+    Check in check,
+    Fold in fold,
+    Drop in drop,
+    Diagnose in diagnose,
+    Plant in plant,
+    Fit in fit,
+    Measure in measure,
+    Stiffness in stiffness,
+    Render in render,
+    Params in params,
+    Diff in diff,
+    Explain in explain,
+    New in new,
+    Solve in solve,
+    Watch in watch,
+    Coupon in coupon,
+    Weigh in weigh,
+    Bom in bom,
+    Schema in schema,
+    Completions in completions,
+    Man in man,
+}
 
 /// Runs the program: parses the command line, does the work, prints, and tells the shell how it went.
 ///
@@ -56,49 +128,11 @@ pub fn run() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    match perform(&arguments) {
+    match arguments.command.run(&arguments.common) {
         Ok(code) => code,
         Err(failure) => {
             terminal::tell(failure.render().trim_end());
             ExitCode::from(failure.exit_code())
-        }
-    }
-}
-
-fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    match &arguments.command {
-        Command::Bom(options) => bom::bom(options, &arguments.common),
-        Command::Diff(options) => diff::diff(options, &arguments.common),
-        Command::Explain(options) => explain::explain(options, &arguments.common),
-        Command::New(options) => new::new(options, &arguments.common),
-        Command::Schema(options) => schema::print(options),
-        Command::Solve(options) => solve::run(options, &arguments.common),
-        Command::Coupon(options) => coupon::coupon(options, &arguments.common),
-        Command::Weigh(options) => weigh::weigh(options, &arguments.common),
-        Command::Watch(options) => watch::watch(options, &arguments.common),
-        Command::Build(options) => build::build(options, &arguments.common),
-        Command::Check(options) => check::check(options, &arguments.common),
-        Command::Diagnose(options) => diagnose::diagnose(options, &arguments.common),
-        Command::Plant(options) => plant::plant(options, &arguments.common),
-        Command::Fold(options) => fold::fold(options, &arguments.common),
-        Command::Drop(options) => drop::drop(options, &arguments.common),
-        Command::Fit(options) => fit::fit(options, &arguments.common),
-        Command::Measure(options) => measure::measure(options, &arguments.common),
-        Command::Stiffness(options) => stiffness::stiffness(options, &arguments.common),
-        Command::Render(options) => render::render(options, &arguments.common),
-        Command::Params(options) => params::list(options, &arguments.common),
-        Command::Completions { shell } => {
-            let mut script = Vec::new();
-            clap_complete::generate(*shell, &mut Arguments::command(), "flexframe", &mut script);
-            terminal::print(&String::from_utf8_lossy(&script))?;
-            Ok(ExitCode::SUCCESS)
-        }
-        Command::Man => {
-            let mut page = Vec::new();
-            let written = clap_mangen::Man::new(Arguments::command()).render(&mut page);
-            written.map_err(|error| Failure::Machine { what: "cannot make the manual page".into(), error })?;
-            terminal::print(&String::from_utf8_lossy(&page))?;
-            Ok(ExitCode::SUCCESS)
         }
     }
 }

@@ -2,23 +2,58 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, FrameOption, NewOptions};
+use super::failure::Failure;
 use super::frame_text::{self, Line};
+use super::options::{Common, FrameOption};
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::solve;
 use super::terminal;
 use crate::params::LoadError;
 use crate::params::frame_file::Value;
 use crate::variant::{CreateError, Creation, Request, SolveError, create};
 
+/// Write a variant of a frame, with what has to change to keep every limit.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 260\n\nRods and motors are moved as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
+)]
+pub(super) struct Args {
+    /// Name of the variant; NAME.toml is written.
+    pub name: String,
+    /// The frame that it comes from.
+    #[arg(long, default_value = "cognifly", value_name = "FRAME")]
+    pub from: String,
+    /// Another battery: a name of params/bought.toml.
+    #[arg(long, value_name = "PART")]
+    pub battery: Option<String>,
+    /// Another propeller.
+    #[arg(long, value_name = "PART")]
+    pub propeller: Option<String>,
+    /// Another motor.
+    #[arg(long, value_name = "PART")]
+    pub motor: Option<String>,
+    /// Another rod.
+    #[arg(long, value_name = "PART")]
+    pub rod: Option<String>,
+    /// Size to stay within, mm.
+    #[arg(long, value_name = "WxDxH")]
+    pub envelope: Option<String>,
+    /// Mass to stay within, g.
+    #[arg(long, value_name = "G")]
+    pub mass: Option<f64>,
+    /// Most frames to look at.
+    #[arg(long, default_value_t = 120, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
+    pub frames: u16,
+}
+
 /// Writes a variant; exits 1, and writes nothing, when no frame near by keeps every limit.
-pub(super) fn new(options: &NewOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let place = frame_text::place(&options.name)?;
-    let base = frame_text::base_for(&place, &options.from)?;
-    let (from, mut file) = session::load(&FrameOption { frame: options.from.clone(), rigid: None })?;
-    let envelope_mm = options.envelope.as_deref().map(envelope).transpose()?;
-    let mut lines = wishes(options, envelope_mm);
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let place = frame_text::place(&args.name)?;
+    let base = frame_text::base_for(&place, &args.from)?;
+    let (from, mut file) = session::load(&FrameOption { frame: args.from.clone(), rigid: None })?;
+    let envelope_mm = args.envelope.as_deref().map(envelope).transpose()?;
+    let mut lines = wishes(args, envelope_mm);
     if lines.is_empty() {
         return Err(Failure::Usage {
             message: "say what is to be different: --battery, --propeller, --motor, --rod, --envelope or --mass".into(),
@@ -29,7 +64,7 @@ pub(super) fn new(options: &NewOptions, common: &Common) -> Result<ExitCode, Fai
     }
     file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let working = Progress::of("solving", common);
-    let request = Request { file: &file, from: &from, envelope_mm: envelope_mm.map(|[x, _, z]| [x, z]), most: usize::from(options.frames) };
+    let request = Request { file: &file, from: &from, envelope_mm: envelope_mm.map(|[x, _, z]| [x, z]), most: usize::from(args.frames) };
     let created = create(&request);
     drop(working);
     let creation = match created {
@@ -66,12 +101,12 @@ fn asked_by(key: &str, value: &Value) -> String {
 }
 
 /// What was asked for, as lines of the file.
-fn wishes(options: &NewOptions, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
+fn wishes(args: &Args, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
     let choices = [
-        ("bought.battery", &options.battery),
-        ("bought.propeller", &options.propeller),
-        ("bought.motor", &options.motor),
-        ("bought.rod", &options.rod),
+        ("bought.battery", &args.battery),
+        ("bought.propeller", &args.propeller),
+        ("bought.motor", &args.motor),
+        ("bought.rod", &args.rod),
     ];
     let asked = "asked for";
     let choice = |(key, name): (&str, &Option<String>)| {
@@ -83,7 +118,7 @@ fn wishes(options: &NewOptions, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
             lines.push(Line { key: key.into(), value: Value::Number(value), why: asked.into() });
         }
     }
-    lines.extend(options.mass.map(|mass| Line { key: "limits.mass_budget_g".into(), value: Value::Number(mass), why: asked.into() }));
+    lines.extend(args.mass.map(|mass| Line { key: "limits.mass_budget_g".into(), value: Value::Number(mass), why: asked.into() }));
     lines
 }
 

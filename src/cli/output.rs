@@ -4,7 +4,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::session::Failure;
+use super::failure::Failure;
 
 /// Writes a folder beside its place and puts it there in one step, so that a run that is killed or fails leaves the
 /// last good result.

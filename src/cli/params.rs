@@ -4,11 +4,29 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use super::arguments::{Common, ParamsOptions};
-use super::session::{self, Failure};
+use super::failure::Failure;
+use super::options::{Common, FrameOption};
+use super::session;
 use super::terminal;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, follows, parameters};
+
+/// List every parameter with unit, default, bounds and what it drives.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json\n  flexframe params --markdown > docs/parameters.md"
+)]
+pub(super) struct Args {
+    /// Which frame's values to show.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Only keys that contain this.
+    #[arg(long, value_name = "TEXT")]
+    pub filter: Option<String>,
+    /// Print a page of tables, the form of docs/parameters.md.
+    #[arg(long, conflicts_with = "json")]
+    pub markdown: bool,
+}
 
 /// A parameter as listed.
 #[derive(Serialize)]
@@ -28,8 +46,8 @@ struct Row {
 }
 
 /// Lists the parameters.
-pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let (frame, file) = session::load(&options.frame)?;
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let (frame, file) = session::load(&args.frame)?;
     let (default, _) = Frame::load("cognifly")?;
     let rows: Vec<Row> = parameters()
         .map(|p| {
@@ -47,7 +65,7 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
                 key,
             }
         })
-        .filter(|row| options.filter.as_ref().is_none_or(|text| row.key.contains(text.as_str())))
+        .filter(|row| args.filter.as_ref().is_none_or(|text| row.key.contains(text.as_str())))
         .collect();
     if rows.is_empty() {
         return Err(Failure::Usage { message: "no key contains that text; `flexframe params` lists them all".into() });
@@ -55,7 +73,7 @@ pub(super) fn list(options: &ParamsOptions, common: &Common) -> Result<ExitCode,
     if common.json {
         terminal::print_json(&rows)?;
     } else {
-        terminal::print(&if options.markdown { page(&frame.name, &rows) } else { table(&rows) })?;
+        terminal::print(&if args.markdown { page(&frame.name, &rows) } else { table(&rows) })?;
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,20 +1,38 @@
 //! `flexframe plant`: drops with a known truth.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::arguments::{Common, PlantOptions};
+use super::failure::Failure;
+use super::options::Common;
 use super::output;
 use super::progress::Progress;
-use super::session::Failure;
 use super::terminal;
 use crate::impact::synthetic::{Plan, records};
 
+/// Write drops with a known truth, to test a diagnosis on.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Example:\n  flexframe plant params/plant/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
+)]
+pub(super) struct Args {
+    /// The plan: a TOML file.
+    #[arg(value_name = "PLAN")]
+    pub plan: String,
+    /// Seed instead of the plan's.
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Folder that takes the folder `plant-PLAN`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
 /// Plants drops and writes a folder: `drops/` for whoever shall find the truth, `truth/` for whoever knows it.
-pub(super) fn plant(options: &PlantOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let mut plan = Plan::load(&options.plan)?;
-    if let Some(seed) = options.seed {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let mut plan = Plan::load(&args.plan)?;
+    if let Some(seed) = args.seed {
         plan.seed = seed;
     }
     let working = Progress::of("planting", common);
@@ -43,7 +61,7 @@ pub(super) fn plant(options: &PlantOptions, common: &Common) -> Result<ExitCode,
         ("truth/model.toml".to_string(), plan.model.to_toml().into_bytes()),
     ];
     drop(working);
-    let place = output::write_folder(&options.output, &name, &files)?;
+    let place = output::write_folder(&args.output, &name, &files)?;
     if common.json {
         terminal::print_json(&json!({ "schema_version": 1, "folder": place.display().to_string(), "drops": all.len() }))?;
     } else if !common.quiet {

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use super::arguments::Common;
+use super::options::Common;
 
 /// How long work may take before it is announced.
 const PATIENCE: Duration = Duration::from_secs(1);

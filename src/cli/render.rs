@@ -1,27 +1,44 @@
 //! `flexframe render`: the pictures alone.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::arguments::{Common, RenderOptions};
+use super::failure::Failure;
+use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::report::picture::{printing_picture, scene};
 
+/// Write PNG pictures: assembled from four sides, flat on the bed, each part.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  flexframe render cognifly-mini -o pictures")]
+pub(super) struct Args {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Instead, each part as it is printed, from above and from below, with what hangs over air, is too thin or holds badly marked.
+    #[arg(long)]
+    pub findings: bool,
+    /// Folder that takes the folder `FRAME-pictures`, or `FRAME-findings`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
 /// Writes `FRAME-pictures` with every picture, or `FRAME-findings`.
-pub(super) fn render(options: &RenderOptions, common: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("drawing", common);
-    let design = session::design(&options.frame)?;
-    let files: Vec<(String, Vec<u8>)> = if options.findings {
+    let design = session::design(&args.frame)?;
+    let files: Vec<(String, Vec<u8>)> = if args.findings {
         printing_picture::pictures(&design)
     } else {
         scene::pictures(&design).into_iter().map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes)).collect()
     };
     drop(working);
     let place = output::write_folder(
-        &options.output,
-        &format!("{}-{}", design.frame.name, if options.findings { "findings" } else { "pictures" }),
+        &args.output,
+        &format!("{}-{}", design.frame.name, if args.findings { "findings" } else { "pictures" }),
         &files,
     )?;
     if common.json {

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use super::session::Failure;
+use super::failure::Failure;
 use crate::params::files::Files;
 
 /// A revision of the repository that holds a file.

@@ -1,64 +1,18 @@
 //! From a frame's name to its design, and what can go wrong on the way.
 
-use std::io;
-
-use super::arguments::{FrameOption, MechanicsOption};
 use super::choice;
+use super::failure::Failure;
+use super::options::{FrameOption, MechanicsOption};
 use crate::frame::assembly::{Design, DesignError};
-use crate::impact::measured::Malformed;
 use crate::mechanics::settings::Settings;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::{Reason, Refusal, nearest};
 use crate::params::{Frame, FrameFile, LoadError, parameters, preset};
 
-/// Why a command did not do its work.
-#[derive(Debug, thiserror::Error)]
-pub enum Failure {
-    /// Input or usage is wrong.
-    #[error(transparent)]
-    Input(#[from] LoadError),
-    /// A measured record is wrong.
-    #[error(transparent)]
-    Records(#[from] Malformed),
-    /// A value on the command line is wrong.
-    #[error("{message}")]
-    Usage {
-        /// What, and what to do.
-        message: String,
-    },
-    /// The machine failed: a disk, a permission.
-    #[error("{what}: {error}")]
-    Machine {
-        /// What was being done.
-        what: String,
-        /// What the system said.
-        error: io::Error,
-    },
-}
-
 /// Numbers of the mechanics, where they are to be asked.
 pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<Settings>, Failure> {
     Ok(option.strength.then(|| Settings::load(option.mechanics.as_deref())).transpose()?)
-}
-
-impl Failure {
-    /// The exit code that tells a shell of it.
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
-            Self::Machine { .. } => 3,
-        }
-    }
-
-    /// What a person reads.
-    pub fn render(&self) -> String {
-        match self {
-            Self::Input(LoadError::Refused(refusal)) => refusal.render(),
-            Self::Records(malformed) => format!("error: {malformed}\nhelp: {}\n", malformed.fault.remedy()),
-            other => format!("error: {other}\n"),
-        }
-    }
 }
 
 /// Refuses a frame that is no file where one is needed, and says what it is.

@@ -9,7 +9,7 @@ use std::{fs, io};
 
 use rayon::prelude::*;
 
-use super::session::Failure;
+use super::failure::Failure;
 use crate::export::stl;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;

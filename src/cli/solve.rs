@@ -2,10 +2,11 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, SolveOptions};
+use super::failure::Failure;
 use super::frame_text::{self, Line};
+use super::options::{Common, FrameOption};
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::frame::assembly::Workshop;
 use crate::mechanics::settings::Settings;
@@ -16,29 +17,58 @@ use crate::variant::{
     solve,
 };
 
+/// Search for the frame with the least of a measure that keeps every limit.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe solve --minimise mass --vary arm_rod,cage_rod,strut_rod,motor_position -o light\n  flexframe solve cognifly --minimise envelope.volume --subject-to 'clearance.propeller>=3mm' --vary arm_rod=70..90,cage_rod\n\nMeasures: mass, mass.printed, mass.rods, envelope.width, envelope.depth, envelope.height, envelope.volume, clearance.propeller,\nclearance.part, clearance.ground, engagement, hinge.strain, wall, printed.volume, peak; and of the frame's own mechanics, which\ntake a second or two a frame: stiffness, design_drop.peak, design_drop.travel, design_drop.strain. It is a local search: another start may\nlead elsewhere. Exit code 1 when no frame keeps every limit."
+)]
+pub(super) struct Args {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// What to make small: a measure.
+    #[arg(long, value_name = "MEASURE")]
+    pub minimise: String,
+    /// What to keep besides the frame's limits, such as 'clearance.propeller>=3mm'; may be given several times.
+    #[arg(long, value_delimiter = ',', value_name = "GOAL")]
+    pub subject_to: Vec<String>,
+    /// What may vary: keys, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
+    #[arg(long, value_delimiter = ',', required = true, value_name = "KEY,…")]
+    pub vary: Vec<String>,
+    /// With a measure of the mechanics: their numbers instead of those that come with the program.
+    #[arg(long, value_name = "TOML")]
+    pub mechanics: Option<String>,
+    /// Most frames to look at.
+    #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
+    pub frames: u16,
+    /// Write the answer as NAME.toml.
+    #[arg(short, long, value_name = "NAME")]
+    pub output: Option<String>,
+}
+
 /// Searches, says what it found, and writes it when asked to; exits 1 when no frame keeps every limit.
-pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let usage = |message: String| Failure::Usage { message };
-    let aim = measure(&options.minimise)
-        .ok_or_else(|| usage(format!("--minimise: there is no measure `{}`; there are {}", options.minimise, measure_names())))?;
-    let goals = options.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
+    let aim = measure(&args.minimise)
+        .ok_or_else(|| usage(format!("--minimise: there is no measure `{}`; there are {}", args.minimise, measure_names())))?;
+    let goals = args.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
     let goals = goals.map_err(|error| usage(format!("--subject-to: {error}")))?;
-    let place = options.output.as_ref().map(|name| frame_text::place(name)).transpose()?;
-    let base = place.as_ref().map(|place| frame_text::base_for(place, &options.frame.frame)).transpose()?;
-    let (before, file) = session::load(&options.frame)?;
-    let vary = options.vary.iter().map(|text| vary(text, &before)).collect::<Result<Vec<_>, _>>()?;
+    let place = args.output.as_ref().map(|name| frame_text::place(name)).transpose()?;
+    let base = place.as_ref().map(|place| frame_text::base_for(place, &args.frame.frame)).transpose()?;
+    let (before, file) = session::load(&args.frame)?;
+    let vary = args.vary.iter().map(|text| vary(text, &before)).collect::<Result<Vec<_>, _>>()?;
     if let Some(twice) = vary.iter().enumerate().find(|(at, v)| vary[..*at].iter().any(|other| other.key() == v.key())) {
         return Err(usage(format!("--vary: {} stands there twice", twice.1.key())));
     }
     let asked = aim.is_mechanics() || goals.iter().any(|goal| goal.measure.is_mechanics());
-    if options.mechanics.is_some() && !asked {
+    if args.mechanics.is_some() && !asked {
         return Err(usage(
             "--mechanics: neither aim nor goal is one of the mechanics: stiffness, design_drop.peak, .travel, .strain".into(),
         ));
     }
-    let mechanics = asked.then(|| Settings::load(options.mechanics.as_deref())).transpose()?;
+    let mechanics = asked.then(|| Settings::load(args.mechanics.as_deref())).transpose()?;
     let working = Progress::of("searching", common);
-    let most = usize::from(options.frames);
+    let most = usize::from(args.frames);
     let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most, mechanics };
     let found = solve(&problem);
     drop(working);
@@ -62,7 +92,7 @@ pub(super) fn run(options: &SolveOptions, common: &Common) -> Result<ExitCode, F
     }
     if let (Some(place), Some(base)) = (place, base) {
         let mut lines: Vec<Line> = solution.values.iter().map(|(vary, before, after)| line(vary, *before, *after)).collect();
-        lines.extend(options.frame.rigid.as_ref().map(|rigid| Line {
+        lines.extend(args.frame.rigid.as_ref().map(|rigid| Line {
             key: "materials.rigid".into(),
             value: Value::Text(rigid.clone()),
             why: "--rigid".into(),

@@ -1,12 +1,14 @@
 //! `flexframe stiffness`: what the frame's own geometry says about pressing it down.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::arguments::{Common, FrameOption, StiffnessOptions};
+use super::failure::{Failure, mechanics_refused};
 use super::frame_reduction;
+use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::terminal;
 use crate::export::bent_glb;
 use crate::frame::assembly::mass::MassTable;
@@ -26,15 +28,54 @@ use crate::report::data::stiffness_data::Stiffness;
 use crate::report::picture::bent_scene;
 use crate::report::picture::image::View;
 
+/// Press a frame down by its own geometry: force over displacement, where the energy sits, strains, modes.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe stiffness cognifly-v8 --compare params/static/cognifly-v8.csv\n  flexframe stiffness cognifly-v8 --calibrate params/static/cognifly-v8.csv\n  flexframe stiffness my-frame.toml --mechanics out/cognifly-v8-stiffness/mechanics.toml\n\nA static test is a CSV table with the columns displacement_mm,force_n. docs/mechanics.md says what the model holds."
+)]
+pub(super) struct Args {
+    /// Which frame.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// Numbers of the mechanics instead of those that come with the program: a TOML file.
+    #[arg(long, value_name = "TOML")]
+    pub mechanics: Option<String>,
+    /// Fit the flexible material's modulus to a static test; the result goes into mechanics.toml.
+    #[arg(long, value_name = "CSV", conflicts_with = "compare")]
+    pub calibrate: Option<PathBuf>,
+    /// Hold the curve against a static test.
+    #[arg(long, value_name = "CSV")]
+    pub compare: Option<PathBuf>,
+    /// Ratios to another frame of the same material, each with the band that the guesses of the mechanics leave it: a preset's name
+    /// or a TOML file. Takes some ten seconds.
+    #[arg(long, value_name = "FRAME")]
+    pub reference: Option<String>,
+    /// How far the centre is pressed down, mm.
+    #[arg(long, default_value_t = 34.0, value_name = "MM", value_parser = down_mm)]
+    pub down: f64,
+    /// Leave out the modes.
+    #[arg(long)]
+    pub no_modes: bool,
+    /// Leave out pictures and animations.
+    #[arg(long)]
+    pub no_pictures: bool,
+    /// Folder that takes the folder `FRAME-stiffness`.
+    #[arg(short, long, default_value = "out", value_name = "DIR")]
+    pub output: PathBuf,
+}
+
+/// A way down that can be: 2 to 60 mm.
+fn down_mm(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(down) if (2.0..=60.0).contains(&down) => Ok(down),
+        _ => Err("give 2 to 60 mm".into()),
+    }
+}
+
 /// Displacements at which the inside is told, mm.
 const INSIDE_MM: [f64; 2] = [1.0, 16.0];
 /// Modes that are told.
 const MODES: usize = 8;
-
-/// A failure of the model, as the user has to be told it.
-pub(super) fn refused(error: impl std::fmt::Display) -> Failure {
-    Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
-}
 
 /// Largest displacement of a mode in pictures, mm.
 const SWING_MM: f64 = 15.0;
@@ -85,30 +126,30 @@ fn bent_files(
 fn reference(name: &str, design: &Design, masses: &MassTable, settings: &Settings) -> Result<(String, Vec<Ratio>), Failure> {
     let other = session::design(&FrameOption { frame: name.into(), rigid: None })?;
     let weighed = mass::table(&other);
-    let found = ratios((design, masses), (&other, &weighed), settings).map_err(refused)?;
+    let found = ratios((design, masses), (&other, &weighed), settings).map_err(mechanics_refused)?;
     Ok((other.frame.name.clone(), found))
 }
 
 /// Presses a frame down and writes its folder.
-pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let mut settings = Settings::load(options.mechanics.as_deref())?;
-    let path = options.calibrate.as_ref().or(options.compare.as_ref());
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let mut settings = Settings::load(args.mechanics.as_deref())?;
+    let path = args.calibrate.as_ref().or(args.compare.as_ref());
     let measured = path.map(|path| read_static_test(path)).transpose()?;
     let working = Progress::of("pressing", common);
-    let design = session::design(&options.frame)?;
+    let design = session::design(&args.frame)?;
     let masses = mass::table(&design);
-    let parts = part_models(&design, &settings).map_err(refused)?;
+    let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
     let mut calibration: Option<Calibration> = None;
-    if let Some(points) = measured.as_ref().filter(|_| options.calibrate.is_some()) {
-        let found = calibrate(&design, &parts, &masses, &settings, points).map_err(refused)?;
+    if let Some(points) = measured.as_ref().filter(|_| args.calibrate.is_some()) {
+        let found = calibrate(&design, &parts, &masses, &settings, points).map_err(mechanics_refused)?;
         settings = found.settings.clone();
         calibration = Some(found);
     }
-    let quarter = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Quarter).map_err(refused)?;
-    let curve = StaticCurve::new(&quarter, options.down, &INSIDE_MM).map_err(refused)?;
-    let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(refused)?;
-    let modes = if options.no_modes { None } else { Some(Modes::new(&whole, MODES).map_err(refused)?) };
-    let reference = options.reference.as_ref().map(|name| reference(name, &design, &masses, &settings)).transpose()?;
+    let quarter = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
+    let curve = StaticCurve::new(&quarter, args.down, &INSIDE_MM).map_err(mechanics_refused)?;
+    let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(mechanics_refused)?;
+    let modes = if args.no_modes { None } else { Some(Modes::new(&whole, MODES).map_err(mechanics_refused)?) };
+    let reference = args.reference.as_ref().map(|name| reference(name, &design, &masses, &settings)).transpose()?;
     let rms = measured.as_ref().and_then(|points| rms_n(&curve, points));
     let found = Stiffness {
         frame: &design.frame.name,
@@ -139,14 +180,14 @@ pub(super) fn stiffness(options: &StiffnessOptions, common: &Common) -> Result<E
         }
         None => "The numbers that this result was computed with.".into(),
     };
-    if let Some(bound) = Bound::new(&design, &whole).filter(|_| !options.no_pictures) {
+    if let Some(bound) = Bound::new(&design, &whole).filter(|_| !args.no_pictures) {
         files.extend(bent_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
     }
     let reduced = frame_reduction::model(&design, &masses, &quarter, &curve, &settings)?;
     files.push(("model.toml".into(), reduced.to_toml().into_bytes()));
     files.push(("mechanics.toml".into(), settings.to_toml(&remark).into_bytes()));
     drop(working);
-    let place = output::write_folder(&options.output, &format!("{}-stiffness", design.frame.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("{}-stiffness", design.frame.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {

@@ -2,7 +2,7 @@
 
 use std::io::{self, ErrorKind, Write};
 
-use super::session::Failure;
+use super::failure::Failure;
 
 /// Prints data. A reader that has gone (a closed pipe) wants no more, and is nobody's failure.
 pub(super) fn print(text: &str) -> Result<(), Failure> {

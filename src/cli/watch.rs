@@ -7,8 +7,9 @@ use std::time::{Duration, Instant};
 
 use notify::{RecursiveMode, Watcher};
 
-use super::arguments::{Common, FrameOption, WatchOptions};
-use super::session::{self, Failure};
+use super::failure::Failure;
+use super::options::{Common, FrameOption};
+use super::session;
 use super::terminal;
 use crate::checks::Verdict;
 use crate::frame::assembly::Workshop;
@@ -16,30 +17,42 @@ use crate::params::LoadError;
 use crate::report::page::diff_page;
 use crate::variant::{Difference, Evaluation, Side};
 
+/// Say at every save of a frame file what it changed.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  flexframe watch light.toml")]
+pub(super) struct Args {
+    /// Which frame: a TOML file.
+    #[command(flatten)]
+    pub frame: FrameOption,
+    /// End after so many saves.
+    #[arg(long, value_name = "N")]
+    pub saves: Option<u32>,
+}
+
 /// How long nothing has to happen before a save is over: editors write a file, or another one and rename it.
 const QUIET: Duration = Duration::from_millis(40);
 
 /// Holds the frame again at every save, with the parts that are the same as before, and says what changed; ends when it is
 /// interrupted, or after so many saves.
-pub(super) fn watch(options: &WatchOptions, common: &Common) -> Result<ExitCode, Failure> {
-    session::needs_file(&options.frame.frame, "watch a file")?;
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    session::needs_file(&args.frame.frame, "watch a file")?;
     let mut workshop = Workshop::default();
-    let (mut last, mut files) = match evaluated(&options.frame, &mut workshop) {
+    let (mut last, mut files) = match evaluated(&args.frame, &mut workshop) {
         Ok((evaluation, files)) => (Some(evaluation), files),
         Err(failure @ (Failure::Machine { .. } | Failure::Input(LoadError::Unreadable { .. }))) => return Err(failure),
         Err(failure) => {
             terminal::tell(failure.render().trim_end());
-            (None, vec![PathBuf::from(&options.frame.frame)])
+            (None, vec![PathBuf::from(&args.frame.frame)])
         }
     };
     let saves = Saves::new()?;
     let mut watched = saves.follow(Vec::new(), &files)?;
     terminal::print(&format!("{}\nwatching {}\n", last.as_ref().map_or("refused".into(), state), named(&files)))?;
     let mut count = 0;
-    while options.saves.is_none_or(|most| count < most) {
+    while args.saves.is_none_or(|most| count < most) {
         let Some(saved) = saves.next(&files) else { break };
         count += 1;
-        match evaluated(&options.frame, &mut workshop) {
+        match evaluated(&args.frame, &mut workshop) {
             Ok((evaluation, now)) => {
                 (last, files) = (Some(tell(last, evaluation, saved, common)?), now);
                 watched = saves.follow(watched, &files)?;

@@ -1,13 +1,14 @@
 //! `flexframe weigh`: printed masses by volume, by a slicer, by a scale.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::arguments::{Common, FrameOption, WeighOptions};
+use super::failure::Failure;
 use super::frame_text::{self, Line};
+use super::options::{Common, FrameOption};
 use super::progress::Progress;
-use super::session::{self, Failure};
+use super::session;
 use super::slicer::Slicer;
 use super::terminal;
 use crate::frame::assembly::{Design, mass};
@@ -17,20 +18,40 @@ use crate::params::frame_file::Value;
 use crate::printing::weighing::{Fitted, Reading, Sliced, Weighing};
 use crate::report::page::weighing_page;
 
+/// Compare what parts weigh by volume, in a slicer and on a scale, and fit the print factors to the scale.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  flexframe weigh --slicer\n  flexframe weigh measured.csv\n  flexframe weigh my-frame.toml measured.csv --slicer --into my-frame.toml\n\nReadings are a CSV table with the columns part,mass_g and, where several lay on the scale, quantity. --slicer runs\nPrusaSlicer, which has to be installed. Exit code 1 when the frame, with the fitted factors, is heavier than its limit."
+)]
+pub(super) struct Args {
+    /// A preset's name or a TOML file, and readings of a scale: a CSV table; either may be left out.
+    #[arg(num_args = 0..=2, value_names = ["FRAME", "READINGS.csv"])]
+    pub given: Vec<String>,
+    /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
+    #[arg(long, value_name = "MATERIAL")]
+    pub rigid: Option<String>,
+    /// Slice every part; another program than prusa-slicer is given as --slicer=PROGRAM.
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "prusa-slicer", value_name = "PROGRAM")]
+    pub slicer: Option<String>,
+    /// Write the fitted factors into a frame file: one that is there is amended, a new one has FRAME as its base.
+    #[arg(long, value_name = "TOML")]
+    pub into: Option<PathBuf>,
+}
+
 /// Prints the table; exits 1 when the frame is too heavy with the factors that the scale asks for.
-pub(super) fn weigh(options: &WeighOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let (frame, readings_file) = given(&options.given)?;
-    if options.into.is_some() && readings_file.is_none() {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let (frame, readings_file) = given(&args.given)?;
+    if args.into.is_some() && readings_file.is_none() {
         return Err(Failure::Usage { message: "--into writes what readings of a scale ask for: give their CSV table, too".into() });
     }
     let scale: Vec<ScaleReading> = readings_file.map(|file| read_scale(Path::new(file))).transpose()?.unwrap_or_default();
-    let slicer = options.slicer.as_deref().map(Slicer::found).transpose()?;
+    let slicer = args.slicer.as_deref().map(Slicer::found).transpose()?;
     let working = Progress::of("weighing", common);
-    let design = session::design(&FrameOption { frame: frame.into(), rigid: options.rigid.clone() })?;
+    let design = session::design(&FrameOption { frame: frame.into(), rigid: args.rigid.clone() })?;
     let sliced = slicer.as_ref().map(|slicer| slicer.all(&design)).transpose()?.unwrap_or_default();
     drop(working);
     let weighing = table(&design, &scale, &sliced, readings_file.unwrap_or_default())?;
-    if let Some(place) = &options.into {
+    if let Some(place) = &args.into {
         let lines = lines(&weighing, readings_file.unwrap_or_default());
         frame_text::amend(place, frame, "Print factors as weighed", &lines)?;
     }

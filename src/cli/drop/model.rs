@@ -1,12 +1,12 @@
-//! `flexframe drop`: a model's drops.
+//! `flexframe drop --model MODEL`: the drops of an impact model.
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, DropOptions, FrameOption};
-use super::output;
-use super::progress::Progress;
-use super::session::{self, Failure};
-use super::terminal;
+use super::arguments::Args;
+use crate::cli::failure::Failure;
+use crate::cli::options::{Common, FrameOption};
+use crate::cli::progress::Progress;
+use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
 use crate::impact::body::{Body, Origin};
 use crate::impact::effects::Model;
@@ -14,38 +14,22 @@ use crate::impact::sim::{Balance, Settings, System, Trace, simulate};
 use crate::report::chart::drop_plots;
 use crate::report::data::drop_data;
 
-/// Drop heights that are allowed, m.
-const HEIGHTS_M: [f64; 2] = [0.01, 100.0];
-/// The model that is the frame's own.
-const FRAME: &str = "frame";
-/// How many heights at once.
-const MOST_HEIGHTS: usize = 100;
-
-/// Drops a model and writes its folder.
-pub(super) fn drop(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let heights_m = heights(options)?;
-    if options.model == FRAME && !options.fit.is_empty() {
-        return super::drop_fit::drop_fit(options, common);
-    }
-    if options.model == FRAME {
-        return super::drop_frame::drop_frame(options, heights_m, common);
-    }
-    for (given, name) in
-        [(!options.fit.is_empty(), "--fit"), (!options.tilt.is_empty(), "--tilt"), (options.mechanics.is_some(), "--mechanics")]
-    {
+/// Simulates the drops of a model and writes their folder.
+pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
+    for (given, name) in [(!args.fit.is_empty(), "--fit"), (!args.tilt.is_empty(), "--tilt"), (args.mechanics.is_some(), "--mechanics")] {
         if given {
             return Err(Failure::Usage { message: format!("{name} goes with --model frame, the frame's own geometry") });
         }
     }
-    let mut model = Model::load(&options.model)?;
+    let mut model = Model::load(&args.model)?;
     let working = Progress::of("dropping", common);
-    if let Some(frame) = &options.frame {
-        let design = session::design(&FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })?;
+    if let Some(frame) = &args.frame {
+        let design = session::design(&FrameOption { frame: frame.clone(), rigid: args.rigid.clone() })?;
         model.body = Body::of(&design, &mass::table(&design));
     }
     let system = System::new(&model);
     let traces: Vec<Trace> = heights_m.iter().map(|height_m| simulate(&system, *height_m, &Settings::REPORT)).collect();
-    let json = drop_data::json(&model, &traces, options.trace);
+    let json = drop_data::json(&model, &traces, args.trace);
     let mut files = drop_plots::plots(&model, &traces)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
     files.push(("results.csv".into(), drop_data::results_csv(&traces).into_bytes()));
@@ -53,25 +37,14 @@ pub(super) fn drop(options: &DropOptions, common: &Common) -> Result<ExitCode, F
     files.push(("samples.csv".into(), drop_data::samples_csv(&model, &traces).into_bytes()));
     files.push(("model.toml".into(), model.to_toml().into_bytes()));
     files.push(("drop.json".into(), format!("{json:#}\n").into_bytes()));
-    std::mem::drop(working);
-    let place = output::write_folder(&options.output, &folder(&model), &files)?;
+    drop(working);
+    let place = output::write_folder(&args.output, &folder(&model), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
         terminal::print(&format!("{}{}: {} files\n", table(&model, &traces), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-fn heights(options: &DropOptions) -> Result<&[f64], Failure> {
-    let [min, max] = HEIGHTS_M;
-    if options.height.len() > MOST_HEIGHTS {
-        return Err(Failure::Usage { message: format!("--height takes at most {MOST_HEIGHTS} heights") });
-    }
-    match options.height.iter().find(|height| !(min..=max).contains(*height)) {
-        Some(height) => Err(Failure::Usage { message: format!("--height {height} is out of bounds: give {min} to {max} m") }),
-        None => Ok(&options.height),
-    }
 }
 
 fn folder(model: &Model) -> String {

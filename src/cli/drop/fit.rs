@@ -2,14 +2,13 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, DropOptions};
-use super::drop_frame::frame;
-use super::measure::calibration;
-use super::output;
-use super::progress::Progress;
-use super::session::{self, Failure};
-use super::stiffness::refused;
-use super::terminal;
+use super::arguments::Args;
+use super::frame::frame;
+use crate::cli::failure::{Failure, mechanics_refused};
+use crate::cli::measure::calibration;
+use crate::cli::options::Common;
+use crate::cli::progress::Progress;
+use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
 use crate::impact::frame_fit::{Height, Subject, Surface, fit};
 use crate::impact::measured;
@@ -20,19 +19,19 @@ use crate::report::data::impact_fit_data;
 use crate::report::data::impact_fit_data::Fitted;
 
 /// Fits a frame's own model to drops and writes its folder.
-pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let frame = frame(options)?;
-    let settings = Settings::load(options.mechanics.as_deref())?;
-    let set = measured::read(&options.fit, &calibration(&options.calibration)?)?;
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let frame = frame(args)?;
+    let settings = Settings::load(args.mechanics.as_deref())?;
+    let set = measured::read(&args.fit, &calibration(&args.calibration)?)?;
     let heights = heights(&set)?;
     let working = Progress::of("fitting", common);
     let design = session::design(&frame)?;
     let masses = mass::table(&design);
-    let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
+    let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let subject = Subject { model: &model, settings: &settings };
     let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
-    let surface = Surface::new(&subject, &heights_m).map_err(refused)?;
-    let found = fit(&subject, surface, &heights).map_err(refused)?;
+    let surface = Surface::new(&subject, &heights_m).map_err(mechanics_refused)?;
+    let found = fit(&subject, surface, &heights).map_err(mechanics_refused)?;
     let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
     let json = impact_fit_data::json(&fitted);
     let files = [
@@ -41,7 +40,7 @@ pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCod
         ("mechanics.toml".into(), found.settings.to_toml(&impact_fit_data::remark(&fitted)).into_bytes()),
     ];
     drop(working);
-    let place = output::write_folder(&options.output, &format!("drop-fit-{}", design.frame.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("drop-fit-{}", design.frame.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {

@@ -2,13 +2,12 @@
 
 use std::process::ExitCode;
 
-use super::arguments::{Common, DropOptions, FrameOption};
-use super::output;
-use super::progress::Progress;
-use super::session::{self, Failure};
-use super::stiffness::refused;
-use super::terminal;
+use super::arguments::Args;
 use crate::checks;
+use crate::cli::failure::{Failure, mechanics_refused};
+use crate::cli::options::{Common, FrameOption};
+use crate::cli::progress::Progress;
+use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::part_models;
@@ -26,37 +25,37 @@ use crate::units::Angle;
 const MOST_TILT_DEG: f64 = 30.0;
 
 /// The frame that is dropped.
-pub(super) fn frame(options: &DropOptions) -> Result<FrameOption, Failure> {
-    let Some(frame) = &options.frame else {
+pub(super) fn frame(args: &Args) -> Result<FrameOption, Failure> {
+    let Some(frame) = &args.frame else {
         return Err(Failure::Usage { message: "--model frame needs a frame: flexframe drop cognifly --model frame".into() });
     };
-    Ok(FrameOption { frame: frame.clone(), rigid: options.rigid.clone() })
+    Ok(FrameOption { frame: frame.clone(), rigid: args.rigid.clone() })
 }
 
 /// Drops a frame's own model and writes its folder.
-pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
-    let frame = frame(options)?;
-    let settings = Settings::load(options.mechanics.as_deref())?;
+pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
+    let frame = frame(args)?;
+    let settings = Settings::load(args.mechanics.as_deref())?;
     let working = Progress::of("dropping", common);
     let design = session::design(&frame)?;
     let masses = mass::table(&design);
-    let parts = part_models(&design, &settings).map_err(refused)?;
-    let tilt = tilt(options)?;
-    let extent = if options.tilt.iter().any(|degrees| *degrees != 0.0) { Extent::Whole } else { Extent::Quarter };
-    let model = FrameModel::of_parts(&design, &parts, &masses, &settings, extent).map_err(refused)?;
-    let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run { tilt, ..Run::default() }).map_err(refused);
+    let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
+    let tilt = tilt(args)?;
+    let extent = if args.tilt.iter().any(|degrees| *degrees != 0.0) { Extent::Whole } else { Extent::Quarter };
+    let model = FrameModel::of_parts(&design, &parts, &masses, &settings, extent).map_err(mechanics_refused)?;
+    let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run { tilt, ..Run::default() }).map_err(mechanics_refused);
     let impacts = heights_m.iter().map(drop).collect::<Result<Vec<_>, _>>()?;
     let level = extent == Extent::Quarter;
     let gap_mm = checks::ground_clearance(&design, &masses).filter(|_| level).map(|ground| ground.clearance_mm);
-    let tilt_deg = <[f64; 2]>::try_from(options.tilt.as_slice()).unwrap_or_default();
+    let tilt_deg = <[f64; 2]>::try_from(args.tilt.as_slice()).unwrap_or_default();
     let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, gap_mm, tilt_deg, impacts: &impacts };
-    let json = impact_data::json(&found, options.trace);
+    let json = impact_data::json(&found, args.trace);
     let mut files = impact_plots::plots(&found)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
     files.push(("trace.csv".into(), impact_data::trace_csv(&found).into_bytes()));
     files.push(("impact.json".into(), format!("{json:#}\n").into_bytes()));
     if let Some(highest) = impacts.iter().max_by(|a, b| a.height_m.total_cmp(&b.height_m)) {
-        let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(refused)?;
+        let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(mechanics_refused)?;
         let bound = Bound::new(&design, &whole);
         for (t_ms, state) in highest.states.iter().step_by(2) {
             let Some(bound) = &bound else { continue };
@@ -65,7 +64,7 @@ pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Comm
         }
     }
     std::mem::drop(working);
-    let place = output::write_folder(&options.output, &format!("drop-frame-{}", design.frame.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("drop-frame-{}", design.frame.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
@@ -75,8 +74,8 @@ pub(super) fn drop_frame(options: &DropOptions, heights_m: &[f64], common: &Comm
 }
 
 /// How the frame is turned when it touches.
-fn tilt(options: &DropOptions) -> Result<[Angle; 2], Failure> {
-    match options.tilt[..] {
+fn tilt(args: &Args) -> Result<[Angle; 2], Failure> {
+    match args.tilt[..] {
         [] => Ok([Angle::deg(0.0); 2]),
         [x, y] if x.abs() <= MOST_TILT_DEG && y.abs() <= MOST_TILT_DEG => Ok([Angle::deg(x), Angle::deg(y)]),
         _ => Err(Failure::Usage {

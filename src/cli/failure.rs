@@ -1,0 +1,55 @@
+//! Why a command did not do its work, what a person reads of it, and what the shell is told.
+
+use std::io;
+
+use crate::impact::measured::Malformed;
+use crate::params::LoadError;
+
+/// Why a command did not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// Input or usage is wrong.
+    #[error(transparent)]
+    Input(#[from] LoadError),
+    /// A measured record is wrong.
+    #[error(transparent)]
+    Records(#[from] Malformed),
+    /// A value on the command line is wrong.
+    #[error("{message}")]
+    Usage {
+        /// What, and what to do.
+        message: String,
+    },
+    /// The machine failed: a disk, a permission.
+    #[error("{what}: {error}")]
+    Machine {
+        /// What was being done.
+        what: String,
+        /// What the system said.
+        error: io::Error,
+    },
+}
+
+impl Failure {
+    /// The exit code that tells a shell of it.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
+            Self::Machine { .. } => 3,
+        }
+    }
+
+    /// What a person reads.
+    pub fn render(&self) -> String {
+        match self {
+            Self::Input(LoadError::Refused(refusal)) => refusal.render(),
+            Self::Records(malformed) => format!("error: {malformed}\nhelp: {}\n", malformed.fault.remedy()),
+            other => format!("error: {other}\n"),
+        }
+    }
+}
+
+/// A failure of the model, as the user has to be told it.
+pub(super) fn mechanics_refused(error: impl std::fmt::Display) -> Failure {
+    Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
+}

@@ -1,0 +1,58 @@
+//! Options that several commands share.
+
+use clap::Args;
+
+/// Options of every command.
+#[derive(Debug, Args)]
+pub(super) struct Common {
+    /// Say nothing but errors.
+    #[arg(short, long, global = true)]
+    pub quiet: bool,
+    /// Print the result as JSON.
+    #[arg(long, global = true)]
+    pub json: bool,
+}
+
+/// Which frame.
+#[derive(Debug, Args)]
+pub(super) struct FrameOption {
+    /// A preset's name or a TOML file.
+    #[arg(default_value = "cognifly")]
+    pub frame: String,
+    /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
+    #[arg(long, value_name = "MATERIAL")]
+    pub rigid: Option<String>,
+}
+
+/// Whether a frame's own mechanics are asked.
+#[derive(Debug, Args)]
+pub(super) struct MechanicsOption {
+    /// Ask the frame's own mechanics, too, a second or two a frame: stiffness, and payload, travel, strains and rods in the design drop.
+    #[arg(long)]
+    pub strength: bool,
+    /// With --strength: numbers of the mechanics instead of those that come with the program.
+    #[arg(long, value_name = "TOML", requires = "strength")]
+    pub mechanics: Option<String>,
+}
+
+/// How the logger counts.
+#[derive(Debug, Args)]
+pub(super) struct CalibrationOptions {
+    /// Counts of the logger at 0 g, instead of those of the paper's.
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    pub offset_counts: Option<Vec<f64>>,
+    /// Counts of the logger to one g, instead of those of the paper's.
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    pub counts_per_g: Option<Vec<f64>>,
+}
+
+/// How a comparison is said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum PageFormat {
+    /// A table for a person.
+    Text,
+    /// Everything.
+    Json,
+    /// A page for a pull request.
+    Markdown,
+}
