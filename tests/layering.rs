@@ -112,7 +112,7 @@ const CONFINED: [(&str, &str); 41] = [
     ("glob::", "cli"),
     ("notify::", "cli"),
     ("Command::new", "cli"),
-    ("faer::", "mechanics"),
+    ("amd::", "mechanics"),
     ("toml_edit", "cli"),
     ("statrs", "weighing mechanics impact_fit"),
     ("clap", "cli"),

@@ -14,6 +14,7 @@ pub mod frame_model;
 pub mod impact;
 mod joint_plans;
 mod landing;
+mod ldlt;
 pub mod memory;
 pub mod modes;
 pub mod parts_plan;
