@@ -1,17 +1,10 @@
 //! The B-rep kernel: exact solids of the features that need no boolean.
 
 use nalgebra::{Isometry3, Point2};
-use truck_meshalgo::prelude::*;
-use truck_modeling::{Curve, Matrix4, Point3, Rad, Solid, Vector3, Wire, builder};
+use truck_modeling::{BoundedCurve, Curve, Matrix4, ParametricCurve, Point3, Rad, Shell, ShellCondition, Solid, Vector3, Wire, builder};
 
 use super::feature::Feature;
 use super::profile::{Contour, Profile, Segment};
-
-/// Chord error of the mesh from which a B-rep's volume is summed, mm.
-const VOLUME_CHORD_MM: f64 = 0.01;
-
-/// Chord error of the mesh whose edges are matched, mm; edges match or not at any chord, and matching takes long.
-const CLOSED_CHORD_MM: f64 = 0.05;
 
 /// Pieces of an edge over which its enclosed area is summed, each by a Gauss rule of two points: an arc of half a turn
 /// is right to 1e-9 of its area.
@@ -21,8 +14,7 @@ const AREA_PIECES: u32 = 64;
 #[derive(Clone, Debug)]
 pub struct Brep {
     solid: Solid,
-    /// Volume where it follows from the swept face, mm³.
-    swept_mm3: Option<f64>,
+    volume_mm3: f64,
 }
 
 impl Brep {
@@ -37,17 +29,22 @@ impl Brep {
         &self.solid
     }
 
-    /// Volume, mm³: of a sweep by its face's edges, else within a chord error of 0.01 mm.
+    /// Volume, mm³: of a sweep by its face's edges, of a ball by the formula.
     pub fn volume_mm3(&self) -> f64 {
-        self.swept_mm3.unwrap_or_else(|| self.solid.triangulation(VOLUME_CHORD_MM).to_polygon().volume())
+        self.volume_mm3
     }
 
-    /// Whether the boundary is one closed shell without a crack.
+    /// Whether the boundary is one closed shell without a crack: every edge joins two faces that run it in opposite directions,
+    /// no two parts of the shell meet in a single vertex, every edge ends in its vertices and lies in the surfaces beside it.
     pub fn is_closed(&self) -> bool {
-        let mut mesh = self.solid.triangulation(CLOSED_CHORD_MM).to_polygon();
-        mesh.put_together_same_attrs(1e-6);
-        mesh.shell_condition() == ShellCondition::Closed
+        let [shell] = &self.solid.boundaries()[..] else { return false };
+        is_whole(shell) && self.solid.is_geometric_consistent()
     }
+}
+
+/// Whether the faces of a shell are joined without a gap, an overhang or a pinched vertex.
+fn is_whole(shell: &Shell) -> bool {
+    shell.shell_condition() == ShellCondition::Closed && shell.is_connected() && shell.singular_vertices().is_empty()
 }
 
 fn build(feature: &Feature) -> Option<Brep> {
@@ -56,7 +53,7 @@ fn build(feature: &Feature) -> Option<Brep> {
         Feature::Cylinder { radius_mm, height_mm } | Feature::Bore { radius_mm, height_mm } => {
             extruded(&Profile::new(Contour::circle([0.0, 0.0], *radius_mm)), *height_mm)
         }
-        Feature::Sphere { radius_mm } => Some(Brep { solid: sphere(*radius_mm), swept_mm3: None }),
+        Feature::Sphere { radius_mm } => Some(ball(*radius_mm)),
         Feature::Placed { pose, of } => build(of).map(|brep| Brep { solid: builder::transformed(&brep.solid, matrix(pose)), ..brep }),
         Feature::Union(of) if of.len() == 1 => build(&of[0]),
         Feature::Difference { base, cuts } if cuts.is_empty() => build(base),
@@ -72,7 +69,7 @@ fn extruded(profile: &Profile, height_mm: f64) -> Option<Brep> {
     // A sweep along the face's normal must leave the bottom face looking down.
     let solid = builder::tsweep(&face, Vector3::unit_z() * height_mm);
     let area_mm2: f64 = wires.iter().flat_map(|wire| wire.edge_iter()).map(|edge| area_beside(&edge.oriented_curve())).sum();
-    Some(Brep { solid, swept_mm3: Some(area_mm2.abs() * height_mm) })
+    Some(Brep { solid, volume_mm3: area_mm2.abs() * height_mm })
 }
 
 /// Area between the origin and a curve of the xy plane, mm², positive when it runs counter-clockwise.
@@ -92,12 +89,12 @@ fn area_beside(curve: &Curve) -> f64 {
         .sum()
 }
 
-fn sphere(radius_mm: f64) -> Solid {
+fn ball(radius_mm: f64) -> Brep {
     let top = builder::vertex(Point3::new(0.0, 0.0, radius_mm));
     let bottom = builder::vertex(Point3::new(0.0, 0.0, -radius_mm));
     let meridian: Wire = vec![builder::circle_arc(&top, &bottom, Point3::new(radius_mm, 0.0, 0.0))].into();
     let shell = builder::cone(&meridian, Vector3::unit_z(), Rad(std::f64::consts::TAU));
-    Solid::new(vec![shell])
+    Brep { solid: Solid::new(vec![shell]), volume_mm3: 4.0 / 3.0 * std::f64::consts::PI * radius_mm.powi(3) }
 }
 
 /// A contour as edges in the xy plane, counter-clockwise or clockwise.
@@ -201,6 +198,34 @@ mod tests {
             let mesh = MeshSolid::build(&feature).volume_mm3();
             assert!((mesh / exact - 1.0).abs() < chord_error, "{mesh} {exact}");
         }
+    }
+
+    #[test]
+    fn analytic_a_ball_is_closed_and_has_its_volume() {
+        let brep = Brep::build(&Feature::sphere(3.0).at(1.0, 2.0, 3.0)).expect("no boolean in it");
+        assert!(brep.is_closed());
+        assert!((brep.volume_mm3() / (36.0 * std::f64::consts::PI) - 1.0).abs() < 1e-15, "{}", brep.volume_mm3());
+    }
+
+    #[test]
+    fn analytic_a_missing_face_an_open_corner_and_a_strayed_edge_are_cracks() {
+        let built = || Brep::build(&plate()).expect("no boolean in it");
+        let mut missing = built();
+        let mut shell = missing.solid.boundaries()[0].clone();
+        shell.pop();
+        missing.solid = Solid::new_unchecked(vec![shell]);
+        assert!(!missing.is_closed());
+        let corner = built();
+        let vertex = corner.solid.vertex_iter().next().expect("a plate has vertices");
+        vertex.set_point(vertex.point() + Vector3::unit_z() * 1e-3);
+        assert!(!corner.is_closed());
+        let strayed = built();
+        let edge = strayed.solid.edge_iter().next().expect("a plate has edges");
+        let (front, back) = (edge.absolute_front().point(), edge.absolute_back().point());
+        let aside = builder::vertex(front + (back - front) * 0.5 + Vector3::new(0.3, -0.2, 0.1));
+        let bulge = builder::circle_arc(&builder::vertex(front), &builder::vertex(back), aside.point());
+        edge.set_curve(bulge.curve());
+        assert!(!strayed.is_closed());
     }
 
     #[test]

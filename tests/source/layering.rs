@@ -139,7 +139,7 @@ const CONFINED: [(&str, &str); 41] = [
     ("glob::", "cli"),
     ("notify::", "cli"),
     ("Command::new", "cli"),
-    ("faer::", "mechanics"),
+    ("amd::", "mechanics"),
     ("toml_edit", "cli"),
     ("statrs", "printing/weighing mechanics impact/frame_fit"),
     ("clap", "cli"),

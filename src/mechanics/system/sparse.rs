@@ -1,33 +1,16 @@
 //! A symmetric sparse matrix whose pattern stays while its values change, and its factorisation L D Lᵀ.
 //!
-//! The factorisation is [`faer`]'s, on one thread, so that the same values give the same bits. It is not Cholesky's: past a
-//! limit point the tangent is indefinite. There is no pivoting; a pivot of nothing at all shows as a number that is none.
+//! It is not Cholesky's: past a limit point the tangent is indefinite. There is no pivoting; a pivot of nothing at all is an error.
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LdltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
-};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{Conj, MatMut, Par, Side};
+pub use super::ldlt::SparseError;
+use super::ldlt::{Factors, Ldlt};
 
 /// An entry that is left out of the matrix.
 pub const NOWHERE: usize = usize::MAX;
 
-/// Why a matrix cannot be used.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SparseError {
-    /// The pattern was refused.
-    #[error("the pattern of the stiffness matrix was refused: {0}")]
-    Pattern(String),
-    /// A pivot is no number.
-    #[error("the stiffness matrix is singular: something can move without resistance")]
-    Singular,
-}
-
 /// Where the entries of groups of unknowns stand in the values of the lower triangle.
 pub struct Pattern {
-    matrix: SymbolicSparseColMat<usize>,
-    symbolic: SymbolicCholesky<usize>,
+    ldlt: Ldlt,
     columns: Vec<usize>,
     rows: Vec<usize>,
 }
@@ -51,10 +34,7 @@ impl Pattern {
             rows.extend_from_slice(column);
             columns.push(rows.len());
         }
-        let matrix = SymbolicSparseColMat::new_checked(size, size, columns.clone(), None, rows.clone());
-        let symbolic = factorize_symbolic_cholesky(matrix.as_ref(), Side::Lower, SymmetricOrdering::Amd, CholeskySymbolicParams::default())
-            .map_err(|error| SparseError::Pattern(error.to_string()))?;
-        Ok(Self { matrix, symbolic, columns, rows })
+        Ok(Self { ldlt: Ldlt::new(&columns, &rows)?, columns, rows })
     }
 
     /// How many values a matrix has.
@@ -95,64 +75,30 @@ impl Pattern {
     /// The factors of a matrix.
     ///
     /// # Errors
-    /// When a pivot is no number.
+    /// When a pivot is nothing or no number.
     pub fn factorise(&self, values: &[f64], work: &mut Work) -> Result<(), SparseError> {
-        let matrix = SparseColMatRef::new(self.matrix.as_ref(), values);
-        let stack = MemStack::new(&mut work.memory);
-        let factors = self.symbolic.factorize_numeric_ldlt(
-            &mut work.factors,
-            matrix,
-            Side::Lower,
-            Default::default(),
-            Par::Seq,
-            stack,
-            Default::default(),
-        );
-        factors.map_err(|_| SparseError::Singular)?;
-        let sound = work.factors.iter().all(|value| value.is_finite());
-        if sound { Ok(()) } else { Err(SparseError::Singular) }
+        self.ldlt.factorise(values, &mut work.factors)
     }
 
     /// Solves in place, with factors made before.
     pub fn solve(&self, work: &mut Work, rhs: &mut [f64]) {
-        let stack = MemStack::new(&mut work.memory);
-        let size = rhs.len();
-        let rhs = MatMut::from_column_major_slice_mut(rhs, size, 1);
-        LdltRef::new(&self.symbolic, &work.factors).solve_in_place_with_conj(Conj::No, rhs, Par::Seq, stack);
+        self.ldlt.solve(&mut work.factors, rhs);
     }
 
     /// Room for factorising and solving.
     pub fn work(&self) -> Work {
-        let need = self
-            .symbolic
-            .factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default())
-            .or(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
-        Work { factors: vec![0.0; self.symbolic.len_val()], memory: MemBuffer::new(need) }
+        Work { factors: self.ldlt.factors() }
     }
 
     /// How many directions the factorised matrix gives way in: negative pivots (J. J. Sylvester's law of inertia).
     pub fn negative_pivots(&self, work: &Work) -> usize {
-        match self.symbolic.raw() {
-            SymbolicCholeskyRaw::Simplicial(factor) => {
-                (0..factor.ncols()).filter(|column| work.factors[factor.col_ptr()[*column]] < 0.0).count()
-            }
-            SymbolicCholeskyRaw::Supernodal(symbolic) => {
-                let factor = faer::sparse::linalg::cholesky::supernodal::SupernodalLdltRef::new(symbolic, &work.factors);
-                let of = |block: usize| {
-                    let pivots = factor.supernode(block);
-                    let pivots = pivots.val();
-                    (0..pivots.ncols()).filter(|at| pivots[(*at, *at)] < 0.0).count()
-                };
-                (0..symbolic.n_supernodes()).map(of).sum()
-            }
-        }
+        work.factors.negative_pivots()
     }
 }
 
 /// Room for factorising and solving, and the factors.
 pub struct Work {
-    factors: Vec<f64>,
-    memory: MemBuffer,
+    factors: Factors,
 }
 
 #[cfg(test)]
@@ -177,5 +123,54 @@ mod tests {
         pattern.solve(&mut work, &mut b);
         assert!(b.iter().zip(x).all(|(a, b)| (a - b).abs() < 1e-13), "{b:?}");
         assert_eq!(pattern.negative_pivots(&work), 1);
+    }
+
+    /// Nodes of six unknowns in a closed grid, some unknowns held, diagonals of both signs.
+    fn grid(across: usize, along: usize) -> (Pattern, Vec<f64>) {
+        let size = 6 * across * along - 1;
+        let unknowns = |a: usize, b: usize| {
+            let node = a % across + across * (b % along);
+            (6 * node..6 * node + 6).map(|at| if at < size { at } else { NOWHERE }).collect::<Vec<_>>()
+        };
+        let nodes = (0..across).flat_map(|a| (0..along).map(move |b| (a, b)));
+        let groups: Vec<_> =
+            nodes.flat_map(|(a, b)| [(a + 1, b), (a, b + 1)].map(|(c, d)| [unknowns(a, b), unknowns(c, d)].concat())).collect();
+        let pattern = Pattern::new(size, &groups).expect("is a pattern");
+        let mut values: Vec<f64> = (0..pattern.values()).map(|at| libm::sin(at as f64)).collect();
+        for at in 0..size {
+            values[pattern.place(at, at)] += if at % 7 < 2 { -20.0 } else { 20.0 };
+        }
+        (pattern, values)
+    }
+
+    #[test]
+    fn analytic_pivots_have_the_signs_of_the_eigenvalues_and_solutions_their_residual() {
+        for (across, along) in [(1, 1), (1, 9), (3, 4), (5, 7)] {
+            let (pattern, values) = grid(across, along);
+            let size = pattern.size();
+            let x: Vec<f64> = (0..size).map(|at| libm::cos(2.0 * at as f64)).collect();
+            let mut work = pattern.work();
+            // Twice, since what the first leaves behind must not matter.
+            for _ in 0..2 {
+                pattern.factorise(&values, &mut work).expect("is regular");
+                let mut b = pattern.times(&values, &x);
+                pattern.solve(&mut work, &mut b);
+                assert!(b.iter().zip(&x).all(|(a, b)| (a - b).abs() < 1e-12), "{across} by {along}");
+            }
+            let entry = |a, b| values.get(pattern.place(a, b)).copied().unwrap_or(0.0);
+            let eigenvalues = nalgebra::DMatrix::from_fn(size, size, entry).symmetric_eigenvalues();
+            let negative = eigenvalues.iter().filter(|value| **value < 0.0).count();
+            assert!(negative > 0 && negative < size);
+            assert_eq!(pattern.negative_pivots(&work), negative, "{across} by {along}");
+        }
+    }
+
+    #[test]
+    fn analytic_a_matrix_without_resistance_is_singular() {
+        let pattern = Pattern::new(2, &[vec![0, 1]]).expect("is a pattern");
+        let mut work = pattern.work();
+        assert_eq!(pattern.factorise(&[1.0, 2.0, 4.0], &mut work), Err(SparseError::Singular));
+        assert_eq!(pattern.factorise(&[f64::NAN, 2.0, 4.0], &mut work), Err(SparseError::Singular));
+        assert_eq!(pattern.factorise(&[1.0, 2.0, 5.0], &mut work), Ok(()));
     }
 }
