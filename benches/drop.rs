@@ -5,7 +5,7 @@ use flexframe::impact::effects::Model;
 use flexframe::impact::sim::{Settings, System, simulate, wave};
 use std::hint::black_box;
 
-#[path = "../tests/impact/mod.rs"]
+#[path = "../tests/impact/bodies/mod.rs"]
 #[allow(dead_code)]
 mod impact;
 

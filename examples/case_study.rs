@@ -4,7 +4,7 @@
 //! are not part of the repository: they are read from `crash_landing` in that folder (default `../shared/data`), and only
 //! figures are written down.
 
-#[path = "../tests/case/mod.rs"]
+#[path = "../tests/impact/case/mod.rs"]
 mod case;
 
 use std::path::Path;

@@ -5,7 +5,7 @@
 //! what was measured on them, and what they look like, is written down.
 
 #[allow(dead_code)] // The tests use the rest of it.
-#[path = "../tests/real/mod.rs"]
+#[path = "../tests/frame/real/mod.rs"]
 mod real;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -4,7 +4,7 @@
 //! are not part of the repository: they are read from `crash_landing` in that folder (default `../shared/data`), and only
 //! figures are written down.
 
-#[path = "../tests/paper/mod.rs"]
+#[path = "../tests/impact/paper/mod.rs"]
 #[allow(dead_code)] // The tests use the rest of it.
 mod paper;
 

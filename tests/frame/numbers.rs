@@ -1,7 +1,6 @@
 //! What takes numbers, given many: units, closure, the mass table, and the readers of files.
 
-mod common;
-
+use crate::common;
 use std::collections::BTreeMap;
 
 use flexframe::frame::assembly::{Body, Design, mass};

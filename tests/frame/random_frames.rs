@@ -1,7 +1,6 @@
 //! Random parameter sets, valid and invalid, with fixed seeds.
 
-mod common;
-
+use crate::common;
 use std::collections::BTreeMap;
 use std::process::Command;
 

@@ -4,13 +4,10 @@
 //! Those files carry no licence and are not part of the repository: they are read where FLEXFRAME_DATA says (default
 //! `../shared/data`, beside the project), and without them this test says so and passes.
 
-#[allow(dead_code)] // Each test uses its share of it.
-mod real;
-
 use std::io::Write;
 
+use crate::real::{figures, ours, scan};
 use flexframe::solid::MeshSolid;
-use real::{figures, ours, scan};
 
 /// Least overlap of a part with the real one: shared volume over the volume of both together.
 const LEAST_OVERLAP: f64 = 0.85;

@@ -51,7 +51,7 @@ struct SocketFigure {
 }
 
 fn reference() -> Reference {
-    toml::from_str(include_str!("reference/skeleton.toml")).expect("the table is valid")
+    toml::from_str(include_str!("../reference/skeleton.toml")).expect("the table is valid")
 }
 
 fn frame() -> Frame {

@@ -1,10 +1,8 @@
 //! The paper's measured figures and fits, on that part of its records which is at hand.
 
-#[allow(dead_code)] // The example uses the rest of it.
-mod paper;
-
+use crate::paper;
+use crate::paper::{figures, fits, measured, model};
 use flexframe::impact::effects::{Channel, GRAVITY_M_S2};
-use paper::{figures, fits, measured, model};
 
 /// Whether the records are there; says loudly when they are not.
 fn is_there(test: &str) -> bool {
@@ -20,7 +18,7 @@ fn regress_the_page_is_what_the_program_gives() {
     if !is_there("docs/reproduction.md") {
         return;
     }
-    let kept = include_str!("../docs/reproduction.md");
+    let kept = include_str!("../../docs/reproduction.md");
     assert!(paper::page() == kept, "docs/reproduction.md is out of date: cargo run --release --example reproduction");
 }
 

@@ -1,7 +1,6 @@
 //! The fold sequence: its order, its checker, its closure, and the animation that shows it.
 
-mod common;
-
+use crate::common;
 use std::collections::BTreeMap;
 
 use flexframe::export::{fold_glb, glb, stl};

@@ -1,8 +1,7 @@
 //! The real drops diagnosed: the traps in them are not fallen for.
 
-mod case;
-
-use case::Study;
+use crate::case;
+use crate::case::Study;
 use flexframe::impact::diagnose::Verdict;
 
 /// Whether the records are there; says loudly when they are not.
@@ -40,6 +39,6 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     let after = &study.judged.after.held_out;
     assert!(after.records_g <= 1.1 * after.template_g, "{after:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    let kept = include_str!("../docs/case-study.md");
+    let kept = include_str!("../../docs/case-study.md");
     assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");
 }

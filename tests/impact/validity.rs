@@ -1,8 +1,6 @@
 //! Every effect that can be used where it does not hold says so, and only there.
 
-#[allow(dead_code)]
-mod impact;
-
+use crate::bodies;
 use flexframe::impact::effects::Model;
 use flexframe::impact::sim::{Outside, Settings, System, simulate};
 
@@ -35,14 +33,14 @@ fn planted_effects_beyond_their_validity_are_marked() {
         ("air_drag", &[0.5], 1.0, "more drag"),
     ];
     for (effect, values, height_m, says) in cases {
-        let model = if values.is_empty() { impact::base() } else { impact::model(&[(effect, values)]) };
+        let model = if values.is_empty() { bodies::base() } else { bodies::model(&[(effect, values)]) };
         let found = reasons(&model, effect, height_m);
         match says {
             "" => assert!(found.is_empty(), "{effect}: {found:?}"),
             says => assert!(found.len() == 1 && found[0].contains(says), "{effect}: {found:?}"),
         }
     }
-    assert!(reasons(&impact::model(&[("foot_stagger", &[20.0])]), "foot_stagger", 0.1)[0].contains("last foot"));
+    assert!(reasons(&bodies::model(&[("foot_stagger", &[20.0])]), "foot_stagger", 0.1)[0].contains("last foot"));
 }
 
 #[test]
@@ -61,7 +59,7 @@ fn analytic_effects_within_their_validity_are_not_marked() {
         ("air_drag", &[0.05]),
     ];
     for (effect, values) in within {
-        let model = if values.is_empty() { impact::base() } else { impact::model(&[(effect, values)]) };
+        let model = if values.is_empty() { bodies::base() } else { bodies::model(&[(effect, values)]) };
         assert_eq!(reasons(&model, effect, 0.5), Vec::<String>::new(), "{effect}");
     }
 }

@@ -1,11 +1,8 @@
 //! Each effect against a closed form or against another integrator; off means off; energies; order of convergence.
 
-#[allow(dead_code)]
-mod impact;
-
+use crate::bodies::{C, G, K, MASS_KG, Table, base, model, reference};
 use flexframe::impact::effects::{CATALOGUE, Model, by_id};
 use flexframe::impact::sim::{Balance, Outside, Settings, Stop, System, Trace, simulate, wave};
-use impact::{C, G, K, MASS_KG, Table, base, model, reference};
 
 /// Each effect that acts after first touch at a plain strength, and until when the second writing of it holds, s.
 const CASES: [(&str, &[f64], f64); 13] = [

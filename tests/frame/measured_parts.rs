@@ -5,11 +5,8 @@
 //! assembled are in `measured_skeleton.rs`; heights in the assembly, the battery's fit and the gap between the magnets are
 //! measured next to the parts (`src/parts/centre.rs`, `battery_sleeve.rs`, `battery_lid.rs`).
 
-#[allow(dead_code)] // Each test uses its share of it.
-mod real;
-
+use crate::real::{figures, ours};
 use flexframe::params::PartName;
-use real::{figures, ours};
 
 /// Sides of the bounding box are held to this, mm.
 const BOX_MM: f64 = 1.0;

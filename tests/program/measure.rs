@@ -1,13 +1,12 @@
 //! `flexframe measure` and `flexframe fit` from outside.
 
-mod drops;
-
+use crate::drops;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use crate::drops::Seen;
 use assert_cmd::cargo::cargo_bin;
-use drops::Seen;
 use serde_json::Value;
 
 fn run(command: &str, folder: &Path, arguments: &[&str]) -> Output {

@@ -1,8 +1,6 @@
 //! Random models within all bounds: never a panic, a hang or a number that is none; energies balance.
 
-#[allow(dead_code)]
-mod impact;
-
+use crate::bodies;
 use flexframe::impact::effects::{CATALOGUE, Model};
 use flexframe::impact::sim::{Settings, Stop, System, simulate, wave};
 use proptest::prelude::*;
@@ -17,7 +15,7 @@ fn models() -> Vec<(Model, f64)> {
     let mut drawn = |low: f64, high: f64| (low..=high).new_tree(&mut runner).expect("no filter").current();
     let mut models = Vec::new();
     for number in 0..MODELS {
-        let mut model = impact::base();
+        let mut model = bodies::base();
         model.body.gap_m = drawn(0.0, 0.03);
         model.sensor.order = 1 + number % 3;
         for spec in CATALOGUE {

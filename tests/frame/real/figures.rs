@@ -49,7 +49,7 @@ pub fn parts() -> Vec<RealPart> {
     struct Table {
         parts: Vec<RealPart>,
     }
-    toml::from_str::<Table>(include_str!("../reference/parts.toml")).expect("the table of parts is valid").parts
+    toml::from_str::<Table>(include_str!("../../reference/parts.toml")).expect("the table of parts is valid").parts
 }
 
 /// A functional dimension of a part.
@@ -77,5 +77,5 @@ impl Dimension {
 
 /// Functional dimensions, part by part.
 pub fn dimensions() -> BTreeMap<PartName, Vec<Dimension>> {
-    toml::from_str(include_str!("../reference/dimensions.toml")).expect("the table of dimensions is valid")
+    toml::from_str(include_str!("../../reference/dimensions.toml")).expect("the table of dimensions is valid")
 }

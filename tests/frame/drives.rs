@@ -3,8 +3,7 @@
 //! `tests/reference/drives.txt` has a line for each parameter: the step by which the default frame is changed, and what
 //! follows. The printed parts that follow are exactly those of the parameter's `drives`.
 
-mod common;
-
+use crate::common;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
@@ -83,7 +82,7 @@ fn number(text: &str) -> f64 {
 }
 
 fn table() -> Vec<Line> {
-    let lines = include_str!("reference/drives.txt").lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty());
+    let lines = include_str!("../reference/drives.txt").lines().filter(|line| !line.starts_with('#') && !line.trim().is_empty());
     lines.map(Line::parse).collect()
 }
 

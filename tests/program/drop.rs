@@ -82,7 +82,7 @@ fn planted_mistakes_exit_2_and_write_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let place = folder.path().join("out");
     let model = folder.path().join("model.toml").display().to_string();
-    let paper = include_str!("../params/impact/paper.toml");
+    let paper = include_str!("../../params/impact/paper.toml");
     let cases: [(&str, &str); 3] = [
         (&paper.replace("7040.0", "1e9"), "the nearest allowed value is 1000000 N/m"),
         (&format!("{paper}\n[effects.sensor_gian]\ngain = 1.1\n"), "did you mean `sensor_gain`"),

@@ -1,0 +1,12 @@
+//! The program from outside: what it prints, writes and refuses, and what its documentation says.
+
+mod cli;
+mod determinism;
+mod docs;
+mod drop;
+mod drops;
+mod fuzz;
+mod gate;
+mod hostile;
+mod measure;
+mod variant;
