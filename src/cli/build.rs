@@ -12,7 +12,7 @@ use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::checks::{self, Finding, Verdict};
-use crate::export::{bill, bom, glb, manifest, step, stl, three_mf};
+use crate::export::{self, ExportError, Exported, File, Format, manifest, step, three_mf};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
@@ -48,6 +48,13 @@ pub(super) struct Args {
     pub quantity: Option<usize>,
 }
 
+impl Args {
+    /// Whether a format is asked for that is not written by itself.
+    fn asks_for(&self, format: &Format) -> bool {
+        self.step && format.extension == step::FORMAT.extension
+    }
+}
+
 /// Most copies of one part.
 const MOST_COPIES: usize = 100;
 
@@ -77,39 +84,38 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 
 /// Every file of the folder, path and bytes; the manifest last.
 fn files(design: &Design, masses: &MassTable, findings: &[Finding], args: &Args) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let failed = |what: String| move |error| Failure::Machine { what, error };
     let pictures = !args.no_pictures;
-    let mut files = Vec::new();
     let meshes = compensated(design)?;
-    for part in &design.printed {
-        let mesh = meshes.mesh(part.name).unwrap_or(&part.mesh);
-        let bytes = stl::binary(mesh).map_err(failed(format!("cannot make {}.stl", part.name)))?;
-        files.push((format!("parts/{}.stl", part.name), bytes));
-    }
-    let frame = glb::frame(design, masses).map_err(std::io::Error::other).map_err(failed("cannot make frame.glb".into()))?;
-    files.push(("frame.glb".into(), frame));
-    files.push(("bom.csv".into(), bom::csv(&bill::bill(design, masses, None)).into_bytes()));
     // What lies on no bed is a finding of `check`; the parts are written all the same.
-    if let Ok(plates) = plates::arrange(design, &plates::all(design)) {
-        files.extend(plate_files(design, &meshes, &plates)?);
-        files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
+    let plates = with_pictures(design, plates::arrange(design, &plates::all(design)).unwrap_or_default());
+    let of = Exported { design, masses, meshes: &meshes, plates: &plates };
+    let mut files = Vec::new();
+    for format in export::CATALOGUE.iter().filter(|format| format.always || args.asks_for(format)) {
+        files.extend((format.files)(&of)?);
     }
-    let mut solids = Vec::new();
-    if args.step {
-        let (step, entries) = step::files(design).map_err(std::io::Error::other).map_err(failed("cannot make STEP files".into()))?;
-        files.extend(step);
-        solids = entries;
+    if !plates.is_empty() {
+        files.push(settings_page(design, &plates));
     }
     if pictures {
-        files.extend(scene::pictures(design));
+        files.extend(scene::pictures(design).into_iter().map(|(path, bytes)| File::new(path, bytes)));
     }
-    files.push(("report.md".into(), summary::markdown(design, masses, findings, pictures).into_bytes()));
-    let manifest = manifest::manifest(design, &meshes, masses, solids, &files);
-    let mut text =
-        serde_json::to_string_pretty(&manifest).map_err(std::io::Error::from).map_err(failed("cannot make manifest.json".into()))?;
+    files.push(File::new("report.md", summary::markdown(design, masses, findings, pictures).into_bytes()));
+    let manifest = manifest::manifest(design, &meshes, masses, &files);
+    let mut text = serde_json::to_string_pretty(&manifest).map_err(ExportError::of("manifest.json"))?;
     text.push('\n');
-    files.push(("manifest.json".into(), text.into_bytes()));
-    Ok(files)
+    files.push(File::new("manifest.json", text.into_bytes()));
+    Ok(written(files))
+}
+
+/// Path and bytes of each.
+fn written(files: Vec<File>) -> Vec<(String, Vec<u8>)> {
+    files.into_iter().map(|file| (file.path, file.bytes)).collect()
+}
+
+/// How to print the plates, as a page.
+fn settings_page(design: &Design, plates: &[(Plate, Vec<u8>)]) -> File {
+    let plates: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
+    File::new("print-settings.md", print_settings::markdown(design, &plates).into_bytes())
 }
 
 /// Pixels of a plate's picture.
@@ -125,15 +131,9 @@ fn compensated(design: &Design) -> Result<Compensated<'_>, Failure> {
     })
 }
 
-fn plate_files(design: &Design, meshes: &Compensated, plates: &[Plate]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let files = |plate: &Plate| {
-        let failed = |error| Failure::Machine { what: format!("cannot make {}.3mf", plate.name()), error };
-        let picture = plate_picture::png(design, plate, PLATE_SIZE);
-        let bytes = three_mf::plate(design, meshes, plate, &picture).map_err(failed)?;
-        Ok([(format!("plates/{}.3mf", plate.name()), bytes), (format!("plates/{}.png", plate.name()), picture)])
-    };
-    let all = plates.par_iter().map(files).collect::<Result<Vec<_>, Failure>>()?;
-    Ok(all.into_iter().flatten().collect())
+/// Plates, each with its picture.
+fn with_pictures(design: &Design, plates: Vec<Plate>) -> Vec<(Plate, Vec<u8>)> {
+    plates.into_par_iter().map(|plate| (plate_picture::png(design, &plate, PLATE_SIZE), plate)).map(|(png, plate)| (plate, png)).collect()
 }
 
 /// Plates of a part that has to be printed again.
@@ -154,8 +154,11 @@ fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result
     }
     let wanted: [Wanted; 1] = [(name, quantity)];
     let plates = plates::arrange(design, &wanted).map_err(|error| usage(format!("{error}: choose another printer in the frame file")))?;
-    let mut files = plate_files(design, &compensated(design)?, &plates)?;
-    files.push(("print-settings.md".into(), print_settings::markdown(design, &plates).into_bytes()));
+    let (masses, plates) = (mass::table(design), with_pictures(design, plates));
+    let of = Exported { design, masses: &masses, meshes: &compensated(design)?, plates: &plates };
+    let mut files = (three_mf::FORMAT.files)(&of)?;
+    files.push(settings_page(design, &plates));
+    let files = written(files);
     let place = output::write_folder(&args.output, &format!("{}-{part}", design.frame.name), &files)?;
     if !common.quiet {
         terminal::print(&format!(

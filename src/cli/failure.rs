@@ -2,6 +2,7 @@
 
 use std::io;
 
+use crate::export::ExportError;
 use crate::impact::measured::Malformed;
 use crate::params::LoadError;
 
@@ -28,6 +29,12 @@ pub enum Failure {
         /// What the system said.
         error: io::Error,
     },
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        Self::Machine { what: format!("cannot make {}", error.what), error: error.error }
+    }
 }
 
 impl Failure {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::bom::{KERF_MM, rod_plan};
+use super::cutting::{KERF_MM, rod_plan};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{MassLine, MassTable};
 use crate::frame::skeleton::RodRole;

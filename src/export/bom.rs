@@ -1,31 +1,19 @@
 //! `bom.csv`: what to print, what to buy, and how to cut the rods from stock lengths.
 
-use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine};
-use super::cutting::{self, Stock, TooLong};
-use crate::frame::assembly::Design;
-use crate::frame::skeleton::RodRole;
+use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine, bill};
+use super::format::{ExportError, Exported, File, Format};
 
-/// Width of a saw cut, mm.
-pub const KERF_MM: f64 = 1.0;
+/// The bill of materials.
+pub const FORMAT: Format = Format {
+    extension: "csv",
+    sentence: "The bill of materials: what to print, what to buy, and how to cut the rods from stock lengths.",
+    always: true,
+    files,
+};
 
-/// Cuts all rods of a design from stock lengths.
-///
-/// # Errors
-/// When a rod is longer than the stock.
-pub fn cutting_plan(design: &Design, stock_mm: f64) -> Result<Vec<Stock>, TooLong> {
-    cut(design, stock_mm, KERF_MM)
-}
-
-/// The stock length that a design's rods are cut from, mm, and how, with saw cuts of a width.
-pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>, TooLong>) {
-    let rod = design.frame.bought.get("rod");
-    let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
-    (stock_mm, cut(design, stock_mm, kerf_mm))
-}
-
-fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
-    let count = |role: RodRole| u8::try_from(design.skeleton.rods_of(role).count()).unwrap_or(u8::MAX);
-    cutting::plan(&RodRole::ALL.map(|role| (role, design.skeleton.sawn_mm(role), count(role))), stock_mm, kerf_mm)
+fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
+    let text = csv(&bill(of.design, of.masses, None)).map_err(ExportError::of("bom.csv"))?;
+    Ok(vec![File::new("bom.csv", text.into_bytes())])
 }
 
 /// Columns of the CSV; what a line has not stays empty.
@@ -54,11 +42,19 @@ type Row = [String; COLUMNS.len()];
 
 /// The bill of materials as CSV (comma, quotes where needed, `\n`): lines of the kinds `printed`, `rod`, `bought`, `extra`, and
 /// `stock`, one for each stock length of rods, with how to cut it.
-pub fn csv(bill: &Bill) -> String {
+///
+/// # Errors
+/// Only those of writing to memory.
+pub fn csv(bill: &Bill) -> Result<String, csv::Error> {
     let rows = bill.print.iter().map(printed_row).chain(bill.rods.iter().map(rod_row));
     let rows = rows.chain(bill.buy.iter().filter(|line| line.role != "rod").map(bought_row)).chain(stock_rows(bill));
-    let rows = rows.map(|row| row.map(|field| quoted(&field)).join(","));
-    std::iter::once(COLUMNS.join(",")).chain(rows).map(|row| row + "\n").collect()
+    let mut table = csv::Writer::from_writer(Vec::new());
+    table.write_record(COLUMNS)?;
+    for row in rows {
+        table.write_record(row)?;
+    }
+    let bytes = table.into_inner().map_err(|error| error.into_error())?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 fn printed_row(line: &PrintLine) -> Row {
@@ -128,8 +124,4 @@ fn priced(mut row: Row, line: &BuyLine) -> Row {
     row[14] = line.currency.clone().unwrap_or_default();
     row[15] = line.price_source.clone().unwrap_or_default();
     row
-}
-
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_string() }
 }

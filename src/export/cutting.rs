@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::frame::assembly::Design;
 use crate::frame::skeleton::RodRole;
 
 /// One stock length and what is cut from it.
@@ -131,6 +132,29 @@ pub fn plan(rods: &[(RodRole, f64, u8)], stock_mm: f64, kerf_mm: f64) -> Result<
         missing = missing.iter().zip(pattern).map(|(n, used)| n - used).collect();
     }
     Ok(stocks)
+}
+
+/// Width of a saw cut, mm.
+pub const KERF_MM: f64 = 1.0;
+
+/// Cuts all rods of a design from stock lengths.
+///
+/// # Errors
+/// When a rod is longer than the stock.
+pub fn cutting_plan(design: &Design, stock_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    cut(design, stock_mm, KERF_MM)
+}
+
+/// The stock length that a design's rods are cut from, mm, and how, with saw cuts of a width.
+pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>, TooLong>) {
+    let rod = design.frame.bought.get("rod");
+    let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
+    (stock_mm, cut(design, stock_mm, kerf_mm))
+}
+
+fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    let count = |role: RodRole| u8::try_from(design.skeleton.rods_of(role).count()).unwrap_or(u8::MAX);
+    plan(&RodRole::ALL.map(|role| (role, design.skeleton.sawn_mm(role), count(role))), stock_mm, kerf_mm)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use gltf::binary::{Glb, Header};
 use gltf::json::accessor::{Accessor, ComponentType, GenericComponentType, Type};
 use gltf::json::buffer::{Buffer, Target, View};
 use gltf::json::material::{AlphaMode, Material, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
@@ -11,6 +12,7 @@ use gltf::json::validation::{Checked, USize64};
 use gltf::json::{Asset, Index, Mesh as GltfMesh, Root};
 use serde_json::{json, value::RawValue};
 
+use super::format::{ExportError, Exported, File, Format};
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Body, Design, Kind, Shape};
 use crate::solid::Mesh;
@@ -21,6 +23,18 @@ pub enum GlbError {
     /// The JSON part.
     #[error("the glTF header could not be written: {0}")]
     Json(#[from] serde_json::Error),
+    /// The container.
+    #[error("the glTF container could not be written: {0}")]
+    Container(#[from] gltf::Error),
+}
+
+/// The assembled frame.
+pub const FORMAT: Format =
+    Format { extension: "glb", sentence: "The assembled frame for any viewer: binary glTF 2.0, metres, Y up.", always: true, files };
+
+fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
+    let bytes = frame(of.design, of.masses).map_err(ExportError::of("frame.glb"))?;
+    Ok(vec![File::new("frame.glb", bytes)])
 }
 
 /// Millimetres in a metre.
@@ -170,20 +184,11 @@ impl GlbFile {
     pub(super) fn into_bytes(mut self) -> Result<Vec<u8>, GlbError> {
         let byte_length = USize64::from(self.binary.len());
         self.root.push(Buffer { byte_length, name: None, uri: None, extensions: None, extras: None });
-        let mut header = self.root.to_vec()?;
-        header.resize(header.len().next_multiple_of(4), b' ');
+        let mut json = self.root.to_vec()?;
+        json.resize(json.len().next_multiple_of(4), b' ');
         self.binary.resize(self.binary.len().next_multiple_of(4), 0);
-        let total = 12 + 8 + header.len() + 8 + self.binary.len();
-        let mut bytes = Vec::with_capacity(total);
-        for word in [0x4654_6C67, 2, total as u32, header.len() as u32, 0x4E4F_534A] {
-            bytes.extend_from_slice(&u32::to_le_bytes(word));
-        }
-        bytes.extend_from_slice(&header);
-        for word in [self.binary.len() as u32, 0x004E_4942] {
-            bytes.extend_from_slice(&u32::to_le_bytes(word));
-        }
-        bytes.extend_from_slice(&self.binary);
-        Ok(bytes)
+        let header = Header { magic: *b"glTF", version: 2, length: 0 };
+        Ok(Glb { header, json: json.into(), bin: Some(self.binary.into()) }.to_vec()?)
     }
 }
 

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::step::StepEntry;
+use super::format::{File, SolidEntry};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Shape};
@@ -36,7 +36,7 @@ pub struct Manifest {
     pub exact: Vec<ExactEntry>,
     /// Solids of the STEP files, when they were asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub step: Vec<StepEntry>,
+    pub step: Vec<SolidEntry>,
     /// Every other file of the folder.
     pub files: Vec<FileEntry>,
 }
@@ -118,8 +118,8 @@ pub struct FileEntry {
     pub sha256: String,
 }
 
-/// The manifest of a design and the files written for it; `meshes` are what is printed, `step` the solids of the STEP files.
-pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, step: Vec<StepEntry>, files: &[(String, Vec<u8>)]) -> Manifest {
+/// The manifest of a design and the files written for it; `meshes` are what is printed.
+pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, files: &[File]) -> Manifest {
     let frame = &design.frame;
     Manifest {
         schema_version: SCHEMA_VERSION,
@@ -127,7 +127,7 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, step:
         frame: frame.name.clone(),
         description: frame.description.clone(),
         total_mass_g: rounded(masses.total_g),
-        parts: part_entries(design, meshes, masses, &step),
+        parts: part_entries(design, meshes, masses, files),
         rods: rod_entries(design, masses),
         bought: frame
             .bought
@@ -143,12 +143,12 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, step:
             })
             .collect(),
         exact: exact_entries(design),
-        step,
-        files: files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hex(&Sha256::digest(bytes)) }).collect(),
+        step: files.iter().flat_map(|file| file.solids.clone()).collect(),
+        files: files.iter().map(|file| FileEntry { path: file.path.clone(), sha256: hex(&Sha256::digest(&file.bytes)) }).collect(),
     }
 }
 
-fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, step: &[StepEntry]) -> Vec<PartEntry> {
+fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files: &[File]) -> Vec<PartEntry> {
     design
         .printed
         .iter()
@@ -161,11 +161,7 @@ fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, step:
             mass_g: rounded(mass_of(masses, part.name.slug())),
             bbox_mm: mesh.size_mm().map(rounded),
             triangles: mesh.triangles.len(),
-            files: [Some("stl"), (!step.is_empty()).then_some("step")]
-                .iter()
-                .flatten()
-                .map(|kind| format!("parts/{}.{kind}", part.name))
-                .collect(),
+            files: files.iter().filter(|file| file.part == Some(part.name)).map(|file| file.path.clone()).collect(),
         })
         .collect()
 }

@@ -4,7 +4,21 @@ use std::io;
 
 use stl_io::{Normal, Triangle, Vertex};
 
+use super::format::{ExportError, Exported, File, Format};
+use crate::frame::assembly::Printed;
 use crate::solid::Mesh;
+
+/// The printed parts, one file each.
+pub const FORMAT: Format =
+    Format { extension: "stl", sentence: "A printed part as it lies on the bed: binary STL, mm.", always: true, files };
+
+fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
+    let file = |part: &Printed| {
+        let mesh = of.meshes.mesh(part.name).unwrap_or(&part.mesh);
+        Ok(File::of_part(part.name, FORMAT.extension, binary(mesh).map_err(ExportError::of(format!("{}.stl", part.name)))?))
+    };
+    of.design.printed.iter().map(file).collect()
+}
 
 /// A mesh as binary STL: facets in the mesh's order, with their outward unit normals.
 ///

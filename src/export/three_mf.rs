@@ -6,15 +6,34 @@ use std::io::{Cursor, Write};
 use nalgebra::Isometry3;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
+use rayon::prelude::*;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::colour::curved;
+use super::format::{ExportError, Exported, File, Format};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::printing::plates::{Plate, Settings};
 use crate::solid::Mesh;
+
+/// The plates, each with its picture beside it.
+pub const FORMAT: Format = Format {
+    extension: "3mf",
+    sentence: "A plate for the slicer: every copy in its place on the printer's bed, with its print settings.",
+    always: true,
+    files,
+};
+
+fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
+    let files = |(on, picture): &(Plate, Vec<u8>)| {
+        let name = on.name();
+        let bytes = plate(of.design, of.meshes, on, picture).map_err(ExportError::of(format!("{name}.3mf")))?;
+        Ok([File::new(format!("plates/{name}.3mf"), bytes), File::new(format!("plates/{name}.png"), picture.clone())])
+    };
+    Ok(of.plates.par_iter().map(files).collect::<Result<Vec<_>, ExportError>>()?.into_iter().flatten().collect())
+}
 
 /// Core namespace.
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";

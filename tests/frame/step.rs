@@ -8,7 +8,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use assert_cmd::cargo::cargo_bin;
-use flexframe::export::step::{self, Made};
+use flexframe::export::{Made, step};
 use flexframe::frame::assembly::Design;
 use flexframe::params::Frame;
 use flexframe::solid::{Boundary, Contour, Feature, MeshSolid, NotExact, Profile};

@@ -129,7 +129,7 @@ const CONFINED: [(&str, &str); 41] = [
     ("read_to_string", "params"),
     ("fs::read(", "impact/measured"),
     ("read_dir", "impact/measured"),
-    ("csv::", "impact/measured"),
+    ("csv::", "impact/measured export report"),
     ("quick_junit", "checks/gate"),
     ("cobyla", "variant"),
     ("crunch::", "printing/plates"),

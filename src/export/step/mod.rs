@@ -5,32 +5,21 @@
 
 mod product;
 mod shape;
+mod shaped;
 mod writer;
 
 use nalgebra::Isometry3;
 use rayon::prelude::*;
-use serde::Serialize;
 
 use self::product::{Context, Product};
+use self::shaped::Shaped;
 use self::writer::Writer;
+use super::format::{ExportError, Exported, File, Format, Made};
 use crate::frame::assembly::{Design, Kind, Printed, Shape};
 use crate::solid::{Boundary, Feature, Mesh, NotExact};
 
-/// How far vertices may lie beside the surfaces of their faces, mm, as every file states; see [`crate::solid::FLATNESS_MM`].
-const ACCURACY_MM: f64 = 1e-4;
-
 /// Linear red, green, blue, alpha of a solid that nobody gave a colour.
 const GREY: [f32; 4] = [0.4, 0.4, 0.4, 1.0];
-
-/// How the faces of a solid were made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Made {
-    /// On the planes and cylinders of the features, edges where they meet.
-    Exact,
-    /// From the mesh, coplanar facets merged.
-    Faceted,
-}
 
 /// A mesh that cannot be a solid.
 #[derive(Debug, thiserror::Error)]
@@ -39,67 +28,32 @@ pub struct StepError {
     name: String,
 }
 
-/// A solid of a file, as the manifest lists it.
-#[derive(Clone, Debug, Serialize)]
-pub struct StepEntry {
-    /// Its file; several solids share that of the assembly.
-    pub file: String,
-    /// Name of the part or shape.
-    pub name: String,
-    /// How its faces were made.
-    pub made: Made,
-    /// Why it is not exact.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub because: Option<String>,
-    /// How many faces it has.
-    pub faces: usize,
-    /// Volume within its faces, mm³.
-    pub volume_mm3: f64,
-    /// Volume of the mesh, mm³.
-    pub mesh_volume_mm3: f64,
-}
-
-/// A named solid with its look.
-struct Shaped {
-    name: String,
-    material: String,
-    colour: [f32; 4],
-    boundary: Boundary,
-    made: Made,
-    because: Option<String>,
-    mesh_volume_mm3: f64,
-}
-
-impl Shaped {
-    fn entry(&self, file: &str) -> StepEntry {
-        let thousandth = |value: f64| (value * 1000.0).round() / 1000.0;
-        StepEntry {
-            file: file.into(),
-            name: self.name.clone(),
-            made: self.made,
-            because: self.because.clone(),
-            faces: self.boundary.faces.len(),
-            volume_mm3: thousandth(self.boundary.volume_mm3()),
-            mesh_volume_mm3: thousandth(self.mesh_volume_mm3),
-        }
-    }
-}
-
-/// STEP files by path, and what is in them.
-pub type StepFiles = (Vec<(String, Vec<u8>)>, Vec<StepEntry>);
+/// The printed parts, one file each, and the assembly.
+pub const FORMAT: Format = Format {
+    extension: "step",
+    sentence: "Parts and assembly for a CAD program: STEP AP214, exact where the kernel can, else faceted.",
+    always: false,
+    files,
+};
 
 /// Every printed part in its print orientation, and the assembled frame.
-///
-/// # Errors
-/// When a mesh is not closed.
-pub fn files(design: &Design) -> Result<StepFiles, StepError> {
-    let parts = design.printed.par_iter().map(|part| printed(design, part)).collect::<Result<Vec<_>, _>>()?;
-    let shapes = design.shapes.par_iter().map(|shape| assembled(design, shape, &parts)).collect::<Result<Vec<_>, _>>()?;
-    let mut files: Vec<(String, Vec<u8>)> = parts.par_iter().map(|part| (format!("parts/{}.step", part.name), part_file(part))).collect();
-    let mut entries: Vec<StepEntry> = parts.iter().map(|part| part.entry(&format!("parts/{}.step", part.name))).collect();
-    entries.extend(shapes.iter().map(|shape| shape.entry("frame.step")));
-    files.push(("frame.step".into(), frame_file(design, &shapes)));
-    Ok((files, entries))
+fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
+    let design = of.design;
+    let parts = design.printed.par_iter().map(|part| printed(design, part)).collect::<Result<Vec<_>, _>>();
+    let parts = parts.map_err(ExportError::of("STEP files"))?;
+    let shapes = design.shapes.par_iter().map(|shape| assembled(design, shape, &parts)).collect::<Result<Vec<_>, _>>();
+    let shapes = shapes.map_err(ExportError::of("STEP files"))?;
+    let mut files: Vec<File> = design.printed.par_iter().zip(&parts).map(|(part, shaped)| part_of(part, shaped)).collect();
+    let mut assembly = File::new("frame.step", frame_file(design, &shapes));
+    assembly.solids = shapes.iter().map(|shape| shape.entry(&assembly.path)).collect();
+    files.push(assembly);
+    Ok(files)
+}
+
+fn part_of(part: &Printed, shaped: &Shaped) -> File {
+    let mut file = File::of_part(part.name, FORMAT.extension, part_file(shaped));
+    file.solids = vec![shaped.entry(&file.path)];
+    file
 }
 
 /// A mesh as a solid: the first of these meshes that fits the surfaces of the feature, else the last, faceted.

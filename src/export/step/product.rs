@@ -2,9 +2,13 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
+use super::shape;
+use super::shaped::Shaped;
 use super::writer::{Decimal, Id, Writer, length, list, string};
-use super::{Shaped, shape};
 use crate::export::colour::curved;
+
+/// How far vertices may lie beside the surfaces of their faces, mm, as every file states; see [`crate::solid::FLATNESS_MM`].
+const ACCURACY_MM: f64 = 1e-4;
 
 /// What all products of a file share.
 pub(super) struct Context {
@@ -33,7 +37,7 @@ impl Context {
         let solid_angle = writer.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())");
         let accuracy = writer.add(format_args!(
             "UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE({}),{length},'distance_accuracy_value','vertices beside their surfaces')",
-            super::writer::length(super::ACCURACY_MM),
+            super::writer::length(ACCURACY_MM),
         ));
         let geometry = writer.add(format_args!(
             "(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({accuracy}))\

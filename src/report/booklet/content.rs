@@ -1,6 +1,6 @@
 //! The instructions as a value: title page, one page a step. Two files are written from it.
 
-use crate::export::bom;
+use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::fold::{FoldBend, FoldSequence, Step};
@@ -76,7 +76,7 @@ fn parts(masses: &MassTable) -> Vec<[String; 3]> {
 
 fn cuts(design: &Design) -> Vec<String> {
     let stock_mm = design.frame.bought.get("rod").map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
-    match bom::cutting_plan(design, stock_mm) {
+    match cutting::cutting_plan(design, stock_mm) {
         Ok(plan) => plan
             .iter()
             .enumerate()

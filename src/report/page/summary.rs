@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::checks::{Finding, Tightest, Verdict, tightest};
-use crate::export::bom;
+use crate::export::cutting;
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
@@ -91,7 +91,7 @@ fn rods(page: &mut String, design: &Design) {
     }
     let rod = design.frame.bought.get("rod");
     let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
-    match bom::cutting_plan(design, stock_mm) {
+    match cutting::cutting_plan(design, stock_mm) {
         Ok(plan) => {
             let _ = writeln!(page, "\n{} stock lengths of {stock_mm:.0} mm; which piece from which stands in `bom.csv`.\n", plan.len());
         }

@@ -1,0 +1,31 @@
+//! A solid of a STEP file.
+
+use crate::export::format::{Made, SolidEntry};
+use crate::solid::Boundary;
+
+/// A named solid with its look.
+pub(super) struct Shaped {
+    pub name: String,
+    pub material: String,
+    pub colour: [f32; 4],
+    pub boundary: Boundary,
+    pub made: Made,
+    pub because: Option<String>,
+    pub mesh_volume_mm3: f64,
+}
+
+impl Shaped {
+    /// Its entry in the manifest.
+    pub fn entry(&self, file: &str) -> SolidEntry {
+        let thousandth = |value: f64| (value * 1000.0).round() / 1000.0;
+        SolidEntry {
+            file: file.into(),
+            name: self.name.clone(),
+            made: self.made,
+            because: self.because.clone(),
+            faces: self.boundary.faces.len(),
+            volume_mm3: thousandth(self.boundary.volume_mm3()),
+            mesh_volume_mm3: thousandth(self.mesh_volume_mm3),
+        }
+    }
+}
