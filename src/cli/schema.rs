@@ -2,10 +2,12 @@
 
 use std::process::ExitCode;
 
+use clap::builder::{PossibleValue, PossibleValuesParser};
+
 use super::failure::Failure;
 use super::options::Common;
 use super::terminal;
-use crate::schema::{FileKind, schema};
+use crate::schema::CATALOGUE;
 
 /// Print the JSON Schema of a kind of file, for editors.
 #[derive(Debug, clap::Args)]
@@ -14,40 +16,19 @@ use crate::schema::{FileKind, schema};
 )]
 pub(super) struct Args {
     /// Of which kind of file.
-    #[arg(value_enum, default_value = "frame")]
-    pub kind: SchemaKind,
+    #[arg(default_value = "frame", value_parser = kinds())]
+    pub kind: String,
 }
 
-/// Kinds of files that have a schema.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(super) enum SchemaKind {
-    /// A frame file.
-    Frame,
-    /// An impact model.
-    Model,
-    /// A plan of planted drops.
-    Plan,
-    /// The form of params/bought.toml.
-    Bought,
-    /// The form of params/materials.toml.
-    Materials,
-    /// A printer.
-    Printer,
-    /// A list of accepted findings.
-    Baseline,
+fn kinds() -> PossibleValuesParser {
+    PossibleValuesParser::new(CATALOGUE.iter().map(|kind| PossibleValue::new(kind.name).help(kind.sentence)))
 }
 
 /// Prints a schema.
 pub(super) fn run(args: &Args, _: &Common) -> Result<ExitCode, Failure> {
-    let kind = match args.kind {
-        SchemaKind::Frame => FileKind::Frame,
-        SchemaKind::Model => FileKind::Model,
-        SchemaKind::Plan => FileKind::Plan,
-        SchemaKind::Bought => FileKind::Bought,
-        SchemaKind::Materials => FileKind::Materials,
-        SchemaKind::Printer => FileKind::Printer,
-        SchemaKind::Baseline => FileKind::Baseline,
-    };
-    terminal::print_json(&schema(kind))?;
+    // The parser takes no other names than the catalogue's.
+    for kind in CATALOGUE.iter().filter(|kind| kind.name == args.kind) {
+        terminal::print_json(&kind.schema())?;
+    }
     Ok(ExitCode::SUCCESS)
 }

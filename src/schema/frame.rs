@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{catalogue, number, put, table};
+use super::catalogue;
+use super::element::{number, put, table};
 use crate::params::frame::{ROLES, TARGET_BOUNDS};
 use crate::params::{Frame, follows, parameters, preset};
 

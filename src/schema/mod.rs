@@ -2,73 +2,45 @@
 //! `#:schema` complete and check with them. They say what each key is; what keys may not be together only the program knows.
 
 mod catalogue;
+mod element;
 mod frame;
 mod model;
 
 use serde_json::{Value, json};
 
-/// A kind of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FileKind {
-    /// A frame.
-    Frame,
-    /// An impact model.
-    Model,
-    /// A plan of planted drops.
-    Plan,
-    /// The form of `params/bought.toml`.
-    Bought,
-    /// The form of `params/materials.toml`.
-    Materials,
-    /// A printer.
-    Printer,
-    /// A list of accepted findings.
-    Baseline,
+/// A kind of file that is read.
+pub struct FileKind {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// What it is, in the help.
+    pub sentence: &'static str,
+    /// The schema's title.
+    title: &'static str,
+    body: fn() -> Value,
 }
 
-/// The schema of a kind of file.
-pub fn schema(kind: FileKind) -> Value {
-    let (title, body) = match kind {
-        FileKind::Frame => ("frame of flexframe", frame::schema()),
-        FileKind::Model => ("impact model of flexframe", model::schema()),
-        FileKind::Plan => ("plan of planted drops of flexframe", model::plan()),
-        FileKind::Bought => ("bought parts of flexframe", catalogue::bought()),
-        FileKind::Materials => ("materials of flexframe", catalogue::materials()),
-        FileKind::Printer => ("printer of flexframe", catalogue::printer()),
-        FileKind::Baseline => ("accepted findings of flexframe", catalogue::baseline()),
-    };
-    let mut schema = json!({ "$schema": "http://json-schema.org/draft-07/schema#", "title": title });
-    if let (Some(schema), Value::Object(body)) = (schema.as_object_mut(), body) {
-        schema.extend(body);
-    }
-    schema
+/// Every kind of file that has a schema.
+pub const CATALOGUE: [FileKind; 7] = [
+    kind("frame", "A frame file", "frame of flexframe", frame::schema),
+    kind("model", "An impact model", "impact model of flexframe", model::schema),
+    kind("plan", "A plan of synthetic drops", "plan of synthetic drops of flexframe", model::plan),
+    kind("bought", "The form of params/bought.toml", "bought parts of flexframe", catalogue::bought),
+    kind("materials", "The form of params/materials.toml", "materials of flexframe", catalogue::materials),
+    kind("printer", "A printer", "printer of flexframe", catalogue::printer),
+    kind("baseline", "A list of accepted findings", "accepted findings of flexframe", catalogue::baseline),
+];
+
+const fn kind(name: &'static str, sentence: &'static str, title: &'static str, body: fn() -> Value) -> FileKind {
+    FileKind { name, sentence, title, body }
 }
 
-/// A table with these keys and no others.
-fn table(description: &str, properties: serde_json::Map<String, Value>) -> Value {
-    json!({ "type": "object", "description": description, "additionalProperties": false, "properties": properties })
-}
-
-/// A number within bounds.
-fn number(description: &str, unit: &str, [min, max]: [f64; 2], example: Option<f64>) -> Value {
-    let unit = if unit.is_empty() || unit == "1" { String::new() } else { format!(" Unit: {unit}.") };
-    let description = format!("{}{unit} {min} to {max}.", description.trim());
-    let mut schema = json!({ "type": "number", "description": description.trim(), "minimum": min, "maximum": max });
-    if let Some(example) = example.map(|example| (example * 1e6).round() / 1e6) {
-        schema["examples"] = json!([example]);
-    }
-    schema
-}
-
-/// Puts a value at a dotted key, with the tables on the way.
-fn put(root: &mut serde_json::Map<String, Value>, key: &str, value: Value) {
-    match key.split_once('.') {
-        None => drop(root.insert(key.into(), value)),
-        Some((head, rest)) => {
-            let inner = root.entry(head).or_insert_with(|| table("", serde_json::Map::new()));
-            if let Some(properties) = inner["properties"].as_object_mut() {
-                put(properties, rest, value);
-            }
+impl FileKind {
+    /// The schema of such a file.
+    pub fn schema(&self) -> Value {
+        let mut schema = json!({ "$schema": "http://json-schema.org/draft-07/schema#", "title": self.title });
+        if let (Some(schema), Value::Object(body)) = (schema.as_object_mut(), (self.body)()) {
+            schema.extend(body);
         }
+        schema
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{number, put, table};
+use super::element::{number, put, table};
 use crate::impact::effects::{CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words, every};
 use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, PLAN_NUMBERS};
 

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::report::booklet::content::{Booklet, Page};
+use crate::report::page::document::escaped;
 
 const STYLE: &str = "@page { size: A4; margin: 15mm } \
 p { margin: 2mm 0 } h1, h2 { margin: 3mm 0 } body { font: 11pt/1.3 sans-serif; max-width: 180mm; margin: auto; color: #000; background: #fff } \
@@ -52,8 +53,4 @@ fn section(page: &mut String, number: usize, step: &Page) {
         let _ = writeln!(page, "<figure><img src=\"{name}\" alt=\"{heading}: {caption}\"><figcaption>{caption}</figcaption></figure>");
     }
     page.push_str("</section>\n");
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -73,6 +73,7 @@ pub fn html(title: &str, blocks: &[Block]) -> String {
     text + "</body></html>\n"
 }
 
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+/// As it stands in the text of an HTML element or in an attribute between double quotes.
+pub(in crate::report) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
