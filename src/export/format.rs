@@ -15,7 +15,7 @@ use crate::printing::plates::Plate;
 pub struct Format {
     /// Ending of its files, without the point.
     pub extension: &'static str,
-    /// What its files hold, one sentence; the table of `docs/printing.md` has it.
+    /// What its files hold, one sentence.
     pub sentence: &'static str,
     /// Whether it is written without being asked for; where not, `build` has an option of the extension's name.
     pub always: bool,

@@ -1,6 +1,7 @@
 //! The program from outside: what it prints, writes and refuses, and what its documentation says.
 
 mod cli;
+mod commands;
 mod determinism;
 mod docs;
 mod drop;
