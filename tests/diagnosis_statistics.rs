@@ -1,6 +1,6 @@
 //! Each statistical step of a diagnosis on a case whose answer is known.
 
-use flexframe::impact::diagnose::{Ground, Settings, Verdict, diagnose, flat_top, trend_p};
+use flexframe::impact::diagnose::{DiagnosisOptions, Ground, Verdict, diagnose, flat_top, trend_p};
 use flexframe::impact::effects::{Model, by_id};
 use flexframe::impact::fit::{Drop, Expected, Scatter, Waves, Whitening, minimise};
 use flexframe::impact::synthetic::{Hidden, Plan, Scatter as Spread, clean, records};
@@ -123,7 +123,7 @@ fn analytic_chances_are_even_and_intervals_cover_where_nothing_is_missing() {
     let found: Vec<(f64, usize)> = (0..16_u64)
         .into_par_iter()
         .map(|seed| {
-            let found = diagnose(&waves(&plan(300 + seed)), None, &base(), &Settings { most_effects: 1, seed }).expect("a diagnosis");
+            let found = diagnose(&waves(&plan(300 + seed)), None, &base(), &DiagnosisOptions::new(1, seed)).expect("a diagnosis");
             let covered = found
                 .estimates
                 .iter()
@@ -173,7 +173,7 @@ fn planted_pair_whose_first_choice_is_wrong_is_found_all_the_same() {
     for (id, values) in [("maxwell_branch", &[6e3, 3.0][..]), ("sensor_low_pass", &[110.0])] {
         planted.model = planted.model.with(by_id(id).expect("an effect"), values, 0);
     }
-    let found = diagnose(&waves(&planted), None, &base(), &Settings { most_effects: 3, seed: 1 }).expect("a diagnosis");
+    let found = diagnose(&waves(&planted), None, &base(), &DiagnosisOptions::new(3, 1)).expect("a diagnosis");
     let first = found.ranking.iter().find(|one| !one.id.contains('+')).expect("singles were ranked");
     assert_eq!(first.id, "bilinear_stiffness", "the best single effect is neither of the two");
     assert_eq!(found.chosen.ids(), ["maxwell_branch", "sensor_low_pass"]);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use flexframe::impact::diagnose::{Diagnosis, Settings, Verdict, diagnose};
+use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use flexframe::impact::effects::{FrameCurve, Model};
 use flexframe::impact::fit::{Chosen, Keep};
 use flexframe::impact::measured;
@@ -61,7 +61,7 @@ fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
     model.frame_curve = candidate;
     let waves = Chosen::of(&set, model.sensor.channel, Keep::Evidence).expect("there are drops").waves().expect("can be laid");
     let (fitted, held) = (waves.only(|h| h < 1.9), waves.only(|h| h > 1.9));
-    diagnose(&fitted, Some(&held), &model, &Settings { most_effects: 2, seed: 1 }).expect("a diagnosis")
+    diagnose(&fitted, Some(&held), &model, &DiagnosisOptions::new(2, 1)).expect("a diagnosis")
 }
 
 #[test]

@@ -1,9 +1,15 @@
 //! Each effect against a closed form or against another integrator; off means off; energies; order of convergence.
 
 #[allow(dead_code)]
+mod effect_cases;
+mod effect_catalogue;
+#[allow(dead_code)]
 mod impact;
+#[allow(dead_code)]
+#[path = "../benches/recovery/strength.rs"]
+mod strength;
 
-use flexframe::impact::effects::{CATALOGUE, Model, by_id};
+use flexframe::impact::effects::{CATALOGUE, Model, by_id, candidates};
 use flexframe::impact::sim::{Balance, Outside, Settings, Stop, System, Trace, simulate, wave};
 use impact::{C, G, K, MASS_KG, Table, base, model, reference};
 
@@ -205,7 +211,7 @@ fn analytic_an_effect_that_is_off_changes_no_bit() {
     let mut expected_wave = vec![0.0; 1201];
     wave(&System::new(&plain), 1.5, 5e-5, &Settings::FIT, &mut expected_wave);
     let mut cases = Vec::new();
-    for spec in CATALOGUE {
+    for spec in candidates(&CATALOGUE, &plain) {
         cases.push((spec.id, plain.clone().with(spec, &off(spec.id), 0)));
         all = all.with(spec, &off(spec.id), 0);
     }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use flexframe::impact::diagnose::{Diagnosis, Estimate, Settings, Verdict, diagnose};
+use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Estimate, Verdict, diagnose};
 use flexframe::impact::effects::Model;
 use flexframe::impact::fit::Expected;
 use flexframe::impact::synthetic::{Plan, clean};
@@ -20,7 +20,7 @@ pub struct Case {
 pub fn diagnosed(plan: &Plan) -> Case {
     let all = waves(plan);
     let from = Instant::now();
-    let diagnosis = diagnose(&all, None, &base(), &Settings { most_effects: 3, seed: plan.seed }).expect("a diagnosis");
+    let diagnosis = diagnose(&all, None, &base(), &DiagnosisOptions::new(3, plan.seed)).expect("a diagnosis");
     Case { diagnosis, seconds: from.elapsed().as_secs_f64() }
 }
 

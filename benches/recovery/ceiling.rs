@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use flexframe::impact::effects::{CATALOGUE, Model};
+use flexframe::impact::effects::Model;
 use flexframe::impact::fit::{Layout, Problem, inverse_root};
 use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
@@ -19,7 +19,8 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::covariance::{covariances, exact};
-use crate::truth::{DETECTABLE, STRENGTHS, at_strength, plan};
+use crate::strength::recorded;
+use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, plan};
 
 /// Nulls that alarm.
 const ALARMS: f64 = 0.05;
@@ -158,7 +159,8 @@ pub fn ceiling(level: usize, from: u64, to: u64, gain: f64) {
 }
 
 fn truths(level: usize, seed: u64) -> Vec<Truth> {
-    let all: Vec<(&'static str, usize)> = CATALOGUE.iter().flat_map(|spec| (0..STRENGTHS.len()).map(|at| (spec.id, at))).collect();
+    let all: Vec<(&'static str, usize)> =
+        recorded(&base()).into_iter().flat_map(|spec| (0..STRENGTHS.len()).map(|at| (spec.id, at))).collect();
     let null = plan(level, 7919 * seed + 17).model;
     let one = |(id, at): (&'static str, usize)| {
         let plan = at_strength(id, seed, STRENGTHS[at], level)?;

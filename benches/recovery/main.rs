@@ -10,6 +10,7 @@ mod covariance;
 mod oracle;
 mod pairs;
 mod singles;
+mod strength;
 mod truth;
 
 use flexframe::impact::diagnose::Verdict;

@@ -1,13 +1,14 @@
 //! Drops with a known truth: base models, effects on top of them at a stated strength, and how strong they are.
 
 use flexframe::impact::diagnose::{Candidate, Ground, Nulls, Search, Setting};
-use flexframe::impact::effects::{Model, by_id};
+use flexframe::impact::effects::{CATALOGUE, Model, by_id};
 use flexframe::impact::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
 use flexframe::impact::synthetic::{Plan, Scatter as Spread, clean, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::covariance::exact;
+use crate::strength;
 
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 1.5];
 /// Noncentralities at the middle level.
@@ -35,26 +36,7 @@ pub fn plan(level: usize, seed: u64) -> Plan {
 /// An effect with as much of it as `amount` says; its other parameters by chance.
 fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Model> {
     let spec = by_id(id)?;
-    let side = if rng.random_bool(0.4) { -1.0 } else { 1.0 };
-    let one = |value: f64| vec![value];
-    let values = match id {
-        "unilateral_contact" => one(1.0 - amount),
-        "bottoming" => vec![rng.random_range(5.0..14.0), 1e4 + 4e6 * amount, 0.3],
-        "cubic_stiffness" => one(side * 5e6 * amount),
-        "bilinear_stiffness" => vec![rng.random_range(4.0..14.0), side * 3e3 * amount],
-        "hunt_crossley_damping" => one(side * 1.5e3 * amount),
-        "coulomb_friction" => one(20.0 * amount),
-        "maxwell_branch" => vec![8e3 * amount, libm::exp(rng.random_range(-0.7..2.3))],
-        "quadratic_damping" => one(side * 5.0 * amount),
-        "preload" => one(20.0 * amount),
-        "sensor_low_pass" => one(model.sensor.cutoff_hz * libm::exp(side * 0.5 * amount)),
-        "sensor_saturation" => one(250.0 * libm::exp(-amount)),
-        "sensor_gain" => one(1.0 + side * 0.15 * amount),
-        "payload_mode" => vec![0.15 * amount, libm::exp(rng.random_range(4.0..5.8)), 0.05],
-        "foot_stagger" => one(4.0 * amount),
-        "drop_height_error" => one(side * 0.12 * amount),
-        _ => one(0.2 * amount),
-    };
+    let values = strength::values(id, model, amount, rng)?;
     // The library's least stiffness of a stop; the catalogue lets it vanish.
     let inside = (id != "bottoming" || values[1] >= 1e4)
         && spec.parameters.iter().zip(&values).all(|(parameter, value)| (parameter.min..=parameter.max).contains(value));
@@ -102,7 +84,7 @@ pub fn catalogue(plan: &Plan) -> Option<Search> {
     let few = waves(plan);
     let ground = Ground::of(&few, &base())?;
     let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
-    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, most: 2, stage: &|_| () };
+    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
     Search::run(&setting, &base())
 }
 

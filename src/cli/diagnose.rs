@@ -14,8 +14,8 @@ use super::terminal;
 use crate::frame::assembly::mass;
 use crate::impact::body::Body;
 use crate::impact::diagnose;
-use crate::impact::diagnose::{Diagnosis, Settings, Stage, Verdict, observables};
-use crate::impact::effects::{Channel, Model};
+use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Stage, Verdict, observables};
+use crate::impact::effects::{Channel, Model, PAYLOAD_MODE};
 use crate::impact::fit::{Chosen, Keep, Unfit, Waves};
 use crate::impact::measured;
 use crate::impact::measured::{Fall, StaticTest};
@@ -44,7 +44,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     }
     if let Some(frame) = &options.frame {
         let own = reduced(frame, options.mechanics.as_deref())?;
-        model.frame_mode = own.value("payload_mode", "mu").zip(own.value("payload_mode", "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
+        model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
     let set = measured::read(&paths, &calibration(&options.calibration)?)?;
@@ -63,7 +63,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     if fitted.groups.is_empty() {
         return Err(Failure::Usage { message: "--hold-out-heights leaves no height to fit".into() });
     }
-    let settings = Settings { most_effects: most, seed: options.seed };
+    let settings = DiagnosisOptions::new(most, options.seed);
     let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
     let found =

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::impact::diagnose::{Diagnosis, Observable, Settings, diagnose, joined, observables};
+use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Observable, diagnose, joined, observables};
 use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
 use flexframe::impact::fit::{Chosen, Keep, Layout, Paper, Waves, fit};
 use flexframe::impact::measured;
@@ -85,7 +85,7 @@ impl Study {
             let value = |key: &str| fit.estimates.iter().find(|one| one.key == key).map_or(cutoff_hz, |one| one.value);
             (value("cutoff_hz"), value("c"), fit.objective[1])
         };
-        let settings = Settings { most_effects: 3, seed: SEED };
+        let settings = DiagnosisOptions::new(3, SEED);
         let reduced = reduced();
         let [x_mm, phi_mm] = [0, 1].map(|column| reduced.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
         let mut bent = model.clone();

@@ -2,11 +2,12 @@
 
 use std::fmt::Write;
 
-use flexframe::impact::effects::{GRAVITY_M_S2, Model};
+use flexframe::impact::effects::Model;
 use flexframe::impact::sim::{Settings, System, Trace, simulate};
 
 use super::figures::{HEIGHTS_M, PEAKS_G, SHARES, STATIC_FITS, STATIC_TEST, WEIGHT_N};
 use super::ratio;
+use flexframe::units::GRAVITY_M_S2;
 
 pub fn traces(model: &Model) -> Vec<Trace> {
     let system = System::new(model);

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::dictionary::{Dictionary, Start};
-use crate::impact::effects::{BASE, Model};
+use crate::impact::effects::Model;
 use crate::impact::fit::{Fitted, Layout, Problem, inverse};
 
 /// What a free parameter has to earn, in the sum of squares.
@@ -38,8 +38,8 @@ impl Candidate {
 
     /// Ids of the effects on top of the base, in the catalogue's order.
     pub fn ids(&self) -> Vec<&'static str> {
-        let ids = self.model().effects.iter().map(|listed| listed.spec.id);
-        ids.filter(|id| BASE.iter().all(|base| base.id != *id)).collect()
+        let on_top = self.model().effects.iter().filter(|listed| !listed.spec.is_base());
+        on_top.map(|listed| listed.spec.id).collect()
     }
 
     /// Fits a model from each of several starts and keeps the best.

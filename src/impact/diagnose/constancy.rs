@@ -1,8 +1,8 @@
 //! Whether an effect's parameters are the same at every height, as those of a true effect are.
 
 use super::candidate::Candidate;
-use crate::impact::effects::GRAVITY_M_S2;
 use crate::impact::fit::{Layout, Problem};
+use crate::units::GRAVITY_M_S2;
 
 /// What each height alone says of one parameter.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,8 +17,8 @@ use super::search::{RARE, Search, Setting};
 use super::stage::Stage;
 use super::surface::{Patch, surface};
 use super::trend::trend_p;
-use crate::impact::effects::{Model, candidates};
-use crate::impact::fit::{Problem, Waves, inverse};
+use crate::impact::effects::{CATALOGUE, Model, Spec, candidates};
+use crate::impact::fit::{Waves, inverse};
 
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -148,11 +148,20 @@ pub struct Diagnosis {
 
 /// How to look.
 #[derive(Clone, Copy, Debug)]
-pub struct Settings {
+pub struct DiagnosisOptions {
     /// Most effects on top of the base.
     pub most_effects: usize,
     /// Of everything that is drawn.
     pub seed: u64,
+    /// The effects that are tried on top of the base.
+    pub catalogue: &'static [&'static Spec],
+}
+
+impl DiagnosisOptions {
+    /// With every effect of the catalogue.
+    pub fn new(most_effects: usize, seed: u64) -> Self {
+        Self { most_effects, seed, catalogue: &CATALOGUE }
+    }
 }
 
 /// Why there is no diagnosis.
@@ -180,7 +189,7 @@ const LOOKED_AT: usize = 6;
 ///
 /// # Errors
 /// [`Undiagnosed`] when no fit is possible.
-pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings) -> Result<Diagnosis, Undiagnosed> {
+pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions) -> Result<Diagnosis, Undiagnosed> {
     watched(fitted, held_out, model, settings, &|_| ())
 }
 
@@ -192,20 +201,20 @@ pub fn watched(
     fitted: &Waves,
     held_out: Option<&Waves>,
     model: &Model,
-    settings: &Settings,
+    settings: &DiagnosisOptions,
     stage: &dyn Fn(Stage),
 ) -> Result<Diagnosis, Undiagnosed> {
     run(fitted, held_out, model, settings, stage).ok_or(Undiagnosed::NoFit)
 }
 
-fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
+fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
     stage(Stage::Scatter);
     let ground = Ground::of(fitted, model)?;
     let problem = &ground.problem;
     let limit_seen = ground.flat_top.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
     stage(Stage::Nulls);
     let nulls = Nulls::of(&ground.scatter, &ground.family, settings.seed)?;
-    let setting = Setting { problem, nulls: &nulls, limit_seen, most: settings.most_effects, stage };
+    let setting = Setting { problem, nulls: &nulls, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
     let search = Search::run(&setting, model)?;
     stage(Stage::Gates);
     let base = search.levels[0].candidates[0].clone();
@@ -215,7 +224,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Setti
     let chosen = level.candidates[0].clone();
     let able: Vec<Candidate> = level.candidates.iter().filter(|one| nothing || setting.may_be(one)).cloned().collect();
     let alternatives = alternatives(&able);
-    let ranking = ranking(problem, fitted, &search, &chosen, nothing);
+    let ranking = ranking(&setting, fitted, &search, &chosen, nothing);
     let steady = constancy(problem, &chosen);
     let (verdict, reasons) = verdict(&Evidence {
         nothing,
@@ -323,7 +332,7 @@ fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
 /// Parameters on top of the base at a bound that is not their own 'off' nor the end of a physical range.
 fn implausible(candidate: &Candidate) -> Vec<(String, usize)> {
     let free = candidate.fitted.layout.free.iter().zip(&candidate.fitted.minimum.at_bound).enumerate().skip(2);
-    free.filter(|(_, (free, at_bound))| **at_bound && free.spec.id != "unilateral_contact")
+    free.filter(|(_, (free, at_bound))| **at_bound && !free.has_physical_bounds())
         .map(|(i, (free, _))| (format!("{} of {}", free.key(), free.spec.id), i))
         .collect()
 }
@@ -373,7 +382,8 @@ fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<Estimate>, 
     Some((chosen.fitted.layout.free.iter().enumerate().map(one).collect(), correlations))
 }
 
-fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
+fn ranking(setting: &Setting, waves: &Waves, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
+    let problem = setting.problem;
     let looked_at: Vec<(usize, &Candidate)> = search.levels.iter().skip(1).flat_map(|level| level.candidates.iter().enumerate()).collect();
     let one = |(at, candidate): (usize, &Candidate)| {
         let close = at < LOOKED_AT;
@@ -385,7 +395,7 @@ fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate
     };
     let mut all: Vec<Ranked> = looked_at.into_par_iter().map(one).collect();
     all.sort_by(|a, b| a.score.total_cmp(&b.score));
-    for spec in candidates(chosen.model())
+    for spec in candidates(setting.catalogue, chosen.model())
         .iter()
         .filter(|spec| search.levels.get(1).is_some_and(|level| level.candidates.iter().all(|one| one.ids() != [spec.id])))
     {

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::candidate::Candidate;
-use crate::impact::effects::{GRAVITY_M_S2, Model};
+use crate::impact::effects::Model;
 use crate::impact::fit::{Problem, Scatter};
 use crate::impact::sim::{Settings, System, wave};
+use crate::units::GRAVITY_M_S2;
 
 /// An experiment with what it promises.
 #[derive(Clone, Debug, Serialize)]
@@ -95,13 +96,12 @@ fn relative_error(problem: &Problem, scatter: &Scatter) -> f64 {
 fn waves_apart(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
     let points = (FAST.1 / step_s) as usize;
     let run = |model: &Model| {
-        let mut model = model.clone();
+        let mut system = System::new(model);
         if let Some(cutoff_hz) = cutoff_hz {
-            model.effects.retain(|listed| listed.spec.id != "sensor_low_pass");
-            model.sensor.cutoff_hz = cutoff_hz;
+            system.set_cutoff(cutoff_hz);
         }
         let mut out = vec![0.0; points];
-        (wave(&System::new(&model), height_m, step_s, &Settings::FIT, &mut out) == crate::impact::sim::Stop::End).then_some(out)
+        (wave(&system, height_m, step_s, &Settings::FIT, &mut out) == crate::impact::sim::Stop::End).then_some(out)
     };
     let (a, b) = (run(a)?, run(b)?);
     let peak = a.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));

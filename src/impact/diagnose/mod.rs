@@ -24,7 +24,7 @@ mod trend;
 pub use adequacy::{Adequacy, Statistics};
 pub use candidate::Candidate;
 pub use constancy::{ByHeight, Constancy, constancy};
-pub use diagnosis::{Alternative, Diagnosis, Estimate, Gaps, Ranked, Settings, Undiagnosed, Verdict, diagnose, joined, watched};
+pub use diagnosis::{Alternative, Diagnosis, DiagnosisOptions, Estimate, Gaps, Ranked, Undiagnosed, Verdict, diagnose, joined, watched};
 pub use experiment::Experiment;
 pub use flat_top::{FlatTop, flat_top};
 pub use gap::{Gap, gap};

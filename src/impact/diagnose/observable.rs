@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use crate::impact::effects::{GRAVITY_M_S2, Model};
+use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
+use crate::units::GRAVITY_M_S2;
 
 /// One height.
 #[derive(Clone, Copy, Debug, Serialize)]

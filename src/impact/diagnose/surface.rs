@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::place::{Phase, Point};
-use crate::impact::effects::GRAVITY_M_S2;
+use crate::units::GRAVITY_M_S2;
 
 /// A cell of the surface.
 #[derive(Clone, Copy, Debug, Serialize)]

@@ -9,8 +9,9 @@ use nalgebra::DVector;
 
 use super::chosen::Chosen;
 use super::fitting::Objective;
-use crate::impact::effects::{GRAVITY_M_S2, Model};
+use crate::impact::effects::Model;
 use crate::impact::sim::{Settings, Stop, System, wave};
+use crate::units::GRAVITY_M_S2;
 
 /// Samples of a wave that is shown.
 const SHOWN: usize = 31;

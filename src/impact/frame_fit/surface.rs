@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::{Impact, ImpactError, LOGGER_HZ, Run, sampled_peak_g};
 use crate::mechanics::settings::{IMPACT_LOSS, IMPACT_MODULUS, Settings};
+use crate::units::GRAVITY_MM_MS2;
 
 /// Length of the impulse from first touch, ms: that of the measured one.
 const IMPULSE_MS: f64 = 25.0;
@@ -54,7 +55,7 @@ impl Subject<'_> {
         let reading = impact.through(LOGGER_HZ);
         let pairs = impact.moments.windows(2).zip(reading.windows(2)).filter(|(moment, _)| moment[1].t_ms <= IMPULSE_MS + 1e-9);
         let area: f64 = pairs.map(|(moment, g)| 0.5 * (g[0] + g[1]) * (moment[1].t_ms - moment[0].t_ms)).sum();
-        let impulse = area * 9.81e-3 / impact.speed_m_s;
+        let impulse = area * GRAVITY_MM_MS2 / impact.speed_m_s;
         Ok(Answer { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms)), impulse })
     }
 }

@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
+use super::Group;
 use super::record::DropSet;
 use super::spread::Spread;
 use super::summary::{Drop, drops};
-use super::{GRAVITY_M_S2, Group};
+use crate::units::GRAVITY_M_S2;
 
 /// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is told by a threshold.
 const RELEASE_S: f64 = 0.015;

@@ -31,8 +31,7 @@ pub use spread::Spread;
 pub use static_test::{StaticTest, read_static_test};
 pub use summary::{Drop, Summary, drops};
 
-/// Gravity, m/s².
-pub const GRAVITY_M_S2: f64 = 9.81;
+use crate::units::GRAVITY_M_S2;
 
 /// Speed after a fall without air, m/s.
 pub fn impact_speed_m_s(height_m: f64) -> f64 {

@@ -3,7 +3,7 @@
 use super::dormand_prince::Dense;
 use super::root::{maximum, root};
 use super::system::{ALL, Phase, System};
-use crate::impact::effects::GRAVITY_M_S2;
+use crate::units::GRAVITY_M_S2;
 
 /// Parts of a step that are looked at.
 const PARTS: u32 = 8;

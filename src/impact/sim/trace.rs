@@ -5,7 +5,8 @@ use super::events::Events;
 use super::integrate::{Flow, Settings, Stop, integrate};
 use super::outside::Outside;
 use super::system::{ALL, System};
-use crate::impact::effects::{GRAVITY_M_S2, Reach};
+use crate::impact::effects::Reach;
+use crate::units::GRAVITY_M_S2;
 
 /// A run goes on for this long when the frame has not left the ground, s.
 const PATIENCE_S: f64 = 0.5;

@@ -10,6 +10,7 @@ pub fn wave(system: &System, height_m: f64, step_s: f64, settings: &Settings, ou
     match system.core {
         0..=4 => run::<4>(system, height_m, step_s, settings, out),
         5..=6 => run::<6>(system, height_m, step_s, settings, out),
+        7..=8 => run::<8>(system, height_m, step_s, settings, out),
         _ => run::<CORE>(system, height_m, step_s, settings, out),
     }
 }

@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 use super::drop_data;
 use super::own_mode::OwnMode;
 use crate::impact::diagnose::{Candidate, Diagnosis, Estimate, Gaps, Ranked, joined};
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::measured::{Fall, StaticTest};
 use crate::impact::sim::System;
 
@@ -109,7 +110,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     let base: Map<String, Value> = diagnosis
         .estimates
         .iter()
-        .filter(|estimate| ["linear_spring", "linear_damper"].contains(&estimate.effect))
+        .filter(|estimate| [LINEAR_SPRING.id, LINEAR_DAMPER.id].contains(&estimate.effect))
         .map(parameter)
         .collect();
     let [k, c] = diagnosis.base.model().stiffness_and_damping();

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::impact::diagnose::Diagnosis;
+use crate::impact::effects::PAYLOAD_MODE;
 
 /// The mode, and what the diagnosis found in its place.
 #[derive(Clone, Debug, Serialize)]
@@ -20,7 +21,7 @@ pub struct OwnMode {
 impl OwnMode {
     /// Compares.
     pub fn of([mu, f_hz]: [f64; 2], diagnosis: &Diagnosis) -> Self {
-        let of = |key: &str| diagnosis.estimates.iter().find(|one| one.effect == "payload_mode" && one.key == key);
+        let of = |key: &str| diagnosis.estimates.iter().find(|one| one.effect == PAYLOAD_MODE.id && one.key == key);
         let fitted = of("mu").zip(of("f_hz"));
         let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
         let agrees = fitted.is_some_and(|(share, frequency)| within(mu, share.ci95) && within(f_hz, frequency.ci95));
