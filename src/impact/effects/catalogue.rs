@@ -1,7 +1,6 @@
 //! The list of effects. Every other table of effects is derived from it.
 
-use super::model::Model;
-use super::spec::{Availability, Spec, Stage};
+use super::spec::{Spec, Stage};
 use super::*;
 
 /// Every effect: the base's, then those that can come on top, in the order of composition.
@@ -26,16 +25,6 @@ pub const CATALOGUE: [&Spec; 19] = [
     &air_drag::SPEC,
     &frame_force_curve::SPEC,
 ];
-
-/// The effects of a list that a model may have on top of its base.
-pub fn candidates(catalogue: &[&'static Spec], model: &Model) -> Vec<&'static Spec> {
-    let available = |spec: &&&'static Spec| match spec.availability {
-        Availability::Base => false,
-        Availability::Any => true,
-        Availability::WithFrameCurve => model.frame_curve.is_some(),
-    };
-    catalogue.iter().filter(available).copied().collect()
-}
 
 /// An effect's record by its id, the base's among them.
 pub fn by_id(id: &str) -> Option<&'static Spec> {

@@ -40,7 +40,7 @@ mod spec;
 mod unilateral_contact;
 
 pub use arrangement::{Arrangement, AttachedMass, Feet, SpringCurve};
-pub use catalogue::{CATALOGUE, by_id, candidates, states, working};
+pub use catalogue::{CATALOGUE, by_id, states, working};
 pub use effect::{Effect, MotionState, Reach, Threshold};
 pub use fall::Fall;
 pub use frame_curve::{FrameCurve, POINTS, REACH_MM};
@@ -48,7 +48,7 @@ pub use frame_force_curve::SPEC as FRAME_FORCE_CURVE;
 pub use generator::{Conditions, Generator, Moment, Rider};
 pub use linear_damper::{LinearDamper, SPEC as LINEAR_DAMPER};
 pub use linear_spring::{LinearSpring, SPEC as LINEAR_SPRING};
-pub use model::{Listed, Model};
+pub use model::{Listed, Model, candidates};
 pub use model_text::{CHANNEL, CURVE, MOST_STAGES, PLAIN_NUMBERS, channel_words};
 pub use parameter::{Choice, Parameter, Scale};
 pub use payload_mode::SPEC as PAYLOAD_MODE;

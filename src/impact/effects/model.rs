@@ -7,7 +7,7 @@ use super::catalogue::CATALOGUE;
 use super::effect::Effect;
 use super::frame_curve::FrameCurve;
 use super::sensor::{Channel, Sensor};
-use super::spec::{Inputs, Known, Spec, Stage};
+use super::spec::{Availability, Inputs, Known, Spec, Stage};
 use super::{linear_damper, linear_spring};
 use crate::impact::body::Body;
 
@@ -116,6 +116,16 @@ impl Model {
     pub fn known(&self) -> Known {
         Known { cutoff_hz: self.sensor.cutoff_hz, frame_mode: self.frame_mode }
     }
+}
+
+/// The effects of a list that a model may have on top of its base.
+pub fn candidates(catalogue: &[&'static Spec], model: &Model) -> Vec<&'static Spec> {
+    let available = |spec: &&&'static Spec| match spec.availability {
+        Availability::Base => false,
+        Availability::Any => true,
+        Availability::WithFrameCurve => model.frame_curve.is_some(),
+    };
+    catalogue.iter().filter(available).copied().collect()
 }
 
 /// Position of an effect in the order of composition; effects from outside the catalogue come last.

@@ -3,11 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::expected::Expected;
-use super::flicker::Flicker;
+use super::flicker::{Flicker, TIMES_S};
 use super::waves::{BEFORE, Waves};
 
-/// Correlation times of coloured scatter, s.
-pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
 /// Most sets tried.
 const ROUNDS: usize = 60;
 /// Kinds before those of changing parameters.

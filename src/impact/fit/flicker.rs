@@ -6,10 +6,11 @@
 //! (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger a tenth of the shift
 //! is left, a third behind it. Wrong where the scatter is not in proportion to the wave, and where white noise comes near the trigger.
 
-use super::expected::Fine;
-use super::family::TIMES_S;
+use super::fine_wave::FineWave;
 use super::waves::{BEFORE, TRIGGER_G};
 
+/// Correlation times of coloured scatter, s.
+pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
 /// Scatter of readings as part of the wave that changes no mean by as much as can be seen.
 const SLIGHT: f64 = 0.15;
 /// Phases of the clock.
@@ -45,7 +46,7 @@ impl Flicker {
     }
 
     /// What is to be added to a mean window without scatter, g.
-    pub fn shift(&self, fine: &Fine, step_s: f64, samples: usize) -> Vec<f64> {
+    pub fn shift(&self, fine: &FineWave, step_s: f64, samples: usize) -> Vec<f64> {
         let kept: Vec<f64> = (0..samples).map(|lag| self.kept(lag as f64 * step_s)).collect();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
         let mut sum = vec![0.0; samples];

@@ -13,6 +13,7 @@
 mod chosen;
 mod expected;
 mod family;
+mod fine_wave;
 mod fitting;
 mod flicker;
 mod free;

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::system::{Phase, System};
+use super::phase::Phase;
+use super::system::System;
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, MotionState};
 use crate::units::GRAVITY_M_S2;
 

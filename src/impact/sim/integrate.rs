@@ -1,8 +1,9 @@
 //! From first touch on: steps whose length follows the error estimate, cut where a switch turns.
 
 use super::dormand_prince::{Dense, Step};
-use super::switch::Switches;
-use super::system::{Phase, System};
+use super::phase::Phase;
+use super::switches::Switches;
+use super::system::System;
 
 /// How to run.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,6 +3,7 @@
 //! States in order: x, v, the low-pass's stages, the effects' own, the payload's lag and its rate; then, when energies
 //! are asked for, the work done on each term.
 
+use super::phase::Phase;
 use super::switch::Switch;
 use crate::impact::body::Body;
 use crate::impact::effects::{
@@ -34,17 +35,6 @@ impl Term {
     pub fn motion<'y>(&self, y: &'y [f64]) -> MotionState<'y> {
         MotionState { x_m: y[0], v_m_s: y[1], own: &y[self.at..self.at + self.states] }
     }
-}
-
-/// What holds between two switches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Phase {
-    /// Whether the frame has left the ground (x < 0).
-    pub airborne: bool,
-    /// How many feet have touched.
-    pub touched: usize,
-    /// Whether works are summed.
-    pub works: bool,
 }
 
 /// What pushes.
