@@ -48,10 +48,16 @@ fn planted(folder: &Path, points: &[[f64; 2]], seed: u64) -> std::path::PathBuf 
         list(0),
         list(1)
     );
-    let file = folder.join("planted.toml");
+    let file = folder.join("truth.toml");
     fs::write(&file, plan).expect("written");
-    assert_cmd::Command::new(assert_cmd::cargo::cargo_bin("flexframe")).arg("plant").arg(&file).arg("-o").arg(folder).assert().success();
-    folder.join("plant-planted/drops")
+    assert_cmd::Command::new(assert_cmd::cargo::cargo_bin("flexframe"))
+        .arg("synthesize")
+        .arg(&file)
+        .arg("-o")
+        .arg(folder)
+        .assert()
+        .success();
+    folder.join("synthesize-truth/drops")
 }
 
 fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
@@ -97,13 +103,13 @@ fn analytic_energies_balance_with_the_curve_and_beyond_its_end_it_is_marked() {
         let trace = flexframe::impact::sim::simulate(
             &flexframe::impact::sim::System::new(&dropped),
             0.5,
-            &flexframe::impact::sim::Settings::REPORT,
+            &flexframe::impact::sim::SolverOptions::REPORT,
         );
         for balance in trace.compression.iter().chain(&trace.release) {
             assert!(balance.residual().abs() < 1e-8, "{reach} {feet}: {}", balance.residual());
         }
-        let marked = trace.outside.iter().any(|mark| mark.to_string().contains("to which the frame's curve goes"));
-        assert_eq!(marked, reach == 4, "{:?}", trace.outside);
+        let marked = trace.warnings.iter().any(|mark| mark.to_string().contains("to which the frame's curve goes"));
+        assert_eq!(marked, reach == 4, "{:?}", trace.warnings);
     }
 }
 

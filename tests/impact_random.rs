@@ -4,7 +4,7 @@
 mod impact;
 
 use flexframe::impact::effects::{CATALOGUE, Model, candidates};
-use flexframe::impact::sim::{Settings, Stop, System, simulate, wave};
+use flexframe::impact::sim::{SolverOptions, Stop, System, simulate, wave};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
@@ -52,11 +52,11 @@ fn analytic_random_models_stay_finite_and_balance() {
     for (model, height_m) in models() {
         let system = System::new(&model);
         let mut out = vec![f64::NAN; 601];
-        wave(&system, height_m, 1e-4, &Settings::FIT, &mut out);
+        wave(&system, height_m, 1e-4, &SolverOptions::FIT, &mut out);
         assert!(out.iter().all(|reading_g| reading_g.is_finite()), "{}", model.to_toml());
-        let trace = simulate(&system, height_m, &Settings { tolerance: 1e-9, ..Settings::REPORT });
+        let trace = simulate(&system, height_m, &SolverOptions { tolerance: 1e-9, ..SolverOptions::REPORT });
         ended += usize::from(trace.stop == Stop::End);
-        assert!(trace.stop == Stop::End || !trace.outside.is_empty());
+        assert!(trace.stop == Stop::End || !trace.warnings.is_empty());
         for balance in trace.compression.iter().chain(&trace.release) {
             let share = balance.residual().abs() * balance.input_j.abs();
             let size: f64 = balance.input_j.abs() + balance.terms.iter().map(|term| term.work_j.abs()).sum::<f64>();

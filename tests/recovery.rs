@@ -35,10 +35,10 @@ fn plan(planted: &str, seed: u64) -> String {
 /// Plants and diagnoses; the diagnosis, and the exit code that came with it.
 fn diagnosis(planted: &str, seed: u64) -> (Value, i32) {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("planted.toml");
+    let file = folder.path().join("truth.toml");
     fs::write(&file, plan(planted, seed)).expect("written");
-    program().arg("plant").arg(&file).arg("-o").arg(folder.path()).assert().success();
-    let drops = folder.path().join("plant-planted/drops");
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    let drops = folder.path().join("synthesize-truth/drops");
     let out = program()
         .args(["diagnose", "--model", "paper", "--hold-out-heights", "2.0", "--json", "-o"])
         .arg(folder.path())
@@ -153,12 +153,12 @@ fn planted_strangers_are_not_named() {
 #[test]
 fn regress_the_same_seed_gives_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("planted.toml");
+    let file = folder.path().join("truth.toml");
     fs::write(&file, plan(&table("preload", "f0_n = 8.0"), 3)).expect("written");
-    program().arg("plant").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
     let run = |to: &str, threads: &str| {
         let place = folder.path().join(to);
-        let drops = folder.path().join("plant-planted/drops");
+        let drops = folder.path().join("synthesize-truth/drops");
         program().env("RAYON_NUM_THREADS", threads).args(["diagnose", "-q", "-o"]).arg(&place).arg(&drops).assert().code(1);
         let mut files: Vec<_> =
             fs::read_dir(place.join("diagnose-paper")).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
@@ -174,7 +174,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
     let refused = |text: &str, says: &str| {
         let file = folder.path().join("plan.toml");
         fs::write(&file, text).expect("written");
-        let out = program().arg("plant").arg(&file).arg("-o").arg(folder.path()).output().expect("run");
+        let out = program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).output().expect("run");
         let told = String::from_utf8_lossy(&out.stderr).into_owned();
         assert!(out.status.code() == Some(2) && told.contains(says), "{says}: {:?} {told}", out.status.code());
     };
@@ -186,7 +186,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
     refused(&plan("[hidden]\nkind = \"snap\"", 1), "hidden.x1_mm");
     let file = folder.path().join("good.toml");
     fs::write(&file, plan("", 1)).expect("written");
-    program().arg("plant").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
     for (option, says) in
         [(["--hold-out-heights", "7"], "0.5, 1, 1.5, 2"), (["--max-effects", "9"], "1, 2 or 3"), (["--model", "nowhere"], "paper")]
     {
@@ -195,7 +195,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
             .args(option)
             .arg("-o")
             .arg(folder.path())
-            .arg(folder.path().join("plant-good/drops"))
+            .arg(folder.path().join("synthesize-good/drops"))
             .output()
             .expect("run");
         let told = String::from_utf8_lossy(&out.stderr).into_owned();

@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 
 use flexframe::impact::effects::Model;
-use flexframe::impact::fit::{Layout, Problem, inverse_root};
+use flexframe::impact::fit::{FitProblem, Layout, inverse_root};
 use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
@@ -22,7 +22,7 @@ use crate::covariance::{covariances, exact};
 use crate::strength::recorded;
 use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, plan};
 
-/// Nulls that alarm.
+/// Bootstrap that alarm.
 const ALARMS: f64 = 0.05;
 /// Draws of the scatter a truth.
 const DRAWS: usize = 400;
@@ -58,7 +58,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(problem: &Problem, model: &Model, gain: f64) -> Option<Self> {
+    fn of(problem: &FitProblem, model: &Model, gain: f64) -> Option<Self> {
         let fitted = problem.fit(Layout::named(model.clone(), &["k", "c"])?, 12)?;
         let (model, jacobian) = (fitted.model().clone(), fitted.minimum.jacobian);
         let normal = jacobian.transpose() * &jacobian;

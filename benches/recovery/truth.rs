@@ -1,9 +1,9 @@
 //! Drops with a known truth: base models, effects on top of them at a stated strength, and how strong they are.
 
-use flexframe::impact::diagnose::{Candidate, Ground, Nulls, Search, Setting};
+use flexframe::impact::diagnose::{Bootstrap, Candidate, PreparedDrops, Search, SearchContext};
 use flexframe::impact::effects::{CATALOGUE, Model, by_id};
-use flexframe::impact::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
-use flexframe::impact::synthetic::{Plan, Scatter as Spread, clean, records};
+use flexframe::impact::fit::{Expected, FitProblem, FittedDrop, Layout, TrialCovariance, Waves, Whitening};
+use flexframe::impact::synthetic::{Plan, TrialVariation, clean, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -29,7 +29,7 @@ pub fn plan(level: usize, seed: u64) -> Plan {
     let (k, c): (f64, f64) = (rng.random_range(0.8..1.25), rng.random_range(0.8..1.25));
     model.effects[0].values[0] *= k;
     model.effects[1].values[0] *= c;
-    let scatter = Spread { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
+    let scatter = TrialVariation { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
     Plan { model, hidden: None, heights_m: HEIGHTS_M.to_vec(), drops, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
 }
 
@@ -44,7 +44,7 @@ fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Mode
 }
 
 pub fn waves(plan: &Plan) -> Waves {
-    let drop = |record: flexframe::impact::synthetic::Record| Drop {
+    let drop = |record: flexframe::impact::synthetic::SyntheticRecord| FittedDrop {
         trial: record.trial,
         height_m: record.height_m,
         t_s: record.t_s,
@@ -55,14 +55,14 @@ pub fn waves(plan: &Plan) -> Waves {
 
 /// A truth's noise-free mean waves with the generator's own covariance of the mean: read off many drops, or by quadrature
 /// where k and c scatter, as the mean of some hundred such drops is not without noise.
-pub fn noise_free(plan: &Plan) -> Option<Problem> {
+pub fn noise_free(plan: &Plan) -> Option<FitProblem> {
     if plan.scatter.stiffness > 0.0 && plan.hidden.is_none() {
         return exact(plan);
     }
     let counts = vec![plan.drops; plan.heights_m.len()];
     let limited = plan.model.value("sensor_saturation", "limit_g").is_some();
     let many = waves(&Plan { drops: if limited { 3000 } else { 300 }, ..plan.clone() });
-    let mut problem = Problem::of(&many, Whitening::of(&Scatter::of(&many).plain_covariances(), &counts)?, 0.0);
+    let mut problem = FitProblem::of(&many, Whitening::of(&TrialCovariance::of(&many).plain_covariances(), &counts)?, 0.0);
     let expected: Expected = problem.expected;
     if plan.scatter.stiffness == 0.0 && !limited {
         for (height_m, mean) in &mut problem.means {
@@ -82,9 +82,9 @@ pub fn noncentrality(plan: &Plan) -> Option<f64> {
 pub fn catalogue(plan: &Plan) -> Option<Search> {
     let problem = noise_free(plan)?;
     let few = waves(plan);
-    let ground = Ground::of(&few, &base())?;
-    let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
-    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
+    let ground = PreparedDrops::of(&few, &base())?;
+    let nulls = Bootstrap::of(&ground.scatter, &ground.family, 1)?;
+    let setting = SearchContext { problem: &problem, nulls: &nulls, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
     Search::run(&setting, &base())
 }
 

@@ -53,7 +53,7 @@ pub(super) enum Command {
     /// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
     #[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
     Fold(FoldOptions),
-    /// Drop the body of a model, or of a frame, and write peaks, energies and plots.
+    /// Simulate drops of an impact model, or of a frame, and write peaks, energies and plots.
     #[command(
         after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json\n  flexframe drop cognifly-v8 --model frame"
     )]
@@ -63,11 +63,11 @@ pub(super) enum Command {
         after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
     )]
     Diagnose(DiagnoseOptions),
-    /// Write drops with a known truth, to test a diagnosis on.
+    /// Write synthetic drops with a known truth, to test a diagnosis on.
     #[command(
-        after_help = "Example:\n  flexframe plant params/plant/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
+        after_help = "Example:\n  flexframe synthesize params/synthetic/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
     )]
-    Plant(PlantOptions),
+    Synthesize(SynthesizeOptions),
     /// Fit parameters of a model to measured drops.
     #[command(
         after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's."
@@ -417,7 +417,7 @@ pub(super) enum SchemaKind {
     Frame,
     /// An impact model.
     Model,
-    /// A plan of planted drops.
+    /// A plan of synthetic drops.
     Plan,
     /// The form of params/bought.toml.
     Bought,
@@ -549,7 +549,7 @@ pub(super) struct DiagnoseOptions {
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper", value_name = "MODEL")]
     pub model: String,
-    /// A frame whose own static curve is a candidate, too: the drops tell how much of it there is.
+    /// A frame whose own static curve is a candidate, too: its share is fitted to the drops.
     #[arg(long, value_name = "FRAME")]
     pub frame: Option<String>,
     /// With --frame: numbers of the mechanics instead of those that come with the program.
@@ -575,16 +575,16 @@ pub(super) struct DiagnoseOptions {
     pub output: PathBuf,
 }
 
-/// Options of `plant`.
+/// Options of `synthesize`.
 #[derive(Debug, Args)]
-pub(super) struct PlantOptions {
+pub(super) struct SynthesizeOptions {
     /// The plan: a TOML file.
     #[arg(value_name = "PLAN")]
     pub plan: String,
     /// Seed instead of the plan's.
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Folder that takes the folder `plant-PLAN`.
+    /// Folder that takes the folder `synthesize-PLAN`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

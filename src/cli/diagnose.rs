@@ -12,11 +12,11 @@ use super::session::{self, Failure};
 use super::stiffness::refused;
 use super::terminal;
 use crate::frame::assembly::mass;
-use crate::impact::body::Body;
+use crate::impact::body::DropBody;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Stage, Verdict, observables};
 use crate::impact::effects::{Channel, Model, PAYLOAD_MODE};
-use crate::impact::fit::{Chosen, Keep, Unfit, Waves};
+use crate::impact::fit::{Chosen, FitError, Keep, Waves};
 use crate::impact::measured;
 use crate::impact::measured::{Fall, StaticTest};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -40,7 +40,7 @@ pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<Exi
     let working = Progress::staged("diagnosing", Stage::count(most), common);
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
-        model.body = Body::of(&design, &mass::table(&design));
+        model.body = DropBody::of(&design, &mass::table(&design));
     }
     if let Some(frame) = &options.frame {
         let own = reduced(frame, options.mechanics.as_deref())?;
@@ -92,7 +92,7 @@ fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
     frame_reduction::model(&design, &masses, &quarter, &curve, &settings)
 }
 
-fn usage(error: Unfit) -> Failure {
+fn usage(error: FitError) -> Failure {
     Failure::Usage { message: error.to_string() }
 }
 
@@ -105,12 +105,12 @@ fn word(channel: Channel) -> &'static str {
 
 /// The drops in the channel that can be compared, and how it was chosen: a magnitude whose impulse no vertical impact has
 /// holds sideways motion, so the axis is taken where it was measured.
-fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOptions) -> Result<(Waves, Compared), Unfit> {
+fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOptions) -> Result<(Waves, Compared), FitError> {
     let stated = model.sensor.channel;
     let mut chosen = Chosen::of(set, stated, Keep::Evidence)?;
     let mut reason = None;
     if stated == Channel::Magnitude && chosen.lacks_axes() {
-        reason = Some("the drops hold one axis only, so that is compared".to_string());
+        reason = Some("the drops have one axis only, so that is compared".to_string());
         chosen.channel = Channel::Axial;
     } else if stated == Channel::Magnitude {
         let impossible: Vec<String> = observables(&chosen.waves()?, model)
@@ -120,7 +120,7 @@ fn compared(set: &measured::DropSet, model: &mut Model, options: &DiagnoseOption
             .collect();
         if !impossible.is_empty() {
             reason = Some(format!(
-                "the magnitude's impulse is impossible for a vertical impact ({}): it holds sideways motion, so the axis is compared instead",
+                "the magnitude's impulse is impossible for a vertical impact ({}): it contains sideways motion, so the axial component is compared",
                 impossible.join("; ")
             ));
             chosen.channel = Channel::Axial;
@@ -192,7 +192,7 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
         text += &format!("{:<32} {:>10.4}   {low:.4} to {high:.4} {}\n", format!("{}.{}", one.effect, one.key), one.value, one.unit);
     }
     if let Some(next) = found.experiments.first() {
-        text += &format!("\nnext: {} (tells {} from {})\n", next.what, next.between[0], next.between[1]);
+        text += &format!("\nnext: {} (distinguishes {} from {})\n", next.what, next.between[0], next.between[1]);
     }
     text.push('\n');
     text

@@ -11,7 +11,7 @@ use super::session::{self, Failure};
 use super::stiffness::refused;
 use super::terminal;
 use crate::frame::assembly::mass;
-use crate::impact::frame_fit::{Height, Subject, Surface, fit};
+use crate::impact::frame_fit::{Height, ResponseSurface, Subject, fit};
 use crate::impact::measured;
 use crate::impact::measured::{DropSet, Summary};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -31,7 +31,7 @@ pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCod
     let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(refused)?;
     let subject = Subject { model: &model, settings: &settings };
     let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
-    let surface = Surface::new(&subject, &heights_m).map_err(refused)?;
+    let surface = ResponseSurface::new(&subject, &heights_m).map_err(refused)?;
     let found = fit(&subject, surface, &heights).map_err(refused)?;
     let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
     let json = impact_fit_data::json(&fitted);
@@ -57,7 +57,7 @@ fn heights(set: &DropSet) -> Result<Vec<Height>, Failure> {
         let names: Vec<&str> = set.frames().into_iter().map(|frame| frame.unwrap_or("unnamed")).collect();
         return Err(Failure::Usage { message: format!("the drops are of several frames ({}): name those of one", names.join(", ")) });
     }
-    let of = |(group, drops): &(&measured::Group, Vec<measured::Drop>)| {
+    let of = |(group, drops): &(&measured::DropGroup, Vec<measured::Drop>)| {
         let height = Height::of(&Summary::of(group, drops));
         height.ok_or_else(|| Failure::Usage { message: format!("no drop from {} m has an impact without a flag", group.height_m) })
     };

@@ -4,7 +4,7 @@ use super::session::Failure;
 use super::stiffness::refused;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::impact::body::Body;
+use crate::impact::body::DropBody;
 use crate::impact::effects::{Channel, FRAME_FORCE_CURVE, FrameCurve, Model, PAYLOAD_MODE, Sensor};
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::LOGGER_HZ;
@@ -30,7 +30,7 @@ pub(super) fn model(
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
     let frame_curve = FrameCurve::new(&x_mm, &phi_mm).map_err(refused)?;
     let sensor = Sensor::new(LOGGER_HZ, 1, LIMIT_G, Channel::Axial);
-    let mut model = Model::base(Body::of(design, masses), sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
+    let mut model = Model::base(DropBody::of(design, masses), sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
     model.name = format!("{}-reduced", design.frame.name);
     model.frame_curve = Some(Arc::new(frame_curve));
     model = model.with(&FRAME_FORCE_CURVE, &[1.0], 0);

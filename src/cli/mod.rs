@@ -22,7 +22,6 @@ mod measure;
 mod new;
 mod output;
 mod params;
-mod plant;
 mod progress;
 mod render;
 mod revision;
@@ -31,6 +30,7 @@ mod session;
 mod slicer;
 mod solve;
 mod stiffness;
+mod synthesize;
 mod table;
 mod terminal;
 mod watch;
@@ -79,7 +79,7 @@ fn perform(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Command::Build(options) => build::build(options, &arguments.common),
         Command::Check(options) => check::check(options, &arguments.common),
         Command::Diagnose(options) => diagnose::diagnose(options, &arguments.common),
-        Command::Plant(options) => plant::plant(options, &arguments.common),
+        Command::Synthesize(options) => synthesize::synthesize(options, &arguments.common),
         Command::Fold(options) => fold::fold(options, &arguments.common),
         Command::Drop(options) => drop::drop(options, &arguments.common),
         Command::Fit(options) => fit::fit(options, &arguments.common),

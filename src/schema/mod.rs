@@ -14,7 +14,7 @@ pub enum FileKind {
     Frame,
     /// An impact model.
     Model,
-    /// A plan of planted drops.
+    /// A plan of synthetic drops.
     Plan,
     /// The form of `params/bought.toml`.
     Bought,
@@ -31,7 +31,7 @@ pub fn schema(kind: FileKind) -> Value {
     let (title, body) = match kind {
         FileKind::Frame => ("frame of flexframe", frame::schema()),
         FileKind::Model => ("impact model of flexframe", model::schema()),
-        FileKind::Plan => ("plan of planted drops of flexframe", model::plan()),
+        FileKind::Plan => ("plan of synthetic drops of flexframe", model::plan()),
         FileKind::Bought => ("bought parts of flexframe", catalogue::bought()),
         FileKind::Materials => ("materials of flexframe", catalogue::materials()),
         FileKind::Printer => ("printer of flexframe", catalogue::printer()),

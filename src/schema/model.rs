@@ -1,4 +1,4 @@
-//! Schemas of impact models and of plans of planted drops.
+//! Schemas of impact models and of plans of synthetic drops.
 
 use serde_json::{Map, Value, json};
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Observable, diagnose, joined, observables};
 use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
-use flexframe::impact::fit::{Chosen, Keep, Layout, Paper, Waves, fit};
+use flexframe::impact::fit::{Chosen, Keep, Layout, PaperObjective, Waves, fit};
 use flexframe::impact::measured;
 use flexframe::impact::measured::{Calibration, DropSet};
 use flexframe::mechanics;
@@ -77,7 +77,7 @@ impl Study {
         let set = drops();
         let (magnitude, axial) = (waves(&set, Channel::Magnitude), waves(&set, Channel::Axial));
         let model = paper(Channel::Axial);
-        let objective = Paper::of(&Chosen::of(&set, Channel::Magnitude, Keep::Every).expect("there are drops"));
+        let objective = PaperObjective::of(&Chosen::of(&set, Channel::Magnitude, Keep::Every).expect("there are drops"));
         let cutoff = by_id("sensor_low_pass").expect("an effect");
         let damper = |cutoff_hz: f64, keys: &[&str]| {
             let model = paper(Channel::Magnitude).with(cutoff, &[cutoff_hz], 0);

@@ -6,9 +6,9 @@ use flexframe::impact::diagnose::{DiagnosisOptions, Verdict, diagnose};
 use flexframe::impact::effects::{
     Availability, CATALOGUE, Effect, FrameCurve, Generator, Model, MotionState, Parameter, Scale, Spec, Stage, by_id,
 };
-use flexframe::impact::fit::{Drop, Waves};
-use flexframe::impact::sim::{Settings, System, simulate, wave};
-use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, Scatter, records};
+use flexframe::impact::fit::{FittedDrop, Waves};
+use flexframe::impact::sim::{SolverOptions, System, simulate, wave};
+use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, TrialVariation, records};
 use flexframe::params::ImpactFile;
 
 /// A force that follows the compression late: q' = a x - q / 4 ms.
@@ -74,11 +74,11 @@ fn truth() -> Model {
 #[test]
 fn analytic_a_toy_effect_is_simulated_and_generated() {
     let mut simulated = vec![0.0; 700];
-    wave(&System::new(&truth()), 1.0, 5e-5, &Settings::REPORT, &mut simulated);
+    wave(&System::new(&truth()), 1.0, 5e-5, &SolverOptions::REPORT, &mut simulated);
     let generated = ReferenceTrajectory::of(&truth(), None, 1.0, 1.0).wave_g(1.0, 5e-5, 700);
     assert!(simulated.iter().zip(&generated).all(|(a, b)| (a - b).abs() < 0.01));
     let mut plain = vec![0.0; 700];
-    wave(&System::new(&Model::load("paper").expect("the paper's model")), 1.0, 5e-5, &Settings::REPORT, &mut plain);
+    wave(&System::new(&Model::load("paper").expect("the paper's model")), 1.0, 5e-5, &SolverOptions::REPORT, &mut plain);
     assert!(simulated.iter().zip(&plain).any(|(a, b)| (a - b).abs() > 1.0));
 }
 
@@ -90,7 +90,7 @@ fn analytic_a_toy_effect_runs_beside_all_others_with_its_energy() {
             spec.parameters.iter().map(|p| p.off.map_or(0.5 * (p.min + p.max), |off| off + 0.05 * (p.max - off))).collect();
         model.with(spec, &values, 0)
     });
-    let balance = simulate(&System::new(&model), 1.0, &Settings::REPORT).compression.expect("turns");
+    let balance = simulate(&System::new(&model), 1.0, &SolverOptions::REPORT).compression.expect("turns");
     assert!(balance.terms.iter().any(|term| term.effect == TOY.id), "{:?}", balance.terms);
     assert!(balance.residual().abs() < 1e-8, "{}", balance.residual());
 }
@@ -106,11 +106,11 @@ fn analytic_a_toy_effect_is_read_from_a_model_file() {
 
 #[test]
 fn planted_a_toy_effect_is_fitted_and_named() {
-    let scatter = Scatter { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let scatter = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
     let heights_m = vec![0.5, 1.0, 1.5];
     let plan =
         Plan { model: truth(), hidden: None, heights_m, drops: 20, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed: 7 };
-    let drop = |record: flexframe::impact::synthetic::Record| Drop {
+    let drop = |record: flexframe::impact::synthetic::SyntheticRecord| FittedDrop {
         trial: record.trial,
         height_m: record.height_m,
         t_s: record.t_s,

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use crate::impact::effects::{Model, Spec, candidates};
-use crate::impact::fit::Problem;
+use crate::impact::fit::FitProblem;
 
 /// An effect at some values.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +61,7 @@ pub struct Dictionary {
 
 impl Dictionary {
     /// The effects of a list on top of a model.
-    pub fn on(problem: &Problem, model: &Model, catalogue: &[&'static Spec]) -> Option<Self> {
+    pub fn on(problem: &FitProblem, model: &Model, catalogue: &[&'static Spec]) -> Option<Self> {
         let here = problem.prediction(model)?;
         let tried: Vec<(Start, DVector<f64>)> = starts(catalogue, model)
             .into_par_iter()

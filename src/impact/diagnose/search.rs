@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::adequacy::{Adequacy, Seen, judge};
+use super::adequacy::{Adequacy, LinearisedFit, judge};
+use super::bootstrap::Bootstrap;
 use super::candidate::{Candidate, promises, tries};
 use super::dictionary::Dictionary;
-use super::nulls::Nulls;
 use super::stage::Stage;
 use crate::impact::effects::{Model, Spec, candidates};
-use crate::impact::fit::Problem;
+use crate::impact::fit::FitProblem;
 
 /// Chance below which something is missing.
 pub const RARE: f64 = 0.01;
@@ -43,11 +43,11 @@ pub struct Search {
 }
 
 /// What a search needs.
-pub struct Setting<'a> {
+pub struct SearchContext<'a> {
     /// Mean waves.
-    pub problem: &'a Problem,
+    pub problem: &'a FitProblem,
     /// What could have been measured if nothing were missing.
-    pub nulls: &'a Nulls,
+    pub nulls: &'a Bootstrap,
     /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
     pub limit_seen: bool,
     /// The effects that are tried.
@@ -60,7 +60,7 @@ pub struct Setting<'a> {
 
 impl Search {
     /// Searches from a model's base on; `None` when the base cannot be fitted.
-    pub fn run(setting: &Setting, model: &Model) -> Option<Self> {
+    pub fn run(setting: &SearchContext, model: &Model) -> Option<Self> {
         let base = Candidate::base(setting.problem, model)?;
         let mut dictionary = Dictionary::on(setting.problem, base.model(), setting.catalogue)?;
         (setting.stage)(Stage::Effects(1));
@@ -93,11 +93,11 @@ impl Search {
     }
 }
 
-impl Setting<'_> {
+impl SearchContext<'_> {
     /// Whether a candidate is enough.
     pub fn adequacy(&self, candidate: &Candidate, dictionary: &Dictionary) -> Option<Adequacy> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
-        let seen = Seen { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
+        let seen = LinearisedFit { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
         judge(&deviation, &seen, self.nulls)
     }

@@ -72,7 +72,7 @@ impl Effect for BilinearStiffness {
             return None;
         }
         let slope = reach.stiffness_n_m + self.stiffness_n_m;
-        let gives_way = if slope < 0.0 { "behind it the spring gives way" } else { "real stops have none" };
+        let gives_way = if slope < 0.0 { "behind it the stiffness is negative" } else { "real stops have none" };
         Some(format!("the kink at {:.1} mm is passed: {gives_way}", self.kink_m * 1e3))
     }
 }

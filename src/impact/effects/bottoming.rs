@@ -94,6 +94,7 @@ impl Effect for Bottoming {
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         let depth_m = reach.deepest_m - self.onset_m;
-        (depth_m > 0.0).then(|| format!("the stop is pressed {:.2} mm: no sphere on a half-space, k_b is a fitted number", depth_m * 1e3))
+        (depth_m > 0.0)
+            .then(|| format!("the stop is compressed by {:.2} mm: the contact is not Hertzian, k_b is a fitted number", depth_m * 1e3))
     }
 }

@@ -52,6 +52,6 @@ impl Effect for CubicStiffness {
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         let slope = reach.stiffness_n_m + 3.0 * self.k3_n_m3 * reach.deepest_m * reach.deepest_m;
-        (slope < 0.0).then(|| format!("at {:.1} mm the spring gives way: its stiffness is {slope:.0} N/m", reach.deepest_m * 1e3))
+        (slope < 0.0).then(|| format!("at {:.1} mm the stiffness is negative: {slope:.0} N/m", reach.deepest_m * 1e3))
     }
 }

@@ -25,7 +25,7 @@ pub(super) const SPEC: Spec = Spec {
         off: Some(0.0),
         default: None,
         scale: Scale::Linear,
-        doc: "height that is not in the stated one",
+        doc: "error of the stated height",
     }],
     choice: None,
     states: &[],

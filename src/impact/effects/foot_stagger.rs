@@ -49,9 +49,9 @@ impl Effect for FootStagger {
     fn outside(&self, reach: &Reach) -> Option<String> {
         (reach.deepest_m < self.spread_m).then(|| {
             format!(
-                "{:.1} mm do not bring the last foot down at {:.1} mm: a body tilted so far turns",
-                reach.deepest_m * 1e3,
-                self.spread_m * 1e3
+                "the last foot, at {:.1} mm, does not touch within {:.1} mm: a body tilted this far rotates",
+                self.spread_m * 1e3,
+                reach.deepest_m * 1e3
             )
         })
     }

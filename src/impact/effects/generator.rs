@@ -8,7 +8,7 @@
 
 /// A moment of the generator's motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment {
+pub struct GeneratorState {
     /// Compression, m.
     pub x: f64,
     /// Its rate, m/s.
@@ -61,11 +61,11 @@ pub struct Conditions {
 #[derive(Clone, Copy, Debug)]
 pub enum Generator {
     /// A force in the sum, N.
-    Force(fn(Moment, &[f64]) -> f64),
+    Force(fn(GeneratorState, &[f64]) -> f64),
     /// A force in the sum that is a state: its rate, N/s.
-    Branch(fn(Moment, &[f64]) -> f64),
+    Branch(fn(GeneratorState, &[f64]) -> f64),
     /// A force on top of the sum that never pulls, N.
-    Stop(fn(Moment, &[f64]) -> f64),
+    Stop(fn(GeneratorState, &[f64]) -> f64),
     /// Numbers of the drop; the last argument is the index of the chosen word.
     Conditions(fn(&mut Conditions, &[f64], usize)),
 }

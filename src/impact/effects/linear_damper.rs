@@ -50,9 +50,7 @@ impl Effect for LinearDamper {
     fn outside(&self, reach: &Reach) -> Option<String> {
         let (damper_n, spring_n) = (self.damping_n_s_m * reach.impact_speed_m_s, reach.stiffness_n_m * reach.deepest_m);
         (damper_n > 0.5 * spring_n).then(|| {
-            format!(
-                "it pushes with {damper_n:.0} N at once, the spring with {spring_n:.0} N at the most: measured drops begin with nothing"
-            )
+            format!("its force is {damper_n:.0} N at first touch, the spring's at most {spring_n:.0} N; measured drops start at zero force")
         })
     }
 }

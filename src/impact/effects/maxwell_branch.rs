@@ -69,7 +69,7 @@ impl Effect for MaxwellBranch {
     fn outside(&self, reach: &Reach) -> Option<String> {
         let decades = libm::log10(reach.contact_s? / self.relaxation_s).abs();
         (decades > 1.0).then(|| {
-            format!("one relaxation time of {:.1} ms says nothing of a contact that is more than a decade from it", self.relaxation_s * 1e3)
+            format!("one relaxation time of {:.1} ms does not describe a contact that is more than a decade away", self.relaxation_s * 1e3)
         })
     }
 }

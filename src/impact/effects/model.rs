@@ -7,9 +7,9 @@ use super::catalogue::CATALOGUE;
 use super::effect::Effect;
 use super::frame_curve::FrameCurve;
 use super::sensor::{Channel, Sensor};
-use super::spec::{Availability, Inputs, Known, Spec, Stage};
+use super::spec::{Availability, Inputs, Spec, Stage, StartContext};
 use super::{linear_damper, linear_spring};
-use crate::impact::body::Body;
+use crate::impact::body::DropBody;
 
 /// An effect with its values.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub struct Model {
     /// Its name.
     pub name: String,
     /// The body that falls.
-    pub body: Body,
+    pub body: DropBody,
     /// The sensor that rides on it.
     pub sensor: Sensor,
     /// Spring and damper first, then what comes on top in the order of the catalogue.
@@ -52,7 +52,7 @@ pub struct Model {
 
 impl Model {
     /// A linear spring and a linear damper.
-    pub fn base(body: Body, sensor: Sensor, stiffness_n_m: f64, damping_n_s_m: f64) -> Self {
+    pub fn base(body: DropBody, sensor: Sensor, stiffness_n_m: f64, damping_n_s_m: f64) -> Self {
         let effects = vec![
             Listed { spec: &linear_spring::SPEC, values: vec![stiffness_n_m], word: 0 },
             Listed { spec: &linear_damper::SPEC, values: vec![damping_n_s_m], word: 0 },
@@ -113,8 +113,8 @@ impl Model {
     }
 
     /// What the starts of fits depend on.
-    pub fn known(&self) -> Known {
-        Known { cutoff_hz: self.sensor.cutoff_hz, frame_mode: self.frame_mode }
+    pub fn known(&self) -> StartContext {
+        StartContext { cutoff_hz: self.sensor.cutoff_hz, frame_mode: self.frame_mode }
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) const SPEC: Spec = Spec {
         off: Some(0.0),
         default: None,
         scale: Scale::Linear,
-        doc: "force that the frame holds before it gives",
+        doc: "force below which the frame does not deform",
     }],
     choice: None,
     states: &[],
@@ -54,6 +54,6 @@ impl Effect for Preload {
     }
 
     fn outside(&self, reach: &Reach) -> Option<String> {
-        reach.above_ground.then(|| "above x = 0 it pulls the frame down, as no preload does".into())
+        reach.above_ground.then(|| "above x = 0 it pulls the frame down, unlike a real preload".into())
     }
 }

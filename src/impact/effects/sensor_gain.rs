@@ -25,7 +25,7 @@ pub(super) const SPEC: Spec = Spec {
         off: Some(1.0),
         default: None,
         scale: Scale::Linear,
-        doc: "reading over what it should be",
+        doc: "reading over true value",
     }],
     choice: None,
     states: &[],
@@ -46,6 +46,7 @@ impl Effect for SensorGain {
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         // A drop that was felt at all.
-        (self.gain > 1.0 && reach.impact_speed_m_s > 0.0).then(|| "a tilt only lowers the gain: more than 1 is a wrong scale".into())
+        (self.gain > 1.0 && reach.impact_speed_m_s > 0.0)
+            .then(|| "tilt can only lower the gain; a value above 1 indicates a wrong scale".into())
     }
 }

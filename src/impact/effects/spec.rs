@@ -42,7 +42,7 @@ pub struct Inputs<'a> {
 
 /// What is known of a model before an effect is fitted on top of it.
 #[derive(Clone, Copy, Debug)]
-pub struct Known {
+pub struct StartContext {
     /// Cutoff of the sensor, Hz.
     pub cutoff_hz: f64,
     /// Share and frequency, Hz, of the payload mode that is equivalent to a frame's own modes.
@@ -67,7 +67,7 @@ pub struct Spec {
     /// Names of the states that it adds to those of the body; they begin at zero.
     pub states: &'static [&'static str],
     /// Values, in the units of model files, from which a fit begins: dense enough that it finds its way from the nearest.
-    pub starts: fn(&Known) -> Vec<Vec<f64>>,
+    pub starts: fn(&StartContext) -> Vec<Vec<f64>>,
     /// Makes the effect.
     pub build: fn(&Inputs) -> Box<dyn Effect>,
     /// How the generator of synthetic drops acts for it, written independently of `build`.

@@ -12,8 +12,8 @@ use super::generator::Generator;
 use super::parameter::{Parameter, Scale};
 use super::spec::{Availability, Spec, Stage, singles};
 
-/// Compression at the release from which on it is told, m.
-const LET_GO_M: f64 = 1e-3;
+/// Compression at the release from which on a warning is given, m.
+const RELEASED_M: f64 = 1e-3;
 
 /// Its record.
 pub(super) const SPEC: Spec = Spec {
@@ -30,7 +30,7 @@ pub(super) const SPEC: Spec = Spec {
         off: Some(1.0),
         default: None,
         scale: Scale::Fraction,
-        doc: "share of a pulling force that acts: 1 bilateral, 0 the ground lets go",
+        doc: "share of a pulling force that acts: 1 bilateral, 0 the ground never pulls",
     }],
     choice: None,
     states: &[],
@@ -51,9 +51,9 @@ impl Effect for UnilateralContact {
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         if self.tension_factor > 0.0 {
-            return Some(format!("a tension factor of {} is a measure for a fit: no ground pulls in part", self.tension_factor));
+            return Some(format!("a tension factor of {} is only meaningful in a fit: real ground never pulls", self.tension_factor));
         }
-        let x_m = reach.released_at_m.filter(|x_m| *x_m > LET_GO_M)?;
-        Some(format!("the frame is let go while {:.1} mm compressed: legs with mass would spread and ring", x_m * 1e3))
+        let x_m = reach.released_at_m.filter(|x_m| *x_m > RELEASED_M)?;
+        Some(format!("the frame is released while {:.1} mm compressed: legs with mass would spread and ring", x_m * 1e3))
     }
 }

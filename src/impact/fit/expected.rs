@@ -3,12 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::fine_wave::{FINE_S, FineWave, ONSET_S};
-use super::flicker::Flicker;
+use super::trigger_jitter::TriggerJitter;
 use super::waves::BEFORE;
 use crate::impact::effects::Model;
-use crate::impact::sim::{Settings, Stop, System, wave};
+use crate::impact::sim::{SolverOptions, Stop, System, wave};
 
-/// Scatter of stiffness or damping that changes a mean by less than anybody can see.
+/// TrialCovariance of stiffness or damping that changes a mean by less than anybody can see.
 const SLIGHT: f64 = 0.04;
 /// Most scatter of stiffness or damping that is believed: beyond it the three points leave what a frame can be.
 const MOST_VARIED: f64 = 0.25;
@@ -27,13 +27,13 @@ pub struct Expected {
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
-    /// Scatter of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
+    /// TrialCovariance of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
     pub spread: f64,
-    /// Scatter of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
+    /// TrialCovariance of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
     /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
     pub varied: [f64; 2],
-    /// Scatter of single readings, where it moves the trigger.
-    pub flicker: Flicker,
+    /// TrialCovariance of single readings, where it moves the trigger.
+    pub flicker: TriggerJitter,
 }
 
 /// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
@@ -46,7 +46,7 @@ pub struct Ready {
 impl Expected {
     /// Of records that differ by the phase of the clock alone.
     pub fn plain(step_s: f64, samples: usize) -> Self {
-        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: Flicker::default() }
+        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: TriggerJitter::default() }
     }
 
     /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
@@ -98,7 +98,7 @@ impl Expected {
     pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
         let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
         let mut fine = vec![0.0; (end_s / FINE_S) as usize + 2];
-        (wave(system, height_m, FINE_S, &Settings::FIT, &mut fine) == Stop::End).then_some(fine)
+        (wave(system, height_m, FINE_S, &SolverOptions::FIT, &mut fine) == Stop::End).then_some(fine)
     }
 
     /// Covariance of records of a wave that differ by the phase of the clock alone, g².

@@ -118,7 +118,7 @@ fn term(effect: &'static str, work_j: f64, stored_j: f64) -> TermEnergy {
 
 /// Shares of m g h as the paper counts them: gravity's work over the stroke is left out, the damper is what remains.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Paper {
+pub struct PaperShares {
     /// Damper, %.
     pub damper_percent: f64,
     /// Spring, %.
@@ -127,7 +127,7 @@ pub struct Paper {
     pub rigid_percent: f64,
 }
 
-impl Paper {
+impl PaperShares {
     /// The shares of a balance.
     pub(super) fn of(system: &System, height_m: f64, balance: &Balance) -> Self {
         let input_j = system.body.mass_kg * GRAVITY_M_S2 * height_m;

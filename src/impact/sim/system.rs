@@ -5,7 +5,7 @@
 
 use super::phase::Phase;
 use super::switch::Switch;
-use crate::impact::body::Body;
+use crate::impact::body::DropBody;
 use crate::impact::effects::{
     Arrangement, AttachedMass, CATALOGUE, Effect, LINEAR_DAMPER, LINEAR_SPRING, LinearDamper, LinearSpring, MOST_STAGES, Model,
     MotionState, Reach, Stage, Threshold, states, working,
@@ -53,7 +53,7 @@ pub(super) struct Push {
 /// A model made ready to run.
 #[derive(Debug)]
 pub struct System {
-    pub(super) body: Body,
+    pub(super) body: DropBody,
     pub(super) spring: LinearSpring,
     pub(super) damper: LinearDamper,
     pub(super) arrangement: Arrangement,
@@ -104,7 +104,7 @@ impl System {
     }
 
     /// The body.
-    pub fn body(&self) -> &Body {
+    pub fn body(&self) -> &DropBody {
         &self.body
     }
 

@@ -10,6 +10,6 @@ mod records;
 mod trajectory;
 
 pub use hidden::Hidden;
-pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, Scatter};
-pub use records::{Record, clean, records};
+pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, TrialVariation};
+pub use records::{SyntheticRecord, clean, records};
 pub use trajectory::ReferenceTrajectory;

@@ -15,7 +15,7 @@ const AFTER_S: f64 = 0.040;
 
 /// One planted drop.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Record {
+pub struct SyntheticRecord {
     /// Its name.
     pub trial: String,
     /// Stated height, m.
@@ -27,7 +27,7 @@ pub struct Record {
 }
 
 /// All drops of a plan; the same plan gives the same drops.
-pub fn records(plan: &Plan) -> Vec<Record> {
+pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
     let mut rng = Pcg64::seed_from_u64(plan.seed);
     let mut all = Vec::new();
     let varied = plan.scatter.stiffness > 0.0 || plan.scatter.damping > 0.0 || matches!(plan.hidden, Some(Hidden::Wear { .. }));
@@ -64,7 +64,7 @@ fn one_frame(plan: &Plan, trial: usize, rng: &mut impl Rng) -> ReferenceTrajecto
     ReferenceTrajectory::of(&plan.model, plan.hidden, stiffness, damping)
 }
 
-fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m: f64, trial: usize, rng: &mut impl Rng) -> Record {
+fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m: f64, trial: usize, rng: &mut impl Rng) -> SyntheticRecord {
     let step_s = 1.0 / plan.rate_hz;
     let before = (BEFORE_S / step_s).round() as usize;
     let count = before + (AFTER_S / step_s).floor() as usize;
@@ -84,7 +84,7 @@ fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m:
         readings.push((limited * plan.counts_per_g).round() / plan.counts_per_g);
     }
     let t_s = (0..count).map(|i| i as f64 * step_s).collect();
-    Record { trial: format!("{:03.0}cm-{trial:04}", height_m * 100.0), height_m, t_s, accel_g: readings }
+    SyntheticRecord { trial: format!("{:03.0}cm-{trial:04}", height_m * 100.0), height_m, t_s, accel_g: readings }
 }
 
 /// The wave between its points.

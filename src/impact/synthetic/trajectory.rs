@@ -2,7 +2,7 @@
 
 use super::Hidden;
 use super::bezier::Bezier;
-use crate::impact::effects::{CATALOGUE, Conditions, Generator, MOST_STAGES, Model, Moment, Rider, states};
+use crate::impact::effects::{CATALOGUE, Conditions, Generator, GeneratorState, MOST_STAGES, Model, Rider, states};
 use crate::units::GRAVITY_M_S2;
 
 /// Step of the method, s.
@@ -30,12 +30,12 @@ struct Past {
 /// A force as the generator writes it, with the effect's values in the units of model files.
 #[derive(Clone, Debug)]
 struct Term {
-    formula: fn(Moment, &[f64]) -> f64,
+    formula: fn(GeneratorState, &[f64]) -> f64,
     values: Vec<f64>,
 }
 
 impl Term {
-    fn at(&self, moment: Moment) -> f64 {
+    fn at(&self, moment: GeneratorState) -> f64 {
         (self.formula)(moment, &self.values)
     }
 }
@@ -117,7 +117,7 @@ impl ReferenceTrajectory {
     fn force_n(&self, y: &State, past: Past) -> f64 {
         let (x, v) = (y[0], y[1]);
         let Conditions { stiffness_n_m: k, damping_n_s_m: c, stagger_m, .. } = self.conditions;
-        let moment = Moment { x, v, q: 0.0 };
+        let moment = GeneratorState { x, v, q: 0.0 };
         let mut sum = if stagger_m > 0.0 {
             (0..past.touched).map(|foot| 0.25 * (k * self.curved(x - stagger_m * foot as f64 / 3.0) + c * v)).sum()
         } else {
@@ -157,7 +157,7 @@ impl ReferenceTrajectory {
             rates[RIDER + 2 * i + 1] = GRAVITY_M_S2 - a - rates[1];
         }
         for (i, branch) in self.branches.iter().enumerate() {
-            rates[BRANCH + i] = branch.at(Moment { x: y[0], v: y[1], q: y[BRANCH + i] });
+            rates[BRANCH + i] = branch.at(GeneratorState { x: y[0], v: y[1], q: y[BRANCH + i] });
         }
         let filter_1_s = circular(self.conditions.cutoff_hz);
         let mut input = if self.conditions.on_rider { pushed[0] } else { frame };

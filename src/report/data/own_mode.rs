@@ -30,11 +30,11 @@ impl OwnMode {
 
     /// In words.
     pub fn sentence(&self) -> String {
-        let own = format!("the frame's own modes stand for a payload mode of mu {:.3} at {:.0} Hz", self.mu, self.f_hz);
+        let own = format!("the frame's own modes are equivalent to a payload mode of mu {:.3} at {:.0} Hz", self.mu, self.f_hz);
         match (self.fitted, self.agrees) {
             (None, _) => format!("{own}; none is chosen"),
-            (Some([mu, f_hz]), true) => format!("{own}: the one found, mu {mu:.3} at {f_hz:.0} Hz, is it"),
-            (Some([mu, f_hz]), false) => format!("{own}; the one found, mu {mu:.3} at {f_hz:.0} Hz, is another"),
+            (Some([mu, f_hz]), true) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, agrees"),
+            (Some([mu, f_hz]), false) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, differs"),
         }
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use effect_cases::CASES;
 use flexframe::impact::effects::{FrameCurve, Model, by_id};
-use flexframe::impact::sim::{Settings, System, wave};
+use flexframe::impact::sim::{SolverOptions, System, wave};
 use flexframe::impact::synthetic::ReferenceTrajectory;
 
 /// The base with a frame's curve, which acts where an effect takes it.
@@ -19,7 +19,7 @@ fn base() -> Model {
 fn compare(id: &str, model: &Model) {
     for height_m in [0.5, 1.5] {
         let mut simulated = vec![0.0; 700];
-        wave(&System::new(model), height_m, 5e-5, &Settings::REPORT, &mut simulated);
+        wave(&System::new(model), height_m, 5e-5, &SolverOptions::REPORT, &mut simulated);
         let trajectory = ReferenceTrajectory::of(model, None, 1.0, 1.0);
         let limit_g = trajectory.limit_g();
         let generated = trajectory.wave_g(height_m, 5e-5, 700);

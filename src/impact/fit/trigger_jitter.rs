@@ -11,7 +11,7 @@ use super::waves::{BEFORE, TRIGGER_G};
 
 /// Correlation times of coloured scatter, s.
 pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
-/// Scatter of readings as part of the wave that changes no mean by as much as can be seen.
+/// TrialCovariance of readings as part of the wave that changes no mean by as much as can be seen.
 const SLIGHT: f64 = 0.15;
 /// Phases of the clock.
 const PHASES: usize = 20;
@@ -20,15 +20,15 @@ const LATEST: usize = 6;
 /// Chance that is not followed.
 const NEVER: f64 = 1e-7;
 
-/// Scatter of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
+/// TrialCovariance of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
 /// one factor a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Flicker {
+pub struct TriggerJitter {
     /// Variances, no unit.
     pub by_time: [f64; TIMES_S.len() + 1],
 }
 
-impl Flicker {
+impl TriggerJitter {
     fn variance(&self) -> f64 {
         self.by_time.iter().sum()
     }

@@ -1,23 +1,23 @@
-//! `flexframe plant`: drops with a known truth.
+//! `flexframe synthesize`: synthetic drops with a known truth.
 
 use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::arguments::{Common, PlantOptions};
+use super::arguments::{Common, SynthesizeOptions};
 use super::output;
 use super::progress::Progress;
 use super::session::Failure;
 use super::terminal;
 use crate::impact::synthetic::{Plan, records};
 
-/// Plants drops and writes a folder: `drops/` for whoever shall find the truth, `truth/` for whoever knows it.
-pub(super) fn plant(options: &PlantOptions, common: &Common) -> Result<ExitCode, Failure> {
+/// Writes a folder: `drops/` with the drops, `truth/` with what they were made from.
+pub(super) fn synthesize(options: &SynthesizeOptions, common: &Common) -> Result<ExitCode, Failure> {
     let mut plan = Plan::load(&options.plan)?;
     if let Some(seed) = options.seed {
         plan.seed = seed;
     }
-    let working = Progress::of("planting", common);
+    let working = Progress::of("synthesizing", common);
     let mut table = String::from("trial,height_m,t_s,accel_g\n");
     let all = records(&plan);
     for record in &all {
@@ -36,7 +36,7 @@ pub(super) fn plant(options: &PlantOptions, common: &Common) -> Result<ExitCode,
         "c": plan.model.stiffness_and_damping()[1],
         "seed": plan.seed,
     });
-    let name = format!("plant-{}", plan.model.name);
+    let name = format!("synthesize-{}", plan.model.name);
     let files = vec![
         ("drops/drops.csv".to_string(), table.into_bytes()),
         ("truth/truth.json".to_string(), format!("{truth:#}\n").into_bytes()),
