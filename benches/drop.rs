@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flexframe::impact::effects::Model;
-use flexframe::impact::sim::{Settings, System, simulate, wave};
+use flexframe::impact::sim::{SolverOptions, System, simulate, wave};
 use std::hint::black_box;
 
 #[path = "../tests/impact/bodies/mod.rs"]
@@ -37,12 +37,12 @@ fn drops(criterion: &mut Criterion) {
     let mut out = vec![0.0; 1201];
     for (name, model) in models() {
         criterion.bench_function(&format!("wave, 60 ms: {name}"), |bench| {
-            bench.iter(|| wave(&System::new(black_box(&model)), 1.5, 5e-5, &Settings::FIT, &mut out));
+            bench.iter(|| wave(&System::new(black_box(&model)), 1.5, 5e-5, &SolverOptions::FIT, &mut out));
         });
     }
     let base = impact::base();
     criterion.bench_function("full trace, 60 ms: base", |bench| {
-        bench.iter(|| simulate(&System::new(black_box(&base)), 1.5, &Settings::REPORT));
+        bench.iter(|| simulate(&System::new(black_box(&base)), 1.5, &SolverOptions::REPORT));
     });
     for (name, effects) in [("base", &[][..]), ("payload", &[("payload_mode", &[0.3, 120.0, 0.05][..])][..])] {
         criterion.bench_function(&format!("ode_solvers DOPRI5 at the same tolerance: {name}"), |bench| {

@@ -4,6 +4,12 @@
 //! (`socket_depth_mm`). [`Angle`] and [`Density`] exist because degrees and radians, and g/cm³ and
 //! g/mm³, are the two pairs that meet in one formula.
 
+/// Gravity in all computations, m/s²: the value of the publication that the drops are compared with (the standard is 9.80665).
+pub const GRAVITY_M_S2: f64 = 9.81;
+
+/// The same in millimetres per millisecond squared, and in metres per second and millisecond.
+pub const GRAVITY_MM_MS2: f64 = 9.81e-3;
+
 /// An angle; made and read only with its unit.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Angle(f64);

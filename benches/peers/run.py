@@ -47,7 +47,7 @@ def case(tool, work, effect, strength, seed):
     rng = np.random.default_rng(own)
     k, c = K_N_M * rng.uniform(0.8, 1.25), C_NS_M * rng.uniform(0.8, 1.25)
     name = f"{effect}-{strength}-{seed}"
-    folder = tool.plant(work, name, k, c, effect, CASES[effect][strength], (*HEIGHTS_M, HELD_OUT_M), own)
+    folder = tool.synthesize(work, name, k, c, effect, CASES[effect][strength], (*HEIGHTS_M, HELD_OUT_M), own)
     diagnosis, model, tool_s = tool.diagnose(folder / "drops", HELD_OUT_M, Path(work) / f"out-{name}")
     truth = window(tool.wave(folder / "truth" / "model.toml", HELD_OUT_M, work))
 

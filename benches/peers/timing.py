@@ -61,7 +61,7 @@ def rows(tool, work, heights_m):
         planted = PLANTED[effect.id]
         values = (6800.0, 44.0, *planted.values())
         id = None if effect.id == "linear" else effect.id
-        folder = tool.plant(work, f"time-{effect.id}", *values[:2], id, planted, heights_m, 5)
+        folder = tool.synthesize(work, f"time-{effect.id}", *values[:2], id, planted, heights_m, 5)
         truth = folder / "truth" / "model.toml"
         ours = wave(effect, values, 1.5, TRACE_S)
         apart_g = np.abs(ours - tool.wave(truth, 1.5, work)[: len(ours)]).max()

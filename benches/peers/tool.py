@@ -1,4 +1,4 @@
-"""flexframe as a program: what it plants, names and draws, and the processor time it takes."""
+"""flexframe as a program: what it synthesizes, names and draws, and the processor time it takes."""
 
 import json
 import os
@@ -50,13 +50,13 @@ class Tool:
             raise SystemExit(f"{arguments}: {done.stderr.strip()}")
         return done.stdout, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
-    def plant(self, folder, name, k, c, effect, values, heights_m, seed):
+    def synthesize(self, folder, name, k, c, effect, values, heights_m, seed):
         """A folder with drops and truth."""
         table = "\n".join([f"[effects.{effect}]", *(f"{key} = {float(value)!r}" for key, value in values.items())]) if effect else ""
         plan = Path(folder) / f"{name}.toml"
         plan.write_text(PLAN.format(k=float(k), c=float(c), effect=table, heights=list(heights_m)))
-        self.run("plant", plan, "--seed", seed, "-o", folder, "-q")
-        return Path(folder) / f"plant-{name}"
+        self.run("synthesize", plan, "--seed", seed, "-o", folder, "-q")
+        return Path(folder) / f"synthesize-{name}"
 
     def diagnose(self, drops, held_out_m, out):
         """Its JSON, its model file, and its processor seconds."""

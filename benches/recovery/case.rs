@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use flexframe::impact::diagnose::{Diagnosis, Estimate, Settings, Verdict, diagnose};
+use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, EffectEstimate, Verdict, diagnose};
 use flexframe::impact::effects::Model;
 use flexframe::impact::fit::Expected;
 use flexframe::impact::synthetic::{Plan, clean};
@@ -20,7 +20,7 @@ pub struct Case {
 pub fn diagnosed(plan: &Plan) -> Case {
     let all = waves(plan);
     let from = Instant::now();
-    let diagnosis = diagnose(&all, None, &base(), &Settings { most_effects: 3, seed: plan.seed }).expect("a diagnosis");
+    let diagnosis = diagnose(&all, None, &base(), &DiagnosisOptions::new(3, plan.seed)).expect("a diagnosis");
     Case { diagnosis, seconds: from.elapsed().as_secs_f64() }
 }
 
@@ -43,7 +43,7 @@ impl Case {
         if self.diagnosis.verdict == Verdict::NothingMissing || truth.effects.len() != self.diagnosis.chosen.model().effects.len() {
             return Vec::new();
         }
-        let held = |one: &Estimate| Some((one.key, (one.ci95[0]..=one.ci95[1]).contains(&truth.value(one.effect, one.key)?)));
+        let held = |one: &EffectEstimate| Some((one.key, (one.ci95[0]..=one.ci95[1]).contains(&truth.value(one.effect, one.key)?)));
         self.diagnosis.estimates.iter().map(held).collect::<Option<_>>().unwrap_or_default()
     }
 

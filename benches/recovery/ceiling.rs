@@ -9,8 +9,8 @@
 
 use std::collections::BTreeMap;
 
-use flexframe::impact::effects::{CATALOGUE, Model};
-use flexframe::impact::fit::{Layout, Problem, inverse_root};
+use flexframe::impact::effects::Model;
+use flexframe::impact::fit::{FitProblem, Layout, inverse_root};
 use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
@@ -19,9 +19,10 @@ use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use crate::covariance::{covariances, exact};
-use crate::truth::{DETECTABLE, STRENGTHS, at_strength, plan};
+use crate::strength::recorded;
+use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, plan};
 
-/// Nulls that alarm.
+/// Bootstrap that alarm.
 const ALARMS: f64 = 0.05;
 /// Draws of the scatter a truth.
 const DRAWS: usize = 400;
@@ -57,7 +58,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn of(problem: &Problem, model: &Model, gain: f64) -> Option<Self> {
+    fn of(problem: &FitProblem, model: &Model, gain: f64) -> Option<Self> {
         let fitted = problem.fit(Layout::named(model.clone(), &["k", "c"])?, 12)?;
         let (model, jacobian) = (fitted.model().clone(), fitted.minimum.jacobian);
         let normal = jacobian.transpose() * &jacobian;
@@ -158,7 +159,8 @@ pub fn ceiling(level: usize, from: u64, to: u64, gain: f64) {
 }
 
 fn truths(level: usize, seed: u64) -> Vec<Truth> {
-    let all: Vec<(&'static str, usize)> = CATALOGUE.iter().flat_map(|spec| (0..STRENGTHS.len()).map(|at| (spec.id, at))).collect();
+    let all: Vec<(&'static str, usize)> =
+        recorded(&base()).into_iter().flat_map(|spec| (0..STRENGTHS.len()).map(|at| (spec.id, at))).collect();
     let null = plan(level, 7919 * seed + 17).model;
     let one = |(id, at): (&'static str, usize)| {
         let plan = at_strength(id, seed, STRENGTHS[at], level)?;

@@ -10,6 +10,7 @@ mod covariance;
 mod oracle;
 mod pairs;
 mod singles;
+mod strength;
 mod truth;
 
 use flexframe::impact::diagnose::Verdict;
@@ -58,7 +59,7 @@ fn nulls(level: usize, from: u64, to: u64) {
         alarms += usize::from(case.diagnosis.verdict != Verdict::NothingMissing);
         println!("null {seed}: {}", case.line());
     }
-    println!("NULLS level {level}: {alarms} alarms of {}", 10 * (to - from));
+    println!("REPLICATES level {level}: {alarms} alarms of {}", 10 * (to - from));
 }
 
 fn hidden(level: usize, from: u64, to: u64) {

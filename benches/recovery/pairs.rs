@@ -1,13 +1,13 @@
 //! Two effects at once: is the set found exactly, and could it be.
 
 use flexframe::impact::diagnose::Search;
-use flexframe::impact::effects::CATALOGUE;
 use flexframe::impact::synthetic::Plan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::case::diagnosed;
-use crate::truth::{DETECTABLE, at_strength, catalogue};
+use crate::strength::recorded;
+use crate::truth::{DETECTABLE, at_strength, base, catalogue};
 
 /// Strength of each at the middle level.
 const STRENGTH: f64 = 400.0;
@@ -15,16 +15,17 @@ const STRENGTH: f64 = 400.0;
 /// A pair by chance, in the order of the catalogue; `None` where it is no pair or the bounds do not allow it.
 fn pair(level: usize, seed: u64) -> Option<(Plan, [&'static str; 2])> {
     let mut rng = Pcg64::seed_from_u64(seed + 4242);
-    let (a, b) = (rng.random_range(0..CATALOGUE.len()), rng.random_range(0..CATALOGUE.len()));
+    let all = recorded(&base());
+    let (a, b) = (rng.random_range(0..all.len()), rng.random_range(0..all.len()));
     if a == b {
         return None;
     }
-    let mut plan = at_strength(CATALOGUE[a].id, seed, STRENGTH, level)?;
-    let second = at_strength(CATALOGUE[b].id, seed, STRENGTH, level)?;
-    let added = second.model.effects.into_iter().find(|listed| listed.spec.id == CATALOGUE[b].id)?;
+    let mut plan = at_strength(all[a].id, seed, STRENGTH, level)?;
+    let second = at_strength(all[b].id, seed, STRENGTH, level)?;
+    let added = second.model.effects.into_iter().find(|listed| listed.spec.id == all[b].id)?;
     plan.model = plan.model.with(added.spec, &added.values, added.word);
     plan.scatter.tilt_deg = 0.0;
-    Some((plan, [CATALOGUE[a.min(b)].id, CATALOGUE[a.max(b)].id]))
+    Some((plan, [all[a.min(b)].id, all[a.max(b)].id]))
 }
 
 /// What each of the two leaves alone, and what the nearest other set leaves with its name, all without noise.

@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use flexframe::impact::effects::CATALOGUE;
-
 use crate::case::diagnosed;
-use crate::truth::{DETECTABLE, STRENGTHS, at_strength, noncentrality};
+use crate::strength::recorded;
+use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, noncentrality};
 
 #[derive(Default)]
 struct Sums {
@@ -23,7 +22,7 @@ struct Sums {
 
 pub fn singles(level: usize, from: u64, to: u64, only: Option<&str>) {
     let mut sums = Sums::default();
-    for spec in CATALOGUE.iter().filter(|spec| only.is_none_or(|only| only == spec.id)) {
+    for spec in recorded(&base()).into_iter().filter(|spec| only.is_none_or(|only| only == spec.id)) {
         for seed in from..to {
             for (at, strength) in STRENGTHS.iter().enumerate() {
                 let Some(plan) = at_strength(spec.id, seed, *strength, level) else { continue };

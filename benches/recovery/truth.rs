@@ -1,13 +1,14 @@
 //! Drops with a known truth: base models, effects on top of them at a stated strength, and how strong they are.
 
-use flexframe::impact::diagnose::{Candidate, Ground, Nulls, Search, Setting};
-use flexframe::impact::effects::{Model, by_id};
-use flexframe::impact::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
-use flexframe::impact::synthetic::{Plan, Scatter as Spread, clean, records};
+use flexframe::impact::diagnose::{Bootstrap, Candidate, PreparedDrops, Search, SearchContext};
+use flexframe::impact::effects::{CATALOGUE, Model, by_id};
+use flexframe::impact::fit::{Expected, FitProblem, FittedDrop, Layout, TrialCovariance, Waves, Whitening};
+use flexframe::impact::synthetic::{Plan, TrialVariation, clean, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::covariance::exact;
+use crate::strength;
 
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 1.5];
 /// Noncentralities at the middle level.
@@ -28,33 +29,14 @@ pub fn plan(level: usize, seed: u64) -> Plan {
     let (k, c): (f64, f64) = (rng.random_range(0.8..1.25), rng.random_range(0.8..1.25));
     model.effects[0].values[0] *= k;
     model.effects[1].values[0] *= c;
-    let scatter = Spread { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
+    let scatter = TrialVariation { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
     Plan { model, hidden: None, heights_m: HEIGHTS_M.to_vec(), drops, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
 }
 
 /// An effect with as much of it as `amount` says; its other parameters by chance.
 fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Model> {
     let spec = by_id(id)?;
-    let side = if rng.random_bool(0.4) { -1.0 } else { 1.0 };
-    let one = |value: f64| vec![value];
-    let values = match id {
-        "unilateral_contact" => one(1.0 - amount),
-        "bottoming" => vec![rng.random_range(5.0..14.0), 1e4 + 4e6 * amount, 0.3],
-        "cubic_stiffness" => one(side * 5e6 * amount),
-        "bilinear_stiffness" => vec![rng.random_range(4.0..14.0), side * 3e3 * amount],
-        "hunt_crossley_damping" => one(side * 1.5e3 * amount),
-        "coulomb_friction" => one(20.0 * amount),
-        "maxwell_branch" => vec![8e3 * amount, libm::exp(rng.random_range(-0.7..2.3))],
-        "quadratic_damping" => one(side * 5.0 * amount),
-        "preload" => one(20.0 * amount),
-        "sensor_low_pass" => one(model.sensor.cutoff_hz * libm::exp(side * 0.5 * amount)),
-        "sensor_saturation" => one(250.0 * libm::exp(-amount)),
-        "sensor_gain" => one(1.0 + side * 0.15 * amount),
-        "payload_mode" => vec![0.15 * amount, libm::exp(rng.random_range(4.0..5.8)), 0.05],
-        "foot_stagger" => one(4.0 * amount),
-        "drop_height_error" => one(side * 0.12 * amount),
-        _ => one(0.2 * amount),
-    };
+    let values = strength::values(id, model, amount, rng)?;
     // The library's least stiffness of a stop; the catalogue lets it vanish.
     let inside = (id != "bottoming" || values[1] >= 1e4)
         && spec.parameters.iter().zip(&values).all(|(parameter, value)| (parameter.min..=parameter.max).contains(value));
@@ -62,7 +44,7 @@ fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Mode
 }
 
 pub fn waves(plan: &Plan) -> Waves {
-    let drop = |record: flexframe::impact::synthetic::Record| Drop {
+    let drop = |record: flexframe::impact::synthetic::SyntheticRecord| FittedDrop {
         trial: record.trial,
         height_m: record.height_m,
         t_s: record.t_s,
@@ -73,14 +55,14 @@ pub fn waves(plan: &Plan) -> Waves {
 
 /// A truth's noise-free mean waves with the generator's own covariance of the mean: read off many drops, or by quadrature
 /// where k and c scatter, as the mean of some hundred such drops is not without noise.
-pub fn noise_free(plan: &Plan) -> Option<Problem> {
+pub fn noise_free(plan: &Plan) -> Option<FitProblem> {
     if plan.scatter.stiffness > 0.0 && plan.hidden.is_none() {
         return exact(plan);
     }
     let counts = vec![plan.drops; plan.heights_m.len()];
     let limited = plan.model.value("sensor_saturation", "limit_g").is_some();
     let many = waves(&Plan { drops: if limited { 3000 } else { 300 }, ..plan.clone() });
-    let mut problem = Problem::of(&many, Whitening::of(&Scatter::of(&many).plain_covariances(), &counts)?, 0.0);
+    let mut problem = FitProblem::of(&many, Whitening::of(&TrialCovariance::of(&many).plain_covariances(), &counts)?, 0.0);
     let expected: Expected = problem.expected;
     if plan.scatter.stiffness == 0.0 && !limited {
         for (height_m, mean) in &mut problem.means {
@@ -100,9 +82,9 @@ pub fn noncentrality(plan: &Plan) -> Option<f64> {
 pub fn catalogue(plan: &Plan) -> Option<Search> {
     let problem = noise_free(plan)?;
     let few = waves(plan);
-    let ground = Ground::of(&few, &base())?;
-    let nulls = Nulls::of(&ground.scatter, &ground.family, 1)?;
-    let setting = Setting { problem: &problem, nulls: &nulls, limit_seen: false, most: 2, stage: &|_| () };
+    let ground = PreparedDrops::of(&few, &base())?;
+    let nulls = Bootstrap::of(&ground.scatter, &ground.family, 1)?;
+    let setting = SearchContext { problem: &problem, nulls: &nulls, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
     Search::run(&setting, &base())
 }
 

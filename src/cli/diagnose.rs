@@ -14,11 +14,11 @@ use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::frame::assembly::mass;
-use crate::impact::body::Body;
+use crate::impact::body::DropBody;
 use crate::impact::diagnose;
-use crate::impact::diagnose::{Diagnosis, Settings, Stage, Verdict, observables};
-use crate::impact::effects::{Channel, Model};
-use crate::impact::fit::{Chosen, Keep, Unfit, Waves};
+use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Stage, Verdict, observables};
+use crate::impact::effects::{Channel, Model, PAYLOAD_MODE};
+use crate::impact::fit::{Chosen, FitError, Keep, Waves};
 use crate::impact::measured;
 use crate::impact::measured::{Fall, StaticTest};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -43,7 +43,7 @@ pub(super) struct Args {
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper", value_name = "MODEL")]
     pub model: String,
-    /// A frame whose own static curve is a candidate, too: the drops tell how much of it there is.
+    /// A frame whose own static curve is a candidate, too: its share is fitted to the drops.
     #[arg(long, value_name = "FRAME")]
     pub frame: Option<String>,
     /// With --frame: numbers of the mechanics instead of those that come with the program.
@@ -80,11 +80,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::staged("diagnosing", Stage::count(most), common);
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
-        model.body = Body::of(&design, &mass::table(&design));
+        model.body = DropBody::of(&design, &mass::table(&design));
     }
     if let Some(frame) = &args.frame {
         let own = reduced(frame, args.mechanics.as_deref())?;
-        model.frame_mode = own.value("payload_mode", "mu").zip(own.value("payload_mode", "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
+        model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
     let set = measured::read(&paths, &calibration(&args.calibration)?)?;
@@ -102,7 +102,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if fitted.groups.is_empty() {
         return Err(Failure::Usage { message: "--hold-out-heights leaves no height to fit".into() });
     }
-    let settings = Settings { most_effects: most, seed: args.seed };
+    let settings = DiagnosisOptions::new(most, args.seed);
     let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
     let found =
@@ -131,7 +131,7 @@ fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
     frame_reduction::model(&design, &masses, &quarter, &curve, &settings)
 }
 
-fn usage(error: Unfit) -> Failure {
+fn usage(error: FitError) -> Failure {
     Failure::Usage { message: error.to_string() }
 }
 
@@ -144,12 +144,12 @@ fn word(channel: Channel) -> &'static str {
 
 /// The drops in the channel that can be compared, and how it was chosen: a magnitude whose impulse no vertical impact has
 /// holds sideways motion, so the axis is taken where it was measured.
-fn compared(set: &measured::DropSet, model: &mut Model, args: &Args) -> Result<(Waves, Compared), Unfit> {
+fn compared(set: &measured::DropSet, model: &mut Model, args: &Args) -> Result<(Waves, Compared), FitError> {
     let stated = model.sensor.channel;
     let mut chosen = Chosen::of(set, stated, Keep::Evidence)?;
     let mut reason = None;
     if stated == Channel::Magnitude && chosen.lacks_axes() {
-        reason = Some("the drops hold one axis only, so that is compared".to_string());
+        reason = Some("the drops have one axis only, so that is compared".to_string());
         chosen.channel = Channel::Axial;
     } else if stated == Channel::Magnitude {
         let impossible: Vec<String> = observables(&chosen.waves()?, model)
@@ -159,7 +159,7 @@ fn compared(set: &measured::DropSet, model: &mut Model, args: &Args) -> Result<(
             .collect();
         if !impossible.is_empty() {
             reason = Some(format!(
-                "the magnitude's impulse is impossible for a vertical impact ({}): it holds sideways motion, so the axis is compared instead",
+                "the magnitude's impulse is impossible for a vertical impact ({}): it contains sideways motion, so the axial component is compared",
                 impossible.join("; ")
             ));
             chosen.channel = Channel::Axial;
@@ -231,7 +231,7 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
         text += &format!("{:<32} {:>10.4}   {low:.4} to {high:.4} {}\n", format!("{}.{}", one.effect, one.key), one.value, one.unit);
     }
     if let Some(next) = found.experiments.first() {
-        text += &format!("\nnext: {} (tells {} from {})\n", next.what, next.between[0], next.between[1]);
+        text += &format!("\nnext: {} (distinguishes {} from {})\n", next.what, next.between[0], next.between[1]);
     }
     text.push('\n');
     text

@@ -11,10 +11,10 @@ use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::frame::assembly::mass;
-use crate::impact::body::Body;
+use crate::impact::body::DropBody;
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
-use crate::impact::fit::{Chosen, Fit, Keep, Layout, LeftOut, Likelihood, Paper, Unfit};
+use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
 use crate::impact::measured;
 use crate::params::preset;
 use crate::report::chart::fit_plots;
@@ -87,7 +87,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("fitting", common);
     if let Some(frame) = frame {
         let design = session::design(&FrameOption { frame, rigid: None })?;
-        model.body = Body::of(&design, &mass::table(&design));
+        model.body = DropBody::of(&design, &mass::table(&design));
     }
     let set = measured::read(&paths, &calibration(&args.calibration)?)?;
     let layout = layout(model, &args.free).map_err(usage)?;
@@ -118,7 +118,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn usage(error: Unfit) -> Failure {
+fn usage(error: FitError) -> Failure {
     Failure::Usage { message: error.to_string() }
 }
 
@@ -140,20 +140,20 @@ pub(super) fn frame_and_paths(drops: &[PathBuf]) -> Result<(Option<String>, Vec<
 }
 
 /// Which parameters are free.
-fn layout(model: Model, free: &[String]) -> Result<Layout, Unfit> {
+fn layout(model: Model, free: &[String]) -> Result<Layout, FitError> {
     let known: Vec<String> = Layout::of(model.clone()).free.iter().map(|free| free.key().to_string()).collect();
     let every = || model.effects.iter().flat_map(|listed| listed.spec.parameters).map(|parameter| parameter.key);
     if let Some(key) = free.iter().find(|key| every().all(|known| known != *key)) {
-        return Err(Unfit::NoParameter { key: key.clone(), known: every().collect::<Vec<_>>().join(", ") });
+        return Err(FitError::NoParameter { key: key.clone(), known: every().collect::<Vec<_>>().join(", ") });
     }
     let keys: Vec<&str> = free.iter().map(String::as_str).collect();
-    Layout::named(model, &keys).ok_or_else(|| Unfit::NoParameter { key: free.join(","), known: known.join(", ") })
+    Layout::named(model, &keys).ok_or_else(|| FitError::NoParameter { key: free.join(","), known: known.join(", ") })
 }
 
 /// The fit, and how many numbers were compared where they are independent.
-fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<usize>), Unfit> {
+fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<usize>), FitError> {
     match args.objective {
-        Aim::Paper => Ok((fit::fit(&Paper::of(chosen), layout, args.bootstrap, args.seed)?, None)),
+        Aim::Paper => Ok((fit::fit(&PaperObjective::of(chosen), layout, args.bootstrap, args.seed)?, None)),
         Aim::Ml => {
             let likelihood = Likelihood::of(chosen)?;
             let fit = fit::fit(&likelihood, layout, args.bootstrap, args.seed)?;
@@ -163,7 +163,7 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
 }
 
 fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> String {
-    let Body { mass_kg, gap_m, .. } = &fit.model.body;
+    let DropBody { mass_kg, gap_m, .. } = &fit.model.body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&fit.model.body));
     let channel = match fit.model.sensor.channel {
         Channel::Axial => "acceleration along the axis",
@@ -175,13 +175,13 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> Str
         text += &format!("left out  {trial}: {reason}\n");
     }
     if chosen.impulses_kept && args.objective == Aim::Ml && !args.all {
-        text += "impossible impulses are kept: most drops of a height have one, so they are no accident of single drops\n";
+        text += "impossible impulses are kept: most drops of a height have one, so they are systematic\n";
     }
     let [start, end] = fit.objective;
     text += &match numbers {
         Some(numbers) => {
             let free = numbers - fit.estimates.len();
-            let verdict = if end > 2.0 * free as f64 { ": far more than chance, the model lacks something" } else { "" };
+            let verdict = if end > 2.0 * free as f64 { ": significantly more: the model lacks an effect" } else { "" };
             format!("\nwhitened distance of the mean waves: {start:.1}, fitted {end:.1}, {free} degrees of freedom{verdict}\n")
         }
         None => format!("\nthe paper's objective: {start:.4}, fitted {end:.4}\n"),

@@ -4,8 +4,8 @@ use super::failure::Failure;
 use super::failure::mechanics_refused;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::impact::body::Body;
-use crate::impact::effects::{Channel, FrameCurve, Model, Sensor, by_id};
+use crate::impact::body::DropBody;
+use crate::impact::effects::{Channel, FRAME_FORCE_CURVE, FrameCurve, Model, PAYLOAD_MODE, Sensor};
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::LOGGER_HZ;
 use crate::mechanics::result::reduction::Reduction;
@@ -30,13 +30,12 @@ pub(super) fn model(
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
     let frame_curve = FrameCurve::new(&x_mm, &phi_mm).map_err(mechanics_refused)?;
     let sensor = Sensor::new(LOGGER_HZ, 1, LIMIT_G, Channel::Axial);
-    let mut model = Model::base(Body::of(design, masses), sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
+    let mut model = Model::base(DropBody::of(design, masses), sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
     model.name = format!("{}-reduced", design.frame.name);
     model.frame_curve = Some(Arc::new(frame_curve));
-    let with = |model: Model, id: &str, values: &[f64]| by_id(id).map_or(model.clone(), |spec| model.with(spec, values, 0));
-    model = with(model, "frame_force_curve", &[1.0]);
+    model = model.with(&FRAME_FORCE_CURVE, &[1.0], 0);
     if let Some([share, f_hz]) = reduction.rider {
-        model = with(model, "payload_mode", &[share, f_hz.clamp(40.0, 450.0), 0.05]);
+        model = model.with(&PAYLOAD_MODE, &[share, f_hz.clamp(40.0, 450.0), 0.05], 0);
     }
     Ok(model)
 }

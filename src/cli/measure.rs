@@ -9,7 +9,7 @@ use super::output;
 use super::progress::Progress;
 use super::terminal;
 use crate::impact::measured;
-use crate::impact::measured::{Calibration, Drop, Group, Spread, Summary};
+use crate::impact::measured::{Calibration, Drop, DropGroup, Spread, Summary};
 use crate::report::chart::measure_plots;
 use crate::report::data::measure_data;
 
@@ -70,7 +70,7 @@ pub(super) fn calibration(args: &CalibrationOptions) -> Result<Calibration, Fail
 }
 
 /// A height a line.
-fn table(groups: &[(&Group, Vec<Drop>)]) -> String {
+fn table(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
     let mut text = String::from(
         "                                    -- peak, all axes, g --  - peak along axis, g -- | clean drops: medians\n\
          frame       height  drops  clean        q1  median      q3       q1  median      q3  | impulse  restitution     fall   noise\n\
@@ -106,7 +106,7 @@ fn row(sum: &Summary) -> String {
 }
 
 /// Every flag with its reason.
-fn flagged(groups: &[(&Group, Vec<Drop>)]) -> String {
+fn flagged(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
     let mut text = String::new();
     for (group, drops) in groups {
         for drop in drops.iter().filter(|drop| !drop.flags.is_empty()) {

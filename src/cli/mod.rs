@@ -25,7 +25,6 @@ mod new;
 mod options;
 mod output;
 mod params;
-mod plant;
 mod progress;
 mod render;
 mod revision;
@@ -34,6 +33,7 @@ mod session;
 mod slicer;
 mod solve;
 mod stiffness;
+mod synthesize;
 mod table;
 mod terminal;
 mod watch;
@@ -96,7 +96,7 @@ commands! {
     Fold in fold,
     Drop in drop,
     Diagnose in diagnose,
-    Plant in plant,
+    Synthesize in synthesize,
     Fit in fit,
     Measure in measure,
     Stiffness in stiffness,

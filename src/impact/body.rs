@@ -15,7 +15,7 @@ pub enum Origin {
 
 /// What falls.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Body {
+pub struct DropBody {
     /// Mass, kg.
     pub mass_kg: f64,
     /// Room under what hangs lowest, m. Book-keeping: it adds no force.
@@ -26,7 +26,7 @@ pub struct Body {
     pub origin: Origin,
 }
 
-impl Body {
+impl DropBody {
     /// A frame's body: mass by its table, gap as `check` measures it.
     pub fn of(design: &Design, masses: &MassTable) -> Self {
         let gap_mm = checks::ground_clearance(design, masses).map_or(0.0, |ground| ground.clearance_mm);

@@ -1,9 +1,9 @@
-//! Schemas of impact models and of plans of planted drops.
+//! Schemas of impact models and of plans of synthetic drops.
 
 use serde_json::{Map, Value, json};
 
 use super::element::{number, put, table};
-use crate::impact::effects::{CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words, every};
+use crate::impact::effects::{CATALOGUE, CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words};
 use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, PLAN_NUMBERS};
 
 pub(super) fn schema() -> Value {
@@ -37,7 +37,7 @@ fn keys() -> Map<String, Value> {
     }
     put(&mut root, CHANNEL, json!({ "enum": channel_words(), "description": "What of the acceleration the sensor reads." }));
     let mut effects = Map::new();
-    for spec in every() {
+    for spec in CATALOGUE {
         let mut own = Map::new();
         for p in spec.parameters {
             own.insert(p.key.into(), number(p.doc, p.unit, [p.min, p.max], p.default));
@@ -45,7 +45,7 @@ fn keys() -> Map<String, Value> {
         if let Some(choice) = spec.choice {
             own.insert(choice.key.into(), json!({ "enum": choice.words }));
         }
-        if spec.id == "frame_force_curve" {
+        if spec.takes_frame_curve() {
             for (key, bounds) in CURVE.into_iter().zip([REACH_MM, [-REACH_MM[1], REACH_MM[1]]]) {
                 let name = key.rsplit('.').next().unwrap_or(key);
                 let of = json!({ "type": "array", "minItems": POINTS[0], "maxItems": POINTS[1], "items": number("", "mm", bounds, None) });

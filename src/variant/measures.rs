@@ -6,7 +6,7 @@ use crate::figures::decimals;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Workshop};
-use crate::impact::body::{Body, Origin};
+use crate::impact::body::{DropBody, Origin};
 use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
 use crate::mechanics::settings::Settings;
 use crate::params::Frame;
@@ -70,10 +70,10 @@ impl Evaluation {
         evaluation
     }
 
-    /// The body that falls: [`Body::of`] with the gap that the rule has measured already.
-    fn body(&self) -> Body {
+    /// The body that falls: [`DropBody::of`] with the gap that the rule has measured already.
+    fn body(&self) -> DropBody {
         let gap_mm = self.extreme("ground_clearance", false, |_| true).unwrap_or(0.0);
-        Body {
+        DropBody {
             mass_kg: self.masses.total_g * 1e-3,
             gap_m: gap_mm * 1e-3,
             travel_m: Some(self.design.skeleton.closure.ring_half_height_mm * 1e-3),
@@ -218,7 +218,7 @@ mod tests {
         let frame = || Frame::load("cognifly-mini").expect("a preset").0;
         let mut workshop = Workshop::default();
         let quick = Evaluation::quick(frame(), &mut workshop).expect("is one");
-        assert_eq!(quick.body(), Body::of(&quick.design, &quick.masses));
+        assert_eq!(quick.body(), DropBody::of(&quick.design, &quick.masses));
         // With the parts of another frame on the shelf the result is the same.
         Evaluation::quick(Frame::load("cognifly").expect("a preset").0, &mut workshop).expect("is one");
         let again = Evaluation::quick(frame(), &mut workshop).expect("is one");

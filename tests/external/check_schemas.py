@@ -12,7 +12,7 @@ BINARY, TAPLO, WORK = sys.argv[1], sys.argv[2], Path(sys.argv[3]).resolve()
 GOOD = {
     "frame": sorted(Path("params/frames").glob("*.toml")),
     "model": sorted(Path("params/impact").glob("*.toml")),
-    "plan": sorted(Path("params/plant").glob("*.toml")),
+    "plan": sorted(Path("params/synthetic").glob("*.toml")),
     "bought": [Path("params/bought.toml")],
     "materials": [Path("params/materials.toml")],
     "printer": sorted(Path("params/printers").glob("*.toml")),

@@ -1,9 +1,9 @@
 //! Each statistical step of a diagnosis on a case whose answer is known.
 
-use flexframe::impact::diagnose::{Ground, Settings, Verdict, diagnose, flat_top, trend_p};
+use flexframe::impact::diagnose::{DiagnosisOptions, PreparedDrops, Verdict, clipping, diagnose, trend_p};
 use flexframe::impact::effects::{Model, by_id};
-use flexframe::impact::fit::{Drop, Expected, Scatter, Waves, Whitening, minimise};
-use flexframe::impact::synthetic::{Hidden, Plan, Scatter as Spread, clean, records};
+use flexframe::impact::fit::{Expected, FittedDrop, TrialCovariance, Waves, Whitening, minimise};
+use flexframe::impact::synthetic::{Hidden, Plan, TrialVariation, clean, records};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
@@ -14,15 +14,15 @@ fn base() -> Model {
 }
 
 fn plan(seed: u64) -> Plan {
-    let scatter = Spread { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let scatter = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
     let heights_m = vec![0.5, 1.0, 1.5];
     Plan { model: base(), hidden: None, heights_m, drops: 20, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
 }
 
 fn waves(plan: &Plan) -> Waves {
-    let drops: Vec<Drop> = records(plan)
+    let drops: Vec<FittedDrop> = records(plan)
         .into_iter()
-        .map(|record| Drop { trial: record.trial, height_m: record.height_m, t_s: record.t_s, accel_g: record.accel_g })
+        .map(|record| FittedDrop { trial: record.trial, height_m: record.height_m, t_s: record.t_s, accel_g: record.accel_g })
         .collect();
     Waves::of(&drops).expect("usable")
 }
@@ -53,10 +53,10 @@ fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
 #[test]
 fn planted_half_scatter_moves_the_trigger_as_predicted() {
     // Coloured scatter of half the reading lets one in fifty records be laid a step too late.
-    let scatter = Spread { share: 0.5, ..plan(1).scatter };
+    let scatter = TrialVariation { share: 0.5, ..plan(1).scatter };
     let planted = Plan { scatter, ..plan(3) };
     let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..planted.clone() });
-    let ground = Ground::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
+    let ground = PreparedDrops::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
     let apart = |expected: Expected| {
         let predicted = expected.window(&expected.system(&base()), 1.0).expect("it holds the body");
         // In units of the standard error of a mean of 80 drops, at the trigger and the sample behind it.
@@ -82,7 +82,7 @@ fn analytic_bounds_and_units_do_not_stop_a_minimum() {
 #[test]
 fn analytic_whitened_means_scatter_with_variance_one() {
     // One estimate of the scatter from 20 drops a height, judged by the means of many other sets of the same truth.
-    let ground = Ground::of(&waves(&plan(5)), &base()).expect("a fit");
+    let ground = PreparedDrops::of(&waves(&plan(5)), &base()).expect("a fit");
     let sums: Vec<f64> = (0..24_u64)
         .into_par_iter()
         .map(|seed| {
@@ -106,7 +106,7 @@ fn analytic_drawn_scatter_is_that_of_the_covariance() {
         let sets = 4000;
         let mut mean = DMatrix::<f64>::zeros(4, 4);
         for _ in 0..sets {
-            let drawn = Scatter::drawn(std::slice::from_ref(&covariance), &[count], &mut rng).expect("positive definite");
+            let drawn = TrialCovariance::drawn(std::slice::from_ref(&covariance), &[count], &mut rng).expect("positive definite");
             let error = &drawn.standard_errors()[0];
             mean[(0, 0)] += error[0] * error[0] * count as f64 / sets as f64;
         }
@@ -123,7 +123,7 @@ fn analytic_chances_are_even_and_intervals_cover_where_nothing_is_missing() {
     let found: Vec<(f64, usize)> = (0..16_u64)
         .into_par_iter()
         .map(|seed| {
-            let found = diagnose(&waves(&plan(300 + seed)), None, &base(), &Settings { most_effects: 1, seed }).expect("a diagnosis");
+            let found = diagnose(&waves(&plan(300 + seed)), None, &base(), &DiagnosisOptions::new(1, seed)).expect("a diagnosis");
             let covered = found
                 .estimates
                 .iter()
@@ -146,7 +146,7 @@ fn analytic_chances_are_even_and_intervals_cover_where_nothing_is_missing() {
 fn planted_wear_is_a_trend_and_scatter_is_none() {
     let changes = |plan: &Plan| {
         let waves = waves(plan);
-        let ground = Ground::of(&waves, &base()).expect("a fit");
+        let ground = PreparedDrops::of(&waves, &base()).expect("a fit");
         let fitted = ground.problem.fit(flexframe::impact::fit::Layout::of(base()), 20).expect("a fit");
         let changes = ground.problem.sensitivity(&fitted).expect("it holds the body");
         trend_p(&waves, &changes, 1).expect("a chance")
@@ -160,10 +160,10 @@ fn planted_wear_is_a_trend_and_scatter_is_none() {
 fn planted_limits_show_and_scatter_does_not() {
     let mut limited = plan(9);
     limited.model = limited.model.with(by_id("sensor_saturation").expect("an effect"), &[60.0], 0);
-    let found = flat_top(&waves(&limited)).expect("readings pile up");
+    let found = clipping(&waves(&limited)).expect("readings pile up");
     assert!((found.level_g - 60.0).abs() < 0.5 && found.readings > 20, "{found:?}");
     for seed in 10..20 {
-        assert_eq!(flat_top(&waves(&plan(seed))), None);
+        assert_eq!(clipping(&waves(&plan(seed))), None);
     }
 }
 
@@ -173,7 +173,7 @@ fn planted_pair_whose_first_choice_is_wrong_is_found_all_the_same() {
     for (id, values) in [("maxwell_branch", &[6e3, 3.0][..]), ("sensor_low_pass", &[110.0])] {
         planted.model = planted.model.with(by_id(id).expect("an effect"), values, 0);
     }
-    let found = diagnose(&waves(&planted), None, &base(), &Settings { most_effects: 3, seed: 1 }).expect("a diagnosis");
+    let found = diagnose(&waves(&planted), None, &base(), &DiagnosisOptions::new(3, 1)).expect("a diagnosis");
     let first = found.ranking.iter().find(|one| !one.id.contains('+')).expect("singles were ranked");
     assert_eq!(first.id, "bilinear_stiffness", "the best single effect is neither of the two");
     assert_eq!(found.chosen.ids(), ["maxwell_branch", "sensor_low_pass"]);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use flexframe::impact::diagnose::{Diagnosis, Settings, Verdict, diagnose};
+use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use flexframe::impact::effects::{FrameCurve, Model};
 use flexframe::impact::fit::{Chosen, Keep};
 use flexframe::impact::measured;
@@ -48,10 +48,16 @@ fn planted(folder: &Path, points: &[[f64; 2]], seed: u64) -> std::path::PathBuf 
         list(0),
         list(1)
     );
-    let file = folder.join("planted.toml");
+    let file = folder.join("truth.toml");
     fs::write(&file, plan).expect("written");
-    assert_cmd::Command::new(assert_cmd::cargo::cargo_bin("flexframe")).arg("plant").arg(&file).arg("-o").arg(folder).assert().success();
-    folder.join("plant-planted/drops")
+    assert_cmd::Command::new(assert_cmd::cargo::cargo_bin("flexframe"))
+        .arg("synthesize")
+        .arg(&file)
+        .arg("-o")
+        .arg(folder)
+        .assert()
+        .success();
+    folder.join("synthesize-truth/drops")
 }
 
 fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
@@ -61,7 +67,7 @@ fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
     model.frame_curve = candidate;
     let waves = Chosen::of(&set, model.sensor.channel, Keep::Evidence).expect("there are drops").waves().expect("can be laid");
     let (fitted, held) = (waves.only(|h| h < 1.9), waves.only(|h| h > 1.9));
-    diagnose(&fitted, Some(&held), &model, &Settings { most_effects: 2, seed: 1 }).expect("a diagnosis")
+    diagnose(&fitted, Some(&held), &model, &DiagnosisOptions::new(2, 1)).expect("a diagnosis")
 }
 
 #[test]
@@ -97,13 +103,13 @@ fn analytic_energies_balance_with_the_curve_and_beyond_its_end_it_is_marked() {
         let trace = flexframe::impact::sim::simulate(
             &flexframe::impact::sim::System::new(&dropped),
             0.5,
-            &flexframe::impact::sim::Settings::REPORT,
+            &flexframe::impact::sim::SolverOptions::REPORT,
         );
         for balance in trace.compression.iter().chain(&trace.release) {
             assert!(balance.residual().abs() < 1e-8, "{reach} {feet}: {}", balance.residual());
         }
-        let marked = trace.outside.iter().any(|mark| mark.to_string().contains("to which the frame's curve goes"));
-        assert_eq!(marked, reach == 4, "{:?}", trace.outside);
+        let marked = trace.warnings.iter().any(|mark| mark.to_string().contains("to which the frame's curve goes"));
+        assert_eq!(marked, reach == 4, "{:?}", trace.warnings);
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::impact::frame_fit::{FrameFit, Height, Known, Subject, Surface, fit};
+use flexframe::impact::frame_fit::{FrameFit, Height, MedianEstimate, ResponseSurface, Subject, fit};
 use flexframe::impact::measured;
 use flexframe::impact::measured::{Calibration, Summary};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
@@ -17,7 +17,7 @@ const PUBLISHED: [[f64; 2]; 3] = [[74.6, 1.30], [98.8, 1.32], [122.4, 1.34]];
 struct Bench {
     model: FrameModel,
     settings: Settings,
-    surface: Surface,
+    surface: ResponseSurface,
 }
 
 /// The real frame with the modulus of its own static test (`measured_one_modulus_meets_…`), and the model's answers.
@@ -27,7 +27,7 @@ fn bench() -> &'static Bench {
         let settings = Settings { young_mpa: 65.8, ..Settings::load(None).expect("the program's own numbers are sound") };
         let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
         let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
-        let surface = Surface::new(&Subject { model: &model, settings: &settings }, &HEIGHTS_M).expect("is followed");
+        let surface = ResponseSurface::new(&Subject { model: &model, settings: &settings }, &HEIGHTS_M).expect("is followed");
         Bench { model, settings, surface }
     })
 }
@@ -37,8 +37,8 @@ fn fitted(heights: &[Height]) -> FrameFit {
     fit(&Subject { model, settings }, surface.clone(), heights).expect("is fitted")
 }
 
-fn known(value: f64, error: f64) -> Known {
-    Known { value, error }
+fn known(value: f64, error: f64) -> MedianEstimate {
+    MedianEstimate { value, error }
 }
 
 /// Every peak from the other heights within 10 % of a median, and every impulse within a tenth of v0.

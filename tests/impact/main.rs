@@ -5,14 +5,19 @@ mod bodies;
 mod case;
 mod case_study;
 mod diagnosis_statistics;
+mod effect_cases;
+mod effect_catalogue;
 mod effects;
 mod frame_curve;
 mod frame_fit;
 mod paper;
-mod plant;
 mod published;
 mod random_models;
 mod records_random;
 mod recovery;
 mod reproduction;
-mod validity;
+#[expect(dead_code, reason = "the benchmark of recovery uses the rest")]
+#[path = "../../benches/recovery/strength.rs"]
+mod strength;
+mod synthetic;
+mod validity_warnings;

@@ -1,13 +1,13 @@
 //! The paper's model against the paper's figures (arXiv 2103.04423 and its notebook).
 
 use flexframe::impact::effects::Model;
-use flexframe::impact::sim::{Settings, System, Trace, simulate};
+use flexframe::impact::sim::{SolverOptions, System, Trace, simulate};
 
 const HEIGHTS_M: [f64; 8] = [0.3, 0.5, 1.0, 1.5, 2.62, 5.0, 10.0, 20.0];
 
 fn traces() -> Vec<Trace> {
     let system = System::new(&Model::load("paper").expect("comes with the program"));
-    HEIGHTS_M.iter().map(|height_m| simulate(&system, *height_m, &Settings::REPORT)).collect()
+    HEIGHTS_M.iter().map(|height_m| simulate(&system, *height_m, &SolverOptions::REPORT)).collect()
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use crate::effect_cases::CASES;
 use assert_cmd::Command;
 use assert_cmd::cargo::cargo_bin;
 use rayon::prelude::*;
@@ -31,10 +32,10 @@ fn plan(planted: &str, seed: u64) -> String {
 /// Plants and diagnoses; the diagnosis, and the exit code that came with it.
 fn diagnosis(planted: &str, seed: u64) -> (Value, i32) {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("planted.toml");
+    let file = folder.path().join("truth.toml");
     fs::write(&file, plan(planted, seed)).expect("written");
-    program().arg("plant").arg(&file).arg("-o").arg(folder.path()).assert().success();
-    let drops = folder.path().join("plant-planted/drops");
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    let drops = folder.path().join("synthesize-truth/drops");
     let out = program()
         .args(["diagnose", "--model", "paper", "--hold-out-heights", "2.0", "--json", "-o"])
         .arg(folder.path())
@@ -80,35 +81,23 @@ fn faults(cases: &[(&str, &str)]) -> Vec<String> {
     cases.par_iter().enumerate().filter_map(one).collect()
 }
 
+/// Every effect's case, those of forces first.
+fn singles() -> Vec<(&'static str, &'static str)> {
+    CASES.iter().filter_map(|case| Some((case.id, case.planned?))).collect()
+}
+
+/// Where the cases are cut in two, so that both halves run side by side.
+const FORCES: usize = 9;
+
 #[test]
 fn planted_forces_are_named() {
-    let cases = [
-        ("unilateral_contact", "tension_factor = 0.0"),
-        ("bottoming", "x_b_mm = 9.0\nk_b = 6e5"),
-        ("cubic_stiffness", "k3 = 9e6"),
-        ("bilinear_stiffness", "x1_mm = 6.0\nk_bl = 6e3"),
-        ("hunt_crossley_damping", "chi = 1.5e3"),
-        ("coulomb_friction", "f_c_n = 14.0"),
-        ("maxwell_branch", "k_m = 9e3\ntau_ms = 2.8"),
-        ("quadratic_damping", "c2 = 7.0"),
-        ("preload", "f0_n = 8.0"),
-    ];
-    let faults = faults(&cases);
+    let faults = faults(&singles()[..FORCES]);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
 #[test]
 fn planted_arrangements_are_named() {
-    let cases = [
-        ("sensor_low_pass", "cutoff_hz = 55.0"),
-        ("sensor_saturation", "limit_g = 45.0"),
-        ("sensor_gain", "gain = 0.8"),
-        ("payload_mode", "mu = 0.12\nf_hz = 120.0"),
-        ("foot_stagger", "delta_mm = 7.0"),
-        ("drop_height_error", "dh_m = -0.2"),
-        ("air_drag", "beta = 0.35"),
-    ];
-    let faults = faults(&cases);
+    let faults = faults(&singles()[FORCES..]);
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
@@ -161,12 +150,12 @@ fn planted_strangers_are_not_named() {
 #[test]
 fn regress_the_same_seed_gives_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("planted.toml");
+    let file = folder.path().join("truth.toml");
     fs::write(&file, plan(&table("preload", "f0_n = 8.0"), 3)).expect("written");
-    program().arg("plant").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
     let run = |to: &str, threads: &str| {
         let place = folder.path().join(to);
-        let drops = folder.path().join("plant-planted/drops");
+        let drops = folder.path().join("synthesize-truth/drops");
         program().env("RAYON_NUM_THREADS", threads).args(["diagnose", "-q", "-o"]).arg(&place).arg(&drops).assert().code(1);
         let mut files: Vec<_> =
             fs::read_dir(place.join("diagnose-paper")).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
@@ -182,7 +171,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
     let refused = |text: &str, says: &str| {
         let file = folder.path().join("plan.toml");
         fs::write(&file, text).expect("written");
-        let out = program().arg("plant").arg(&file).arg("-o").arg(folder.path()).output().expect("run");
+        let out = program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).output().expect("run");
         let told = String::from_utf8_lossy(&out.stderr).into_owned();
         assert!(out.status.code() == Some(2) && told.contains(says), "{says}: {:?} {told}", out.status.code());
     };
@@ -194,7 +183,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
     refused(&plan("[hidden]\nkind = \"snap\"", 1), "hidden.x1_mm");
     let file = folder.path().join("good.toml");
     fs::write(&file, plan("", 1)).expect("written");
-    program().arg("plant").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
     for (option, says) in
         [(["--hold-out-heights", "7"], "0.5, 1, 1.5, 2"), (["--max-effects", "9"], "1, 2 or 3"), (["--model", "nowhere"], "paper")]
     {
@@ -203,7 +192,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
             .args(option)
             .arg("-o")
             .arg(folder.path())
-            .arg(folder.path().join("plant-good/drops"))
+            .arg(folder.path().join("synthesize-good/drops"))
             .output()
             .expect("run");
         let told = String::from_utf8_lossy(&out.stderr).into_owned();

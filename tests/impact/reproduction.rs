@@ -2,7 +2,8 @@
 
 use crate::paper;
 use crate::paper::{figures, fits, measured, model};
-use flexframe::impact::effects::{Channel, GRAVITY_M_S2};
+use flexframe::impact::effects::Channel;
+use flexframe::units::GRAVITY_M_S2;
 
 /// Whether the records are there; says loudly when they are not.
 fn is_there(test: &str) -> bool {

@@ -175,7 +175,7 @@ fn planted_models_and_plans() {
     tried("impact models", 2, &files("params/impact"), |bytes| {
         ImpactFile::parse("fuzz.toml", &text(bytes)).and_then(|file| Model::resolve(&file)).map_err(|refusal| refusal.render()).is_ok()
     });
-    tried("plans", 3, &files("params/plant"), |bytes| {
+    tried("plans", 3, &files("params/synthetic"), |bytes| {
         ImpactFile::parse("fuzz.toml", &text(bytes)).and_then(|file| Plan::resolve(&file)).map_err(|refusal| refusal.render()).is_ok()
     });
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::cli::options::CalibrationOptions;
 
-/// Drop the body of a model, or of a frame, and write peaks, energies and plots.
+/// Simulate drops of an impact model, or of a frame, and write peaks, energies and plots.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  flexframe drop --model paper --height 0.3,1,2.62\n  flexframe drop cognifly --model paper-corrected --json\n  flexframe drop cognifly-v8 --model frame"

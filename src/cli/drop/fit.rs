@@ -10,7 +10,7 @@ use crate::cli::options::Common;
 use crate::cli::progress::Progress;
 use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
-use crate::impact::frame_fit::{Height, Subject, Surface, fit};
+use crate::impact::frame_fit::{Height, ResponseSurface, Subject, fit};
 use crate::impact::measured;
 use crate::impact::measured::{DropSet, Summary};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -30,7 +30,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let subject = Subject { model: &model, settings: &settings };
     let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
-    let surface = Surface::new(&subject, &heights_m).map_err(mechanics_refused)?;
+    let surface = ResponseSurface::new(&subject, &heights_m).map_err(mechanics_refused)?;
     let found = fit(&subject, surface, &heights).map_err(mechanics_refused)?;
     let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
     let json = impact_fit_data::json(&fitted);
@@ -56,7 +56,7 @@ fn heights(set: &DropSet) -> Result<Vec<Height>, Failure> {
         let names: Vec<&str> = set.frames().into_iter().map(|frame| frame.unwrap_or("unnamed")).collect();
         return Err(Failure::Usage { message: format!("the drops are of several frames ({}): name those of one", names.join(", ")) });
     }
-    let of = |(group, drops): &(&measured::Group, Vec<measured::Drop>)| {
+    let of = |(group, drops): &(&measured::DropGroup, Vec<measured::Drop>)| {
         let height = Height::of(&Summary::of(group, drops));
         height.ok_or_else(|| Failure::Usage { message: format!("no drop from {} m has an impact without a flag", group.height_m) })
     };

@@ -8,9 +8,9 @@ use crate::cli::options::{Common, FrameOption};
 use crate::cli::progress::Progress;
 use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
-use crate::impact::body::{Body, Origin};
+use crate::impact::body::{DropBody, Origin};
 use crate::impact::effects::Model;
-use crate::impact::sim::{Balance, Settings, System, Trace, simulate};
+use crate::impact::sim::{Balance, SolverOptions, System, Trace, simulate};
 use crate::report::chart::drop_plots;
 use crate::report::data::drop_data;
 
@@ -25,10 +25,10 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let working = Progress::of("dropping", common);
     if let Some(frame) = &args.frame {
         let design = session::design(&FrameOption { frame: frame.clone(), rigid: args.rigid.clone() })?;
-        model.body = Body::of(&design, &mass::table(&design));
+        model.body = DropBody::of(&design, &mass::table(&design));
     }
     let system = System::new(&model);
-    let traces: Vec<Trace> = heights_m.iter().map(|height_m| simulate(&system, *height_m, &Settings::REPORT)).collect();
+    let traces: Vec<Trace> = heights_m.iter().map(|height_m| simulate(&system, *height_m, &SolverOptions::REPORT)).collect();
     let json = drop_data::json(&model, &traces, args.trace);
     let mut files = drop_plots::plots(&model, &traces)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
@@ -54,9 +54,9 @@ fn folder(model: &Model) -> String {
     }
 }
 
-/// What came out, height by height, marks below.
+/// What came out, height by height, validity warnings below.
 fn table(model: &Model, traces: &[Trace]) -> String {
-    let Body { mass_kg, gap_m, .. } = &model.body;
+    let DropBody { mass_kg, gap_m, .. } = &model.body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&model.body));
     text += "                ---------- peak, g ----------                     - balance, % of m g (h + x) -   - paper, % of m g h -\n";
     text += "height   impact  coordinate   proper   sensor  contact  largest   stored    lost  motion  rigid   damper  spring  rigid\n";
@@ -66,8 +66,8 @@ fn table(model: &Model, traces: &[Trace]) -> String {
     }
     text.push('\n');
     for trace in traces {
-        for mark in &trace.outside {
-            text += &format!("outside  {} m: {mark}\n", trace.height_m);
+        for warning in &trace.warnings {
+            text += &format!("warning  {} m: {warning}\n", trace.height_m);
         }
     }
     text

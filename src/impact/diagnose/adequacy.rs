@@ -2,12 +2,12 @@
 //!
 //! Three statistics of the whitened residual: its sum of squares, the largest part of it that one effect of the
 //! catalogue would take away, and the largest that a bump at one time of one height would take away. Their chance is
-//! read off simulated data sets ([`Nulls`]).
+//! read off simulated data sets ([`Bootstrap`]).
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use super::nulls::{NULLS, Nulls};
+use super::bootstrap::{Bootstrap, REPLICATES};
 use crate::impact::fit::{Whitening, inverse};
 
 /// Widths of a bump, samples.
@@ -34,7 +34,7 @@ impl Statistics {
 
 /// A model's fit as the statistics see it: everything in g, all heights one below the other.
 #[derive(Clone, Debug)]
-pub struct Seen {
+pub struct LinearisedFit {
     /// Change with each free parameter.
     pub jacobian: DMatrix<f64>,
     /// Changes by effects that are not in the model.
@@ -57,11 +57,11 @@ pub struct Adequacy {
 }
 
 /// Judges measured mean waves less a model's.
-pub fn judge(deviation: &DVector<f64>, seen: &Seen, nulls: &Nulls) -> Option<Adequacy> {
+pub fn judge(deviation: &DVector<f64>, seen: &LinearisedFit, nulls: &Bootstrap) -> Option<Adequacy> {
     let (statistics, _) = statistics(deviation, seen, &nulls.whitening)?;
     let nulls: Vec<(Statistics, Vec<f64>)> =
         nulls.each.par_iter().filter_map(|null| self::statistics(&null.deviation, seen, &null.whitening)).collect();
-    if nulls.len() < NULLS / 2 {
+    if nulls.len() < REPLICATES / 2 {
         return None;
     }
     let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(nulls.iter().map(|(null, _)| null.parts()[part])));
@@ -75,7 +75,7 @@ pub fn judge(deviation: &DVector<f64>, seen: &Seen, nulls: &Nulls) -> Option<Ade
 }
 
 /// The statistics, and each free parameter's error over its stated standard error.
-fn statistics(deviation: &DVector<f64>, seen: &Seen, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
+fn statistics(deviation: &DVector<f64>, seen: &LinearisedFit, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
     let jacobian = whitening.stacked(&seen.jacobian);
     let white = whitening.stacked(&DMatrix::from_column_slice(deviation.len(), 1, deviation.as_slice()));
     let normal = jacobian.transpose() * &jacobian;

@@ -3,8 +3,8 @@
 use nalgebra::DVector;
 
 use super::dictionary::{Dictionary, Start};
-use crate::impact::effects::{BASE, Model};
-use crate::impact::fit::{Fitted, Layout, Problem, inverse};
+use crate::impact::effects::Model;
+use crate::impact::fit::{FitProblem, Fitted, Layout, inverse};
 
 /// What a free parameter has to earn, in the sum of squares.
 pub const PRICE: f64 = 5.0;
@@ -38,12 +38,12 @@ impl Candidate {
 
     /// Ids of the effects on top of the base, in the catalogue's order.
     pub fn ids(&self) -> Vec<&'static str> {
-        let ids = self.model().effects.iter().map(|listed| listed.spec.id);
-        ids.filter(|id| BASE.iter().all(|base| base.id != *id)).collect()
+        let on_top = self.model().effects.iter().filter(|listed| !listed.spec.is_base());
+        on_top.map(|listed| listed.spec.id).collect()
     }
 
     /// Fits a model from each of several starts and keeps the best.
-    pub fn best(problem: &Problem, models: impl IntoIterator<Item = Model>) -> Option<Self> {
+    pub fn best(problem: &FitProblem, models: impl IntoIterator<Item = Model>) -> Option<Self> {
         let fits = models.into_iter().filter_map(|model| problem.fit(Layout::of(model), STEPS));
         fits.min_by(|a, b| a.chi2().total_cmp(&b.chi2())).map(Self::of)
     }
@@ -51,7 +51,7 @@ impl Candidate {
     /// The same with parameters free that otherwise keep their default (a stop's damping, a payload's), where that earns
     /// more than its price.
     #[must_use]
-    pub fn freed(self, problem: &Problem) -> Self {
+    pub fn freed(self, problem: &FitProblem) -> Self {
         let layout = Layout::whole(self.model().clone());
         if layout.free.len() == self.fitted.layout.free.len() {
             return self;
@@ -63,7 +63,7 @@ impl Candidate {
     }
 
     /// The base model on its own.
-    pub fn base(problem: &Problem, model: &Model) -> Option<Self> {
+    pub fn base(problem: &FitProblem, model: &Model) -> Option<Self> {
         let [k, c] = model.stiffness_and_damping();
         let with = |k: f64, c: f64| Model {
             name: model.name.clone(),
@@ -85,7 +85,7 @@ pub struct Promise {
 }
 
 /// What every start of a dictionary promises, best first.
-pub fn promises(problem: &Problem, fitted: &Fitted, dictionary: &Dictionary) -> Option<Vec<Promise>> {
+pub fn promises(problem: &FitProblem, fitted: &Fitted, dictionary: &Dictionary) -> Option<Vec<Promise>> {
     let jacobian = &fitted.minimum.jacobian;
     let inverse = inverse(&(jacobian.transpose() * jacobian))?;
     let left = |column: DVector<f64>| &column - jacobian * (&inverse * (jacobian.transpose() * &column));

@@ -1,8 +1,8 @@
 //! Whether an effect's parameters are the same at every height, as those of a true effect are.
 
 use super::candidate::Candidate;
-use crate::impact::effects::GRAVITY_M_S2;
-use crate::impact::fit::{Layout, Problem};
+use crate::impact::fit::{FitProblem, Layout};
+use crate::units::GRAVITY_M_S2;
 
 /// What each height alone says of one parameter.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,7 +36,7 @@ const STEPS: usize = 10;
 const LEAST_P: f64 = 1e-12;
 
 /// Refits a candidate at each height alone; `None` for a single height.
-pub fn constancy(problem: &Problem, candidate: &Candidate) -> Option<Constancy> {
+pub fn constancy(problem: &FitProblem, candidate: &Candidate) -> Option<Constancy> {
     if problem.chosen.len() < 2 {
         return None;
     }

@@ -4,21 +4,21 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use super::adequacy::Adequacy;
+use super::bootstrap::Bootstrap;
 use super::candidate::Candidate;
+use super::clipping::Clipping;
 use super::constancy::{Constancy, constancy};
 use super::experiment::{Experiment, experiments};
-use super::flat_top::FlatTop;
 use super::gap::{Gap, gap, left_out_heights, left_out_trials};
-use super::ground::Ground;
-use super::nulls::Nulls;
 use super::observable::{Observable, observables};
-use super::place::{Place, Point, place, points};
-use super::search::{RARE, Search, Setting};
+use super::prepared_drops::PreparedDrops;
+use super::residual_force::{ForceCell, surface};
+use super::residual_map::{Point, ResidualMap, place, points};
+use super::search::{RARE, Search, SearchContext};
 use super::stage::Stage;
-use super::surface::{Patch, surface};
 use super::trend::trend_p;
-use crate::impact::effects::{Model, candidates};
-use crate::impact::fit::{Problem, Waves, inverse};
+use crate::impact::effects::{CATALOGUE, Model, Spec, candidates};
+use crate::impact::fit::{Waves, inverse};
 
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +47,7 @@ impl Verdict {
 
 /// A parameter with its interval.
 #[derive(Clone, Debug)]
-pub struct Estimate {
+pub struct EffectEstimate {
     /// Effect's id.
     pub effect: &'static str,
     /// Key.
@@ -111,7 +111,7 @@ pub struct Diagnosis {
     /// Its effects, largest contribution first, with what each takes off the sum of squares.
     pub contributions: Vec<(&'static str, f64)>,
     /// Its parameters, spring and damper first.
-    pub estimates: Vec<Estimate>,
+    pub estimates: Vec<EffectEstimate>,
     /// Correlations of the estimates.
     pub correlations: DMatrix<f64>,
     /// Sets that are nearly as good.
@@ -125,7 +125,7 @@ pub struct Diagnosis {
     /// Whether the held-out gaps are those of heights named for it.
     pub heights_held_out: bool,
     /// Where the base is apart.
-    pub place: Place,
+    pub place: ResidualMap,
     /// Samples with the base's prediction.
     pub base_points: Vec<Point>,
     /// Samples with the chosen model's prediction.
@@ -139,27 +139,36 @@ pub struct Diagnosis {
     /// Before any model.
     pub observables: Vec<Observable>,
     /// A limit that shows in the readings.
-    pub flat_top: Option<FlatTop>,
+    pub clipping: Option<Clipping>,
     /// What is left over displacement and speed, when no effect suffices.
-    pub surface: Vec<Patch>,
+    pub surface: Vec<ForceCell>,
     /// Most telling first.
     pub experiments: Vec<Experiment>,
 }
 
 /// How to look.
 #[derive(Clone, Copy, Debug)]
-pub struct Settings {
+pub struct DiagnosisOptions {
     /// Most effects on top of the base.
     pub most_effects: usize,
     /// Of everything that is drawn.
     pub seed: u64,
+    /// The effects that are tried on top of the base.
+    pub catalogue: &'static [&'static Spec],
+}
+
+impl DiagnosisOptions {
+    /// With every effect of the catalogue.
+    pub fn new(most_effects: usize, seed: u64) -> Self {
+        Self { most_effects, seed, catalogue: &CATALOGUE }
+    }
 }
 
 /// Why there is no diagnosis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Undiagnosed {
+pub enum DiagnosisError {
     /// The base model does not hold the body at the start values, or the scatter is degenerate.
-    #[error("the base model cannot be fitted to these drops: the fits run away, or the readings do not scatter at all")]
+    #[error("the base model cannot be fitted to these drops: the fits diverge, or the readings do not vary between drops")]
     NoFit,
 }
 
@@ -179,35 +188,35 @@ const LOOKED_AT: usize = 6;
 /// Diagnoses the drops of `fitted`; `held_out` are drops of heights that no fit sees.
 ///
 /// # Errors
-/// [`Undiagnosed`] when no fit is possible.
-pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings) -> Result<Diagnosis, Undiagnosed> {
+/// [`DiagnosisError`] when no fit is possible.
+pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions) -> Result<Diagnosis, DiagnosisError> {
     watched(fitted, held_out, model, settings, &|_| ())
 }
 
 /// The same, telling `stage` what is being done.
 ///
 /// # Errors
-/// [`Undiagnosed`] when no fit is possible.
+/// [`DiagnosisError`] when no fit is possible.
 pub fn watched(
     fitted: &Waves,
     held_out: Option<&Waves>,
     model: &Model,
-    settings: &Settings,
+    settings: &DiagnosisOptions,
     stage: &dyn Fn(Stage),
-) -> Result<Diagnosis, Undiagnosed> {
-    run(fitted, held_out, model, settings, stage).ok_or(Undiagnosed::NoFit)
+) -> Result<Diagnosis, DiagnosisError> {
+    run(fitted, held_out, model, settings, stage).ok_or(DiagnosisError::NoFit)
 }
 
-fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
-    stage(Stage::Scatter);
-    let ground = Ground::of(fitted, model)?;
+fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
+    stage(Stage::TrialCovariance);
+    let ground = PreparedDrops::of(fitted, model)?;
     let problem = &ground.problem;
-    let limit_seen = ground.flat_top.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
-    stage(Stage::Nulls);
-    let nulls = Nulls::of(&ground.scatter, &ground.family, settings.seed)?;
-    let setting = Setting { problem, nulls: &nulls, limit_seen, most: settings.most_effects, stage };
+    let limit_seen = ground.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
+    stage(Stage::Bootstrap);
+    let nulls = Bootstrap::of(&ground.scatter, &ground.family, settings.seed)?;
+    let setting = SearchContext { problem, nulls: &nulls, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
     let search = Search::run(&setting, model)?;
-    stage(Stage::Gates);
+    stage(Stage::Acceptance);
     let base = search.levels[0].candidates[0].clone();
     let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;
     let nothing = search.levels[0].adequacy.p >= RARE && !limit_seen;
@@ -215,7 +224,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Setti
     let chosen = level.candidates[0].clone();
     let able: Vec<Candidate> = level.candidates.iter().filter(|one| nothing || setting.may_be(one)).cloned().collect();
     let alternatives = alternatives(&able);
-    let ranking = ranking(problem, fitted, &search, &chosen, nothing);
+    let ranking = ranking(&setting, fitted, &search, &chosen, nothing);
     let steady = constancy(problem, &chosen);
     let (verdict, reasons) = verdict(&Evidence {
         nothing,
@@ -260,7 +269,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Setti
         adequacy: level.adequacy.clone(),
         trend_p: trend,
         observables: observables(fitted, model),
-        flat_top: ground.flat_top,
+        clipping: ground.clipping,
         surface,
         experiments,
         base,
@@ -282,20 +291,26 @@ fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
     let Evidence { nothing, adequacy, chosen, alternatives, steady, trend } = evidence;
     let mut reasons = Vec::new();
     if *trend < TREND {
-        reasons.push(format!("the drops change with their number (p = {trend:.3}): something wears, warms or comes loose, which no effect of the catalogue describes"));
+        reasons.push(format!(
+            "the drops show a trend over trials (p = {trend:.3}), such as wear or loosening; no effect of the catalogue describes it"
+        ));
     }
     if *nothing {
-        reasons.push(format!("what the base model leaves is no more than the drops' own scatter (p = {:.3})", adequacy.p));
+        reasons.push(format!("the residual of the base model is within trial variation (p = {:.3})", adequacy.p));
         return (if *trend < TREND { Verdict::NoneSuffices } else { Verdict::NothingMissing }, reasons);
     }
     if adequacy.p < RARE {
-        reasons.push(format!("no set of effects leaves only scatter: the best, {}, fails (p = {:.3})", joined(chosen), adequacy.p));
+        reasons.push(format!(
+            "no set of effects explains the drops: the best, {}, leaves more than trial variation (p = {:.3})",
+            joined(chosen),
+            adequacy.p
+        ));
     }
     if let Some(steady) = steady.filter(|steady| steady.p < UNSTEADY) {
         reasons.push(format!("the parameters of {} are not the same at all heights (p = {:.1e})", joined(chosen), steady.p));
     }
     for (free, _) in implausible(chosen) {
-        reasons.push(format!("{free} ended at the bound of what is plausible"));
+        reasons.push(format!("{free} ended at its bound"));
     }
     if !reasons.is_empty() {
         return (Verdict::NoneSuffices, reasons);
@@ -306,14 +321,14 @@ fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
         let others: Vec<String> =
             alternatives.iter().skip(1).take(3).map(|other| format!("{} ({:.2})", joined(&other.candidate), other.weight)).collect();
         reasons.push(format!(
-            "{} explains the drops, but so do others nearly as well: weight {weight:.2} against {}",
+            "{} explains the drops, but other sets explain them nearly as well: weight {weight:.2}, {}",
             joined(chosen),
             others.join(", ")
         ));
         return (Verdict::Ambiguous, reasons);
     }
     reasons.push(format!(
-        "{} explains the drops (p = {:.3}) and no other set does as well (weight {weight:.2})",
+        "{} explains the drops (p = {:.3}); no other set explains them as well (weight {weight:.2})",
         joined(chosen),
         adequacy.p
     ));
@@ -323,7 +338,7 @@ fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
 /// Parameters on top of the base at a bound that is not their own 'off' nor the end of a physical range.
 fn implausible(candidate: &Candidate) -> Vec<(String, usize)> {
     let free = candidate.fitted.layout.free.iter().zip(&candidate.fitted.minimum.at_bound).enumerate().skip(2);
-    free.filter(|(_, (free, at_bound))| **at_bound && free.spec.id != "unilateral_contact")
+    free.filter(|(_, (free, at_bound))| **at_bound && !free.has_physical_bounds())
         .map(|(i, (free, _))| (format!("{} of {}", free.key(), free.spec.id), i))
         .collect()
 }
@@ -354,14 +369,14 @@ fn contributions(search: &Search, chosen: &Candidate) -> Vec<(&'static str, f64)
     all
 }
 
-fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<Estimate>, DMatrix<f64>)> {
+fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<EffectEstimate>, DMatrix<f64>)> {
     let minimum = &chosen.fitted.minimum;
     let covariance = inverse(&(minimum.jacobian.transpose() * &minimum.jacobian))?;
     let sd: Vec<f64> = covariance.diagonal().iter().map(|variance| variance.max(1e-300).sqrt()).collect();
     let correlations = DMatrix::from_fn(sd.len(), sd.len(), |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
     let one = |(i, free): (usize, &crate::impact::fit::Free)| {
         let half = adequacy.ratio95.get(i).copied().unwrap_or(1.96) * sd[i];
-        Estimate {
+        EffectEstimate {
             effect: free.spec.id,
             key: free.key(),
             unit: free.spec.parameters[free.at].unit,
@@ -373,7 +388,8 @@ fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<Estimate>, 
     Some((chosen.fitted.layout.free.iter().enumerate().map(one).collect(), correlations))
 }
 
-fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
+fn ranking(setting: &SearchContext, waves: &Waves, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
+    let problem = setting.problem;
     let looked_at: Vec<(usize, &Candidate)> = search.levels.iter().skip(1).flat_map(|level| level.candidates.iter().enumerate()).collect();
     let one = |(at, candidate): (usize, &Candidate)| {
         let close = at < LOOKED_AT;
@@ -385,7 +401,7 @@ fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate
     };
     let mut all: Vec<Ranked> = looked_at.into_par_iter().map(one).collect();
     all.sort_by(|a, b| a.score.total_cmp(&b.score));
-    for spec in candidates(chosen.model())
+    for spec in candidates(setting.catalogue, chosen.model())
         .iter()
         .filter(|spec| search.levels.get(1).is_some_and(|level| level.candidates.iter().all(|one| one.ids() != [spec.id])))
     {
@@ -394,7 +410,7 @@ fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate
             score: f64::INFINITY,
             left_out_g: None,
             constancy: None,
-            reason_rejected: Some("no fit holds the body".into()),
+            reason_rejected: Some("the simulation diverges in every fit".into()),
         });
     }
     all
@@ -402,7 +418,7 @@ fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate
 
 fn reason(candidate: &Candidate, chosen: &Candidate, steady: Option<&Constancy>, nothing: bool) -> String {
     if nothing {
-        return "nothing is missing: the gain is what scatter alone gives".into();
+        return "nothing is missing: the improvement is within trial variation".into();
     }
     if let Some((parameter, _)) = implausible(candidate).first() {
         return format!("{parameter} at its bound");
@@ -419,10 +435,10 @@ fn reason(candidate: &Candidate, chosen: &Candidate, steady: Option<&Constancy>,
             .collect();
         return format!("not the same at all heights (p = {:.1e}): {}", steady.p, moved.join("; "));
     }
-    let apart = candidate.score - chosen.score;
+    let higher = candidate.score - chosen.score;
     if candidate.ids().len() < chosen.ids().len() {
-        format!("leaves more than scatter; {apart:.1} worse")
+        format!("residual exceeds trial variation; score {higher:.1} higher")
     } else {
-        format!("{apart:.1} worse")
+        format!("score {higher:.1} higher")
     }
 }

@@ -3,9 +3,10 @@
 use serde::Serialize;
 
 use super::candidate::Candidate;
-use crate::impact::effects::{GRAVITY_M_S2, Model};
-use crate::impact::fit::{Problem, Scatter};
-use crate::impact::sim::{Settings, System, wave};
+use crate::impact::effects::Model;
+use crate::impact::fit::{FitProblem, TrialCovariance};
+use crate::impact::sim::{SolverOptions, System, wave};
+use crate::units::GRAVITY_M_S2;
 
 /// An experiment with what it promises.
 #[derive(Clone, Debug, Serialize)]
@@ -36,7 +37,7 @@ const FAST: (f64, f64) = (1e-4, 0.02);
 const FAST_CUTOFF_HZ: f64 = 5000.0;
 
 /// Every experiment, most telling first.
-pub fn experiments(problem: &Problem, scatter: &Scatter, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
+pub fn experiments(problem: &FitProblem, scatter: &TrialCovariance, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
     let between =
         [first.ids().join(" + "), second.ids().join(" + ")].map(|ids| if ids.is_empty() { "nothing missing".into() } else { ids });
     let (a, b) = (first.model(), second.model());
@@ -65,7 +66,7 @@ pub fn experiments(problem: &Problem, scatter: &Scatter, first: &Candidate, seco
         });
     }
     all.push(Experiment {
-        what: "press the frame slowly with a dynamometer, 2 to 16 mm in steps of 2 mm, up and down".into(),
+        what: "measure a static load test with a dynamometer, 2 to 16 mm in steps of 2 mm, up and down".into(),
         kind: "static_test",
         height_m: None,
         discrimination: STATIC_M.iter().map(|x_m| squared((static_n(a, *x_m) - static_n(b, *x_m)) / STATIC_ERROR_N)).sum(),
@@ -80,7 +81,7 @@ fn squared(value: f64) -> f64 {
 }
 
 /// Standard error of one drop's reading over the peak, in mean over what was measured.
-fn relative_error(problem: &Problem, scatter: &Scatter) -> f64 {
+fn relative_error(problem: &FitProblem, scatter: &TrialCovariance) -> f64 {
     let counts = scatter.counts();
     let of = |(at, errors): (usize, Vec<f64>)| {
         let peak = problem.means[at].1.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
@@ -95,13 +96,12 @@ fn relative_error(problem: &Problem, scatter: &Scatter) -> f64 {
 fn waves_apart(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
     let points = (FAST.1 / step_s) as usize;
     let run = |model: &Model| {
-        let mut model = model.clone();
+        let mut system = System::new(model);
         if let Some(cutoff_hz) = cutoff_hz {
-            model.effects.retain(|listed| listed.spec.id != "sensor_low_pass");
-            model.sensor.cutoff_hz = cutoff_hz;
+            system.set_cutoff(cutoff_hz);
         }
         let mut out = vec![0.0; points];
-        (wave(&System::new(&model), height_m, step_s, &Settings::FIT, &mut out) == crate::impact::sim::Stop::End).then_some(out)
+        (wave(&system, height_m, step_s, &SolverOptions::FIT, &mut out) == crate::impact::sim::Stop::End).then_some(out)
     };
     let (a, b) = (run(a)?, run(b)?);
     let peak = a.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::candidate::Candidate;
 use crate::impact::effects::Model;
-use crate::impact::fit::{Layout, Problem, Waves};
+use crate::impact::fit::{FitProblem, Layout, Waves};
 
 /// A gap in g.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -57,7 +57,7 @@ impl Sums {
 }
 
 /// The gap of a model at all heights of measured waves.
-pub fn gap(problem: &Problem, waves: &Waves, model: &Model) -> Option<Gap> {
+pub fn gap(problem: &FitProblem, waves: &Waves, model: &Model) -> Option<Gap> {
     let mut sums = Sums::default();
     let system = problem.expected.system(model);
     for group in &waves.groups {
@@ -67,7 +67,7 @@ pub fn gap(problem: &Problem, waves: &Waves, model: &Model) -> Option<Gap> {
 }
 
 /// The gap at each height of a model that was refitted to the others.
-pub fn left_out_heights(problem: &Problem, waves: &Waves, candidate: &Candidate) -> Option<Gap> {
+pub fn left_out_heights(problem: &FitProblem, waves: &Waves, candidate: &Candidate) -> Option<Gap> {
     let all = problem.chosen.clone();
     let mut sums = Sums::default();
     for out in &all {
@@ -80,13 +80,13 @@ pub fn left_out_heights(problem: &Problem, waves: &Waves, candidate: &Candidate)
 }
 
 /// The gap to every second drop of a model that was refitted to the others.
-pub fn left_out_trials(problem: &Problem, waves: &Waves, candidate: &Candidate) -> Option<Gap> {
+pub fn left_out_trials(problem: &FitProblem, waves: &Waves, candidate: &Candidate) -> Option<Gap> {
     let mut sums = Sums::default();
     for out in 0..2 {
         let halves = |keep: bool| waves.half(|drop| (drop % 2 == out) == keep);
         let (fitted, judged) = (halves(false), halves(true));
         let means = fitted.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
-        let half = Problem { means, ..problem.clone() };
+        let half = FitProblem { means, ..problem.clone() };
         let refitted = half.fit(Layout::clone(&candidate.fitted.layout), STEPS)?;
         let predicted: DVector<f64> = half.prediction(refitted.model())?;
         for (at, group) in judged.groups.iter().enumerate() {
@@ -97,7 +97,7 @@ pub fn left_out_trials(problem: &Problem, waves: &Waves, candidate: &Candidate) 
 }
 
 /// Standard error of a group's mean wave, g.
-pub fn errors(group: &crate::impact::fit::Group) -> Vec<f64> {
+pub fn errors(group: &crate::impact::fit::WaveGroup) -> Vec<f64> {
     let count = group.windows.len() as f64;
     let square = |i: usize| group.windows.iter().map(|window| (window[i] - group.mean[i]) * (window[i] - group.mean[i])).sum::<f64>();
     (0..group.mean.len()).map(|i| (square(i) / ((count - 1.0).max(1.0) * count)).sqrt()).collect()

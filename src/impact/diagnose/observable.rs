@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use crate::impact::effects::{GRAVITY_M_S2, Model};
+use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
+use crate::units::GRAVITY_M_S2;
 
 /// One height.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -27,7 +28,7 @@ pub struct Observable {
 /// Observables of every height.
 pub fn observables(waves: &Waves, model: &Model) -> Vec<Observable> {
     let fall = model.arrangement().fall;
-    let of = |group: &crate::impact::fit::Group| {
+    let of = |group: &crate::impact::fit::WaveGroup| {
         let v0 = fall.impact_speed_m_s(group.height_m);
         let impulse = |window: &[f64]| GRAVITY_M_S2 * waves.step_s * window.iter().sum::<f64>() / v0;
         let each: Vec<f64> = group.windows.iter().map(|window| impulse(window)).collect();

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::adequacy::{Adequacy, Seen, judge};
+use super::adequacy::{Adequacy, LinearisedFit, judge};
+use super::bootstrap::Bootstrap;
 use super::candidate::{Candidate, promises, tries};
 use super::dictionary::Dictionary;
-use super::nulls::Nulls;
 use super::stage::Stage;
-use crate::impact::effects::{Model, candidates};
-use crate::impact::fit::Problem;
+use crate::impact::effects::{Model, Spec, candidates};
+use crate::impact::fit::FitProblem;
 
 /// Chance below which something is missing.
 pub const RARE: f64 = 0.01;
@@ -43,13 +43,15 @@ pub struct Search {
 }
 
 /// What a search needs.
-pub struct Setting<'a> {
+pub struct SearchContext<'a> {
     /// Mean waves.
-    pub problem: &'a Problem,
+    pub problem: &'a FitProblem,
     /// What could have been measured if nothing were missing.
-    pub nulls: &'a Nulls,
+    pub nulls: &'a Bootstrap,
     /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
     pub limit_seen: bool,
+    /// The effects that are tried.
+    pub catalogue: &'a [&'static Spec],
     /// Most effects.
     pub most: usize,
     /// Told what is being done.
@@ -58,9 +60,9 @@ pub struct Setting<'a> {
 
 impl Search {
     /// Searches from a model's base on; `None` when the base cannot be fitted.
-    pub fn run(setting: &Setting, model: &Model) -> Option<Self> {
+    pub fn run(setting: &SearchContext, model: &Model) -> Option<Self> {
         let base = Candidate::base(setting.problem, model)?;
-        let mut dictionary = Dictionary::on(setting.problem, base.model())?;
+        let mut dictionary = Dictionary::on(setting.problem, base.model(), setting.catalogue)?;
         (setting.stage)(Stage::Effects(1));
         let adequacy = setting.adequacy(&base, &dictionary)?;
         let singles = setting.singles(&base, &dictionary)?;
@@ -69,7 +71,7 @@ impl Search {
         for size in 1..=setting.most {
             candidates = setting.freed(candidates);
             let best = candidates.first()?;
-            dictionary = Dictionary::on(setting.problem, best.model())?;
+            dictionary = Dictionary::on(setting.problem, best.model(), setting.catalogue)?;
             let adequacy = setting.adequacy(best, &dictionary)?;
             let enough = adequacy.p >= RARE && setting.may_be(best);
             levels.push(Level { candidates, adequacy });
@@ -80,7 +82,7 @@ impl Search {
             candidates = setting.larger(&levels[size].candidates)?;
             if setting.dropped(&candidates, &mut levels[size].candidates) {
                 let best = levels[size].candidates.first()?;
-                levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model())?)?;
+                levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model(), setting.catalogue)?)?;
                 if levels[size].adequacy.p >= RARE && setting.may_be(&levels[size].candidates[0]) {
                     break;
                 }
@@ -91,11 +93,11 @@ impl Search {
     }
 }
 
-impl Setting<'_> {
+impl SearchContext<'_> {
     /// Whether a candidate is enough.
     pub fn adequacy(&self, candidate: &Candidate, dictionary: &Dictionary) -> Option<Adequacy> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
-        let seen = Seen { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
+        let seen = LinearisedFit { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
         judge(&deviation, &seen, self.nulls)
     }
@@ -128,7 +130,7 @@ impl Setting<'_> {
 
     /// Whether a set can explain what is seen in single readings.
     pub fn may_be(&self, candidate: &Candidate) -> bool {
-        !self.limit_seen || candidate.ids().contains(&"sensor_saturation")
+        !self.limit_seen || candidate.model().limits_readings()
     }
 
     /// Best score first, sets that cannot be behind those that can.
@@ -141,7 +143,7 @@ impl Setting<'_> {
     fn singles(&self, base: &Candidate, dictionary: &Dictionary) -> Option<Vec<Candidate>> {
         let promises = promises(self.problem, &base.fitted, dictionary)?;
         let fit = |id: &str| Candidate::best(self.problem, tries(&promises, id).into_iter().map(|start| start.on(base.model())));
-        Some(self.ranked(candidates(base.model()).into_par_iter().filter_map(|spec| fit(spec.id)).collect()))
+        Some(self.ranked(candidates(self.catalogue, base.model()).into_par_iter().filter_map(|spec| fit(spec.id)).collect()))
     }
 
     /// Sets with one effect more, from the best of one size; each of the best is also swapped, as its effects come from
@@ -153,7 +155,7 @@ impl Setting<'_> {
         for _round in 0..2 {
             let mut promised: BTreeMap<Vec<&'static str>, Vec<(f64, Model)>> = BTreeMap::new();
             let dictionaries: Vec<(&Candidate, Dictionary)> =
-                open.iter().filter_map(|from| Some((*from, Dictionary::on(self.problem, from.model())?))).collect();
+                open.iter().filter_map(|from| Some((*from, Dictionary::on(self.problem, from.model(), self.catalogue)?))).collect();
             for (from, dictionary) in &dictionaries {
                 for promise in promises(self.problem, &from.fitted, dictionary)? {
                     let model = promise.start.on(from.model());

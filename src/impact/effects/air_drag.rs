@@ -5,16 +5,21 @@
 //!
 //! *When it is wrong:* for a frame that turns as it falls, or with propellers that spin.
 
-use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::effect::{Effect, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
 /// Drag over mass beyond which no frame of this size and mass is, 1/m.
 const BLUFF_1_M: f64 = 0.2;
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "air_drag",
     title: "air drag in the fall",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "beta",
         unit: "1/m",
@@ -23,10 +28,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 1.0,
         off: Some(0.0),
         default: None,
+        scale: Scale::Linear,
         doc: "drag over mass",
     }],
     choice: None,
-    build: |values, _| Box::new(AirDrag { drag_1_m: values[0] }),
+    states: &[],
+    starts: |_| singles(&[0.05, 0.3]),
+    build: |inputs| Box::new(AirDrag { drag_1_m: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.drag_1_m = values[0]),
 };
 
 #[derive(Clone, Copy, Debug)]

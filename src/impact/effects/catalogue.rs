@@ -1,13 +1,12 @@
-//! Every effect there is.
+//! The list of effects. Every other table of effects is derived from it.
 
-use super::effect::Spec;
+use super::spec::{Spec, Stage};
 use super::*;
 
-/// The base model's effects.
-pub const BASE: [&Spec; 2] = [&linear_spring::SPEC, &linear_damper::SPEC];
-
-/// The effects that can come on top, in the order of the library.
-pub const CATALOGUE: [&Spec; 16] = [
+/// Every effect: the base's, then those that can come on top, in the order of composition.
+pub const CATALOGUE: [&Spec; 19] = [
+    &linear_spring::SPEC,
+    &linear_damper::SPEC,
     &unilateral_contact::SPEC,
     &bottoming::SPEC,
     &cubic_stiffness::SPEC,
@@ -24,25 +23,33 @@ pub const CATALOGUE: [&Spec; 16] = [
     &foot_stagger::SPEC,
     &drop_height_error::SPEC,
     &air_drag::SPEC,
+    &frame_force_curve::SPEC,
 ];
 
-/// The effects that need to know a frame: a model without its curve cannot have them.
-pub const OF_FRAME: [&Spec; 1] = [&frame_force_curve::SPEC];
-
-/// Every effect, the base's first.
-pub fn every() -> impl Iterator<Item = &'static Spec> {
-    BASE.into_iter().chain(CATALOGUE).chain(OF_FRAME)
-}
-
-/// The effects that can come on top of a model.
-pub fn candidates(model: &Model) -> Vec<&'static Spec> {
-    let of_frame = OF_FRAME.into_iter().filter(|_| model.frame_curve.is_some());
-    CATALOGUE.into_iter().chain(of_frame).collect()
-}
-
-/// An effect's entry by its id, the base's among them.
+/// An effect's record by its id, the base's among them.
 pub fn by_id(id: &str) -> Option<&'static Spec> {
-    every().find(|spec| spec.id == id)
+    CATALOGUE.into_iter().find(|spec| spec.id == id)
+}
+
+/// States of all effects of a list together.
+pub const fn states(catalogue: &[&Spec]) -> usize {
+    let (mut sum, mut at) = (0, 0);
+    while at < catalogue.len() {
+        sum += catalogue[at].states.len();
+        at += 1;
+    }
+    sum
+}
+
+/// Effects of a list that do work on the body: forces, stops, and those that attach a mass.
+pub const fn working(catalogue: &[&Spec]) -> usize {
+    let (mut count, mut at) = (0, 0);
+    while at < catalogue.len() {
+        let spec = catalogue[at];
+        count += (!matches!(spec.stage, Stage::Arrangement) || !spec.states.is_empty()) as usize;
+        at += 1;
+    }
+    count
 }
 
 #[cfg(test)]
@@ -51,7 +58,7 @@ mod tests {
 
     #[test]
     fn analytic_ids_and_keys_are_unique_and_bounds_hold_defaults() {
-        let specs: Vec<&Spec> = every().collect();
+        let specs = CATALOGUE;
         for (at, spec) in specs.iter().enumerate() {
             assert!(specs[at + 1..].iter().all(|other| other.id != spec.id), "{}", spec.id);
             for parameter in spec.parameters {
@@ -70,6 +77,8 @@ mod tests {
             .map(|spec| format!("{}: {}", spec.id, spec.parameters.iter().map(|p| p.key).collect::<Vec<_>>().join(", ")))
             .collect();
         let expected = [
+            "linear_spring: k",
+            "linear_damper: c",
             "unilateral_contact: tension_factor",
             "bottoming: x_b_mm, k_b, lambda",
             "cubic_stiffness: k3",
@@ -86,6 +95,7 @@ mod tests {
             "foot_stagger: delta_mm",
             "drop_height_error: dh_m",
             "air_drag: beta",
+            "frame_force_curve: share",
         ];
         assert_eq!(names, expected);
     }

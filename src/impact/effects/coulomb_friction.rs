@@ -5,16 +5,20 @@
 //!
 //! *When it is wrong:* below 0.05 m/s, where it creeps instead of sticking.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
 /// Speed over which the sign turns, m/s.
 const TURN_M_S: f64 = 0.05;
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "coulomb_friction",
     title: "Coulomb friction",
     stage: Stage::Force,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "f_c_n",
         unit: "N",
@@ -23,10 +27,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 80.0,
         off: Some(0.0),
         default: None,
+        scale: Scale::Linear,
         doc: "friction force",
     }],
     choice: None,
-    build: |values, _| Box::new(CoulombFriction { force_n: values[0] }),
+    states: &[],
+    starts: |_| singles(&[3.0, 15.0, 45.0]),
+    build: |inputs| Box::new(CoulombFriction { force_n: inputs.values[0] }),
+    generator: Generator::Force(|at, values| values[0] * libm::tanh(at.v / 0.05)),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +43,7 @@ struct CoulombFriction {
 }
 
 impl Effect for CoulombFriction {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.force_n * libm::tanh(at.v_m_s / TURN_M_S)
     }
 

@@ -6,13 +6,17 @@
 //! *When it is wrong:* far beyond the compressions it was fitted on. A negative k3 gives way for good where
 //! k x + k3 x³ turns, at 18.8 mm for k = 7040 N/m and k3 = -2e7 N/m³; the simulation then says that the body ran away.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "cubic_stiffness",
     title: "cubic stiffness",
     stage: Stage::Force,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "k3",
         unit: "N/m^3",
@@ -21,10 +25,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 2e8,
         off: Some(0.0),
         default: None,
+        scale: Scale::Linear,
         doc: "cubic stiffness",
     }],
     choice: None,
-    build: |values, _| Box::new(CubicStiffness { k3_n_m3: values[0] }),
+    states: &[],
+    starts: |_| singles(&[-5e6, 4e6, 4e7]),
+    build: |inputs| Box::new(CubicStiffness { k3_n_m3: inputs.values[0] }),
+    generator: Generator::Force(|at, values| values[0] * at.x * at.x * at.x),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -33,17 +41,17 @@ struct CubicStiffness {
 }
 
 impl Effect for CubicStiffness {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.k3_n_m3 * at.x_m * at.x_m * at.x_m
     }
 
-    fn stored_j(&self, at: &Motion) -> f64 {
+    fn stored_j(&self, at: &MotionState) -> f64 {
         let square = at.x_m * at.x_m;
         0.25 * self.k3_n_m3 * square * square
     }
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         let slope = reach.stiffness_n_m + 3.0 * self.k3_n_m3 * reach.deepest_m * reach.deepest_m;
-        (slope < 0.0).then(|| format!("at {:.1} mm the spring gives way: its stiffness is {slope:.0} N/m", reach.deepest_m * 1e3))
+        (slope < 0.0).then(|| format!("at {:.1} mm the stiffness is negative: {slope:.0} N/m", reach.deepest_m * 1e3))
     }
 }

@@ -4,13 +4,18 @@
 //!
 //! *When it is wrong:* one dh for all drops is a bias; the scatter of single drops is no dh.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::effect::Effect;
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "drop_height_error",
     title: "drop-height error",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "dh_m",
         unit: "m",
@@ -19,10 +24,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 0.4,
         off: Some(0.0),
         default: None,
-        doc: "height that is not in the stated one",
+        scale: Scale::Linear,
+        doc: "error of the stated height",
     }],
     choice: None,
-    build: |values, _| Box::new(DropHeightError { extra_m: values[0] }),
+    states: &[],
+    starts: |_| singles(&[-0.1, 0.1]),
+    build: |inputs| Box::new(DropHeightError { extra_m: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.extra_m = values[0]),
 };
 
 #[derive(Clone, Copy, Debug)]

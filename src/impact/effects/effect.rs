@@ -1,77 +1,12 @@
-//! What an effect is: a catalogue entry, and what it does to a drop.
+//! What an effect does to a drop.
 
 use std::fmt::Debug;
 
-use super::{Fall, Feet, Payload, Sensor, Softening};
-
-/// A parameter of an effect, in the unit of model files and results.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parameter {
-    /// Key in a model file.
-    pub key: &'static str,
-    /// Unit of its value there.
-    pub unit: &'static str,
-    /// One such unit in SI.
-    pub si: f64,
-    /// Least.
-    pub min: f64,
-    /// Most.
-    pub max: f64,
-    /// The value that switches the effect off; `None` where it does not depend on this parameter.
-    pub off: Option<f64>,
-    /// What holds when a model file leaves it out, and what a fit keeps unless told otherwise; `None`: it must be stated.
-    pub default: Option<f64>,
-    /// What it is.
-    pub doc: &'static str,
-}
-
-/// A choice between words.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choice {
-    /// Key in a model file.
-    pub key: &'static str,
-    /// The words; the first holds when none is stated.
-    pub words: &'static [&'static str],
-}
-
-/// Where an effect acts in the order of composition.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stage {
-    /// A force in the sum.
-    Force,
-    /// A force on top, after the tension factor; never pulls.
-    Stop,
-    /// Changes how fall, contact or sensor act.
-    Arrangement,
-}
-
-/// An effect's entry in the catalogue.
-#[derive(Debug)]
-pub struct Spec {
-    /// Its id in model files and results.
-    pub id: &'static str,
-    /// Its name in words.
-    pub title: &'static str,
-    /// Where it acts.
-    pub stage: Stage,
-    /// Its parameters, in the order of the values that `build` takes.
-    pub parameters: &'static [Parameter],
-    /// A choice that is no number.
-    pub choice: Option<Choice>,
-    /// Makes the effect from values in SI and the index of the chosen word.
-    pub build: fn(&[f64], usize) -> Box<dyn Effect>,
-}
-
-impl Spec {
-    /// Whether values in the file's units switch the effect off.
-    pub fn is_off(&self, values: &[f64]) -> bool {
-        self.parameters.iter().zip(values).any(|(parameter, value)| parameter.off == Some(*value))
-    }
-}
+use super::arrangement::Arrangement;
 
 /// A moment of the motion.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<'a> {
+pub struct MotionState<'a> {
     /// Compression, m.
     pub x_m: f64,
     /// Its rate, m/s.
@@ -89,7 +24,7 @@ pub enum Threshold {
     Speed(f64),
 }
 
-/// How far a drop went: what an effect is held against to say whether it still holds.
+/// How far a drop went: an effect compares it with its range of validity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
     /// Speed at first touch, m/s.
@@ -106,40 +41,18 @@ pub struct Reach {
     pub stiffness_n_m: f64,
 }
 
-/// How fall, contact and sensor are arranged.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Arrangement {
-    /// The way down.
-    pub fall: Fall,
-    /// What the ground's force is multiplied by where it would pull, or where the frame has left it.
-    pub tension_factor: f64,
-    /// Feet that touch one after the other.
-    pub feet: Option<Feet>,
-    /// A frame's curve in the spring's place.
-    pub softening: Option<Softening>,
-    /// A payload on a spring of its own.
-    pub payload: Option<Payload>,
-    /// What the sensor makes of it.
-    pub sensor: Sensor,
-}
-
 /// A physical effect.
 pub trait Effect: Debug + Send + Sync {
-    /// How many states of its own it has; they begin at zero.
-    fn own_states(&self) -> usize {
-        0
-    }
-
     /// Force on the body, N, upwards.
-    fn force_n(&self, _at: &Motion) -> f64 {
+    fn force_n(&self, _at: &MotionState) -> f64 {
         0.0
     }
 
-    /// Rates of its own states.
-    fn rates(&self, _at: &Motion, _rates: &mut [f64]) {}
+    /// Rates of its own states, in the order of its record's `states`.
+    fn rates(&self, _at: &MotionState, _rates: &mut [f64]) {}
 
     /// Energy that it holds and could give back, J.
-    fn stored_j(&self, _at: &Motion) -> f64 {
+    fn stored_j(&self, _at: &MotionState) -> f64 {
         0.0
     }
 

@@ -1,6 +1,6 @@
 //! From drop height to impact speed.
 
-use super::GRAVITY_M_S2;
+use crate::units::GRAVITY_M_S2;
 
 /// The way down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

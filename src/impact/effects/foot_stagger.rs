@@ -6,13 +6,18 @@
 //!
 //! *When it is wrong:* a tilted body also turns, which takes energy out of the fall; feet are taken evenly spaced.
 
-use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
+use super::arrangement::{Arrangement, Feet};
+use super::effect::{Effect, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "foot_stagger",
     title: "foot stagger",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "delta_mm",
         unit: "mm",
@@ -21,10 +26,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 20.0,
         off: Some(0.0),
         default: None,
+        scale: Scale::Linear,
         doc: "from the first foot's touch to the last's",
     }],
     choice: None,
-    build: |values, _| Box::new(FootStagger { spread_m: values[0] }),
+    states: &[],
+    starts: |_| singles(&[1.0, 4.0, 10.0]),
+    build: |inputs| Box::new(FootStagger { spread_m: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.stagger_m = values[0] * 1e-3),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -40,29 +49,10 @@ impl Effect for FootStagger {
     fn outside(&self, reach: &Reach) -> Option<String> {
         (reach.deepest_m < self.spread_m).then(|| {
             format!(
-                "{:.1} mm do not bring the last foot down at {:.1} mm: a body tilted so far turns",
-                reach.deepest_m * 1e3,
-                self.spread_m * 1e3
+                "the last foot, at {:.1} mm, does not touch within {:.1} mm: a body tilted this far rotates",
+                self.spread_m * 1e3,
+                reach.deepest_m * 1e3
             )
         })
-    }
-}
-
-/// Feet and the compressions at which they touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Feet {
-    /// Lowest first, m.
-    pub at_m: [f64; 4],
-}
-
-impl Feet {
-    /// What the feet that have touched leave of the compression, in mean over four, m.
-    pub fn mean_compression_m(&self, x_m: f64, touched: usize) -> f64 {
-        self.at_m[..touched].iter().map(|at| 0.25 * (x_m - at)).sum()
-    }
-
-    /// The same of its square, m².
-    pub fn mean_square_m2(&self, x_m: f64, touched: usize) -> f64 {
-        self.at_m[..touched].iter().map(|at| 0.25 * (x_m - at) * (x_m - at)).sum()
     }
 }

@@ -6,13 +6,17 @@
 //! *When it is wrong:* it has no memory; a material that relaxes is `maxwell_branch`. A negative χ feeds energy in: it
 //! stands for a parallel damper that is too strong, and is no law of its own.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "hunt_crossley_damping",
     title: "Hunt-Crossley damping",
     stage: Stage::Force,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "chi",
         unit: "N s/m^2",
@@ -21,10 +25,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 2e4,
         off: Some(0.0),
         default: None,
+        scale: Scale::Linear,
         doc: "damping per compression",
     }],
     choice: None,
-    build: |values, _| Box::new(HuntCrossleyDamping { chi_n_s_m2: values[0] }),
+    states: &[],
+    starts: |_| singles(&[-1.5e3, 1e3, 6e3]),
+    build: |inputs| Box::new(HuntCrossleyDamping { chi_n_s_m2: inputs.values[0] }),
+    generator: Generator::Force(|at, values| values[0] * at.x * at.v),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -33,7 +41,7 @@ struct HuntCrossleyDamping {
 }
 
 impl Effect for HuntCrossleyDamping {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.chi_n_s_m2 * at.x_m * at.v_m_s
     }
 

@@ -6,13 +6,17 @@
 //! at 150 cm, 5 mm deep, their median force is 29 N where it says 282 N with the spring. Flexible filament relaxes
 //! (`maxwell_branch`) rather than flows.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage};
 
-/// The catalogue entry.
-pub(super) const SPEC: Spec = Spec {
+/// Its record.
+pub const SPEC: Spec = Spec {
     id: "linear_damper",
     title: "linear damper",
     stage: Stage::Force,
+    availability: Availability::Base,
     parameters: &[Parameter {
         key: "c",
         unit: "N s/m",
@@ -21,10 +25,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 2000.0,
         off: Some(0.0),
         default: None,
+        scale: Scale::LinearStep(0.2),
         doc: "damping of the frame",
     }],
     choice: None,
-    build: |values, _| Box::new(LinearDamper { damping_n_s_m: values[0] }),
+    states: &[],
+    starts: |_| Vec::new(),
+    build: |inputs| Box::new(LinearDamper { damping_n_s_m: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.damping_n_s_m = values[0]),
 };
 
 /// The damper.
@@ -35,16 +43,14 @@ pub struct LinearDamper {
 }
 
 impl Effect for LinearDamper {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.damping_n_s_m * at.v_m_s
     }
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         let (damper_n, spring_n) = (self.damping_n_s_m * reach.impact_speed_m_s, reach.stiffness_n_m * reach.deepest_m);
         (damper_n > 0.5 * spring_n).then(|| {
-            format!(
-                "it pushes with {damper_n:.0} N at once, the spring with {spring_n:.0} N at the most: measured drops begin with nothing"
-            )
+            format!("its force is {damper_n:.0} N at first touch, the spring's at most {spring_n:.0} N; measured drops start at zero force")
         })
     }
 }

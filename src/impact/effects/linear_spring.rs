@@ -6,16 +6,20 @@
 //! *When it is wrong:* past the legs' buckling load, where legs or battery touch, and for x < 0, where it pulls on a
 //! ground that cannot hold the frame.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage};
 
 /// How far the frame was pressed in the static test, m.
 const TESTED_M: f64 = 0.016;
 
-/// The catalogue entry.
-pub(super) const SPEC: Spec = Spec {
+/// Its record.
+pub const SPEC: Spec = Spec {
     id: "linear_spring",
     title: "linear spring",
     stage: Stage::Force,
+    availability: Availability::Base,
     parameters: &[Parameter {
         key: "k",
         unit: "N/m",
@@ -24,10 +28,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 1e6,
         off: None,
         default: None,
+        scale: Scale::Logarithmic,
         doc: "stiffness of the frame on its corners",
     }],
     choice: None,
-    build: |values, _| Box::new(LinearSpring { stiffness_n_m: values[0] }),
+    states: &[],
+    starts: |_| Vec::new(),
+    build: |inputs| Box::new(LinearSpring { stiffness_n_m: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.stiffness_n_m = values[0]),
 };
 
 /// The spring.
@@ -38,11 +46,11 @@ pub struct LinearSpring {
 }
 
 impl Effect for LinearSpring {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.stiffness_n_m * at.x_m
     }
 
-    fn stored_j(&self, at: &Motion) -> f64 {
+    fn stored_j(&self, at: &MotionState) -> f64 {
         0.5 * self.stiffness_n_m * at.x_m * at.x_m
     }
 

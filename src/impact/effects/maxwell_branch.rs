@@ -5,13 +5,17 @@
 //!
 //! *When it is wrong:* filament relaxes over decades of time, one branch holds one τ; stiffness depends on temperature.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, products};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "maxwell_branch",
     title: "Maxwell branch",
     stage: Stage::Force,
+    availability: Availability::Any,
     parameters: &[
         Parameter {
             key: "k_m",
@@ -21,12 +25,26 @@ pub(super) const SPEC: Spec = Spec {
             max: 4e4,
             off: Some(0.0),
             default: None,
+            scale: Scale::Linear,
             doc: "stiffness of the branch before it relaxes",
         },
-        Parameter { key: "tau_ms", unit: "ms", si: 1e-3, min: 0.2, max: 20.0, off: None, default: None, doc: "relaxation time" },
+        Parameter {
+            key: "tau_ms",
+            unit: "ms",
+            si: 1e-3,
+            min: 0.2,
+            max: 20.0,
+            off: None,
+            default: None,
+            scale: Scale::Logarithmic,
+            doc: "relaxation time",
+        },
     ],
     choice: None,
-    build: |values, _| Box::new(MaxwellBranch { stiffness_n_m: values[0], relaxation_s: values[1] }),
+    states: &["force, N"],
+    starts: |_| products(&[1e3, 8e3, 2.5e4], &[0.4, 1.0, 2.5, 6.0, 15.0], &[]),
+    build: |inputs| Box::new(MaxwellBranch { stiffness_n_m: inputs.values[0], relaxation_s: inputs.values[1] }),
+    generator: Generator::Branch(|at, values| values[0] * at.v - at.q / (values[1] * 1e-3)),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -36,26 +54,22 @@ struct MaxwellBranch {
 }
 
 impl Effect for MaxwellBranch {
-    fn own_states(&self) -> usize {
-        1
-    }
-
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         at.own[0]
     }
 
-    fn rates(&self, at: &Motion, rates: &mut [f64]) {
+    fn rates(&self, at: &MotionState, rates: &mut [f64]) {
         rates[0] = self.stiffness_n_m * at.v_m_s - at.own[0] / self.relaxation_s;
     }
 
-    fn stored_j(&self, at: &Motion) -> f64 {
+    fn stored_j(&self, at: &MotionState) -> f64 {
         0.5 * at.own[0] * at.own[0] / self.stiffness_n_m
     }
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         let decades = libm::log10(reach.contact_s? / self.relaxation_s).abs();
         (decades > 1.0).then(|| {
-            format!("one relaxation time of {:.1} ms says nothing of a contact that is more than a decade from it", self.relaxation_s * 1e3)
+            format!("one relaxation time of {:.1} ms does not describe a contact that is more than a decade away", self.relaxation_s * 1e3)
         })
     }
 }

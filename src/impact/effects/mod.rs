@@ -1,4 +1,5 @@
-//! What can act in a drop: one file an effect, each with its equation, its source, and when it is wrong. SI units.
+//! What can act in a drop: one file an effect, each with its equation, its source, when it is wrong, and its record ([`Spec`]).
+//! SI units.
 //!
 //! The base is a body on a linear spring and a linear damper, m x'' = m g - F(x, v). An effect adds a force, or changes
 //! how forces, fall or sensor act. Together, in this order: the sum of the forces (staggered feet stand in for spring
@@ -8,6 +9,7 @@
 //! x is the compression since first touch, positive downwards, v = x'; forces on the body count positive upwards.
 
 mod air_drag;
+mod arrangement;
 mod bilinear_stiffness;
 mod bottoming;
 mod catalogue;
@@ -17,13 +19,16 @@ mod drop_height_error;
 mod effect;
 mod fall;
 mod foot_stagger;
+mod frame_curve;
 mod frame_force_curve;
+mod generator;
 mod hunt_crossley_damping;
 mod linear_damper;
 mod linear_spring;
 mod maxwell_branch;
 mod model;
 mod model_text;
+mod parameter;
 mod payload_mode;
 mod preload;
 mod quadratic_damping;
@@ -31,19 +36,21 @@ mod sensor;
 mod sensor_gain;
 mod sensor_low_pass;
 mod sensor_saturation;
+mod spec;
 mod unilateral_contact;
 
-pub use catalogue::{BASE, CATALOGUE, OF_FRAME, by_id, candidates, every};
-pub use effect::{Arrangement, Choice, Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
+pub use arrangement::{Arrangement, AttachedMass, Feet, SpringCurve};
+pub use catalogue::{CATALOGUE, by_id, states, working};
+pub use effect::{Effect, MotionState, Reach, Threshold};
 pub use fall::Fall;
-pub use foot_stagger::Feet;
-pub use frame_force_curve::{FrameCurve, POINTS, REACH_MM, Softening};
-pub use linear_damper::LinearDamper;
-pub use linear_spring::LinearSpring;
-pub use model::{Listed, Model};
-pub use model_text::{CHANNEL, CURVE, PLAIN_NUMBERS, channel_words};
-pub use payload_mode::Payload;
+pub use frame_curve::{FrameCurve, POINTS, REACH_MM};
+pub use frame_force_curve::SPEC as FRAME_FORCE_CURVE;
+pub use generator::{Conditions, Generator, GeneratorState, Rider};
+pub use linear_damper::{LinearDamper, SPEC as LINEAR_DAMPER};
+pub use linear_spring::{LinearSpring, SPEC as LINEAR_SPRING};
+pub use model::{Listed, Model, candidates};
+pub use model_text::{CHANNEL, CURVE, MOST_STAGES, PLAIN_NUMBERS, channel_words};
+pub use parameter::{Choice, Parameter, Scale};
+pub use payload_mode::SPEC as PAYLOAD_MODE;
 pub use sensor::{Channel, Sensor};
-
-/// Gravity, m/s².
-pub const GRAVITY_M_S2: f64 = 9.81;
+pub use spec::{Availability, Inputs, Spec, Stage, StartContext};

@@ -2,17 +2,21 @@
 
 use std::sync::Arc;
 
-use super::effect::{Arrangement, Effect, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::catalogue::CATALOGUE;
+use super::effect::Effect;
+use super::frame_curve::FrameCurve;
 use super::sensor::{Channel, Sensor};
-use super::{Fall, FrameCurve, Softening, every, linear_damper, linear_spring};
-use crate::impact::body::Body;
+use super::spec::{Availability, Inputs, Spec, Stage, StartContext};
+use super::{linear_damper, linear_spring};
+use crate::impact::body::DropBody;
 
 /// An effect with its values.
 #[derive(Clone, Debug)]
 pub struct Listed {
-    /// The catalogue entry.
+    /// Its record.
     pub spec: &'static Spec,
-    /// Values in the units of the model file, in the order of the entry's parameters.
+    /// Values in the units of the model file, in the order of its parameters.
     pub values: Vec<f64>,
     /// Index of the chosen word, where the effect has a choice.
     pub word: usize,
@@ -20,15 +24,12 @@ pub struct Listed {
 
 impl Listed {
     /// The effect at work, or `None` when its values switch it off.
-    pub fn effect(&self) -> Option<Box<dyn Effect>> {
+    fn effect(&self, frame_curve: Option<&Arc<FrameCurve>>) -> Option<Box<dyn Effect>> {
         if self.spec.is_off(&self.values) {
             return None;
         }
-        let mut si = [0.0; 4];
-        for ((si, value), parameter) in si.iter_mut().zip(&self.values).zip(self.spec.parameters) {
-            *si = value * parameter.si;
-        }
-        Some((self.spec.build)(&si[..self.values.len()], self.word))
+        let values: Vec<f64> = self.values.iter().zip(self.spec.parameters).map(|(value, parameter)| value * parameter.si).collect();
+        Some((self.spec.build)(&Inputs { values: &values, word: self.word, frame_curve }))
     }
 }
 
@@ -38,7 +39,7 @@ pub struct Model {
     /// Its name.
     pub name: String,
     /// The body that falls.
-    pub body: Body,
+    pub body: DropBody,
     /// The sensor that rides on it.
     pub sensor: Sensor,
     /// Spring and damper first, then what comes on top in the order of the catalogue.
@@ -51,7 +52,7 @@ pub struct Model {
 
 impl Model {
     /// A linear spring and a linear damper.
-    pub fn base(body: Body, sensor: Sensor, stiffness_n_m: f64, damping_n_s_m: f64) -> Self {
+    pub fn base(body: DropBody, sensor: Sensor, stiffness_n_m: f64, damping_n_s_m: f64) -> Self {
         let effects = vec![
             Listed { spec: &linear_spring::SPEC, values: vec![stiffness_n_m], word: 0 },
             Listed { spec: &linear_damper::SPEC, values: vec![damping_n_s_m], word: 0 },
@@ -77,35 +78,59 @@ impl Model {
 
     /// Stiffness, N/m, and damping, N s/m, of the base.
     pub fn stiffness_and_damping(&self) -> [f64; 2] {
-        [("linear_spring", "k"), ("linear_damper", "c")].map(|(effect, key)| self.value(effect, key).unwrap_or(0.0))
+        [&linear_spring::SPEC, &linear_damper::SPEC].map(|base| self.value(base.id, base.parameters[0].key).unwrap_or(0.0))
     }
 
     /// The model with stiffness and damping of the base multiplied by factors.
     #[must_use]
     pub fn scaled(&self, factors: [f64; 2]) -> Self {
         let mut model = self.clone();
-        for (effect, factor) in ["linear_spring", "linear_damper"].into_iter().zip(factors) {
-            model.effects.iter_mut().filter(|listed| listed.spec.id == effect).for_each(|listed| listed.values[0] *= factor);
+        for (base, factor) in [&linear_spring::SPEC, &linear_damper::SPEC].into_iter().zip(factors) {
+            model.effects.iter_mut().filter(|listed| listed.spec == base).for_each(|listed| listed.values[0] *= factor);
         }
         model
     }
 
+    /// The effects on top of the base that its values do not switch off, at work.
+    pub fn acting(&self) -> impl Iterator<Item = (&'static Spec, Box<dyn Effect>)> {
+        let on_top = self.effects.iter().filter(|listed| !listed.spec.is_base());
+        on_top.filter_map(|listed| Some((listed.spec, listed.effect(self.frame_curve.as_ref())?)))
+    }
+
     /// How fall, contact and sensor are arranged.
     pub fn arrangement(&self) -> Arrangement {
-        let mut arrangement =
-            Arrangement { fall: Fall::default(), tension_factor: 1.0, feet: None, softening: None, payload: None, sensor: self.sensor };
-        let share = self.value("frame_force_curve", "share").filter(|share| *share > 0.0);
-        arrangement.softening = share.zip(self.frame_curve.clone()).map(|(share, curve)| Softening { share, curve });
-        for effect in self.effects.iter().filter(|listed| listed.spec.stage == Stage::Arrangement).filter_map(Listed::effect) {
+        let mut arrangement = Arrangement::plain(self.sensor);
+        for (_, effect) in self.acting().filter(|(spec, _)| spec.stage == Stage::Arrangement) {
             effect.arrange(&mut arrangement);
         }
         arrangement
     }
+
+    /// Whether an effect of the model limits the readings.
+    pub fn limits_readings(&self) -> bool {
+        let unlimited = Self { sensor: Sensor { limit_g: f64::INFINITY, ..self.sensor }, ..self.clone() };
+        unlimited.arrangement().sensor.limit_g.is_finite()
+    }
+
+    /// What the starts of fits depend on.
+    pub fn known(&self) -> StartContext {
+        StartContext { cutoff_hz: self.sensor.cutoff_hz, frame_mode: self.frame_mode }
+    }
 }
 
-/// Place of an effect in the order of composition.
+/// The effects of a list that a model may have on top of its base.
+pub fn candidates(catalogue: &[&'static Spec], model: &Model) -> Vec<&'static Spec> {
+    let available = |spec: &&&'static Spec| match spec.availability {
+        Availability::Base => false,
+        Availability::Any => true,
+        Availability::WithFrameCurve => model.frame_curve.is_some(),
+    };
+    catalogue.iter().filter(available).copied().collect()
+}
+
+/// Position of an effect in the order of composition; effects from outside the catalogue come last.
 pub(super) fn order(spec: &Spec) -> usize {
-    every().position(|known| known.id == spec.id).unwrap_or(usize::MAX)
+    CATALOGUE.iter().position(|known| *known == spec).unwrap_or(CATALOGUE.len())
 }
 
 impl Sensor {

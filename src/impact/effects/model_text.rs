@@ -2,13 +2,17 @@
 
 use std::sync::Arc;
 
-use super::effect::Spec;
+use super::catalogue::CATALOGUE;
+use super::frame_curve::{FrameCurve, REACH_MM};
 use super::model::{Listed, Model};
 use super::sensor::{Channel, Sensor};
-use super::{BASE, FrameCurve, REACH_MM, every};
-use crate::impact::body::{Body, Origin};
+use super::spec::Spec;
+use crate::impact::body::{DropBody, Origin};
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
+
+/// Most stages of the low-pass of a sensor.
+pub const MOST_STAGES: usize = 3;
 
 /// A number of a model file that belongs to no effect: key, bounds, unit.
 struct Plain {
@@ -20,7 +24,7 @@ struct Plain {
 const MASS: Plain = Plain { key: "mass_kg", bounds: [0.01, 100.0], unit: "kg" };
 const GAP: Plain = Plain { key: "gap_mm", bounds: [0.0, 1000.0], unit: "mm" };
 const CUTOFF: Plain = Plain { key: "sensor.cutoff_hz", bounds: [1.0, 20_000.0], unit: "Hz" };
-const ORDER: Plain = Plain { key: "sensor.order", bounds: [1.0, 3.0], unit: "1" };
+const ORDER: Plain = Plain { key: "sensor.order", bounds: [1.0, MOST_STAGES as f64], unit: "1" };
 const LIMIT: Plain = Plain { key: "sensor.limit_g", bounds: [1.0, 100_000.0], unit: "g" };
 /// Numbers of a model file that belong to no effect: key, bounds, unit, and what each is.
 pub const PLAIN_NUMBERS: [(&str, [f64; 2], &str, &str); 5] = [
@@ -52,7 +56,7 @@ pub const CURVE: [&str; 2] = ["effects.frame_force_curve.x_mm", "effects.frame_f
 
 /// The frame's curve of a file that has the effect.
 fn curve(file: &ImpactFile, effects: &[Listed]) -> Result<Option<Arc<FrameCurve>>, Refusal> {
-    if effects.iter().all(|listed| listed.spec.id != "frame_force_curve") {
+    if effects.iter().all(|listed| !listed.spec.takes_frame_curve()) {
         return Ok(None);
     }
     let [x_mm, phi_mm] = [file.numbers(CURVE[0], REACH_MM, "mm")?, file.numbers(CURVE[1], [-REACH_MM[1], REACH_MM[1]], "mm")?];
@@ -89,6 +93,15 @@ impl Model {
     /// # Errors
     /// What it says that cannot be, with its place.
     pub fn resolve(file: &ImpactFile) -> Result<Self, Refusal> {
+        Self::resolve_with(&CATALOGUE, file)
+    }
+
+    /// A model file's meaning with the effects of a list.
+    ///
+    /// # Errors
+    /// What it says that cannot be, with its place.
+    pub fn resolve_with(catalogue: &[&'static Spec], file: &ImpactFile) -> Result<Self, Refusal> {
+        let every = || catalogue.iter().copied();
         let plain = [&MASS, &GAP, &CUTOFF, &ORDER, &LIMIT].map(|plain| plain.key.to_string());
         let empty = every().filter(|spec| is_empty_table(file, spec)).map(|spec| format!("effects.{}", spec.id));
         let words = [CHANNEL.to_string(), "description".into()].into_iter().chain(CURVE.map(String::from));
@@ -106,11 +119,11 @@ impl Model {
         let channel = CHANNELS[file.word(CHANNEL, &CHANNELS.map(|(word, _)| word))?].1;
         let sensor = Sensor::new(CUTOFF.stated(file)?, order as usize, LIMIT.stated(file)?, channel);
         let origin = Origin::Model(file.name.clone());
-        let body = Body { mass_kg: MASS.stated(file)?, gap_m: GAP.stated(file)? * 1e-3, travel_m: None, origin };
+        let body = DropBody { mass_kg: MASS.stated(file)?, gap_m: GAP.stated(file)? * 1e-3, travel_m: None, origin };
         let mut effects = Vec::new();
         for spec in every() {
             let listed_empty = is_empty_table(file, spec);
-            if listed_empty || BASE.iter().any(|base| base.id == spec.id) || keys(spec).any(|key| file.entries.contains_key(&key)) {
+            if listed_empty || spec.is_base() || keys(spec).any(|key| file.entries.contains_key(&key)) {
                 effects.push(listed(file, spec)?);
             }
         }
@@ -134,7 +147,7 @@ impl Model {
             if let Some(choice) = spec.choice {
                 text += &format!("{} = \"{}\"\n", choice.key, choice.words[*word]);
             }
-            if let Some(curve) = self.frame_curve.as_ref().filter(|_| spec.id == "frame_force_curve") {
+            if let Some(curve) = self.frame_curve.as_ref().filter(|_| spec.takes_frame_curve()) {
                 for (key, column) in ["x_mm", "phi_mm"].into_iter().zip(0..2) {
                     let values: Vec<String> = curve.points_mm().map(|point| format!("{:?}", rounded(point[column]))).collect();
                     text += &format!("{key} = [{}]\n", values.join(", "));
@@ -167,7 +180,6 @@ fn listed(file: &ImpactFile, spec: &'static Spec) -> Result<Listed, Refusal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::impact::effects::{CATALOGUE, OF_FRAME};
 
     fn paper() -> String {
         ImpactFile::names().next().map(|name| Model::load(name).expect("comes with the program").to_toml()).expect("there is one")
@@ -181,7 +193,7 @@ mod tests {
     #[test]
     fn analytic_a_model_written_reads_back() {
         let mut text = paper();
-        for spec in CATALOGUE.into_iter().chain(OF_FRAME) {
+        for spec in CATALOGUE.into_iter().filter(|spec| !spec.is_base()) {
             text += &format!("\n[effects.{}]\n", spec.id);
             for parameter in spec.parameters {
                 text += &format!("{} = {:?}\n", parameter.key, 0.3 * parameter.min + 0.7 * parameter.max);
@@ -190,7 +202,7 @@ mod tests {
         text += "x_mm = [0.0, 1.0, 2.5, 9.0]\nphi_mm = [0.0, 0.98, 2.3, 6.123456]\n";
         let model = Model::resolve(&ImpactFile::parse("all", &text).expect("TOML")).expect("a model");
         assert_eq!(model.effects.len(), 19);
-        assert!(model.arrangement().softening.is_some());
+        assert!(model.arrangement().spring_curve.is_some());
         let again = Model::resolve(&ImpactFile::parse("all", &model.to_toml()).expect("TOML")).expect("a model");
         assert_eq!(again.to_toml(), model.to_toml());
     }

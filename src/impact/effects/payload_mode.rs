@@ -10,13 +10,23 @@
 //!
 //! *When it is wrong:* where the payload has more than one mode, or hits its stops.
 
-use super::effect::{Arrangement, Choice, Effect, Parameter, Spec, Stage};
+use super::arrangement::{Arrangement, AttachedMass};
+use super::effect::Effect;
+use super::generator::{Generator, Rider};
+use super::parameter::{Choice, Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, products};
 
-/// The catalogue entry.
-pub(super) const SPEC: Spec = Spec {
+/// A payload's frequencies. Two waves that ring out within 20 ms are out of step when they differ by more than 25 Hz, and a fit
+/// from there ends in a minimum of its own.
+const FREQUENCIES_HZ: [f64; 16] =
+    [45.0, 58.0, 72.0, 88.0, 105.0, 124.0, 144.0, 166.0, 189.0, 214.0, 240.0, 268.0, 298.0, 330.0, 365.0, 410.0];
+
+/// Its record.
+pub const SPEC: Spec = Spec {
     id: "payload_mode",
     title: "payload mode",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[
         Parameter {
             key: "mu",
@@ -26,6 +36,7 @@ pub(super) const SPEC: Spec = Spec {
             max: 0.6,
             off: Some(0.0),
             default: None,
+            scale: Scale::Linear,
             doc: "payload's share of the whole mass",
         },
         Parameter {
@@ -36,45 +47,54 @@ pub(super) const SPEC: Spec = Spec {
             max: 450.0,
             off: None,
             default: None,
+            scale: Scale::Logarithmic,
             doc: "payload's frequency on a frame that is held",
         },
-        Parameter { key: "zeta", unit: "1", si: 1.0, min: 0.005, max: 1.5, off: None, default: Some(0.05), doc: "its damping ratio" },
+        Parameter {
+            key: "zeta",
+            unit: "1",
+            si: 1.0,
+            min: 0.005,
+            max: 1.5,
+            off: None,
+            default: Some(0.05),
+            scale: Scale::Logarithmic,
+            doc: "its damping ratio",
+        },
     ],
     choice: Some(Choice { key: "sensor_on", words: &["frame", "payload"] }),
-    build: |values, word| {
-        let circular = 2.0 * std::f64::consts::PI * values[1];
-        let payload = Payload { share: values[0], stiffness_1_s2: circular * circular, damping_1_s: 2.0 * values[2] * circular };
-        Box::new(PayloadMode { payload, on_payload: word == 1 })
+    states: &AttachedMass::STATES,
+    starts: |known| {
+        let own = known.frame_mode.map(|[mu, f_hz]| vec![mu, f_hz, 0.05]);
+        products(&[0.05, 0.2], &FREQUENCIES_HZ, &[0.05]).into_iter().chain(own).collect()
     },
+    build: |inputs| {
+        let circular = 2.0 * std::f64::consts::PI * inputs.values[1];
+        let payload = AttachedMass {
+            effect: SPEC.id,
+            share: inputs.values[0],
+            stiffness_1_s2: circular * circular,
+            damping_1_s: 2.0 * inputs.values[2] * circular,
+        };
+        Box::new(PayloadMode { payload, on_payload: inputs.word == 1 })
+    },
+    generator: Generator::Conditions(|drop, values, word| {
+        if values[0] > 0.0 {
+            drop.riders.push(Rider { share: values[0], f_hz: values[1], zeta: values[2] });
+            drop.on_rider = word == 1;
+        }
+    }),
 };
 
 #[derive(Clone, Copy, Debug)]
 struct PayloadMode {
-    payload: Payload,
+    payload: AttachedMass,
     on_payload: bool,
 }
 
 impl Effect for PayloadMode {
     fn arrange(&self, arrangement: &mut Arrangement) {
-        arrangement.payload = Some(self.payload);
+        arrangement.attached = Some(self.payload);
         arrangement.sensor.on_payload = self.on_payload;
-    }
-}
-
-/// A payload on a spring of its own.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Payload {
-    /// Its share of the whole mass.
-    pub share: f64,
-    /// Stiffness over its mass, 1/s².
-    pub stiffness_1_s2: f64,
-    /// Damping over its mass, 1/s.
-    pub damping_1_s: f64,
-}
-
-impl Payload {
-    /// Proper acceleration of the payload, m/s²: what pushes it up, over its mass.
-    pub fn proper_m_s2(&self, lag_m: f64, lag_rate_m_s: f64) -> f64 {
-        self.stiffness_1_s2 * lag_m + self.damping_1_s * lag_rate_m_s
     }
 }

@@ -5,16 +5,20 @@
 //!
 //! *When it is wrong:* within the first 0.2 mm, which stand for the step; for x < 0, where it pulls.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage};
+use super::effect::{Effect, MotionState, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
 /// Compression over which the step rises, m.
 const RISE_M: f64 = 0.2e-3;
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "preload",
     title: "static preload",
     stage: Stage::Force,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "f0_n",
         unit: "N",
@@ -23,10 +27,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 150.0,
         off: Some(0.0),
         default: None,
-        doc: "force that the frame holds before it gives",
+        scale: Scale::Linear,
+        doc: "force below which the frame does not deform",
     }],
     choice: None,
-    build: |values, _| Box::new(Preload { force_n: values[0] }),
+    states: &[],
+    starts: |_| singles(&[3.0, 15.0, 60.0]),
+    build: |inputs| Box::new(Preload { force_n: inputs.values[0] }),
+    generator: Generator::Force(|at, values| values[0] * libm::tanh(at.x / 2e-4)),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -35,17 +43,17 @@ struct Preload {
 }
 
 impl Effect for Preload {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.force_n * libm::tanh(at.x_m / RISE_M)
     }
 
-    fn stored_j(&self, at: &Motion) -> f64 {
+    fn stored_j(&self, at: &MotionState) -> f64 {
         let ratio = (at.x_m / RISE_M).abs();
         // ln cosh u = u + ln((1 + exp(-2u)) / 2), without overflow.
         self.force_n * RISE_M * (ratio + libm::log1p(libm::exp(-2.0 * ratio)) - std::f64::consts::LN_2)
     }
 
     fn outside(&self, reach: &Reach) -> Option<String> {
-        reach.above_ground.then(|| "above x = 0 it pulls the frame down, as no preload does".into())
+        reach.above_ground.then(|| "above x = 0 it pulls the frame down, unlike a real preload".into())
     }
 }

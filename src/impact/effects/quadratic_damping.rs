@@ -5,13 +5,17 @@
 //! *When it is wrong:* there is no flow in a frame; with a negative c2 it feeds energy in, and the body runs away where it
 //! outweighs the damper.
 
-use super::effect::{Effect, Motion, Parameter, Reach, Spec, Stage, Threshold};
+use super::effect::{Effect, MotionState, Reach, Threshold};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "quadratic_damping",
     title: "quadratic damping",
     stage: Stage::Force,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "c2",
         unit: "N s^2/m^2",
@@ -20,10 +24,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 60.0,
         off: Some(0.0),
         default: None,
+        scale: Scale::Linear,
         doc: "quadratic damping",
     }],
     choice: None,
-    build: |values, _| Box::new(QuadraticDamping { c2_n_s2_m2: values[0] }),
+    states: &[],
+    starts: |_| singles(&[-4.0, 3.0, 20.0]),
+    build: |inputs| Box::new(QuadraticDamping { c2_n_s2_m2: inputs.values[0] }),
+    generator: Generator::Force(|at, values| values[0] * at.v * at.v.abs()),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +40,7 @@ struct QuadraticDamping {
 }
 
 impl Effect for QuadraticDamping {
-    fn force_n(&self, at: &Motion) -> f64 {
+    fn force_n(&self, at: &MotionState) -> f64 {
         self.c2_n_s2_m2 * at.v_m_s * at.v_m_s.abs()
     }
 

@@ -3,7 +3,7 @@
 //! It reads 0 g in free fall and more while the ground pushes. A low-pass of n equal first-order stages, each with the
 //! stated cutoff, then gain, then the limit. Sampling and quantisation come after (`sim::Sampler`).
 
-use super::GRAVITY_M_S2;
+use crate::units::GRAVITY_M_S2;
 
 /// What a model was fitted to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

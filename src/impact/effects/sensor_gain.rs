@@ -4,13 +4,18 @@
 //!
 //! *When it is wrong:* tilt also lets sideways motion in, which no gain holds.
 
-use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::effect::{Effect, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "sensor_gain",
     title: "sensor gain",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "gain",
         unit: "1",
@@ -19,10 +24,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 1.5,
         off: Some(1.0),
         default: None,
-        doc: "reading over what it should be",
+        scale: Scale::Linear,
+        doc: "reading over true value",
     }],
     choice: None,
-    build: |values, _| Box::new(SensorGain { gain: values[0] }),
+    states: &[],
+    starts: |_| singles(&[0.85, 1.15]),
+    build: |inputs| Box::new(SensorGain { gain: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.gain = values[0]),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +46,7 @@ impl Effect for SensorGain {
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         // A drop that was felt at all.
-        (self.gain > 1.0 && reach.impact_speed_m_s > 0.0).then(|| "a tilt only lowers the gain: more than 1 is a wrong scale".into())
+        (self.gain > 1.0 && reach.impact_speed_m_s > 0.0)
+            .then(|| "tilt can only lower the gain; a value above 1 indicates a wrong scale".into())
     }
 }

@@ -5,13 +5,18 @@
 //!
 //! *When it is wrong:* a sensor on wires and foam has a resonance, too; the impulse stays what it was.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::effect::Effect;
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "sensor_low_pass",
     title: "sensor low-pass",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "cutoff_hz",
         unit: "Hz",
@@ -20,10 +25,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 2000.0,
         off: None,
         default: None,
+        scale: Scale::Logarithmic,
         doc: "cutoff in place of the model's",
     }],
     choice: None,
-    build: |values, _| Box::new(SensorLowPass { cutoff_hz: values[0] }),
+    states: &[],
+    starts: |known| singles(&[0.4, 0.75, 0.93, 1.07, 1.35, 2.5, 6.0].map(|factor| (known.cutoff_hz * factor).clamp(20.0, 2000.0))),
+    build: |inputs| Box::new(SensorLowPass { cutoff_hz: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.cutoff_hz = values[0]),
 };
 
 #[derive(Clone, Copy, Debug)]

@@ -5,13 +5,18 @@
 //!
 //! *When it is wrong:* a real front end recovers from overload late.
 
-use super::effect::{Arrangement, Effect, Parameter, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::effect::Effect;
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "sensor_saturation",
     title: "sensor saturation",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "limit_g",
         unit: "g",
@@ -20,10 +25,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 250.0,
         off: None,
         default: None,
+        scale: Scale::Logarithmic,
         doc: "largest reading",
     }],
     choice: None,
-    build: |values, _| Box::new(SensorSaturation { limit_g: values[0] }),
+    states: &[],
+    starts: |_| singles(&[15.0, 25.0, 35.0, 50.0, 70.0, 95.0, 130.0, 180.0]),
+    build: |inputs| Box::new(SensorSaturation { limit_g: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.limit_g = values[0].min(drop.limit_g)),
 };
 
 #[derive(Clone, Copy, Debug)]

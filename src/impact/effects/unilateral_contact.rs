@@ -6,16 +6,21 @@
 //! *When it is wrong:* legs without mass are let go at the moment when F = 0, still compressed, and spread in no time;
 //! real legs have mass and ring. Values between 0 and 1 are a measure for a fit, not a ground.
 
-use super::effect::{Arrangement, Effect, Parameter, Reach, Spec, Stage};
+use super::arrangement::Arrangement;
+use super::effect::{Effect, Reach};
+use super::generator::Generator;
+use super::parameter::{Parameter, Scale};
+use super::spec::{Availability, Spec, Stage, singles};
 
-/// Compression at the release from which on it is told, m.
-const LET_GO_M: f64 = 1e-3;
+/// Compression at the release from which on a warning is given, m.
+const RELEASED_M: f64 = 1e-3;
 
-/// The catalogue entry.
+/// Its record.
 pub(super) const SPEC: Spec = Spec {
     id: "unilateral_contact",
     title: "unilateral contact",
     stage: Stage::Arrangement,
+    availability: Availability::Any,
     parameters: &[Parameter {
         key: "tension_factor",
         unit: "1",
@@ -24,10 +29,14 @@ pub(super) const SPEC: Spec = Spec {
         max: 1.0,
         off: Some(1.0),
         default: None,
-        doc: "share of a pulling force that acts: 1 bilateral, 0 the ground lets go",
+        scale: Scale::Fraction,
+        doc: "share of a pulling force that acts: 1 bilateral, 0 the ground never pulls",
     }],
     choice: None,
-    build: |values, _| Box::new(UnilateralContact { tension_factor: values[0] }),
+    states: &[],
+    starts: |_| singles(&[0.0, 0.5]),
+    build: |inputs| Box::new(UnilateralContact { tension_factor: inputs.values[0] }),
+    generator: Generator::Conditions(|drop, values, _| drop.tension_factor = values[0]),
 };
 
 #[derive(Clone, Copy, Debug)]
@@ -42,9 +51,9 @@ impl Effect for UnilateralContact {
 
     fn outside(&self, reach: &Reach) -> Option<String> {
         if self.tension_factor > 0.0 {
-            return Some(format!("a tension factor of {} is a measure for a fit: no ground pulls in part", self.tension_factor));
+            return Some(format!("a tension factor of {} is only meaningful in a fit: real ground never pulls", self.tension_factor));
         }
-        let x_m = reach.released_at_m.filter(|x_m| *x_m > LET_GO_M)?;
-        Some(format!("the frame is let go while {:.1} mm compressed: legs with mass would spread and ring", x_m * 1e3))
+        let x_m = reach.released_at_m.filter(|x_m| *x_m > RELEASED_M)?;
+        Some(format!("the frame is released while {:.1} mm compressed: legs with mass would spread and ring", x_m * 1e3))
     }
 }

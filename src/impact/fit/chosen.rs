@@ -6,7 +6,7 @@ use crate::impact::measured::{Drop, DropSet, Flag, Record, drops};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Unfit {
+pub enum FitError {
     /// Drops of several frames.
     #[error("these are drops of {} frames: {}; a fit is of one, name its folders alone", .frames.len(), .frames.join(", "))]
     Frames {
@@ -30,12 +30,12 @@ pub enum Unfit {
         /// Those there are.
         known: String,
     },
-    /// Scatter that cannot be inverted.
-    #[error("the scatter between drops has no inverse: give more drops a height")]
+    /// TrialCovariance that cannot be inverted.
+    #[error("the trial covariance is singular: give more drops a height")]
     Singular,
     /// The starting values drop through the ground.
-    #[error("the model does not hold the body at its starting values: change k and c in the model file")]
-    RunsAway,
+    #[error("the simulation diverges at the starting values: change k and c in the model file")]
+    Diverges,
 }
 
 /// A drop that is not used.
@@ -81,11 +81,11 @@ impl<'a> Chosen<'a> {
     ///
     /// # Errors
     /// When none is left, or the drops are of several frames.
-    pub fn of(set: &'a DropSet, channel: Channel, keep: Keep) -> Result<Self, Unfit> {
+    pub fn of(set: &'a DropSet, channel: Channel, keep: Keep) -> Result<Self, FitError> {
         let frames = set.frames();
         if frames.len() > 1 {
             let frames = frames.into_iter().map(|frame| frame.unwrap_or("without a name").to_string()).collect();
-            return Err(Unfit::Frames { frames });
+            return Err(FitError::Frames { frames });
         }
         let judged = drops(set);
         let impulses_kept = keep != Keep::Clean || judged.iter().any(|(_, drops)| most_impulses_impossible(drops));
@@ -103,7 +103,7 @@ impl<'a> Chosen<'a> {
             }
         }
         if kept.is_empty() {
-            return Err(Unfit::NoDrops { count: left_out.len() });
+            return Err(FitError::NoDrops { count: left_out.len() });
         }
         Ok(Self { drops: kept, channel, left_out, impulses_kept })
     }
@@ -113,7 +113,7 @@ impl<'a> Chosen<'a> {
     /// # Errors
     /// When they cannot be laid upon each other, or are too few to show their scatter.
     pub fn waves(&self) -> Result<Waves, Unusable> {
-        let drop = |drop: &Drop| super::waves::Drop {
+        let drop = |drop: &Drop| super::waves::FittedDrop {
             trial: drop.record.trial.clone(),
             height_m: drop.record.height_m,
             t_s: drop.record.t_s.clone(),

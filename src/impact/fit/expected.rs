@@ -2,16 +2,13 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::flicker::Flicker;
-use super::waves::{BEFORE, TRIGGER_G};
+use super::fine_wave::{FINE_S, FineWave, ONSET_S};
+use super::trigger_jitter::TriggerJitter;
+use super::waves::BEFORE;
 use crate::impact::effects::Model;
-use crate::impact::sim::{Settings, Stop, System, wave};
+use crate::impact::sim::{SolverOptions, Stop, System, wave};
 
-/// Time between the points of a wave, s.
-const FINE_S: f64 = 5e-5;
-/// Longest time from first touch to the trigger that is followed, s.
-const ONSET_S: f64 = 5e-3;
-/// Scatter of stiffness or damping that changes a mean by less than anybody can see.
+/// TrialCovariance of stiffness or damping that changes a mean by less than anybody can see.
 const SLIGHT: f64 = 0.04;
 /// Most scatter of stiffness or damping that is believed: beyond it the three points leave what a frame can be.
 const MOST_VARIED: f64 = 0.25;
@@ -30,37 +27,13 @@ pub struct Expected {
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
-    /// Scatter of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
+    /// TrialCovariance of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
     pub spread: f64,
-    /// Scatter of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
+    /// TrialCovariance of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
     /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
     pub varied: [f64; 2],
-    /// Scatter of single readings, where it moves the trigger.
-    pub flicker: Flicker,
-}
-
-/// A wave from first touch on, g, at steps of 0.05 ms.
-#[derive(Debug)]
-pub struct Fine<'a> {
-    wave: &'a [f64],
-    /// When it first crosses the trigger, s.
-    pub crossing_s: f64,
-}
-
-impl<'a> Fine<'a> {
-    fn of(wave: &'a [f64]) -> Self {
-        Self { wave, crossing_s: crossing_s(wave).min(ONSET_S) }
-    }
-
-    /// Between its points; zero before first touch, g.
-    pub fn at(&self, t_s: f64) -> f64 {
-        if t_s <= 0.0 {
-            return 0.0;
-        }
-        let place = t_s / FINE_S;
-        let at = (place.floor() as usize).min(self.wave.len() - 2);
-        self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at])
-    }
+    /// TrialCovariance of single readings, where it moves the trigger.
+    pub flicker: TriggerJitter,
 }
 
 /// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
@@ -73,7 +46,7 @@ pub struct Ready {
 impl Expected {
     /// Of records that differ by the phase of the clock alone.
     pub fn plain(step_s: f64, samples: usize) -> Self {
-        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: Flicker::default() }
+        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: TriggerJitter::default() }
     }
 
     /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
@@ -109,7 +82,7 @@ impl Expected {
             }
             mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
             if self.flicker.moves() {
-                let shift = self.flicker.shift(&Fine::of(&fine), self.step_s, self.samples);
+                let shift = self.flicker.shift(&FineWave::of(&fine), self.step_s, self.samples);
                 mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += weight * shift);
             }
         }
@@ -118,19 +91,19 @@ impl Expected {
 
     /// From first touch to the trigger, s; `None` where the model does not hold the body.
     pub fn onset_s(&self, ready: &Ready, height_m: f64) -> Option<f64> {
-        Some(crossing_s(&self.fine(&ready.systems.first()?.1, height_m)?).min(ONSET_S))
+        Some(FineWave::of(&self.fine(&ready.systems.first()?.1, height_m)?).crossing_s)
     }
 
     /// The wave itself, at steps of 0.05 ms; `None` where the model does not hold the body.
     pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
         let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
         let mut fine = vec![0.0; (end_s / FINE_S) as usize + 2];
-        (wave(system, height_m, FINE_S, &Settings::FIT, &mut fine) == Stop::End).then_some(fine)
+        (wave(system, height_m, FINE_S, &SolverOptions::FIT, &mut fine) == Stop::End).then_some(fine)
     }
 
     /// Covariance of records of a wave that differ by the phase of the clock alone, g².
     pub fn over_phases(&self, fine: &[f64]) -> DMatrix<f64> {
-        let (mean, fine) = (self.mean_over_phases(fine), Fine::of(fine));
+        let (mean, fine) = (self.mean_over_phases(fine), FineWave::of(fine));
         let mut sum = DMatrix::zeros(self.samples, self.samples);
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
@@ -143,7 +116,7 @@ impl Expected {
 
     /// The mean window of records of a wave that is given every 0.05 ms from first touch on.
     pub fn mean_over_phases(&self, fine: &[f64]) -> Vec<f64> {
-        let crossing = crossing_s(fine).min(ONSET_S);
+        let crossing = FineWave::of(fine).crossing_s;
         let integral = integral(fine);
         let at = |t_s: f64| value(&integral, fine, t_s);
         let bound = |i: usize| crossing + self.step_s * (i as f64 - BEFORE as f64);
@@ -162,16 +135,6 @@ fn limited_mean(reading: f64, spread: f64, limit_g: f64) -> f64 {
     let density = libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
     let share = 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
     reading - (sd * density + over * share)
-}
-
-/// When the wave first crosses the trigger, s.
-fn crossing_s(fine: &[f64]) -> f64 {
-    let Some(at) = fine.iter().position(|reading| reading.abs() > TRIGGER_G) else { return 0.0 };
-    if at == 0 {
-        return 0.0;
-    }
-    let (left, right) = (fine[at - 1].abs(), fine[at].abs());
-    FINE_S * (at as f64 - 1.0 + (TRIGGER_G - left) / (right - left))
 }
 
 /// The wave's integral at its points, g s: cubic between four points, straight where the wave begins or ends.

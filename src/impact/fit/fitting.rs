@@ -5,7 +5,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use super::chosen::Unfit;
+use super::chosen::FitError;
 use super::free::Layout;
 use super::least_squares::{Minimum, minimise};
 use crate::impact::effects::Model;
@@ -32,7 +32,7 @@ pub trait Objective: Sync + Sized {
 
 /// A parameter that was free.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Estimate {
+pub struct ParameterEstimate {
     /// Its effect.
     pub effect: &'static str,
     /// Its key.
@@ -55,7 +55,7 @@ pub struct Fit {
     /// The fitted model.
     pub model: Model,
     /// Its free parameters.
-    pub estimates: Vec<Estimate>,
+    pub estimates: Vec<ParameterEstimate>,
     /// The objective at the start and at the end.
     pub objective: [f64; 2],
     /// What it reads: height, m, and a reading a sample from the trigger on, g.
@@ -68,20 +68,20 @@ pub struct Fit {
 ///
 /// # Errors
 /// When the model does not hold the body at the starting values.
-pub fn fit(objective: &impl Objective, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, Unfit> {
-    let started = objective.residual(&layout.model).ok_or(Unfit::RunsAway)?.norm_squared();
+pub fn fit(objective: &impl Objective, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, FitError> {
+    let started = objective.residual(&layout.model).ok_or(FitError::Diverges)?.norm_squared();
     let best = starts(layout)
         .iter()
         .filter_map(|start| minimum(objective, layout, start))
         .min_by(|a, b| a.sum.total_cmp(&b.sum))
-        .ok_or(Unfit::RunsAway)?;
+        .ok_or(FitError::Diverges)?;
     let mut rng = Pcg64::seed_from_u64(seed);
     let mut drawn = |count: &usize| -> Vec<usize> { (0..*count).map(|_| rng.random_range(0..*count)).collect() };
     let picks: Vec<Vec<Vec<usize>>> = (0..samples).map(|_| objective.counts().iter().map(&mut drawn).collect()).collect();
     let again: Vec<Option<Minimum>> = picks.par_iter().map(|picks| minimum(&objective.resampled(picks), layout, &best.at)).collect();
     let ended: Vec<Vec<f64>> = again.into_iter().flatten().map(|minimum| minimum.at).collect();
     let outward = |at: usize, scaled: f64| layout.free[at].outward(scaled);
-    let estimate = |(at, free): (usize, &super::free::Free)| Estimate {
+    let estimate = |(at, free): (usize, &super::free::Free)| ParameterEstimate {
         effect: free.spec.id,
         key: free.key(),
         unit: free.spec.parameters[free.at].unit,

@@ -1,6 +1,6 @@
 //! Which parameters of a model a fit may change, and on which scale.
 
-use crate::impact::effects::{Model, Spec};
+use crate::impact::effects::{Model, Scale, Spec};
 
 /// A parameter that is free.
 #[derive(Clone, Copy, Debug)]
@@ -9,12 +9,8 @@ pub struct Free {
     pub spec: &'static Spec,
     /// Which of the effect's parameters.
     pub at: usize,
-    /// Whether a fit moves its logarithm.
-    logarithmic: bool,
 }
 
-/// Parameters that a ratio describes better than a difference.
-const LOGARITHMIC: [&str; 9] = ["k", "x_b_mm", "k_b", "x1_mm", "tau_ms", "cutoff_hz", "limit_g", "f_hz", "zeta"];
 /// Smallest value of a logarithmic parameter whose bounds begin at zero, over its largest.
 const LEAST: f64 = 1e-4;
 /// Change of a logarithm for a difference quotient.
@@ -23,7 +19,7 @@ const LOG_STEP: f64 = 5e-3;
 impl Free {
     /// A parameter of an effect.
     pub fn new(spec: &'static Spec, at: usize) -> Self {
-        Self { spec, at, logarithmic: LOGARITHMIC.contains(&spec.parameters[at].key) }
+        Self { spec, at }
     }
 
     /// Its key.
@@ -33,30 +29,39 @@ impl Free {
 
     /// From the file's unit to the fit's scale.
     pub fn inward(&self, value: f64) -> f64 {
-        if self.logarithmic { libm::log(value.max(self.least())) } else { value }
+        if self.is_logarithmic() { libm::log(value.max(self.least())) } else { value }
     }
 
     /// From the fit's scale to the file's unit.
     pub fn outward(&self, scaled: f64) -> f64 {
         let parameter = &self.spec.parameters[self.at];
-        let value = if self.logarithmic { libm::exp(scaled) } else { scaled };
+        let value = if self.is_logarithmic() { libm::exp(scaled) } else { scaled };
         value.clamp(parameter.min, parameter.max)
     }
 
     /// Bounds on the fit's scale.
     pub fn bounds(&self) -> [f64; 2] {
         let parameter = &self.spec.parameters[self.at];
-        if self.logarithmic { [libm::log(self.least()), libm::log(parameter.max)] } else { [parameter.min, parameter.max] }
+        if self.is_logarithmic() { [libm::log(self.least()), libm::log(parameter.max)] } else { [parameter.min, parameter.max] }
     }
 
     /// Change for a difference quotient.
     pub fn step(&self) -> f64 {
         let parameter = &self.spec.parameters[self.at];
-        match (self.logarithmic, parameter.key) {
-            (true, _) => LOG_STEP,
-            (false, "c") => 0.2,
-            _ => 1e-3 * (parameter.max - parameter.min),
+        match parameter.scale {
+            Scale::Logarithmic => LOG_STEP,
+            Scale::LinearStep(step) => step,
+            Scale::Linear | Scale::Fraction => 1e-3 * (parameter.max - parameter.min),
         }
+    }
+
+    /// Whether its bounds are physical limits, at which an estimate may lie.
+    pub fn has_physical_bounds(&self) -> bool {
+        self.spec.parameters[self.at].scale == Scale::Fraction
+    }
+
+    fn is_logarithmic(&self) -> bool {
+        self.spec.parameters[self.at].scale == Scale::Logarithmic
     }
 
     fn least(&self) -> f64 {

@@ -2,16 +2,16 @@
 //!
 //! Records of a height scatter normally around the model's wave with the covariance that the replicates show: variances of
 //! each height, correlations of all heights together, drawn towards those of the lag by as much as they are uncertain
-//! ([`Scatter::plain_covariances`]). Then the likelihood is largest where the whitened distance of
+//! ([`TrialCovariance::plain_covariances`]). Then the likelihood is largest where the whitened distance of
 //! the mean waves is least. *When it is wrong:* drops that are not scatter around one wave, and a model that lacks an
 //! effect: its parameters then make up for that, and the distance over its degrees of freedom says so.
 
 use nalgebra::DVector;
 
-use super::chosen::{Chosen, Unfit};
+use super::chosen::{Chosen, FitError};
 use super::expected::Expected;
 use super::fitting::Objective;
-use super::scatter::{Scatter, Whitening};
+use super::trial_covariance::{TrialCovariance, Whitening};
 use super::waves::Waves;
 use crate::impact::effects::Model;
 
@@ -28,10 +28,10 @@ impl Likelihood {
     ///
     /// # Errors
     /// When they cannot be laid upon each other, or are too few to show their scatter.
-    pub fn of(chosen: &Chosen) -> Result<Self, Unfit> {
+    pub fn of(chosen: &Chosen) -> Result<Self, FitError> {
         let waves = chosen.waves()?;
-        let scatter = Scatter::of(&waves);
-        let whitening = Whitening::of(&scatter.plain_covariances(), scatter.counts()).ok_or(Unfit::Singular)?;
+        let scatter = TrialCovariance::of(&waves);
+        let whitening = Whitening::of(&scatter.plain_covariances(), scatter.counts()).ok_or(FitError::Singular)?;
         let expected = Expected::plain(waves.step_s, waves.samples);
         Ok(Self { waves, expected, whitening })
     }
@@ -60,7 +60,7 @@ impl Objective for Likelihood {
 
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
         let system = self.expected.system(model);
-        let wave = |group: &super::waves::Group| Some((group.height_m, self.expected.window(&system, group.height_m)?));
+        let wave = |group: &super::waves::WaveGroup| Some((group.height_m, self.expected.window(&system, group.height_m)?));
         self.waves.groups.iter().filter_map(wave).collect()
     }
 

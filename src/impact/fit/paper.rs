@@ -9,22 +9,23 @@ use nalgebra::DVector;
 
 use super::chosen::Chosen;
 use super::fitting::Objective;
-use crate::impact::effects::{GRAVITY_M_S2, Model};
-use crate::impact::sim::{Settings, Stop, System, wave};
+use crate::impact::effects::Model;
+use crate::impact::sim::{SolverOptions, Stop, System, wave};
+use crate::units::GRAVITY_M_S2;
 
 /// Samples of a wave that is shown.
 const SHOWN: usize = 31;
 
 /// Drops up to their peaks.
 #[derive(Clone, Debug)]
-pub struct Paper {
+pub struct PaperObjective {
     /// Time between samples, s.
     step_s: f64,
     /// Height, m, and the readings of each drop, g, from the trigger up to the peak.
     heights: Vec<(f64, Vec<Vec<f64>>)>,
 }
 
-impl Paper {
+impl PaperObjective {
     /// Of chosen drops.
     pub fn of(chosen: &Chosen) -> Self {
         let mut heights: Vec<(f64, Vec<Vec<f64>>)> = Vec::new();
@@ -53,7 +54,7 @@ impl Paper {
     }
 }
 
-impl Objective for Paper {
+impl Objective for PaperObjective {
     fn counts(&self) -> Vec<usize> {
         self.heights.iter().map(|(_, windows)| windows.len()).collect()
     }
@@ -64,7 +65,7 @@ impl Objective for Paper {
         for (height_m, windows) in &self.heights {
             let longest = windows.iter().map(Vec::len).max().unwrap_or(0);
             let mut predicted = vec![0.0; longest + 1];
-            let settings = Settings { duration_s: self.step_s * longest as f64, ..Settings::FIT };
+            let settings = SolverOptions { duration_s: self.step_s * longest as f64, ..SolverOptions::FIT };
             if wave(&system, *height_m, self.step_s, &settings, &mut predicted) != Stop::End {
                 return None;
             }
@@ -80,7 +81,7 @@ impl Objective for Paper {
         let system = System::new(model);
         let one = |height_m: f64| {
             let mut readings = vec![0.0; SHOWN];
-            wave(&system, height_m, self.step_s, &Settings::FIT, &mut readings);
+            wave(&system, height_m, self.step_s, &SolverOptions::FIT, &mut readings);
             (height_m, readings)
         };
         self.heights.iter().map(|(height_m, _)| one(*height_m)).collect()

@@ -5,13 +5,13 @@ use nalgebra::{DMatrix, DVector};
 use super::expected::Expected;
 use super::free::Layout;
 use super::least_squares::{Minimum, minimise};
-use super::scatter::Whitening;
+use super::trial_covariance::Whitening;
 use super::waves::Waves;
 use crate::impact::effects::Model;
 
 /// Mean waves of some heights and their scatter.
 #[derive(Clone, Debug)]
-pub struct Problem {
+pub struct FitProblem {
     /// What a model has to predict.
     pub expected: Expected,
     /// Height, m, and mean wave, g.
@@ -43,7 +43,7 @@ impl Fitted {
     }
 }
 
-impl Problem {
+impl FitProblem {
     /// All heights of measured waves.
     pub fn of(waves: &Waves, whitening: Whitening, spread: f64) -> Self {
         let means = waves.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();

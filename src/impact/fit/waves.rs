@@ -2,7 +2,7 @@
 
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drop {
+pub struct FittedDrop {
     /// Its name.
     pub trial: String,
     /// Height of the drop, m.
@@ -15,7 +15,7 @@ pub struct Drop {
 
 /// Drops from one height.
 #[derive(Clone, Debug)]
-pub struct Group {
+pub struct WaveGroup {
     /// Height, m.
     pub height_m: f64,
     /// Names of the drops in the order of the windows.
@@ -30,12 +30,12 @@ pub struct Group {
 #[derive(Clone, Debug)]
 pub struct Waves {
     /// Rising height.
-    pub groups: Vec<Group>,
+    pub groups: Vec<WaveGroup>,
     /// Time between samples, s.
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
-    /// Scatter of the readings before first touch, g.
+    /// TrialCovariance of the readings before first touch, g.
     pub noise_g: f64,
 }
 
@@ -72,8 +72,8 @@ pub enum Unusable {
         /// The first drop's, ms.
         first_ms: f64,
     },
-    /// Scatter between drops is what a gap is judged by.
-    #[error("{height_m} m has {count} usable drops; at least {FEWEST} a height are needed to know the scatter between them")]
+    /// TrialCovariance between drops is what a gap is judged by.
+    #[error("{height_m} m has {count} usable drops; at least {FEWEST} a height are needed to estimate the trial covariance")]
     TooFew {
         /// Height, m.
         height_m: f64,
@@ -103,7 +103,7 @@ impl Waves {
     ///
     /// # Errors
     /// [`Unusable`] with the drop that cannot be used.
-    pub fn of(drops: &[Drop]) -> Result<Self, Unusable> {
+    pub fn of(drops: &[FittedDrop]) -> Result<Self, Unusable> {
         let first = drops.first().ok_or(Unusable::Empty)?;
         let step_s = step_s(first);
         let mut samples = (AFTER_S / step_s).round() as usize + BEFORE;
@@ -122,7 +122,7 @@ impl Waves {
         let mut heights: Vec<f64> = drops.iter().map(|drop| drop.height_m).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup();
-        let groups: Vec<Group> = heights.iter().map(|height_m| Group::of(*height_m, drops, samples)).collect();
+        let groups: Vec<WaveGroup> = heights.iter().map(|height_m| WaveGroup::of(*height_m, drops, samples)).collect();
         if let Some(few) = groups.iter().find(|group| group.windows.len() < FEWEST) {
             return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len() });
         }
@@ -138,11 +138,11 @@ impl Waves {
     /// Some drops of every height, chosen by their number.
     #[must_use]
     pub fn half(&self, keep: impl Fn(usize) -> bool) -> Self {
-        let some = |group: &Group| {
+        let some = |group: &WaveGroup| {
             let kept: Vec<usize> = (0..group.windows.len()).filter(|drop| keep(*drop)).collect();
             let windows: Vec<Vec<f64>> = kept.iter().map(|drop| group.windows[*drop].clone()).collect();
             let trials = kept.iter().map(|drop| group.trials[*drop].clone()).collect();
-            Group { height_m: group.height_m, trials, mean: mean(&windows, self.samples), windows }
+            WaveGroup { height_m: group.height_m, trials, mean: mean(&windows, self.samples), windows }
         };
         Self { groups: self.groups.iter().map(some).collect(), ..*self }
     }
@@ -153,8 +153,8 @@ impl Waves {
     }
 }
 
-impl Group {
-    fn of(height_m: f64, drops: &[Drop], samples: usize) -> Self {
+impl WaveGroup {
+    fn of(height_m: f64, drops: &[FittedDrop], samples: usize) -> Self {
         let of_height = || drops.iter().filter(|drop| drop.height_m == height_m);
         let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, samples)).collect();
         Self { height_m, trials: of_height().map(|drop| drop.trial.clone()).collect(), mean: mean(&windows, samples), windows }
@@ -171,19 +171,19 @@ fn trigger(accel_g: &[f64]) -> Option<usize> {
 }
 
 /// The drop's window; readings before a record's begin are those of free fall.
-fn window(drop: &Drop, samples: usize) -> Vec<f64> {
+fn window(drop: &FittedDrop, samples: usize) -> Vec<f64> {
     let at = trigger(&drop.accel_g).unwrap_or(0);
     (0..samples).map(|i| (at + i).checked_sub(BEFORE).map_or(0.0, |i| drop.accel_g[i])).collect()
 }
 
 /// Mean time between samples, s.
-fn step_s(drop: &Drop) -> f64 {
+fn step_s(drop: &FittedDrop) -> f64 {
     let (Some(first), Some(last)) = (drop.t_s.first(), drop.t_s.last()) else { return f64::NAN };
     (last - first) / (drop.t_s.len() - 1) as f64
 }
 
 /// Root mean square of the readings in the fall.
-fn noise_g(drops: &[Drop]) -> f64 {
+fn noise_g(drops: &[FittedDrop]) -> f64 {
     let (mut sum, mut count) = (0.0, 0);
     for drop in drops {
         let end = trigger(&drop.accel_g).unwrap_or(0).saturating_sub(GUARD);

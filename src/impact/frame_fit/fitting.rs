@@ -5,14 +5,14 @@ use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::height::Height;
-use super::surface::{Answer, Subject, Surface};
+use super::response_surface::{Response, ResponseSurface, Subject};
 use crate::impact::fit::{Minimum, inverse, minimise};
 use crate::mechanics::result::impact::ImpactError;
 use crate::mechanics::settings::Settings;
 
 /// A number that was found.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Estimate {
+pub struct MaterialEstimate {
     /// Its key in the file of numbers.
     pub key: &'static str,
     /// Its value.
@@ -48,7 +48,7 @@ pub struct FrameFit {
     /// The numbers from all heights.
     pub settings: Settings,
     /// Both, with their intervals.
-    pub estimates: [Estimate; 2],
+    pub estimates: [MaterialEstimate; 2],
     /// Each height by the numbers from all; not predictions.
     pub fitted: Vec<Predicted>,
     /// Each height by the numbers from all others; empty for one height.
@@ -61,7 +61,7 @@ pub struct FrameFit {
 
 /// Why nothing can be fitted.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ImpactFitError {
+pub enum FrameFitError {
     /// No height.
     #[error("no height has a drop with an impact and one without a flag")]
     NoHeight,
@@ -82,7 +82,7 @@ const GOOD: f64 = 3e-3;
 const ROUNDS: usize = 3;
 
 /// The numbers with which the surface comes nearest to some of the heights.
-fn search(surface: &Surface, heights: &[Height], used: &[usize]) -> Result<Minimum, ImpactFitError> {
+fn search(surface: &ResponseSurface, heights: &[Height], used: &[usize]) -> Result<Minimum, FrameFitError> {
     let residual = |at: &[f64]| {
         let of = |height: &usize| {
             let (told, measured) = (surface.at([at[0], at[1]], *height), &heights[*height]);
@@ -91,8 +91,9 @@ fn search(surface: &Surface, heights: &[Height], used: &[usize]) -> Result<Minim
         };
         Some(DVector::from_iterator(2 * used.len(), used.iter().flat_map(of)))
     };
-    let found = Surface::starts().into_iter().filter_map(|start| minimise(residual, &start, &Surface::bounds(), &[1e-4, 1e-4], 60));
-    found.min_by(|a, b| a.sum.total_cmp(&b.sum)).ok_or(ImpactFitError::NoMinimum { heights: used.len() })
+    let found =
+        ResponseSurface::starts().into_iter().filter_map(|start| minimise(residual, &start, &ResponseSurface::bounds(), &[1e-4, 1e-4], 60));
+    found.min_by(|a, b| a.sum.total_cmp(&b.sum)).ok_or(FrameFitError::NoMinimum { heights: used.len() })
 }
 
 fn place(minimum: &Minimum) -> [f64; 2] {
@@ -100,7 +101,7 @@ fn place(minimum: &Minimum) -> [f64; 2] {
 }
 
 /// Both numbers of a minimum with their intervals.
-fn estimates(minimum: &Minimum) -> [Estimate; 2] {
+fn estimates(minimum: &Minimum) -> [MaterialEstimate; 2] {
     let freedom = minimum.residual.len() - minimum.at.len();
     let (scale, factor) = match freedom {
         0 => (1.0, 1.96),
@@ -110,7 +111,7 @@ fn estimates(minimum: &Minimum) -> [Estimate; 2] {
         }
     };
     let covariance = inverse(&(minimum.jacobian.transpose() * &minimum.jacobian));
-    let [bounds_m, bounds_l] = Surface::bounds();
+    let [bounds_m, bounds_l] = ResponseSurface::bounds();
     let interval = |i: usize, [low, high]: [f64; 2]| {
         let half = covariance.as_ref().map_or(f64::INFINITY, |c| factor * (scale * c[(i, i)]).sqrt());
         [(minimum.at[i] - half).max(low), (minimum.at[i] + half).min(high)]
@@ -118,16 +119,21 @@ fn estimates(minimum: &Minimum) -> [Estimate; 2] {
     let square = |x: f64| x * x;
     let [u, s] = place(minimum);
     [
-        Estimate { key: "impact_modulus", value: libm::exp(u), ci95: interval(0, bounds_m).map(libm::exp), at_bound: minimum.at_bound[0] },
-        Estimate { key: "impact_loss", value: square(s), ci95: interval(1, bounds_l).map(square), at_bound: minimum.at_bound[1] },
+        MaterialEstimate {
+            key: "impact_modulus",
+            value: libm::exp(u),
+            ci95: interval(0, bounds_m).map(libm::exp),
+            at_bound: minimum.at_bound[0],
+        },
+        MaterialEstimate { key: "impact_loss", value: square(s), ci95: interval(1, bounds_l).map(square), at_bound: minimum.at_bound[1] },
     ]
 }
 
 /// What the model itself, not its surface, says of heights at places.
-fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 2], usize)]) -> Result<Vec<Predicted>, ImpactFitError> {
-    let told: Vec<Answer> =
+fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 2], usize)]) -> Result<Vec<Predicted>, FrameFitError> {
+    let told: Vec<Response> =
         asked.par_iter().map(|(_, at, height)| subject.run(*at, heights[*height].height_m)).collect::<Result<_, _>>()?;
-    let row = |((from, at, height), told): (&(Vec<usize>, [f64; 2], usize), Answer)| {
+    let row = |((from, at, height), told): (&(Vec<usize>, [f64; 2], usize), Response)| {
         let (numbers, peak_g) = (subject.numbers(*at), libm::exp(told.ln_peak));
         Predicted {
             from_m: from.iter().map(|height| heights[*height].height_m).collect(),
@@ -146,9 +152,9 @@ fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 
 ///
 /// # Errors
 /// When there is no height, or the model's motion is lost.
-pub fn fit(subject: &Subject, mut surface: Surface, heights: &[Height]) -> Result<FrameFit, ImpactFitError> {
+pub fn fit(subject: &Subject, mut surface: ResponseSurface, heights: &[Height]) -> Result<FrameFit, FrameFitError> {
     if heights.is_empty() {
-        return Err(ImpactFitError::NoHeight);
+        return Err(FrameFitError::NoHeight);
     }
     let every: Vec<usize> = (0..heights.len()).collect();
     let mut best = search(&surface, heights, &every)?;

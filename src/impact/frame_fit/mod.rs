@@ -2,7 +2,7 @@
 //! impact and its loss there ([`crate::mechanics::settings::Settings`]).
 //!
 //! A drop height brings two figures that replicates show with their scatter ([`Height`]): the median peak and the median
-//! impulse along the axis. The frame's own model answers for both; [`Surface`] keeps its answers over the numbers' bounds, so
+//! impulse along the axis. The frame's own model answers for both; [`ResponseSurface`] keeps its answers over the numbers' bounds, so
 //! that heights can be left out one after the other without a new run for every step of the search.
 //!
 //! *When it is wrong:* both numbers stand for all that a level landing of a linear material lacks: large strains, slip, tilt. They are
@@ -10,8 +10,8 @@
 
 mod fitting;
 mod height;
-mod surface;
+mod response_surface;
 
-pub use fitting::{Estimate, FrameFit, ImpactFitError, Predicted, fit};
-pub use height::{Height, Known};
-pub use surface::{Answer, Subject, Surface};
+pub use fitting::{FrameFit, FrameFitError, MaterialEstimate, Predicted, fit};
+pub use height::{Height, MedianEstimate};
+pub use response_surface::{Response, ResponseSurface, Subject};

@@ -2,10 +2,11 @@
 
 use serde::Serialize;
 
+use super::DropGroup;
 use super::record::DropSet;
 use super::spread::Spread;
 use super::summary::{Drop, drops};
-use super::{GRAVITY_M_S2, Group};
+use crate::units::GRAVITY_M_S2;
 
 /// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is told by a threshold.
 const RELEASE_S: f64 = 0.015;
@@ -33,7 +34,7 @@ impl Fall {
         drops(set).into_iter().filter_map(|(group, all)| Self::of_group(group, &all)).collect()
     }
 
-    fn of_group(group: &Group, all: &[Drop]) -> Option<Self> {
+    fn of_group(group: &DropGroup, all: &[Drop]) -> Option<Self> {
         let spread = Spread::of(all.iter().filter_map(Drop::clean).filter_map(|impact| impact.fall_s))?;
         // A normal quantity's quartiles lie 1.349 standard deviations apart, its median scatters by 1.253 of the mean's error.
         let error_s = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();

@@ -1,7 +1,8 @@
 //! The parts of a record: free fall, impact, what comes after.
 
+use super::impact_speed_m_s;
 use super::record::Record;
-use super::{GRAVITY_M_S2, impact_speed_m_s};
+use crate::units::GRAVITY_M_S2;
 
 /// The ground is felt from here on, g.
 pub(super) const TRIGGER_G: f64 = 3.0;

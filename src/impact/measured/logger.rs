@@ -3,7 +3,7 @@
 //! Source of the calibration: 27 tumbles in the notebook of arXiv 2103.04423 (thecognifly/CrashLandingExperiments).
 //! *When it is wrong:* the lateral axes have a scale of their own that was only estimated, and offsets drift with warmth.
 
-use super::malformed::{Fault, Place};
+use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
 
 /// Bytes of a sample.
@@ -48,19 +48,19 @@ pub(super) fn frame_and_height(folder: &str) -> Option<(Option<String>, f64)> {
 }
 
 /// Reads a file's bytes.
-pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> Result<Record, (Place, Fault)> {
+pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> Result<Record, (SourcePosition, Fault)> {
     if bytes.is_empty() {
-        return Err((Place::Whole, Fault::Empty));
+        return Err((SourcePosition::Whole, Fault::Empty));
     }
     if !bytes.len().is_multiple_of(SAMPLE) {
-        return Err((Place::Whole, Fault::Truncated { bytes: bytes.len() }));
+        return Err((SourcePosition::Whole, Fault::Truncated { bytes: bytes.len() }));
     }
     let Label { trial, source, frame, height_m } = label;
     let count = bytes.len() / SAMPLE;
     let (mut t_s, mut accel_g, mut magnitude_g) = (Vec::with_capacity(count), Vec::with_capacity(count), Vec::with_capacity(count));
     let (mut at_full_scale, mut before_us) = (0, None);
     for (at, sample) in bytes.chunks_exact(SAMPLE).enumerate() {
-        let place = Place::Sample(at + 1);
+        let place = SourcePosition::Sample(at + 1);
         let t_us = u32::from_le_bytes([sample[0], sample[1], sample[2], sample[3]]);
         let counts = [4, 6, 8].map(|byte| u16::from_le_bytes([sample[byte], sample[byte + 1]]));
         let most = calibration.full_scale;
@@ -117,10 +117,10 @@ mod tests {
     #[test]
     fn planted_faults_are_named() {
         let fault = |bytes: &[u8]| record(bytes, label(), &Calibration::default()).expect_err("is refused");
-        assert_eq!(fault(&[]), (Place::Whole, Fault::Empty));
-        assert_eq!(fault(&[0; 25]), (Place::Whole, Fault::Truncated { bytes: 25 }));
-        assert_eq!(fault(&sample(0, [1, 5000, 3])), (Place::Sample(1), Fault::Counts { axis: 'y', count: 5000, most: 4095 }));
+        assert_eq!(fault(&[]), (SourcePosition::Whole, Fault::Empty));
+        assert_eq!(fault(&[0; 25]), (SourcePosition::Whole, Fault::Truncated { bytes: 25 }));
+        assert_eq!(fault(&sample(0, [1, 5000, 3])), (SourcePosition::Sample(1), Fault::Counts { axis: 'y', count: 5000, most: 4095 }));
         let still = [sample(1000, [1; 3]), sample(1000, [1; 3])].concat();
-        assert!(matches!(fault(&still), (Place::Sample(2), Fault::Unsorted { .. })));
+        assert!(matches!(fault(&still), (SourcePosition::Sample(2), Fault::Unsorted { .. })));
     }
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// Where in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum SourcePosition {
     /// The file as a whole.
     Whole,
     /// A line of a table, from 1.
@@ -169,7 +169,7 @@ pub struct Malformed {
     /// Which.
     pub file: String,
     /// Where.
-    pub place: Place,
+    pub place: SourcePosition,
     /// What.
     pub fault: Fault,
 }
@@ -178,9 +178,9 @@ impl fmt::Display for Malformed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { file, place, fault } = self;
         match place {
-            Place::Whole => write!(f, "{file} {fault}"),
-            Place::Line(line) => write!(f, "{file}, line {line}: {fault}"),
-            Place::Sample(sample) => write!(f, "{file}, sample {sample}: {fault}"),
+            SourcePosition::Whole => write!(f, "{file} {fault}"),
+            SourcePosition::Line(line) => write!(f, "{file}, line {line}: {fault}"),
+            SourcePosition::Sample(sample) => write!(f, "{file}, sample {sample}: {fault}"),
         }
     }
 }

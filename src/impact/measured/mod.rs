@@ -23,16 +23,15 @@ pub use fall::Fall;
 pub use flag::{Flag, flags};
 pub use impact::Impact;
 pub use logger::Calibration;
-pub use malformed::{Fault, Malformed, Place};
+pub use malformed::{Fault, Malformed, SourcePosition};
 pub use reading::read;
-pub use record::{DropSet, Group, Record};
+pub use record::{DropGroup, DropSet, Record};
 pub use scale::{ScaleReading, read_scale};
 pub use spread::Spread;
 pub use static_test::{StaticTest, read_static_test};
 pub use summary::{Drop, Summary, drops};
 
-/// Gravity, m/s².
-pub const GRAVITY_M_S2: f64 = 9.81;
+use crate::units::GRAVITY_M_S2;
 
 /// Speed after a fall without air, m/s.
 pub fn impact_speed_m_s(height_m: f64) -> f64 {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::logger::{self, Calibration, Label};
-use super::malformed::{Fault, Malformed, Place};
+use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
 use super::table;
 
@@ -41,12 +41,12 @@ struct Found {
     others: usize,
 }
 
-pub(super) fn malformed(path: &Path, place: Place, fault: Fault) -> Malformed {
+pub(super) fn malformed(path: &Path, place: SourcePosition, fault: Fault) -> Malformed {
     Malformed { file: path.display().to_string(), place, fault }
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Malformed {
-    malformed(path, Place::Whole, Fault::Unreadable { why: error.to_string() })
+    malformed(path, SourcePosition::Whole, Fault::Unreadable { why: error.to_string() })
 }
 
 /// Reads every record of files and folders; in folders, files that are none are left aside.
@@ -61,12 +61,12 @@ pub fn read(paths: &[PathBuf], calibration: &Calibration) -> Result<DropSet, Mal
             let before = found.files.len();
             walk(path, DEPTH, &mut found)?;
             if found.files.len() == before {
-                return Err(malformed(path, Place::Whole, Fault::NoRecords { others: found.others }));
+                return Err(malformed(path, SourcePosition::Whole, Fault::NoRecords { others: found.others }));
             }
         } else {
             let kind = Kind::of(path).ok_or_else(|| {
                 let what = "of no kind that is known by its ending".into();
-                malformed(path, Place::Whole, Fault::Foreign { what })
+                malformed(path, SourcePosition::Whole, Fault::Foreign { what })
             })?;
             found.files.push((path.clone(), kind));
         }
@@ -121,10 +121,10 @@ pub(super) fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Malformed> {
     let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
     if !meta.is_file() {
         // A pipe or a device may never end.
-        return Err(malformed(path, Place::Whole, Fault::Foreign { what: "no file".into() }));
+        return Err(malformed(path, SourcePosition::Whole, Fault::Foreign { what: "no file".into() }));
     }
     if meta.len() > most {
-        return Err(malformed(path, Place::Whole, Fault::Huge { bytes: meta.len(), most }));
+        return Err(malformed(path, SourcePosition::Whole, Fault::Huge { bytes: meta.len(), most }));
     }
     fs::read(path).map_err(|error| unreadable(path, &error))
 }
@@ -144,7 +144,7 @@ fn read_file(path: &Path, kind: Kind, calibration: &Calibration) -> Result<(Vec<
     let refused = |(place, fault)| malformed(path, place, fault);
     match kind {
         Kind::Logger => {
-            let (frame, height_m) = said.ok_or_else(|| malformed(path, Place::Whole, Fault::NoHeight { folder }))?;
+            let (frame, height_m) = said.ok_or_else(|| malformed(path, SourcePosition::Whole, Fault::NoHeight { folder }))?;
             let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
             let bytes = bytes_of(path, MOST_LOGGED)?;
             let record = logger::record(&bytes, Label { trial, source, frame, height_m }, calibration).map_err(refused)?;

@@ -47,7 +47,7 @@ impl Record {
 
 /// Records of one frame from one height, in the order in which they were read.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Group {
+pub struct DropGroup {
     /// What was dropped, where that is known.
     pub frame: Option<String>,
     /// From where, m.
@@ -60,7 +60,7 @@ pub struct Group {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DropSet {
     /// By frame, then by height.
-    pub groups: Vec<Group>,
+    pub groups: Vec<DropGroup>,
     /// What was left aside in reading.
     pub notes: Vec<String>,
 }
@@ -68,14 +68,15 @@ pub struct DropSet {
 impl DropSet {
     /// Groups records.
     pub fn of(records: Vec<Record>, notes: Vec<String>) -> Self {
-        let mut groups: Vec<Group> = Vec::new();
+        let mut groups: Vec<DropGroup> = Vec::new();
         for record in records {
-            let order = |group: &Group| group.frame.as_ref().cmp(&record.frame.as_ref()).then(group.height_m.total_cmp(&record.height_m));
+            let order =
+                |group: &DropGroup| group.frame.as_ref().cmp(&record.frame.as_ref()).then(group.height_m.total_cmp(&record.height_m));
             match groups.binary_search_by(order) {
                 Ok(at) => groups[at].records.push(record),
                 Err(at) => {
                     let (frame, height_m) = (record.frame.clone(), record.height_m);
-                    groups.insert(at, Group { frame, height_m, records: vec![record] });
+                    groups.insert(at, DropGroup { frame, height_m, records: vec![record] });
                 }
             }
         }

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use super::malformed::{Fault, Malformed, Place};
+use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::{bytes_of, malformed};
 use super::sheet::{self, Columns, MOST_BYTES};
 use super::table::number;
@@ -40,7 +40,7 @@ pub fn read_scale(path: &Path) -> Result<Vec<ScaleReading>, Malformed> {
     rows(&bytes_of(path, MOST_BYTES)?).map_err(|(place, fault)| malformed(path, place, fault))
 }
 
-fn rows(bytes: &[u8]) -> Result<Vec<ScaleReading>, (Place, Fault)> {
+fn rows(bytes: &[u8]) -> Result<Vec<ScaleReading>, (SourcePosition, Fault)> {
     sheet::rows(bytes, &COLUMNS, |row, line, ([part, mass], quantity)| reading(row, line, part, mass, quantity))
 }
 
@@ -81,12 +81,12 @@ mod tests {
     #[test]
     fn analytic_what_is_no_reading_is_refused_with_its_line() {
         for (text, line) in [
-            ("part,grams\nhub,7\n", Place::Line(1)),
-            ("part,mass_g\nhub,7\nhub,0\n", Place::Line(3)),
-            ("part,mass_g\nhub,seven\n", Place::Line(2)),
-            ("part,mass_g,quantity\nhub,7,1.5\n", Place::Line(2)),
-            ("part,mass_g\nhub,7,4\n", Place::Line(2)),
-            ("part,mass_g\n", Place::Whole),
+            ("part,grams\nhub,7\n", SourcePosition::Line(1)),
+            ("part,mass_g\nhub,7\nhub,0\n", SourcePosition::Line(3)),
+            ("part,mass_g\nhub,seven\n", SourcePosition::Line(2)),
+            ("part,mass_g,quantity\nhub,7,1.5\n", SourcePosition::Line(2)),
+            ("part,mass_g\nhub,7,4\n", SourcePosition::Line(2)),
+            ("part,mass_g\n", SourcePosition::Whole),
         ] {
             assert_eq!(rows(text.as_bytes()).expect_err("is refused").0, line, "{text}");
         }

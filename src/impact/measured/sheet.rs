@@ -1,6 +1,6 @@
 //! A short CSV table that a person wrote: one thing a row, columns in any order, remarks after `#`.
 
-use super::malformed::{Fault, Place};
+use super::malformed::{Fault, SourcePosition};
 use super::table::refused;
 
 /// Most bytes of such a table.
@@ -24,7 +24,7 @@ pub(super) fn rows<T, const N: usize>(
     bytes: &[u8],
     columns: &Columns<N>,
     read: impl Fn(&csv::ByteRecord, u64, Places<N>) -> Result<T, Fault>,
-) -> Result<Vec<T>, (Place, Fault)> {
+) -> Result<Vec<T>, (SourcePosition, Fault)> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
@@ -32,14 +32,14 @@ pub(super) fn rows<T, const N: usize>(
     let found = columns.needed.map(place);
     let missing: Vec<String> = columns.needed.iter().zip(found).filter(|(_, at)| at.is_none()).map(|(name, _)| (*name).into()).collect();
     if !missing.is_empty() {
-        return Err((Place::Line(1), Fault::NoColumn { missing, known: columns.known }));
+        return Err((SourcePosition::Line(1), Fault::NoColumn { missing, known: columns.known }));
     }
     let places = (found.map(Option::unwrap_or_default), columns.optional.and_then(place));
     let mut said = Vec::new();
     let mut row = csv::ByteRecord::new();
     while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
         let line = row.position().map_or(0, csv::Position::line);
-        said.push(read(&row, line, places).map_err(|fault| (Place::Line(line), fault))?);
+        said.push(read(&row, line, places).map_err(|fault| (SourcePosition::Line(line), fault))?);
     }
-    if said.is_empty() { Err((Place::Whole, Fault::Empty)) } else { Ok(said) }
+    if said.is_empty() { Err((SourcePosition::Whole, Fault::Empty)) } else { Ok(said) }
 }

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use super::malformed::{Fault, Malformed, Place};
+use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::{bytes_of, malformed};
 use super::sheet::{self, Columns, MOST_BYTES};
 use super::table::number;
@@ -22,7 +22,7 @@ pub fn read_static_test(path: &Path) -> Result<Vec<[f64; 2]>, Malformed> {
     rows(&bytes_of(path, MOST_BYTES)?).map_err(|(place, fault)| malformed(path, place, fault))
 }
 
-fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (Place, Fault)> {
+fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (SourcePosition, Fault)> {
     sheet::rows(bytes, &COLUMNS, |row, _, (places, _)| {
         let mut point = [0.0; 2];
         for (at, column) in places.into_iter().enumerate() {
@@ -83,10 +83,10 @@ mod tests {
     #[test]
     fn planted_faults_are_named_with_their_line() {
         for (text, place, says) in [
-            ("displacement_mm\n1\n", Place::Line(1), "lacks the column `force_n`"),
-            ("displacement_mm,force_n\n1,x\n", Place::Line(2), "`force_n` is `x`"),
-            ("displacement_mm,force_n\n-1,2\n", Place::Line(2), "out of bounds"),
-            ("displacement_mm,force_n\n", Place::Whole, "is empty"),
+            ("displacement_mm\n1\n", SourcePosition::Line(1), "lacks the column `force_n`"),
+            ("displacement_mm,force_n\n1,x\n", SourcePosition::Line(2), "`force_n` is `x`"),
+            ("displacement_mm,force_n\n-1,2\n", SourcePosition::Line(2), "out of bounds"),
+            ("displacement_mm,force_n\n", SourcePosition::Whole, "is empty"),
         ] {
             let (at, fault) = rows(text.as_bytes()).expect_err("is refused");
             assert!(at == place && fault.to_string().contains(says), "{text}: {at:?} {fault}");

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::flag::{Flag, flags};
 use super::impact::Impact;
-use super::record::{DropSet, Group, Record};
+use super::record::{DropGroup, DropSet, Record};
 use super::spread::Spread;
 
 /// A record with what was found in it.
@@ -33,7 +33,7 @@ impl<'a> Drop<'a> {
 }
 
 /// Every record judged, group by group.
-pub fn drops(set: &DropSet) -> Vec<(&Group, Vec<Drop<'_>>)> {
+pub fn drops(set: &DropSet) -> Vec<(&DropGroup, Vec<Drop<'_>>)> {
     set.groups.iter().map(|group| (group, group.records.iter().map(Drop::of).collect())).collect()
 }
 
@@ -70,7 +70,7 @@ pub struct Summary {
 
 impl Summary {
     /// Sums up a group.
-    pub fn of(group: &Group, drops: &[Drop]) -> Self {
+    pub fn of(group: &DropGroup, drops: &[Drop]) -> Self {
         let height_m = group.height_m;
         let v0 = super::impact_speed_m_s(height_m);
         let impacts = || drops.iter().filter_map(|drop| drop.impact.as_ref());

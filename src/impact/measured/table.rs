@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use super::malformed::{Fault, Place};
+use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
 
 /// Columns that must be there.
@@ -21,7 +21,7 @@ const ACCELS_G: RangeInclusive<f64> = -1e5..=1e5;
 /// From here on a reading stands at the end of the converter's +-230 g, g: a few counts below it.
 const FULL_SCALE_G: f64 = 229.5;
 
-type Refused = (Place, Fault);
+type Refused = (SourcePosition, Fault);
 
 /// Where the columns stand.
 struct Header {
@@ -165,25 +165,25 @@ impl Builder<'_> {
 pub(super) fn records(bytes: &[u8], source: &str, frame: Option<&str>) -> Result<(Vec<Record>, Vec<String>), Refused> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.trim_ascii().is_empty() {
-        return Err((Place::Whole, Fault::Empty));
+        return Err((SourcePosition::Whole, Fault::Empty));
     }
     let mut reader = csv::ReaderBuilder::new().buffer_capacity(1 << 16).from_reader(bytes);
-    let header = Header::of(reader.byte_headers().map_err(|error| refused(&error))?).map_err(|fault| (Place::Line(1), fault))?;
+    let header = Header::of(reader.byte_headers().map_err(|error| refused(&error))?).map_err(|fault| (SourcePosition::Line(1), fault))?;
     let mut builder = Builder { source, frame, header, records: Vec::new(), places: BTreeMap::new(), before: None };
     let mut row = csv::ByteRecord::new();
     while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
         let line = row.position().map_or(0, csv::Position::line);
-        builder.row(&row).map_err(|fault| (Place::Line(line), fault))?;
+        builder.row(&row).map_err(|fault| (SourcePosition::Line(line), fault))?;
     }
     if builder.records.is_empty() {
-        return Err((Place::Whole, Fault::Empty));
+        return Err((SourcePosition::Whole, Fault::Empty));
     }
-    builder.one_height_each().map_err(|fault| (Place::Whole, fault))?;
+    builder.one_height_each().map_err(|fault| (SourcePosition::Whole, fault))?;
     Ok((builder.records, builder.header.others))
 }
 
 pub(super) fn refused(error: &csv::Error) -> Refused {
-    let place = error.position().map_or(Place::Whole, |position| Place::Line(position.line()));
+    let place = error.position().map_or(SourcePosition::Whole, |position| SourcePosition::Line(position.line()));
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (place, Fault::Fields { found: *len, expected: *expected_len }),
         _ => (place, Fault::Unreadable { why: error.to_string() }),
@@ -219,22 +219,22 @@ mod tests {
     fn planted_faults_are_named_with_their_line() {
         let head = "trial,height_m,t_s,accel_g\n";
         let cases = [
-            ("", Place::Whole, "is empty"),
-            (head, Place::Whole, "is empty"),
-            ("trial;height_m;t_s;accel_g\n1;2;3;4\n", Place::Line(1), "lacks the columns `trial`, `height_m`, `t_s`, `accel_g`"),
-            ("trial,height_m,t_s\n1,2,3\n", Place::Line(1), "lacks the column `accel_g`"),
-            ("trial,trial,height_m,t_s,accel_g\n1,1,2,3,4\n", Place::Line(1), "twice"),
-            (&format!("{head}1,0.5,0,0\n1,0.5,0.001\n"), Place::Line(3), "has 3 fields, the header has 4"),
-            (&format!("{head}1,0.5,0,nan\n"), Place::Line(2), "`accel_g` is `nan`, no number"),
-            (&format!("{head}1,0.5,0,\n"), Place::Line(2), "`accel_g` is ``, no number"),
-            (&format!("{head}1,0.5,0,1e9\n"), Place::Line(2), "`accel_g` = 1000000000 is out of bounds"),
-            (&format!("{head}1,-0.5,0,1\n"), Place::Line(2), "`height_m` = -0.5 is out of bounds: 0.01 to 100 m"),
-            (&format!("{head},0.5,0,1\n"), Place::Line(2), "`trial` is empty"),
-            (&format!("{head}1,0.5,1,0\n1,0.5,0,0\n"), Place::Line(3), "time does not ascend in trial `1`: 0 s after 1 s"),
-            (&format!("{head}1,0.5,1,0\n1,0.5,1,0\n"), Place::Line(3), "time does not ascend"),
-            (&format!("{head}1,0.5,0,0\n1,1.0,1,0\n"), Place::Line(3), "trial `1` has two heights: 0.5 m and 1 m"),
-            (&format!("{head}1,0.5,0,0\n2,0.5,0,0\n1,1,1,0\n"), Place::Whole, "has two heights"),
-            ("PK\u{3}\u{4}\0\0\0", Place::Line(1), "lacks the columns"),
+            ("", SourcePosition::Whole, "is empty"),
+            (head, SourcePosition::Whole, "is empty"),
+            ("trial;height_m;t_s;accel_g\n1;2;3;4\n", SourcePosition::Line(1), "lacks the columns `trial`, `height_m`, `t_s`, `accel_g`"),
+            ("trial,height_m,t_s\n1,2,3\n", SourcePosition::Line(1), "lacks the column `accel_g`"),
+            ("trial,trial,height_m,t_s,accel_g\n1,1,2,3,4\n", SourcePosition::Line(1), "twice"),
+            (&format!("{head}1,0.5,0,0\n1,0.5,0.001\n"), SourcePosition::Line(3), "has 3 fields, the header has 4"),
+            (&format!("{head}1,0.5,0,nan\n"), SourcePosition::Line(2), "`accel_g` is `nan`, no number"),
+            (&format!("{head}1,0.5,0,\n"), SourcePosition::Line(2), "`accel_g` is ``, no number"),
+            (&format!("{head}1,0.5,0,1e9\n"), SourcePosition::Line(2), "`accel_g` = 1000000000 is out of bounds"),
+            (&format!("{head}1,-0.5,0,1\n"), SourcePosition::Line(2), "`height_m` = -0.5 is out of bounds: 0.01 to 100 m"),
+            (&format!("{head},0.5,0,1\n"), SourcePosition::Line(2), "`trial` is empty"),
+            (&format!("{head}1,0.5,1,0\n1,0.5,0,0\n"), SourcePosition::Line(3), "time does not ascend in trial `1`: 0 s after 1 s"),
+            (&format!("{head}1,0.5,1,0\n1,0.5,1,0\n"), SourcePosition::Line(3), "time does not ascend"),
+            (&format!("{head}1,0.5,0,0\n1,1.0,1,0\n"), SourcePosition::Line(3), "trial `1` has two heights: 0.5 m and 1 m"),
+            (&format!("{head}1,0.5,0,0\n2,0.5,0,0\n1,1,1,0\n"), SourcePosition::Whole, "has two heights"),
+            ("PK\u{3}\u{4}\0\0\0", SourcePosition::Line(1), "lacks the columns"),
         ];
         for (text, place, says) in cases {
             let (at, fault) = read(text).expect_err("is refused");

@@ -2,8 +2,10 @@
 
 use serde::Serialize;
 
-use super::system::{Phase, System};
-use crate::impact::effects::{GRAVITY_M_S2, Motion};
+use super::phase::Phase;
+use super::system::System;
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, MotionState};
+use crate::units::GRAVITY_M_S2;
 
 /// Which moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -61,7 +63,7 @@ impl Balance {
         let (t_s, y, phase) = at;
         let (mass_kg, fall) = (system.body.mass_kg, system.arrangement.fall);
         let [lag_m, lag_rate_m_s] = system.lag(y);
-        let payload_kg = mass_kg * system.arrangement.payload.map_or(0.0, |payload| payload.share);
+        let payload_kg = mass_kg * system.arrangement.attached.map_or(0.0, |payload| payload.share);
         let (x_m, v_m_s) = (y[0], y[1]);
         let carried = v_m_s + lag_rate_m_s;
         let motion_j = 0.5 * (mass_kg - payload_kg) * v_m_s * v_m_s + 0.5 * payload_kg * carried * carried;
@@ -93,19 +95,19 @@ impl Balance {
 /// Terms with their work, in the order of the states.
 fn terms(system: &System, phase: Phase, y: &[f64]) -> Vec<TermEnergy> {
     let works = &y[system.core..];
-    let base = Motion { x_m: y[0], v_m_s: y[1], own: &[] };
+    let base = MotionState { x_m: y[0], v_m_s: y[1], own: &[] };
     let spring_j = system.spring_j(&base, phase.touched);
-    let mut stored = vec![("linear_spring", spring_j), ("linear_damper", 0.0)];
+    let mut stored = vec![(LINEAR_SPRING.id, spring_j), (LINEAR_DAMPER.id, 0.0)];
     stored.extend(system.forces.iter().map(|term| (term.id, term.effect.stored_j(&term.motion(y)))));
     let mut found: Vec<TermEnergy> = stored.into_iter().zip(works).map(|((id, stored_j), work_j)| term(id, *work_j, stored_j)).collect();
     let behind = 2 + system.forces.len();
     if let Some(stop) = &system.stop {
         found.push(term(stop.id, works[behind], stop.effect.stored_j(&stop.motion(y))));
     }
-    if let Some(payload) = &system.arrangement.payload {
+    if let Some(payload) = &system.arrangement.attached {
         let [lag_m, _] = system.lag(y);
         let stored_j = 0.5 * payload.share * system.body.mass_kg * payload.stiffness_1_s2 * lag_m * lag_m;
-        found.push(term("payload_mode", works[behind + 1], stored_j));
+        found.push(term(payload.effect, works[behind + 1], stored_j));
     }
     found
 }
@@ -116,7 +118,7 @@ fn term(effect: &'static str, work_j: f64, stored_j: f64) -> TermEnergy {
 
 /// Shares of m g h as the paper counts them: gravity's work over the stroke is left out, the damper is what remains.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Paper {
+pub struct PaperShares {
     /// Damper, %.
     pub damper_percent: f64,
     /// Spring, %.
@@ -125,7 +127,7 @@ pub struct Paper {
     pub rigid_percent: f64,
 }
 
-impl Paper {
+impl PaperShares {
     /// The shares of a balance.
     pub(super) fn of(system: &System, height_m: f64, balance: &Balance) -> Self {
         let input_j = system.body.mass_kg * GRAVITY_M_S2 * height_m;

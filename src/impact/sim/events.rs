@@ -1,9 +1,10 @@
 //! What happens in a run, located on the steps as it goes: turning points, the gap, the release, peaks.
 
 use super::dormand_prince::Dense;
+use super::phase::Phase;
 use super::root::{maximum, root};
-use super::system::{ALL, Phase, System};
-use crate::impact::effects::GRAVITY_M_S2;
+use super::system::{ALL, System};
+use crate::units::GRAVITY_M_S2;
 
 /// Parts of a step that are looked at.
 const PARTS: u32 = 8;

@@ -1,12 +1,13 @@
 //! From first touch on: steps whose length follows the error estimate, cut where a switch turns.
 
 use super::dormand_prince::{Dense, Step};
-use super::switch::Switches;
-use super::system::{Phase, System};
+use super::phase::Phase;
+use super::switches::Switches;
+use super::system::System;
 
 /// How to run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settings {
+pub struct SolverOptions {
     /// How long after first touch, s.
     pub duration_s: f64,
     /// Error of a step that is allowed, over the size of the states.
@@ -15,7 +16,7 @@ pub struct Settings {
     pub fixed_step_s: Option<f64>,
 }
 
-impl Settings {
+impl SolverOptions {
     /// For fits: the sensor's output is good to 0.005 g (docs/decisions/0010-integrator.md).
     pub const FIT: Self = Self { duration_s: 0.06, tolerance: 1e-6, fixed_step_s: None };
     /// For reports: energies balance to 1e-8.
@@ -28,7 +29,7 @@ pub enum Stop {
     /// It came to its end.
     End,
     /// The body left every bound: the forces do not hold it.
-    RanAway {
+    Diverges {
         /// When, s.
         t_s: f64,
     },
@@ -63,7 +64,7 @@ const SIZES: [f64; 3] = [1e-2, 1.0, 10.0];
 pub(super) fn integrate<const N: usize>(
     system: &System,
     height_m: f64,
-    settings: &Settings,
+    settings: &SolverOptions,
     works: bool,
     mut listener: impl FnMut(&Dense<N>, Phase) -> Flow,
 ) -> Stop {
@@ -96,7 +97,7 @@ pub(super) fn integrate<const N: usize>(
             dense = step.dense(t_s);
         }
         if !(step.to[0].abs() < FAR_M && step.to[..system.core].iter().all(|state| state.is_finite())) {
-            return Stop::RanAway { t_s };
+            return Stop::Diverges { t_s };
         }
         if listener(&dense, phase) == Flow::Enough {
             return Stop::End;

@@ -3,14 +3,21 @@
 //! States in order: x, v, the low-pass's stages, the effects' own, the payload's lag and its rate; then, when energies
 //! are asked for, the work done on each term.
 
+use super::phase::Phase;
 use super::switch::Switch;
-use crate::impact::body::Body;
-use crate::impact::effects::{Arrangement, Effect, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
+use crate::impact::body::DropBody;
+use crate::impact::effects::{
+    Arrangement, AttachedMass, CATALOGUE, Effect, LINEAR_DAMPER, LINEAR_SPRING, LinearDamper, LinearSpring, MOST_STAGES, Model,
+    MotionState, Reach, Stage, Threshold, states, working,
+};
+use crate::units::GRAVITY_M_S2;
 
-/// States without energies at the most: x, v, three stages, one of an effect, two of the payload.
-pub(super) const CORE: usize = 8;
-/// States with energies at the most: spring, damper, seven forces, stop, payload.
-pub(super) const ALL: usize = CORE + 11;
+/// Room for states of effects from outside the catalogue.
+const SPARE: usize = 4;
+/// States without energies at the most: x, v, the low-pass's stages, those of all effects.
+pub(super) const CORE: usize = 2 + MOST_STAGES + states(&CATALOGUE) + SPARE;
+/// States with energies at the most: the work on each effect, too.
+pub(super) const ALL: usize = CORE + working(&CATALOGUE) + SPARE;
 
 /// Index of the low-pass's first stage.
 const FILTER: usize = 2;
@@ -25,20 +32,9 @@ pub(super) struct Term {
 }
 
 impl Term {
-    pub fn motion<'y>(&self, y: &'y [f64]) -> Motion<'y> {
-        Motion { x_m: y[0], v_m_s: y[1], own: &y[self.at..self.at + self.states] }
+    pub fn motion<'y>(&self, y: &'y [f64]) -> MotionState<'y> {
+        MotionState { x_m: y[0], v_m_s: y[1], own: &y[self.at..self.at + self.states] }
     }
-}
-
-/// What holds between two switches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Phase {
-    /// Whether the frame has left the ground (x < 0).
-    pub airborne: bool,
-    /// How many feet have touched.
-    pub touched: usize,
-    /// Whether works are summed.
-    pub works: bool,
 }
 
 /// What pushes.
@@ -57,7 +53,7 @@ pub(super) struct Push {
 /// A model made ready to run.
 #[derive(Debug)]
 pub struct System {
-    pub(super) body: Body,
+    pub(super) body: DropBody,
     pub(super) spring: LinearSpring,
     pub(super) damper: LinearDamper,
     pub(super) arrangement: Arrangement,
@@ -78,28 +74,26 @@ impl System {
         let arrangement = model.arrangement();
         let mut core = FILTER + arrangement.sensor.order;
         let (mut forces, mut stop, mut arranging) = (Vec::new(), None, Vec::new());
-        let on_top = model.effects.iter().filter(|listed| !crate::impact::effects::BASE.iter().any(|base| base.id == listed.spec.id));
-        for (listed, effect) in on_top.filter_map(|listed| listed.effect().map(|effect| (listed, effect))) {
-            if listed.spec.stage == Stage::Arrangement {
-                arranging.push((listed.spec.id, effect));
-                continue;
+        for (spec, effect) in model.acting() {
+            let term = |effect| Term { id: spec.id, effect, at: core, states: spec.states.len() };
+            match spec.stage {
+                Stage::Arrangement => {
+                    arranging.push((spec.id, effect));
+                    continue;
+                }
+                Stage::Stop => stop = Some(term(effect)),
+                Stage::Force => forces.push(term(effect)),
             }
-            let states = effect.own_states();
-            let term = Term { id: listed.spec.id, effect, at: core, states };
-            match listed.spec.stage {
-                Stage::Stop => stop = Some(term),
-                _ => forces.push(term),
-            }
-            core += states;
+            core += spec.states.len();
         }
         let lag = core;
-        core += if arrangement.payload.is_some() { 2 } else { 0 };
+        core += arrangement.attached.map_or(0, |_| AttachedMass::STATES.len());
         Self {
             body: model.body.clone(),
             spring: LinearSpring { stiffness_n_m },
             damper: LinearDamper { damping_n_s_m },
             filter_rate_1_s: arrangement.sensor.rate_1_s(),
-            frame_share: 1.0 - arrangement.payload.map_or(0.0, |payload| payload.share),
+            frame_share: 1.0 - arrangement.attached.map_or(0.0, |attached| attached.share),
             arrangement,
             forces,
             stop,
@@ -110,7 +104,7 @@ impl System {
     }
 
     /// The body.
-    pub fn body(&self) -> &Body {
+    pub fn body(&self) -> &DropBody {
         &self.body
     }
 
@@ -119,7 +113,7 @@ impl System {
     pub fn slow_force_n(&self, x_m: f64) -> f64 {
         let feet = self.arrangement.feet.map_or(0, |feet| feet.at_m.iter().filter(|at| **at <= x_m).count());
         let phase = Phase { airborne: false, touched: feet, works: false };
-        let mut y = [0.0; CORE];
+        let mut y = vec![0.0; self.core];
         y[0] = x_m;
         self.push(phase, &y).total_n
     }
@@ -129,6 +123,12 @@ impl System {
         self.arrangement.sensor.limit_g = f64::INFINITY;
     }
 
+    /// Replaces the sensor's low-pass by one with this cutoff, whatever the model's effects say.
+    pub fn set_cutoff(&mut self, cutoff_hz: f64) {
+        self.arrangement.sensor.cutoff_hz = cutoff_hz;
+        self.filter_rate_1_s = self.arrangement.sensor.rate_1_s();
+    }
+
     /// Fall, contact and sensor.
     pub fn arrangement(&self) -> &Arrangement {
         &self.arrangement
@@ -136,17 +136,11 @@ impl System {
 
     /// Why effects do not hold in a drop that went so far.
     pub(super) fn outside(&self, reach: &Reach) -> Vec<(&'static str, String)> {
-        let base: [(&'static str, &dyn Effect); 2] = [("linear_spring", &self.spring), ("linear_damper", &self.damper)];
+        let base: [(&'static str, &dyn Effect); 2] = [(LINEAR_SPRING.id, &self.spring), (LINEAR_DAMPER.id, &self.damper)];
         let terms = self.forces.iter().chain(&self.stop).map(|term| (term.id, term.effect.as_ref()));
         let arranging = self.arranging.iter().map(|(id, effect)| (*id, effect.as_ref()));
         let all = base.into_iter().chain(terms).chain(arranging);
-        let mut found: Vec<(&'static str, String)> = all.filter_map(|(id, effect)| Some((id, effect.outside(reach)?))).collect();
-        let reaches = self.arrangement.softening.as_ref().map(|softening| softening.curve.reach_m());
-        if let Some(reach_m) = reaches.filter(|reach_m| reach.deepest_m > *reach_m) {
-            let [deep, known] = [reach.deepest_m, reach_m].map(|m| m * 1e3);
-            found.push(("frame_force_curve", format!("{deep:.1} mm is deeper than the {known:.1} mm to which the frame's curve goes")));
-        }
-        found
+        all.filter_map(|(id, effect)| Some((id, effect.outside(reach)?))).collect()
     }
 
     /// Index of the state that the sensor reads.
@@ -182,7 +176,7 @@ impl System {
 
     /// Spring's and damper's forces, N.
     pub(super) fn base_n(&self, phase: Phase, y: &[f64]) -> [f64; 2] {
-        let at = Motion { x_m: y[0], v_m_s: y[1], own: &[] };
+        let at = MotionState { x_m: y[0], v_m_s: y[1], own: &[] };
         match &self.arrangement.feet {
             None => [self.spring_n(&at), self.damper.force_n(&at)],
             Some(feet) => [
@@ -206,7 +200,7 @@ impl System {
 
     /// Proper acceleration of the frame and of the payload, m/s².
     pub(super) fn proper_m_s2(&self, push: &Push, y: &[f64]) -> [f64; 2] {
-        match &self.arrangement.payload {
+        match &self.arrangement.attached {
             None => [push.total_n / self.body.mass_kg, 0.0],
             Some(payload) => {
                 let of_payload = payload.proper_m_s2(y[self.lag], y[self.lag + 1]);
@@ -218,7 +212,7 @@ impl System {
 
     /// Lag of the payload behind the frame, m, and its rate, m/s.
     pub(super) fn lag(&self, y: &[f64]) -> [f64; 2] {
-        if self.arrangement.payload.is_some() { [y[self.lag], y[self.lag + 1]] } else { [0.0; 2] }
+        if self.arrangement.attached.is_some() { [y[self.lag], y[self.lag + 1]] } else { [0.0; 2] }
     }
 
     /// The right-hand side.
@@ -236,7 +230,7 @@ impl System {
         for term in self.forces.iter().filter(|term| term.states > 0) {
             term.effect.rates(&term.motion(y), &mut rates[term.at..term.at + term.states]);
         }
-        if self.arrangement.payload.is_some() {
+        if self.arrangement.attached.is_some() {
             rates[self.lag] = y[self.lag + 1];
             rates[self.lag + 1] = GRAVITY_M_S2 - payload - rates[1];
         }
@@ -257,7 +251,7 @@ impl System {
         }
         let behind = 2 + self.forces.len();
         powers[behind] = push.stop_n * v_m_s;
-        if let Some(payload) = &self.arrangement.payload {
+        if let Some(payload) = &self.arrangement.attached {
             let [lag, rate] = self.lag(y);
             powers[behind + 1] = payload.share * self.body.mass_kg * payload.proper_m_s2(lag, rate) * rate;
         }

@@ -1,11 +1,12 @@
 //! A drop in full: motion, events, peaks, energies.
 
-use super::balance::{Balance, Moment, Paper};
+use super::balance::{Balance, Moment, PaperShares};
 use super::events::Events;
-use super::integrate::{Flow, Settings, Stop, integrate};
-use super::outside::Outside;
+use super::integrate::{Flow, SolverOptions, Stop, integrate};
 use super::system::{ALL, System};
-use crate::impact::effects::{GRAVITY_M_S2, Reach};
+use super::validity_warning::ValidityWarning;
+use crate::impact::effects::Reach;
+use crate::units::GRAVITY_M_S2;
 
 /// A run goes on for this long when the frame has not left the ground, s.
 const PATIENCE_S: f64 = 0.5;
@@ -44,11 +45,11 @@ pub struct Trace {
     /// Energies at the release.
     pub release: Option<Balance>,
     /// Shares by the paper's convention.
-    pub paper: Option<Paper>,
+    pub paper: Option<PaperShares>,
     /// Why the run ended.
     pub stop: Stop,
-    /// Where it leaves what the model can say.
-    pub outside: Vec<Outside>,
+    /// Where it leaves the range in which the model is valid.
+    pub warnings: Vec<ValidityWarning>,
 }
 
 impl Trace {
@@ -75,7 +76,7 @@ impl Trace {
             release: None,
             paper: None,
             stop: Stop::End,
-            outside: Vec::new(),
+            warnings: Vec::new(),
         }
     }
 
@@ -89,11 +90,11 @@ impl Trace {
 }
 
 /// Drops a system from a height.
-pub fn simulate(system: &System, height_m: f64, settings: &Settings) -> Trace {
+pub fn simulate(system: &System, height_m: f64, settings: &SolverOptions) -> Trace {
     let mut trace = Trace::empty(system, height_m);
     let mut events = Events::new(system);
     let points = (settings.duration_s / Trace::STEP_S).round() as usize + 1;
-    let patient = Settings { duration_s: settings.duration_s.max(PATIENCE_S), ..*settings };
+    let patient = SolverOptions { duration_s: settings.duration_s.max(PATIENCE_S), ..*settings };
     trace.stop = integrate::<ALL>(system, height_m, &patient, true, |dense, phase| {
         events.look(dense, phase);
         while trace.t_s.len() < points && trace.t_s.len() as f64 * Trace::STEP_S <= dense.time_s(1.0) {
@@ -121,42 +122,42 @@ fn conclude(system: &System, trace: &mut Trace, events: &Events) {
         (None, deepest) => deepest.map(|deepest| balance(Moment::TurningPoint, deepest)),
     };
     trace.release = events.release.map(|release| balance(Moment::Release, release));
-    trace.paper = trace.compression.as_ref().map(|compression| Paper::of(system, height_m, compression));
-    trace.outside = marks(system, trace, events);
+    trace.paper = trace.compression.as_ref().map(|compression| PaperShares::of(system, height_m, compression));
+    trace.warnings = warnings(system, trace, events);
 }
 
-fn marks(system: &System, trace: &Trace, events: &Events) -> Vec<Outside> {
-    let mut marks = Vec::new();
+fn warnings(system: &System, trace: &Trace, events: &Events) -> Vec<ValidityWarning> {
+    let mut warnings = Vec::new();
     if system.arrangement.fall.height_m(trace.height_m) == 0.0 {
-        marks.push(Outside::NoFall);
+        warnings.push(ValidityWarning::NoFall);
     }
     match trace.stop {
         Stop::End => {}
-        Stop::RanAway { t_s } => marks.push(Outside::RanAway { t_ms: t_s * 1e3 }),
-        Stop::StepsExhausted { t_s } => marks.push(Outside::Chatters { t_ms: t_s * 1e3 }),
+        Stop::Diverges { t_s } => warnings.push(ValidityWarning::Diverges { t_ms: t_s * 1e3 }),
+        Stop::StepsExhausted { t_s } => warnings.push(ValidityWarning::Chatters { t_ms: t_s * 1e3 }),
     }
     if let Some((t_s, y, _)) = events.gap {
-        marks.push(Outside::PastGap { gap_mm: system.body.gap_m * 1e3, t_ms: t_s * 1e3, speed_m_s: y[1] });
+        warnings.push(ValidityWarning::PastGap { gap_mm: system.body.gap_m * 1e3, t_ms: t_s * 1e3, speed_m_s: y[1] });
     }
     if let (Some(x_m), Some(travel_m)) = (trace.max_displacement_m, system.body.travel_m)
         && x_m > travel_m
     {
-        marks.push(Outside::PastTravel { x_mm: x_m * 1e3, travel_mm: travel_m * 1e3 });
+        warnings.push(ValidityWarning::PastTravel { x_mm: x_m * 1e3, travel_mm: travel_m * 1e3 });
     }
     match trace.contact_s {
-        Some(t_s) if system.arrangement.tension_factor > 0.0 => marks.push(Outside::Pulls { t_ms: t_s * 1e3 }),
-        None if trace.stop == Stop::End => marks.push(Outside::NoRelease { t_ms: PATIENCE_S * 1e3 }),
+        Some(t_s) if system.arrangement.tension_factor > 0.0 => warnings.push(ValidityWarning::Pulls { t_ms: t_s * 1e3 }),
+        None if trace.stop == Stop::End => warnings.push(ValidityWarning::NoRelease { t_ms: PATIENCE_S * 1e3 }),
         _ => {}
     }
     if trace.peak_sensor_g >= system.arrangement.sensor.limit_g {
-        marks.push(Outside::SensorLimit { limit_g: system.arrangement.sensor.limit_g });
+        warnings.push(ValidityWarning::SensorLimit { limit_g: system.arrangement.sensor.limit_g });
     }
-    marks.extend(effects_outside(system, trace, events));
-    marks
+    warnings.extend(effects_outside(system, trace, events));
+    warnings
 }
 
 /// Effects that do not hold where the drop went.
-fn effects_outside(system: &System, trace: &Trace, events: &Events) -> Vec<Outside> {
+fn effects_outside(system: &System, trace: &Trace, events: &Events) -> Vec<ValidityWarning> {
     let reach = Reach {
         impact_speed_m_s: trace.impact_speed_m_s,
         deepest_m: trace.max_displacement_m.unwrap_or(0.0),
@@ -165,5 +166,5 @@ fn effects_outside(system: &System, trace: &Trace, events: &Events) -> Vec<Outsi
         released_at_m: events.release.map(|(_, y, _)| y[0]),
         stiffness_n_m: system.spring.stiffness_n_m,
     };
-    system.outside(&reach).into_iter().map(|(effect, reason)| Outside::Effect { effect, reason }).collect()
+    system.outside(&reach).into_iter().map(|(effect, reason)| ValidityWarning::Effect { effect, reason }).collect()
 }

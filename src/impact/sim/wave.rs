@@ -1,25 +1,26 @@
 //! The sensor's output alone, at equal steps: what fits compare.
 
-use super::integrate::{Flow, Settings, Stop, integrate};
+use super::integrate::{Flow, SolverOptions, Stop, integrate};
 use super::system::{CORE, System};
 
 /// Fills `out` with the sensor's reading in g, before sampling, at 0, `step_s`, 2 `step_s` … from first touch.
 ///
 /// A run that ends early repeats its last reading; the answer says so.
-pub fn wave(system: &System, height_m: f64, step_s: f64, settings: &Settings, out: &mut [f64]) -> Stop {
+pub fn wave(system: &System, height_m: f64, step_s: f64, settings: &SolverOptions, out: &mut [f64]) -> Stop {
     match system.core {
         0..=4 => run::<4>(system, height_m, step_s, settings, out),
         5..=6 => run::<6>(system, height_m, step_s, settings, out),
+        7..=8 => run::<8>(system, height_m, step_s, settings, out),
         _ => run::<CORE>(system, height_m, step_s, settings, out),
     }
 }
 
-fn run<const N: usize>(system: &System, height_m: f64, step_s: f64, settings: &Settings, out: &mut [f64]) -> Stop {
+fn run<const N: usize>(system: &System, height_m: f64, step_s: f64, settings: &SolverOptions, out: &mut [f64]) -> Stop {
     let (sensed, sensor) = (system.sensed(), system.arrangement().sensor);
     let mut filled = 0;
     let mut last = 0.0;
     // A little more, so that rounding does not lose the last point.
-    let longest = Settings { duration_s: step_s * (out.len() as f64 - 0.999), ..*settings };
+    let longest = SolverOptions { duration_s: step_s * (out.len() as f64 - 0.999), ..*settings };
     let stop = integrate::<N>(system, height_m, &longest, false, |dense, _| {
         let end_s = dense.time_s(1.0);
         while filled < out.len() && filled as f64 * step_s <= end_s {

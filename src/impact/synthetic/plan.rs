@@ -7,16 +7,16 @@ use crate::params::{ImpactFile, LoadError};
 
 /// How drops of the same kind differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scatter {
+pub struct TrialVariation {
     /// Coloured scatter of the readings, part of the reading.
     pub share: f64,
     /// Time after which it has forgotten itself to 1/e, s.
     pub correlation_s: f64,
-    /// Scatter of the spring from drop to drop, part of it.
+    /// TrialVariation of the spring from drop to drop, part of it.
     pub stiffness: f64,
     /// The same of the damper.
     pub damping: f64,
-    /// Scatter of the sensor's tilt from drop to drop, deg.
+    /// TrialVariation of the sensor's tilt from drop to drop, deg.
     pub tilt_deg: f64,
 }
 
@@ -32,7 +32,7 @@ pub struct Plan {
     /// Drops a height.
     pub drops: usize,
     /// How they differ.
-    pub scatter: Scatter,
+    pub scatter: TrialVariation,
     /// White noise of a reading, g.
     pub noise_g: f64,
     /// Counts of the converter to one g.
@@ -109,7 +109,7 @@ impl Plan {
                 || Reason::Impossible { message: format!("`{key}` = {value} is no whole number"), remedy: "give a whole number".into() };
             if value.fract() == 0.0 { Ok(value as u64) } else { Err(file.refuse(key, reason())) }
         };
-        let scatter = Scatter {
+        let scatter = TrialVariation {
             share: number("scatter.share")?,
             correlation_s: number("scatter.correlation_ms")? * 1e-3,
             stiffness: number("scatter.stiffness")?,

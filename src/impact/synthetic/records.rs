@@ -4,7 +4,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
-use super::{Hidden, Motion, Plan};
+use super::{Hidden, Plan, ReferenceTrajectory};
 
 /// Time between the points of a wave, s.
 const FINE_S: f64 = 5e-5;
@@ -15,7 +15,7 @@ const AFTER_S: f64 = 0.040;
 
 /// One planted drop.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Record {
+pub struct SyntheticRecord {
     /// Its name.
     pub trial: String,
     /// Stated height, m.
@@ -27,15 +27,15 @@ pub struct Record {
 }
 
 /// All drops of a plan; the same plan gives the same drops.
-pub fn records(plan: &Plan) -> Vec<Record> {
+pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
     let mut rng = Pcg64::seed_from_u64(plan.seed);
     let mut all = Vec::new();
     let varied = plan.scatter.stiffness > 0.0 || plan.scatter.damping > 0.0 || matches!(plan.hidden, Some(Hidden::Wear { .. }));
     for height_m in &plan.heights_m {
-        let common = (!varied).then(|| wave(&Motion::of(&plan.model, plan.hidden, 1.0, 1.0), *height_m));
+        let common = (!varied).then(|| wave(&ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0), *height_m));
         for trial in 0..plan.drops {
             let own = common.is_none().then(|| wave(&one_frame(plan, trial, &mut rng), *height_m));
-            let shape = Motion::of(&plan.model, plan.hidden, 1.0, 1.0);
+            let shape = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
             let Some(fine) = own.as_ref().or(common.as_ref()) else { continue };
             all.push(record(plan, &shape, fine, *height_m, trial, &mut rng));
         }
@@ -45,26 +45,26 @@ pub fn records(plan: &Plan) -> Vec<Record> {
 
 /// The wave of one drop without anything random, at steps of 0.05 ms from first touch, within the sensor's limit.
 pub fn clean(plan: &Plan, height_m: f64) -> Vec<f64> {
-    let motion = Motion::of(&plan.model, plan.hidden, 1.0, 1.0);
-    wave(&motion, height_m).into_iter().map(|reading| reading.clamp(-motion.limit_g, motion.limit_g)).collect()
+    let trajectory = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
+    wave(&trajectory, height_m).into_iter().map(|reading| reading.clamp(-trajectory.limit_g(), trajectory.limit_g())).collect()
 }
 
-fn wave(motion: &Motion, height_m: f64) -> Vec<f64> {
-    motion.wave_g(height_m, FINE_S, (AFTER_S / FINE_S) as usize + 2)
+fn wave(trajectory: &ReferenceTrajectory, height_m: f64) -> Vec<f64> {
+    trajectory.wave_g(height_m, FINE_S, (AFTER_S / FINE_S) as usize + 2)
 }
 
 /// This drop's frame: a little stiffer or softer than the last, worn by the drops before.
-fn one_frame(plan: &Plan, trial: usize, rng: &mut impl Rng) -> Motion {
+fn one_frame(plan: &Plan, trial: usize, rng: &mut impl Rng) -> ReferenceTrajectory {
     let mut normal = || -> f64 { StandardNormal.sample(rng) };
     let mut stiffness = (1.0 + plan.scatter.stiffness * normal()).max(0.1);
     let damping = (1.0 + plan.scatter.damping * normal()).max(0.1);
     if let Some(Hidden::Wear { loss }) = plan.hidden {
         stiffness *= 1.0 + loss * (0.5 - trial as f64 / (plan.drops - 1).max(1) as f64);
     }
-    Motion::of(&plan.model, plan.hidden, stiffness, damping)
+    ReferenceTrajectory::of(&plan.model, plan.hidden, stiffness, damping)
 }
 
-fn record(plan: &Plan, motion: &Motion, fine: &[f64], height_m: f64, trial: usize, rng: &mut impl Rng) -> Record {
+fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m: f64, trial: usize, rng: &mut impl Rng) -> SyntheticRecord {
     let step_s = 1.0 / plan.rate_hz;
     let before = (BEFORE_S / step_s).round() as usize;
     let count = before + (AFTER_S / step_s).floor() as usize;
@@ -80,11 +80,11 @@ fn record(plan: &Plan, motion: &Motion, fine: &[f64], height_m: f64, trial: usiz
         factor = kept * factor + (1.0 - kept * kept).sqrt() * fresh;
         let t_s = (i as f64 - before as f64 + phase) * step_s;
         let true_g = at(fine, t_s) * (1.0 + plan.scatter.share * factor) * libm::cos(tilt);
-        let limited = true_g.clamp(-motion.limit_g, motion.limit_g) + plan.noise_g * noise;
+        let limited = true_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
         readings.push((limited * plan.counts_per_g).round() / plan.counts_per_g);
     }
     let t_s = (0..count).map(|i| i as f64 * step_s).collect();
-    Record { trial: format!("{:03.0}cm-{trial:04}", height_m * 100.0), height_m, t_s, accel_g: readings }
+    SyntheticRecord { trial: format!("{:03.0}cm-{trial:04}", height_m * 100.0), height_m, t_s, accel_g: readings }
 }
 
 /// The wave between its points.

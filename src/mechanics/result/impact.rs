@@ -2,14 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use super::landing::{GRAVITY, along_axis_g, falling, rising, touching};
+use super::landing::{along_axis_g, falling, rising, touching};
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
 use crate::mechanics::model::frame_model::{FrameModel, ModelError};
 use crate::mechanics::settings::Settings;
 use crate::mechanics::solve::dynamics::{DynamicsError, Motion};
 use crate::mechanics::solve::memory::Energies;
 use crate::mechanics::system::structure::State;
-use crate::units::Angle;
+use crate::units::{Angle, GRAVITY_M_S2, GRAVITY_MM_MS2};
 
 /// Bandwidth of the logger in the measured drops, Hz, first order (ADXL377).
 pub const LOGGER_HZ: f64 = 500.0;
@@ -92,10 +92,10 @@ impl Impact {
     /// # Errors
     /// When the motion is lost.
     pub fn new(model: &FrameModel, settings: &Settings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
-        let speed_m_s = (2.0 * 9.81 * height_m).sqrt();
+        let speed_m_s = (2.0 * GRAVITY_M_S2 * height_m).sqrt();
         let touching = touching(&model.system, model.hub, run.tilt);
         let rest = touching.places[model.hub].z;
-        let mut motion = Motion::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY);
+        let mut motion = Motion::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY_MM_MS2);
         let copies = model.extent.copies();
         let hub = model.system.unknowns.of(model.hub)[2];
         let start = motion.energies();

@@ -10,10 +10,7 @@ use crate::mechanics::solve::dynamics::Motion;
 use crate::mechanics::system::sparse::NOWHERE;
 use crate::mechanics::system::structure::State;
 use crate::mechanics::system::system::System;
-use crate::units::Angle;
-
-/// Gravity, mm/ms².
-pub(in crate::mechanics) const GRAVITY: f64 = 9.81e-3;
+use crate::units::{Angle, GRAVITY_MM_MS2};
 
 /// The frame at rest in itself, turned, its lowest foot on the ground as deep as a foot stands at rest.
 pub(in crate::mechanics) fn touching(system: &System, hub: usize, tilt: [Angle; 2]) -> State {
@@ -42,8 +39,8 @@ pub(in crate::mechanics) fn touching(system: &System, hub: usize, tilt: [Angle; 
 pub(in crate::mechanics) fn along_axis_g(model: &FrameModel, motion: &Motion) -> f64 {
     let of = model.system.unknowns.of(model.hub);
     let value = |at: usize| if of[at] == NOWHERE { 0.0 } else { motion.acceleration[of[at]] };
-    let proper = Vector3::new(value(0), value(1), value(2) + GRAVITY);
-    (motion.state.turns[model.hub] * Vector3::z()).dot(&proper) / GRAVITY
+    let proper = Vector3::new(value(0), value(1), value(2) + GRAVITY_MM_MS2);
+    (motion.state.turns[model.hub] * Vector3::z()).dot(&proper) / GRAVITY_MM_MS2
 }
 
 /// Every node falls.

@@ -6,7 +6,7 @@ use super::bars::{Bars, Group};
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
 use crate::impact::effects::Model;
-use crate::impact::sim::{Balance, Paper, Trace};
+use crate::impact::sim::{Balance, PaperShares, Trace};
 
 /// Every plot, path and bytes.
 ///
@@ -64,7 +64,8 @@ fn balance_shares(balance: &Balance) -> Vec<f64> {
 
 fn energy(model: &Model, traces: &[Trace]) -> Bars {
     let group = |trace: &Trace| {
-        let paper = |Paper { damper_percent, spring_percent, rigid_percent }| vec![damper_percent, spring_percent, rigid_percent, 0.0];
+        let paper =
+            |PaperShares { damper_percent, spring_percent, rigid_percent }| vec![damper_percent, spring_percent, rigid_percent, 0.0];
         Some(Group { label: format!("{} m", trace.height_m), shares: [balance_shares(trace.compression.as_ref()?), paper(trace.paper?)] })
     };
     Bars {

@@ -1,9 +1,9 @@
-//! The plots of measured drops: peaks as boxes, waves of a height laid at their trigger.
+//! The plots of measured drops: peaks as boxes, waves of a height trigger-aligned.
 
 use super::bands::Bands;
-use super::boxes::{Boxes, Group as BoxGroup, Values};
+use super::boxes::{Boxes, Group, Values};
 use super::plot::{self, PlotError};
-use crate::impact::measured::{Drop, Group, Spread};
+use crate::impact::measured::{Drop, DropGroup, Spread};
 use crate::report::data::measure_data::name;
 
 /// Samples before the trigger that are drawn.
@@ -15,7 +15,7 @@ const AFTER: usize = 30;
 ///
 /// # Errors
 /// When one cannot be drawn.
-pub fn plots(groups: &[(&Group, Vec<Drop>)]) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
+pub fn plots(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
     let mut files = Vec::new();
     files.extend(plot::files("peak", &peak(groups))?);
     for (at, (group, drops)) in groups.iter().enumerate() {
@@ -26,19 +26,19 @@ pub fn plots(groups: &[(&Group, Vec<Drop>)]) -> Result<Vec<(String, Vec<u8>)>, P
     Ok(files)
 }
 
-fn peak(groups: &[(&Group, Vec<Drop>)]) -> Boxes {
+fn peak(groups: &[(&DropGroup, Vec<Drop>)]) -> Boxes {
     let all_axes = groups.iter().any(|(group, _)| group.records.iter().any(|record| record.magnitude_g.is_some()));
     let values = |drops: &[Drop], value: fn(&crate::impact::measured::Impact) -> f64| {
         let values: Vec<(f64, bool)> =
             drops.iter().filter_map(|drop| Some((value(drop.impact.as_ref()?), drop.flags.is_empty()))).collect();
         Some(Values { spread: Spread::of(values.iter().map(|value| value.0))?, values })
     };
-    let group = |(group, drops): &(&Group, Vec<Drop>)| {
+    let group = |(group, drops): &(&DropGroup, Vec<Drop>)| {
         let mut kinds = vec![values(drops, |impact| impact.peak_axial_g)];
         if all_axes {
             kinds.insert(0, values(drops, |impact| impact.peak_g));
         }
-        BoxGroup { label: name(group), kinds }
+        Group { label: name(group), kinds }
     };
     let mut kinds = vec!["along the axis"];
     if all_axes {
@@ -53,10 +53,10 @@ fn peak(groups: &[(&Group, Vec<Drop>)]) -> Boxes {
     }
 }
 
-fn waves(group: &Group, drops: &[Drop], colour: usize) -> Option<Bands> {
+fn waves(group: &DropGroup, drops: &[Drop], colour: usize) -> Option<Bands> {
     let clean: Vec<(&[f64], usize)> = drops.iter().filter_map(|drop| Some((&drop.record.accel_g[..], drop.clean()?.trigger))).collect();
     (!clean.is_empty()).then(|| Bands {
-        title: format!("{}: {} clean drops along the axis, laid at their trigger", name(group), clean.len()),
+        title: format!("{}: {} clean drops along the axis, trigger-aligned", name(group), clean.len()),
         across: "time from the trigger, ms",
         up: "acceleration along the axis, g",
         colour,

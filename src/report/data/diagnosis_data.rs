@@ -5,7 +5,8 @@ use serde_json::{Map, Value, json};
 
 use super::drop_data;
 use super::own_mode::OwnMode;
-use crate::impact::diagnose::{Candidate, Diagnosis, Estimate, Gaps, Ranked, joined};
+use crate::impact::diagnose::{Candidate, Diagnosis, EffectEstimate, Gaps, Ranked, joined};
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::measured::{Fall, StaticTest};
 use crate::impact::sim::System;
 
@@ -82,10 +83,10 @@ impl Pressed {
 
     fn sentences(&self) -> Vec<String> {
         let line = format!(
-            "static test, {} points: its own straight line, {:.0} N/m, leaves {:.1} N, the base model {:.1} N",
+            "static test, {} points: its own straight line, {:.0} N/m, has a residual of {:.1} N, the base model one of {:.1} N",
             self.points, self.line_n_m, self.line_off_n, self.base_off_n
         );
-        let sets = self.sets_off_n.iter().map(|(ids, off_n)| format!("static test: {ids} leaves {off_n:.1} N"));
+        let sets = self.sets_off_n.iter().map(|(ids, off_n)| format!("static test: {ids} has a residual of {off_n:.1} N"));
         std::iter::once(line).chain(sets).collect()
     }
 }
@@ -109,7 +110,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     let base: Map<String, Value> = diagnosis
         .estimates
         .iter()
-        .filter(|estimate| ["linear_spring", "linear_damper"].contains(&estimate.effect))
+        .filter(|estimate| [LINEAR_SPRING.id, LINEAR_DAMPER.id].contains(&estimate.effect))
         .map(parameter)
         .collect();
     let [k, c] = diagnosis.base.model().stiffness_and_damping();
@@ -142,7 +143,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "observables": diagnosis.observables,
         "falls": compared.falls,
         "static_test": compared.static_test,
-        "flat_top": diagnosis.flat_top.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
+        "clipping": diagnosis.clipping.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
         "restoring_force_left": diagnosis.surface,
         "next_experiment": diagnosis.experiments.first(),
         "experiments": diagnosis.experiments,
@@ -158,7 +159,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     all
 }
 
-fn parameter(estimate: &Estimate) -> (String, Value) {
+fn parameter(estimate: &EffectEstimate) -> (String, Value) {
     let ci95 = estimate.ci95.map(rounded);
     (
         estimate.key.to_string(),
@@ -199,7 +200,7 @@ fn gaps(diagnosis: &Diagnosis) -> Value {
         "held_out_floor": rounded(before.held_out.floor_g),
         "held_out_before": rounded(before.held_out.net_g),
         "held_out_after": rounded(after.held_out.net_g),
-        "held_out": if diagnosis.heights_held_out { "heights that no fit saw" } else { "each height, fitted to the others" },
+        "held_out": if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" },
         "trials_before": rounded(before.trials.net_g),
         "trials_after": rounded(after.trials.net_g),
         "records": { "template": rounded(before.fitted.template_g), "before": rounded(before.fitted.records_g), "after": rounded(after.fitted.records_g) },

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::impact::body::{Body, Origin};
+use crate::impact::body::{DropBody, Origin};
 use crate::impact::effects::Model;
 use crate::impact::sim::{Sampler, Trace};
 
@@ -10,7 +10,7 @@ use crate::impact::sim::{Sampler, Trace};
 const FALL_S: f64 = 0.1;
 
 /// Where a body's mass and gap come from, in words.
-pub fn origin(body: &Body) -> String {
+pub fn origin(body: &DropBody) -> String {
     match &body.origin {
         Origin::Model(name) => format!("model {name}"),
         Origin::Frame(name) => format!("frame {name}"),
@@ -31,7 +31,7 @@ pub fn json(model: &Model, traces: &[Trace], series: bool) -> Value {
         .collect();
     let outside: Vec<Value> = traces
         .iter()
-        .flat_map(|trace| trace.outside.iter().map(|mark| json!({ "height_m": trace.height_m, "mark": mark.to_string() })))
+        .flat_map(|trace| trace.warnings.iter().map(|warning| json!({ "height_m": trace.height_m, "warning": warning.to_string() })))
         .collect();
     json!({
         "schema_version": 1,

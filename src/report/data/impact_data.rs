@@ -95,7 +95,7 @@ pub fn trace_csv(found: &Impacts) -> String {
 /// What a person reads.
 pub fn table(found: &Impacts) -> String {
     let mut text = format!(
-        "{}: {:.1} g, E {:.1} MPa at rest (known from {:.1} to {:.1}), relaxation exponent {}, modulus and loss in an impact {} and {}\n",
+        "{}: {:.1} g, E {:.1} MPa at rest (band {:.1} to {:.1}), relaxation exponent {}, modulus and loss in an impact {} and {}\n",
         found.frame,
         found.mass_g,
         found.settings.young_mpa,
@@ -107,7 +107,7 @@ pub fn table(found: &Impacts) -> String {
     );
     if found.tilt_deg != [0.0; 2] {
         text += &format!(
-            "turned by {} and {} degrees about X and Y at first touch; peaks are along the frame's own axis\n",
+            "tilted by {} and {} degrees about X and Y at first touch; peaks are along the frame's own axis\n",
             found.tilt_deg[0], found.tilt_deg[1]
         );
     }
@@ -135,7 +135,7 @@ pub fn table(found: &Impacts) -> String {
         for impact in found.impacts {
             text += &match impact.passes(gap) {
                 Some([ms, speed]) => format!(
-                    "{} m: what hangs lowest reaches the ground after {ms:.1} ms at {speed:.2} m/s (gap {gap:.1} mm); its blow is not in the peak\n",
+                    "{} m: the lowest body reaches the ground after {ms:.1} ms at {speed:.2} m/s (gap {gap:.1} mm); its impact is not included in the peak\n",
                     impact.height_m
                 ),
                 None => format!("{} m: the gap of {gap:.1} mm is not used up\n", impact.height_m),

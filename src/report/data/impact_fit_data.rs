@@ -73,7 +73,7 @@ pub fn remark(found: &Fitted) -> String {
     let heights: Vec<String> = found.heights.iter().map(|height| height.height_m.to_string()).collect();
     format!(
         "impact_modulus {:.3} ({:.3} to {:.3}) and impact_loss {:.3} ({:.3} to {:.3}) from drops of {} from {} m:\n\
-         median peaks and impulses along the axis. They stand for all that a level landing lacks, and hold for this print and ground.",
+         median peaks and impulses along the axis. They compensate for everything that the level-landing model leaves out, and apply to this print and ground only.",
         modulus.value,
         modulus.ci95[0],
         modulus.ci95[1],
@@ -95,7 +95,7 @@ pub fn table(found: &Fitted) -> String {
         settings.relaxation_exponent,
         found.heights.len()
     );
-    text += "number              value   95 % of the medians' scatter\n";
+    text += "number              value   95 % of the medians' variation\n";
     for estimate in &found.fit.estimates {
         let bound = if estimate.at_bound { "   at its bound" } else { "" };
         let [low, high] = estimate.ci95;

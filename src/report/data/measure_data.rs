@@ -2,10 +2,10 @@
 
 use serde_json::{Value, json};
 
-use crate::impact::measured::{Drop, DropSet, Group, Spread, Summary};
+use crate::impact::measured::{Drop, DropGroup, DropSet, Spread, Summary};
 
 /// What a group is called.
-pub fn name(group: &Group) -> String {
+pub fn name(group: &DropGroup) -> String {
     match &group.frame {
         Some(frame) => format!("{frame} {} m", group.height_m),
         None => format!("{} m", group.height_m),
@@ -13,7 +13,7 @@ pub fn name(group: &Group) -> String {
 }
 
 /// Everything as JSON.
-pub fn json(set: &DropSet, groups: &[(&Group, Vec<Drop>)]) -> Value {
+pub fn json(set: &DropSet, groups: &[(&DropGroup, Vec<Drop>)]) -> Value {
     let heights: Vec<Value> = groups
         .iter()
         .map(|(group, drops)| {
@@ -72,7 +72,7 @@ fn quoted(text: &str) -> String {
 }
 
 /// One line a height.
-pub fn heights_csv(groups: &[(&Group, Vec<Drop>)]) -> String {
+pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
     let kinds =
         ["peak_g", "peak_axial_g", "clean_peak_axial_g", "impulse_over_v0", "restitution", "restitution_by_flight", "fall_s", "noise_g"];
     let mut text = "frame,height_m,drops,clean".to_string();
@@ -103,7 +103,7 @@ pub fn heights_csv(groups: &[(&Group, Vec<Drop>)]) -> String {
 }
 
 /// One line a drop.
-pub fn drops_csv(groups: &[(&Group, Vec<Drop>)]) -> String {
+pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
     let mut text =
         "frame,height_m,trial,source,peak_g,peak_axial_g,to_peak_ms,impulse_over_v0,restitution,fall_s,noise_g,flags\n".to_string();
     for drop in groups.iter().flat_map(|(_, drops)| drops) {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::impact::diagnose::Diagnosis;
+use crate::impact::effects::PAYLOAD_MODE;
 
 /// The mode, and what the diagnosis found in its place.
 #[derive(Clone, Debug, Serialize)]
@@ -20,7 +21,7 @@ pub struct OwnMode {
 impl OwnMode {
     /// Compares.
     pub fn of([mu, f_hz]: [f64; 2], diagnosis: &Diagnosis) -> Self {
-        let of = |key: &str| diagnosis.estimates.iter().find(|one| one.effect == "payload_mode" && one.key == key);
+        let of = |key: &str| diagnosis.estimates.iter().find(|one| one.effect == PAYLOAD_MODE.id && one.key == key);
         let fitted = of("mu").zip(of("f_hz"));
         let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
         let agrees = fitted.is_some_and(|(share, frequency)| within(mu, share.ci95) && within(f_hz, frequency.ci95));
@@ -29,11 +30,11 @@ impl OwnMode {
 
     /// In words.
     pub fn sentence(&self) -> String {
-        let own = format!("the frame's own modes stand for a payload mode of mu {:.3} at {:.0} Hz", self.mu, self.f_hz);
+        let own = format!("the frame's own modes are equivalent to a payload mode of mu {:.3} at {:.0} Hz", self.mu, self.f_hz);
         match (self.fitted, self.agrees) {
             (None, _) => format!("{own}; none is chosen"),
-            (Some([mu, f_hz]), true) => format!("{own}: the one found, mu {mu:.3} at {f_hz:.0} Hz, is it"),
-            (Some([mu, f_hz]), false) => format!("{own}; the one found, mu {mu:.3} at {f_hz:.0} Hz, is another"),
+            (Some([mu, f_hz]), true) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, agrees"),
+            (Some([mu, f_hz]), false) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, differs"),
         }
     }
 }

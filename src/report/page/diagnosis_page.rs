@@ -12,7 +12,7 @@ pub fn title(diagnosis: &Diagnosis) -> String {
     match diagnosis.verdict {
         Verdict::NothingMissing => "Nothing is missing".into(),
         Verdict::Named => format!("Missing: {chosen}"),
-        Verdict::Ambiguous => format!("Missing: {chosen}, or another that these drops cannot tell from it"),
+        Verdict::Ambiguous => format!("Missing: {chosen}, or another set that these drops cannot distinguish from it"),
         Verdict::NoneSuffices => "No effect of the catalogue suffices".into(),
     }
 }
@@ -54,12 +54,12 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
         })
         .collect();
     let head = cells(["height, m", "drops", "median peak, g", "impulse / v0", "at most"]);
-    let mut blocks = vec![Block::Heading("What the drops say before any model".into()), Block::Table(head, rows)];
-    let mut lines = vec![format!("Channel: {} (the model was fitted to: {}).", compared.channel, compared.stated_channel)];
+    let mut blocks = vec![Block::Heading("Observations without a model".into()), Block::Table(head, rows)];
+    let mut lines = vec![format!("Channel: {} (the model states: {}).", compared.channel, compared.stated_channel)];
     lines.extend(compared.channel_reason.clone());
     lines.extend(compared.observed());
-    if let Some(flat) = diagnosis.flat_top {
-        lines.push(format!("{} readings pile up at {:.1} g with nothing above: a limit.", flat.readings, flat.level_g));
+    if let Some(flat) = diagnosis.clipping {
+        lines.push(format!("{} readings clip at {:.1} g.", flat.readings, flat.level_g));
     }
     lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
     lines.extend(compared.left_out.iter().map(|(trial, reason)| format!("Left out: {trial}, {reason}.")));
@@ -68,7 +68,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
 }
 
 fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
-    let held = if diagnosis.heights_held_out { "heights that no fit saw" } else { "each height, fitted to the others" };
+    let held = if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" };
     let (before, after) = (&diagnosis.before, &diagnosis.after);
     let row = |what: &str, before: crate::impact::diagnose::Gap, after: crate::impact::diagnose::Gap| {
         vec![
@@ -83,7 +83,7 @@ fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
     let rows = vec![
         row("fitted heights", before.fitted, after.fitted),
         row(held, before.held_out, after.held_out),
-        row("every second drop, fitted to the others", before.trials, after.trials),
+        row("every second drop, predicted from the others", before.trials, after.trials),
     ];
     let head = cells(["mean wave against model", "before, g", "after, g", "ratio", "floor, g", "raw, g"]);
     vec![
@@ -97,7 +97,7 @@ fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
 }
 
 fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
-    let mut blocks = vec![Block::Heading("Waves and what is left of them".into())];
+    let mut blocks = vec![Block::Heading("Waves and residuals".into())];
     let mut heights: Vec<f64> = diagnosis.base_points.iter().map(|point| point.height_m).collect();
     heights.dedup();
     for height_m in &heights {
@@ -129,7 +129,9 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
             format!("Mean wave from {height_m} m with the model before and after."),
         )?);
     }
-    for (name, points, when) in [("left-before", &diagnosis.base_points, "before"), ("left-after", &diagnosis.chosen_points, "after")] {
+    for (name, points, when) in
+        [("residual-before", &diagnosis.base_points, "before"), ("residual-after", &diagnosis.chosen_points, "after")]
+    {
         let series = heights
             .iter()
             .enumerate()
@@ -146,14 +148,14 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
             })
             .collect();
         let chart = Lines {
-            title: format!("Left {when}"),
+            title: format!("Residual {when}"),
             across: "time from first touch, ms",
             up: "measured less model, standard errors",
             series,
             levels: vec![("2 standard errors".into(), 2.0), ("−2".into(), -2.0)],
             legend: plotters::prelude::SeriesLabelPosition::UpperRight,
         };
-        blocks.push(figure(name, &chart, format!("What the model leaves {when}, in standard errors of the mean wave."))?);
+        blocks.push(figure(name, &chart, format!("Residual {when}, in standard errors of the mean wave."))?);
     }
     Ok(blocks)
 }
@@ -169,16 +171,21 @@ fn place(diagnosis: &Diagnosis) -> Vec<Block> {
         .cells
         .iter()
         .map(|cell| {
-            vec![format!("{}", cell.height_m), format!("{:?}", cell.phase), format!("{:.2}", cell.apart_g), format!("{:.2}", cell.error_g)]
+            vec![
+                format!("{}", cell.height_m),
+                format!("{:?}", cell.phase),
+                format!("{:.2}", cell.residual_g),
+                format!("{:.2}", cell.error_g),
+            ]
         })
         .collect();
     let (worst, same) = (&diagnosis.place.worst, &diagnosis.place.same_in);
     vec![
-        Block::Heading("Where the base model is apart".into()),
-        Block::Table(cells(["height, m", "phase", "apart, g", "standard error, g"]), rows),
+        Block::Heading("Residual of the base model".into()),
+        Block::Table(cells(["height, m", "phase", "residual, g", "standard error, g"]), rows),
         Block::Text(format!(
-            "Furthest apart in standard errors: from {} m, {:.1} ms after first touch, at {:.1} mm and {:.2} m/s, {:.1} g measured and {:.1} g in the model. \
-             Shapes of neighbouring heights lie on each other (correlation) {:.2} by time, {:.2} by displacement, {:.2} by speed.",
+            "Largest residual in standard errors: from {} m, {:.1} ms after first touch, at {:.1} mm and {:.2} m/s, {:.1} g measured and {:.1} g in the model. \
+             Correlation of the residuals of neighbouring heights: {:.2} by time, {:.2} by displacement, {:.2} by speed.",
             worst.height_m, worst.t_ms, worst.x_mm, worst.v_m_s, worst.measured_g, worst.model_g, same.t, same.x, same.v
         )),
     ]
@@ -203,11 +210,11 @@ fn ranking(diagnosis: &Diagnosis) -> Vec<Block> {
     vec![
         Block::Heading("Every candidate".into()),
         Block::Text(format!(
-            "Score: whitened sum of squares and 5 for each parameter; the base model has {:.1}, of {} numbers compared. Left out: gap of each height when fitted to the others. Steady: chance of the parameters' differences between heights.",
+            "Score: whitened sum of squares and 5 for each parameter; the base model has {:.1}, of {} numbers compared. Left out: gap of each height, predicted from the others. Constancy: p-value of the parameters' differences between heights.",
             diagnosis.base.fitted.chi2(),
             diagnosis.base_points.len()
         )),
-        Block::Table(cells(["effects", "score", "left out, g", "steady, p", "why not"]), rows),
+        Block::Table(cells(["effects", "score", "left out, g", "constancy, p", "why not"]), rows),
     ]
 }
 
@@ -231,7 +238,7 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
         for j in 0..i {
             let r = diagnosis.correlations[(i, j)];
             if r.abs() > 0.8 {
-                lines.push(format!("{} and {} go together: correlation {r:.2}.", diagnosis.estimates[i].key, diagnosis.estimates[j].key));
+                lines.push(format!("{} and {} are correlated: {r:.2}.", diagnosis.estimates[i].key, diagnosis.estimates[j].key));
             }
         }
     }
@@ -245,9 +252,9 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
 fn left(diagnosis: &Diagnosis) -> Vec<Block> {
     let [sum, effect, bump] = diagnosis.adequacy.single_p;
     let mut blocks = vec![
-        Block::Heading("Is the rest only scatter?".into()),
+        Block::Heading("Is the residual within trial variation?".into()),
         Block::Text(format!(
-            "Chance of what the model after leaves, from data simulated with it: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a bump {bump:.3}). Before: p = {:.3}.",
+            "p-value of the residual after, from bootstrap replicates: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a local deviation {bump:.3}). Before: p = {:.3}.",
             diagnosis.adequacy.p, diagnosis.base_adequacy.p
         )),
     ];
@@ -266,7 +273,7 @@ fn left(diagnosis: &Diagnosis) -> Vec<Block> {
             })
             .collect();
         blocks.push(Block::Text(
-            "What is left, as a force over displacement and speed; cells of less than two standard errors are not shown.".into(),
+            "The residual as a force over displacement and speed; cells of less than two standard errors are not shown.".into(),
         ));
         blocks.push(Block::Table(cells(["x, mm", "v, m/s", "force, N", "samples"]), rows));
     }
@@ -279,7 +286,7 @@ fn next(diagnosis: &Diagnosis) -> Vec<Block> {
     vec![
         Block::Heading("The next experiment".into()),
         Block::Text(format!(
-            "To tell {} from {}: {}. Expected squared distance in units of the scatter {:.1}; 10 and more decides.",
+            "To distinguish {} from {}: {}. Expected squared distance in units of the trial covariance {:.1}; 10 or more is decisive.",
             first.between[0], first.between[1], first.what, first.discrimination
         )),
         Block::Table(cells(["experiment", "discrimination"]), rows),

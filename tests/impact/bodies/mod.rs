@@ -1,6 +1,6 @@
 //! The drop written down a second time, straight from the table of effects, for another integrator: DOP853 of ode_solvers.
 
-use flexframe::impact::body::{Body, Origin};
+use flexframe::impact::body::{DropBody, Origin};
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use ode_solvers::{Dop853, OutputType, SVector, System as Equations};
 
@@ -15,7 +15,7 @@ type State = SVector<f64, 6>;
 
 /// The base model, with a gap that is never used up.
 pub fn base() -> Model {
-    let body = Body { mass_kg: MASS_KG, gap_m: 1.0, travel_m: None, origin: Origin::Model("test".into()) };
+    let body = DropBody { mass_kg: MASS_KG, gap_m: 1.0, travel_m: None, origin: Origin::Model("test".into()) };
     Model::base(body, Sensor::new(CUTOFF_HZ, 1, 1e5, Channel::Axial), K, C)
 }
 

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::impact::diagnose::{Diagnosis, Observable, Settings, diagnose, joined, observables};
+use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Observable, diagnose, joined, observables};
 use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
-use flexframe::impact::fit::{Chosen, Keep, Layout, Paper, Waves, fit};
+use flexframe::impact::fit::{Chosen, Keep, Layout, PaperObjective, Waves, fit};
 use flexframe::impact::measured;
 use flexframe::impact::measured::{Calibration, DropSet};
 use flexframe::mechanics;
@@ -77,7 +77,7 @@ impl Study {
         let set = drops();
         let (magnitude, axial) = (waves(&set, Channel::Magnitude), waves(&set, Channel::Axial));
         let model = paper(Channel::Axial);
-        let objective = Paper::of(&Chosen::of(&set, Channel::Magnitude, Keep::Every).expect("there are drops"));
+        let objective = PaperObjective::of(&Chosen::of(&set, Channel::Magnitude, Keep::Every).expect("there are drops"));
         let cutoff = by_id("sensor_low_pass").expect("an effect");
         let damper = |cutoff_hz: f64, keys: &[&str]| {
             let model = paper(Channel::Magnitude).with(cutoff, &[cutoff_hz], 0);
@@ -85,7 +85,7 @@ impl Study {
             let value = |key: &str| fit.estimates.iter().find(|one| one.key == key).map_or(cutoff_hz, |one| one.value);
             (value("cutoff_hz"), value("c"), fit.objective[1])
         };
-        let settings = Settings { most_effects: 3, seed: SEED };
+        let settings = DiagnosisOptions::new(3, SEED);
         let reduced = reduced();
         let [x_mm, phi_mm] = [0, 1].map(|column| reduced.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
         let mut bent = model.clone();

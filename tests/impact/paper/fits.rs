@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use flexframe::impact::effects::{Channel, Model};
-use flexframe::impact::fit::{Chosen, Estimate, Fit, Keep, Layout, Likelihood, Paper, fit};
+use flexframe::impact::fit::{Chosen, Fit, Keep, Layout, Likelihood, PaperObjective, ParameterEstimate, fit};
 use flexframe::impact::measured;
 use flexframe::impact::measured::{Calibration, DropSet};
 
@@ -41,17 +41,17 @@ pub fn with_cutoff(cutoff_hz: f64) -> Model {
 
 /// The paper's objective, minimised over some parameters.
 pub fn minimised(drops: &Drops, model: Model, keys: &[&str], samples: usize) -> Fit {
-    let objective = Paper::of(&drops.every(model.sensor.channel));
+    let objective = PaperObjective::of(&drops.every(model.sensor.channel));
     fit(&objective, &Layout::named(model, keys).expect("the model has them"), samples, SEED).expect("it holds the body")
 }
 
-fn interval(estimate: &Estimate) -> String {
+fn interval(estimate: &ParameterEstimate) -> String {
     estimate.ci95.map_or("-".into(), |[low, high]| format!("{low:.1} to {high:.1}"))
 }
 
 pub fn objective(page: &mut String, drops: &Drops) {
     let chosen = drops.every(Channel::Magnitude);
-    let at = Paper::of(&chosen).at(&paper()).expect("it holds the body");
+    let at = PaperObjective::of(&chosen).at(&paper()).expect("it holds the body");
     let one = minimised(drops, paper(), &["c"], SAMPLES);
     let both = minimised(drops, paper(), &["k", "c"], SAMPLES);
     let (c, [k_both, c_both]) = (&one.estimates[0], [&both.estimates[0], &both.estimates[1]]);

@@ -2,15 +2,16 @@
 
 use std::fmt::Write;
 
-use flexframe::impact::effects::{GRAVITY_M_S2, Model};
-use flexframe::impact::sim::{Settings, System, Trace, simulate};
+use flexframe::impact::effects::Model;
+use flexframe::impact::sim::{SolverOptions, System, Trace, simulate};
 
 use super::figures::{HEIGHTS_M, PEAKS_G, SHARES, STATIC_FITS, STATIC_TEST, WEIGHT_N};
 use super::ratio;
+use flexframe::units::GRAVITY_M_S2;
 
 pub fn traces(model: &Model) -> Vec<Trace> {
     let system = System::new(model);
-    HEIGHTS_M.iter().map(|height_m| simulate(&system, *height_m, &Settings::REPORT)).collect()
+    HEIGHTS_M.iter().map(|height_m| simulate(&system, *height_m, &SolverOptions::REPORT)).collect()
 }
 
 pub fn paper() -> Model {

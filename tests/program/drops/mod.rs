@@ -1,7 +1,7 @@
 //! Drops made up for the tests: a model's waves with another phase of the clock each, noise, and scatter.
 
 use flexframe::impact::effects::{Channel, Model, Sensor};
-use flexframe::impact::sim::{Sampler, Settings, System, Trace, simulate};
+use flexframe::impact::sim::{Sampler, SolverOptions, System, Trace, simulate};
 
 /// Noise of a sample, g.
 pub const NOISE_G: f64 = 0.17;
@@ -41,7 +41,7 @@ pub fn csv(model: &Model, drops: usize, seen: Seen) -> String {
     let mut text = "trial,height_m,t_s,accel_g\n".to_string();
     let mut draw = 0;
     for height_m in [0.5, 1.0, 1.5] {
-        let wave = simulate(&system, height_m, &Settings::REPORT).sensor_g;
+        let wave = simulate(&system, height_m, &SolverOptions::REPORT).sensor_g;
         for drop in 0..drops {
             let phase_s = share * 1e-3 * (drop as f64 + 0.5) / drops as f64;
             let logger = Sampler { phase_s, ..Sampler::LOGGER };

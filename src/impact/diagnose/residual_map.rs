@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::gap::errors;
 use crate::impact::effects::Model;
-use crate::impact::fit::{BEFORE, Problem, Waves};
-use crate::impact::sim::{Settings, System, Trace, simulate};
+use crate::impact::fit::{BEFORE, FitProblem, Waves};
+use crate::impact::sim::{SolverOptions, System, Trace, simulate};
 
 /// A part of an impact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -52,14 +52,14 @@ pub struct Cell {
     /// Part of the impact.
     pub phase: Phase,
     /// Root mean square of measured less model, g.
-    pub apart_g: f64,
+    pub residual_g: f64,
     /// The same of the standard error, g.
     pub error_g: f64,
 }
 
 /// Where a gap is.
 #[derive(Clone, Debug, Serialize)]
-pub struct Place {
+pub struct ResidualMap {
     /// By height and phase.
     pub cells: Vec<Cell>,
     /// The sample that is furthest apart in units of its standard error.
@@ -86,11 +86,11 @@ const NEAR_PEAK_S: f64 = 1e-3;
 const GRID: usize = 24;
 
 /// Every sample of every height with the model's state there.
-pub fn points(problem: &Problem, waves: &Waves, model: &Model) -> Option<Vec<Point>> {
+pub fn points(problem: &FitProblem, waves: &Waves, model: &Model) -> Option<Vec<Point>> {
     let (system, ready) = (System::new(model), problem.expected.system(model));
     let mut all = Vec::new();
     for group in &waves.groups {
-        let trace = simulate(&system, group.height_m, &Settings::FIT);
+        let trace = simulate(&system, group.height_m, &SolverOptions::FIT);
         let predicted = problem.expected.window(&ready, group.height_m)?;
         let onset_s = problem.expected.onset_s(&ready, group.height_m)?;
         let errors = errors(group);
@@ -124,7 +124,7 @@ fn phase(trace: &Trace, t_s: f64) -> Phase {
 }
 
 /// Sums points up; `None` when there is none.
-pub fn place(points: &[Point]) -> Option<Place> {
+pub fn place(points: &[Point]) -> Option<ResidualMap> {
     let mut heights: Vec<f64> = points.iter().map(|point| point.height_m).collect();
     heights.dedup();
     let mut cells = Vec::new();
@@ -135,8 +135,8 @@ pub fn place(points: &[Point]) -> Option<Place> {
                 let root = |of: &dyn Fn(&Point) -> f64| {
                     (inside.iter().map(|point| of(point) * of(point)).sum::<f64>() / inside.len() as f64).sqrt()
                 };
-                let (apart_g, error_g) = (root(&|point| point.measured_g - point.model_g), root(&|point| point.error_g));
-                cells.push(Cell { height_m: *height_m, phase, apart_g, error_g });
+                let (residual_g, error_g) = (root(&|point| point.measured_g - point.model_g), root(&|point| point.error_g));
+                cells.push(Cell { height_m: *height_m, phase, residual_g, error_g });
             }
         }
     }
@@ -158,7 +158,7 @@ pub fn place(points: &[Point]) -> Option<Place> {
     };
     let same_in =
         SameIn { t: shape(&|point| point.t_ms, true), x: shape(&|point| point.x_mm, false), v: shape(&|point| -point.v_m_s, false) };
-    Some(Place { cells, worst, same_in })
+    Some(ResidualMap { cells, worst, same_in })
 }
 
 /// Mean correlation of neighbouring heights over the range that both have.

@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
-use super::place::{Phase, Point};
-use crate::impact::effects::GRAVITY_M_S2;
+use super::residual_map::{Phase, Point};
+use crate::units::GRAVITY_M_S2;
 
 /// A cell of the surface.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Patch {
+pub struct ForceCell {
     /// Middle of the displacements, mm.
     pub x_mm: f64,
     /// Middle of the speeds, m/s.
@@ -24,7 +24,7 @@ pub struct Patch {
 const CELLS: usize = 8;
 
 /// Bins the residual of points in contact; the sensor's lag is not taken out, so a cell is late by it.
-pub fn surface(points: &[Point], mass_kg: f64) -> Vec<Patch> {
+pub fn surface(points: &[Point], mass_kg: f64) -> Vec<ForceCell> {
     let inside: Vec<&Point> = points.iter().filter(|point| point.phase != Phase::Flight && point.t_ms > 0.0).collect();
     let range = |of: &dyn Fn(&Point) -> f64| {
         inside.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(of(point)), high.max(of(point))])
@@ -42,7 +42,7 @@ pub fn surface(points: &[Point], mass_kg: f64) -> Vec<Patch> {
             let (count, newton) = (own.len() as f64, mass_kg * GRAVITY_M_S2);
             let mean = own.iter().map(|point| point.measured_g - point.model_g).sum::<f64>() / count;
             let error = own.iter().map(|point| point.error_g * point.error_g).sum::<f64>().sqrt() / count;
-            patches.push(Patch {
+            patches.push(ForceCell {
                 x_mm: middle(i, x0, x1),
                 v_m_s: middle(j, v0, v1),
                 force_n: newton * mean,

@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector};
 use rand::Rng;
 use rand_distr::{ChiSquared, Distribution, StandardNormal};
 
-use super::family::{Family, inverse_root};
-use super::flicker::Flicker;
+use super::covariance_model::{CovarianceModel, inverse_root};
+use super::trigger_jitter::TriggerJitter;
 use super::waves::Waves;
 
 /// Smallest scatter that is believed, g: a fraction of a count of the converter.
@@ -13,17 +13,17 @@ const LEAST_G: f64 = 0.03;
 
 /// Sums of products of the records' deviations from their height's mean.
 #[derive(Clone, Debug)]
-pub struct Scatter {
+pub struct TrialCovariance {
     /// A height each: sum over records of deviation times its transpose, g².
     sums: Vec<DMatrix<f64>>,
     /// Records a height.
     counts: Vec<usize>,
 }
 
-impl Scatter {
+impl TrialCovariance {
     /// Of measured waves.
     pub fn of(waves: &Waves) -> Self {
-        let sum = |group: &super::Group| {
+        let sum = |group: &super::WaveGroup| {
             let deviations = DMatrix::from_fn(waves.samples, group.windows.len(), |i, drop| group.windows[drop][i] - group.mean[i]);
             &deviations * deviations.transpose()
         };
@@ -49,7 +49,7 @@ impl Scatter {
     /// The nearest sum of the kinds, and on top of it, in that sum's own units, the part of the mean difference from the
     /// records which its uncertainty does not explain (after J. Schäfer, K. Strimmer, Stat. Appl. Genet. Mol. Biol. 4 (2005)
     /// 32, with this target). Wrong where heights scatter for different reasons that no kind describes.
-    pub fn covariances(&self, family: &Family) -> Option<Vec<DMatrix<f64>>> {
+    pub fn covariances(&self, family: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
         let free = |count: &usize| (count - 1) as f64;
         let (sampled, nearest) = (self.sampled(), self.nearest(family));
         let freedom: f64 = self.counts.iter().map(free).sum();
@@ -66,17 +66,17 @@ impl Scatter {
     }
 
     /// Standard deviations between records of the family's parameters of change, on their own scales.
-    pub fn changing(&self, family: &Family) -> Vec<f64> {
+    pub fn changing(&self, family: &CovarianceModel) -> Vec<f64> {
         family.changing(&self.sampled())
     }
 
-    /// Scatter of readings in proportion to the wave.
-    pub fn flicker(&self, family: &Family) -> Flicker {
+    /// TrialCovariance of readings in proportion to the wave.
+    pub fn flicker(&self, family: &CovarianceModel) -> TriggerJitter {
         family.flicker(&self.sampled())
     }
 
     /// The family's nearest sum alone.
-    pub fn nearest(&self, family: &Family) -> Vec<DMatrix<f64>> {
+    pub fn nearest(&self, family: &CovarianceModel) -> Vec<DMatrix<f64>> {
         let mut nearest = family.nearest(&self.sampled());
         for covariance in &mut nearest {
             *covariance += DMatrix::from_diagonal_element(covariance.nrows(), covariance.nrows(), LEAST_G * LEAST_G);

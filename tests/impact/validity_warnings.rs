@@ -2,27 +2,27 @@
 
 use crate::bodies;
 use flexframe::impact::effects::Model;
-use flexframe::impact::sim::{Outside, Settings, System, simulate};
+use flexframe::impact::sim::{SolverOptions, System, ValidityWarning, simulate};
 
 /// The reasons that an effect gives.
 fn reasons(model: &Model, effect: &str, height_m: f64) -> Vec<String> {
-    let trace = simulate(&System::new(model), height_m, &Settings::REPORT);
-    let of = |mark: Outside| match mark {
-        Outside::Effect { effect: of, reason } if of == effect => Some(reason),
+    let trace = simulate(&System::new(model), height_m, &SolverOptions::REPORT);
+    let of = |mark: ValidityWarning| match mark {
+        ValidityWarning::Effect { effect: of, reason } if of == effect => Some(reason),
         _ => None,
     };
-    trace.outside.into_iter().filter_map(of).collect()
+    trace.warnings.into_iter().filter_map(of).collect()
 }
 
 #[test]
 fn planted_effects_beyond_their_validity_are_marked() {
     let cases: [(&str, &[f64], f64, &str); 14] = [
         ("linear_spring", &[], 3.0, "deeper than the 16 mm"),
-        ("linear_damper", &[], 0.3, "at once"),
-        ("unilateral_contact", &[0.5], 1.0, "no ground pulls in part"),
-        ("unilateral_contact", &[0.0], 1.0, "is let go while"),
-        ("bottoming", &[9.0, 3e5, 0.3], 1.0, "the stop is pressed"),
-        ("cubic_stiffness", &[-1.5e7], 1.0, "gives way"),
+        ("linear_damper", &[], 0.3, "at first touch"),
+        ("unilateral_contact", &[0.5], 1.0, "real ground never pulls"),
+        ("unilateral_contact", &[0.0], 1.0, "is released while"),
+        ("bottoming", &[9.0, 3e5, 0.3], 1.0, "the stop is compressed"),
+        ("cubic_stiffness", &[-1.5e7], 1.0, "the stiffness is negative"),
         ("bilinear_stiffness", &[5.0, 6e3], 1.0, "the kink at 5.0 mm is passed: real stops have none"),
         ("bilinear_stiffness", &[12.0, -6e3], 0.5, ""),
         ("hunt_crossley_damping", &[-100.0], 1.0, "feeds energy in"),

@@ -3,11 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::expected::Expected;
-use super::flicker::Flicker;
+use super::trigger_jitter::{TIMES_S, TriggerJitter};
 use super::waves::{BEFORE, Waves};
 
-/// Correlation times of coloured scatter, s.
-pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
 /// Most sets tried.
 const ROUNDS: usize = 60;
 /// Kinds before those of changing parameters.
@@ -19,7 +17,7 @@ const RIDGE: f64 = 1e-9;
 
 /// Kinds of scatter: covariances of one record, a height each.
 #[derive(Clone, Debug)]
-pub struct Family {
+pub struct CovarianceModel {
     /// Kind by kind, height by height, g².
     kinds: Vec<Vec<DMatrix<f64>>>,
     /// How many of them are changes of parameters.
@@ -61,7 +59,7 @@ fn flat(inverse_roots: &[DMatrix<f64>], covariances: &[DMatrix<f64>]) -> DVector
     DVector::from_vec(all.collect())
 }
 
-impl Family {
+impl CovarianceModel {
     /// Kinds for measured waves: the clock's phase (from predicted fine waves), coloured scatter in proportion to the wave
     /// and to its peak, white noise, and records that differ by a factor or by a parameter (columns of change, a height each).
     ///
@@ -85,7 +83,7 @@ impl Family {
                 DMatrix::from_fn(samples, samples, |i, j| size(i) * size(j) * libm::pow(kept, i.abs_diff(j) as f64))
             };
             kinds.push(groups().map(|group| coloured(&|i| group.mean[i])).collect());
-            let peak = |group: &super::Group| group.mean.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
+            let peak = |group: &super::WaveGroup| group.mean.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
             kinds.push(groups().map(|group| coloured(&|_| peak(group))).collect());
         }
         let metric = Metric::of(&kinds, near)?;
@@ -105,11 +103,11 @@ impl Family {
         (0..self.changes).map(|change| amounts[FIXED + change].max(0.0).sqrt()).collect()
     }
 
-    /// Scatter in proportion to the wave in the sum that is nearest to covariances.
-    pub fn flicker(&self, covariances: &[DMatrix<f64>]) -> Flicker {
+    /// TrialCovariance in proportion to the wave in the sum that is nearest to covariances.
+    pub fn flicker(&self, covariances: &[DMatrix<f64>]) -> TriggerJitter {
         let amounts = self.amounts(covariances);
         let coloured = FIXED + self.changes;
-        Flicker { by_time: std::array::from_fn(|time| amounts[if time < TIMES_S.len() { coloured + 2 * time } else { COMMON }]) }
+        TriggerJitter { by_time: std::array::from_fn(|time| amounts[if time < TIMES_S.len() { coloured + 2 * time } else { COMMON }]) }
     }
 
     fn amounts(&self, covariances: &[DMatrix<f64>]) -> DVector<f64> {
@@ -134,7 +132,7 @@ fn first(mean: &[f64]) -> DVector<f64> {
     DVector::from_fn(mean.len(), |i, _| if i == BEFORE { mean[i] } else { 0.0 })
 }
 
-/// Scatter of the phase, evenly over one step, where a wave is smooth.
+/// TrialCovariance of the phase, evenly over one step, where a wave is smooth.
 fn slope(mean: &[f64]) -> DMatrix<f64> {
     let last = mean.len() - 1;
     outer(&DVector::from_fn(mean.len(), |i, _| 0.5 * (mean[(i + 1).min(last)] - mean[i.saturating_sub(1)]) / 12f64.sqrt()))

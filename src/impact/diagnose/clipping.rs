@@ -4,12 +4,12 @@ use crate::impact::fit::Waves;
 
 /// A limit and how single readings scatter below it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlatTop {
+pub struct Clipping {
     /// The level, g.
     pub level_g: f64,
     /// Readings at it.
     pub readings: usize,
-    /// Scatter of single readings over their mean, where nothing is cut.
+    /// TrialCovariance of single readings over their mean, where nothing is cut.
     pub spread: f64,
 }
 
@@ -24,7 +24,7 @@ const DENSER: f64 = 4.0;
 
 /// Finds the level at which readings pile up, when there is one: nothing lies above it, and it is far denser than what
 /// lies below. Wrong where a wave has a flat top of its own without scatter between drops.
-pub fn flat_top(waves: &Waves) -> Option<FlatTop> {
+pub fn clipping(waves: &Waves) -> Option<Clipping> {
     let mut all: Vec<f64> = waves.groups.iter().flat_map(|group| group.windows.iter().flatten().copied()).collect();
     all.sort_by(f64::total_cmp);
     let half = HALF_WIDTH * waves.noise_g.max(LEAST_NOISE_G);
@@ -36,7 +36,7 @@ pub fn flat_top(waves: &Waves) -> Option<FlatTop> {
         return None;
     }
     let at: Vec<f64> = all[all.len() - readings..].to_vec();
-    Some(FlatTop { level_g: at[at.len() / 2], readings, spread: spread(waves, top) })
+    Some(Clipping { level_g: at[at.len() / 2], readings, spread: spread(waves, top) })
 }
 
 /// Median over samples in the middle of the range of standard deviation over mean.

@@ -1,10 +1,10 @@
-//! Where a run leaves what the model can say.
+//! Where a run leaves the range in which its model is valid.
 
-/// A mark.
+/// A validity warning.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Outside {
-    /// What hangs lowest has met the ground; the model goes on as if it had not.
-    #[error("the gap of {gap_mm:.1} mm is used up after {t_ms:.2} ms at {speed_m_s:.2} m/s: from there on something rigid hits the ground")]
+pub enum ValidityWarning {
+    /// The lowest body has reached the ground; the simulation goes on as if it had not.
+    #[error("the gap of {gap_mm:.1} mm is used up after {t_ms:.2} ms at {speed_m_s:.2} m/s: from then on a rigid body hits the ground")]
     PastGap {
         /// The gap.
         gap_mm: f64,
@@ -21,14 +21,14 @@ pub enum Outside {
         /// What there is.
         travel_mm: f64,
     },
-    /// A ground that holds the frame back.
-    #[error("from {t_ms:.2} ms on the ground pulls, as none does (unilateral_contact lets go)")]
+    /// A ground that pulls.
+    #[error("from {t_ms:.2} ms on the model's ground pulls; unilateral_contact prevents this")]
     Pulls {
         /// When.
         t_ms: f64,
     },
     /// The reading stands at its limit.
-    #[error("the sensor stands at its limit of {limit_g:.1} g")]
+    #[error("the sensor is at its limit of {limit_g:.1} g")]
     SensorLimit {
         /// The limit.
         limit_g: f64,
@@ -39,19 +39,19 @@ pub enum Outside {
         /// Length of the run.
         t_ms: f64,
     },
-    /// The forces do not hold the body.
-    #[error("the forces do not hold the body: it ran away after {t_ms:.2} ms")]
-    RanAway {
+    /// The simulation diverges.
+    #[error("the simulation diverges after {t_ms:.2} ms")]
+    Diverges {
         /// When.
         t_ms: f64,
     },
-    /// Forces that chatter.
-    #[error("the forces change faster than can be followed; stopped after {t_ms:.2} ms")]
+    /// Forces that switch faster than the integrator can resolve.
+    #[error("the forces switch faster than the integrator can resolve; stopped after {t_ms:.2} ms")]
     Chatters {
         /// When.
         t_ms: f64,
     },
-    /// An effect is used where it does not hold.
+    /// An effect is used outside its range of validity.
     #[error("{effect}: {reason}")]
     Effect {
         /// Which.

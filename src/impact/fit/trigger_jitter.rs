@@ -6,11 +6,12 @@
 //! (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger a tenth of the shift
 //! is left, a third behind it. Wrong where the scatter is not in proportion to the wave, and where white noise comes near the trigger.
 
-use super::expected::Fine;
-use super::family::TIMES_S;
+use super::fine_wave::FineWave;
 use super::waves::{BEFORE, TRIGGER_G};
 
-/// Scatter of readings as part of the wave that changes no mean by as much as can be seen.
+/// Correlation times of coloured scatter, s.
+pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
+/// TrialCovariance of readings as part of the wave that changes no mean by as much as can be seen.
 const SLIGHT: f64 = 0.15;
 /// Phases of the clock.
 const PHASES: usize = 20;
@@ -19,15 +20,15 @@ const LATEST: usize = 6;
 /// Chance that is not followed.
 const NEVER: f64 = 1e-7;
 
-/// Scatter of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
+/// TrialCovariance of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
 /// one factor a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Flicker {
+pub struct TriggerJitter {
     /// Variances, no unit.
     pub by_time: [f64; TIMES_S.len() + 1],
 }
 
-impl Flicker {
+impl TriggerJitter {
     fn variance(&self) -> f64 {
         self.by_time.iter().sum()
     }
@@ -45,7 +46,7 @@ impl Flicker {
     }
 
     /// What is to be added to a mean window without scatter, g.
-    pub fn shift(&self, fine: &Fine, step_s: f64, samples: usize) -> Vec<f64> {
+    pub fn shift(&self, fine: &FineWave, step_s: f64, samples: usize) -> Vec<f64> {
         let kept: Vec<f64> = (0..samples).map(|lag| self.kept(lag as f64 * step_s)).collect();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
         let mut sum = vec![0.0; samples];

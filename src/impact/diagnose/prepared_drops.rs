@@ -3,9 +3,9 @@
 use nalgebra::DMatrix;
 
 use super::candidate::Candidate;
-use super::flat_top::{FlatTop, flat_top};
+use super::clipping::{Clipping, clipping};
 use crate::impact::effects::Model;
-use crate::impact::fit::{Expected, Family, Problem, Scatter, Waves, Whitening};
+use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
 use crate::impact::sim::System;
 
 /// How often scatter is compared in units of what it was found to be.
@@ -13,33 +13,33 @@ const REFINEMENTS: usize = 3;
 
 /// Mean waves and how they scatter.
 #[derive(Clone, Debug)]
-pub struct Ground {
+pub struct PreparedDrops {
     /// Mean waves, whitened by the scatter.
-    pub problem: Problem,
+    pub problem: FitProblem,
     /// How records differ.
-    pub scatter: Scatter,
+    pub scatter: TrialCovariance,
     /// What that can look like.
-    pub family: Family,
+    pub family: CovarianceModel,
     /// A limit that shows in the readings.
-    pub flat_top: Option<FlatTop>,
+    pub clipping: Option<Clipping>,
 }
 
-impl Ground {
+impl PreparedDrops {
     /// Of measured waves. A first fit of the base model, with a scatter of which nothing is known, says what phase and
     /// parameters of a drop would do to it.
     pub fn of(waves: &Waves, model: &Model) -> Option<Self> {
-        let scatter = Scatter::of(waves);
+        let scatter = TrialCovariance::of(waves);
         let plain = scatter.plain_covariances();
-        let flat_top = flat_top(waves);
-        let spread = flat_top.map_or(0.0, |found| found.spread);
-        let problem = Problem::of(waves, Whitening::of(&plain, scatter.counts())?, spread);
+        let clipping = clipping(waves);
+        let spread = clipping.map_or(0.0, |found| found.spread);
+        let problem = FitProblem::of(waves, Whitening::of(&plain, scatter.counts())?, spread);
         let base = Candidate::base(&problem, model)?;
         let system = System::new(base.model());
         let fine = waves.groups.iter().map(|group| problem.expected.fine(&system, group.height_m)).collect::<Option<Vec<_>>>()?;
         let change = problem.sensitivity(&base.fitted)?;
         let changes: Vec<DMatrix<f64>> =
             (0..waves.groups.len()).map(|height| change.rows(height * waves.samples, waves.samples).into_owned()).collect();
-        let mut family = Family::of(waves, &problem.expected, &fine, &changes, &plain)?;
+        let mut family = CovarianceModel::of(waves, &problem.expected, &fine, &changes, &plain)?;
         for _ in 0..REFINEMENTS {
             let near = scatter.nearest(&family);
             family = family.near(&near);
@@ -52,6 +52,6 @@ impl Ground {
             _ => [0.0; 2],
         };
         let expected = Expected { varied, flicker: scatter.flicker(&family), ..problem.expected };
-        Some(Self { problem: Problem { whitening, expected, ..problem }, scatter, family, flat_top })
+        Some(Self { problem: FitProblem { whitening, expected, ..problem }, scatter, family, clipping })
     }
 }

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::{Impact, ImpactError, LOGGER_HZ, Run, sampled_peak_g};
 use crate::mechanics::settings::{IMPACT_LOSS, IMPACT_MODULUS, Settings};
+use crate::units::GRAVITY_MM_MS2;
 
 /// Length of the impulse from first touch, ms: that of the measured one.
 const IMPULSE_MS: f64 = 25.0;
@@ -24,14 +25,14 @@ pub struct Subject<'a> {
 
 /// What the model says of a drop.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Answer {
+pub struct Response {
     /// Logarithm of the peak, g, as a logger samples it.
     pub ln_peak: f64,
     /// Impulse within 25 ms over the speed before.
     pub impulse: f64,
 }
 
-impl Answer {
+impl Response {
     fn map(self, other: Self, join: impl Fn(f64, f64) -> f64) -> Self {
         Self { ln_peak: join(self.ln_peak, other.ln_peak), impulse: join(self.impulse, other.impulse) }
     }
@@ -48,28 +49,28 @@ impl Subject<'_> {
     ///
     /// # Errors
     /// When its motion is lost.
-    pub fn run(&self, at: [f64; 2], height_m: f64) -> Result<Answer, ImpactError> {
+    pub fn run(&self, at: [f64; 2], height_m: f64) -> Result<Response, ImpactError> {
         let run = Run { longest_ms: IMPULSE_MS + 0.1, apart_ms: f64::INFINITY, ..Run::default() };
         let impact = Impact::new(self.model, &self.numbers(at), height_m, &run)?;
         let reading = impact.through(LOGGER_HZ);
         let pairs = impact.moments.windows(2).zip(reading.windows(2)).filter(|(moment, _)| moment[1].t_ms <= IMPULSE_MS + 1e-9);
         let area: f64 = pairs.map(|(moment, g)| 0.5 * (g[0] + g[1]) * (moment[1].t_ms - moment[0].t_ms)).sum();
-        let impulse = area * 9.81e-3 / impact.speed_m_s;
-        Ok(Answer { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms)), impulse })
+        let impulse = area * GRAVITY_MM_MS2 / impact.speed_m_s;
+        Ok(Response { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms)), impulse })
     }
 }
 
 /// The answers of some heights over the grid.
 #[derive(Clone)]
-pub struct Surface {
+pub struct ResponseSurface {
     heights_m: Vec<f64>,
     /// Height by height, row by row of the moduli.
-    nodes: Vec<[[Answer; 4]; 4]>,
+    nodes: Vec<[[Response; 4]; 4]>,
     /// What the model says beyond the interpolation, height by height.
-    offsets: Vec<Answer>,
+    offsets: Vec<Response>,
 }
 
-impl Surface {
+impl ResponseSurface {
     /// Runs the grid.
     ///
     /// # Errors
@@ -77,11 +78,11 @@ impl Surface {
     pub fn new(subject: &Subject, heights_m: &[f64]) -> Result<Self, ImpactError> {
         let jobs: Vec<(usize, usize, usize)> =
             (0..heights_m.len()).flat_map(|h| (0..4).flat_map(move |i| (0..4).map(move |j| (h, i, j)))).collect();
-        let answers: Vec<Answer> = jobs
+        let answers: Vec<Response> = jobs
             .par_iter()
             .map(|(h, i, j)| subject.run([libm::log(MODULI[*i]), ROOT_LOSSES[*j]], heights_m[*h]))
             .collect::<Result<_, _>>()?;
-        let none = Answer { ln_peak: 0.0, impulse: 0.0 };
+        let none = Response { ln_peak: 0.0, impulse: 0.0 };
         let mut nodes = vec![[[none; 4]; 4]; heights_m.len()];
         for ((h, i, j), answer) in jobs.into_iter().zip(answers) {
             nodes[h][i][j] = answer;
@@ -102,7 +103,7 @@ impl Surface {
     }
 
     /// The answer at a place: the cubic through the grid in each direction. `height` is the number of a height.
-    pub fn at(&self, at: [f64; 2], height: usize) -> Answer {
+    pub fn at(&self, at: [f64; 2], height: usize) -> Response {
         let rows = basis(&MODULI.map(libm::log), at[0]);
         let columns = basis(&ROOT_LOSSES, at[1]);
         let mut sum = self.offsets[height];
@@ -119,7 +120,7 @@ impl Surface {
     /// # Errors
     /// When a motion is lost.
     pub fn correct(&mut self, subject: &Subject, at: [f64; 2]) -> Result<f64, ImpactError> {
-        let told: Vec<Answer> = self.heights_m.par_iter().map(|height_m| subject.run(at, *height_m)).collect::<Result<_, _>>()?;
+        let told: Vec<Response> = self.heights_m.par_iter().map(|height_m| subject.run(at, *height_m)).collect::<Result<_, _>>()?;
         let mut most = 0.0_f64;
         for (height, answer) in told.into_iter().enumerate() {
             let by = answer.map(self.at(at, height), |told, here| told - here);

@@ -1,4 +1,4 @@
-//! `flexframe plant`: drops with a known truth.
+//! `flexframe synthesize`: synthetic drops with a known truth.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -12,10 +12,10 @@ use super::progress::Progress;
 use super::terminal;
 use crate::impact::synthetic::{Plan, records};
 
-/// Write drops with a known truth, to test a diagnosis on.
+/// Write synthetic drops with a known truth, to test a diagnosis on.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Example:\n  flexframe plant params/plant/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
+    after_help = "Example:\n  flexframe synthesize params/synthetic/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
 )]
 pub(super) struct Args {
     /// The plan: a TOML file.
@@ -24,18 +24,18 @@ pub(super) struct Args {
     /// Seed instead of the plan's.
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Folder that takes the folder `plant-PLAN`.
+    /// Folder that takes the folder `synthesize-PLAN`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }
 
-/// Plants drops and writes a folder: `drops/` for whoever shall find the truth, `truth/` for whoever knows it.
+/// Writes a folder: `drops/` with the drops, `truth/` with what they were made from.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let mut plan = Plan::load(&args.plan)?;
     if let Some(seed) = args.seed {
         plan.seed = seed;
     }
-    let working = Progress::of("planting", common);
+    let working = Progress::of("synthesizing", common);
     let mut table = String::from("trial,height_m,t_s,accel_g\n");
     let all = records(&plan);
     for record in &all {
@@ -54,7 +54,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         "c": plan.model.stiffness_and_damping()[1],
         "seed": plan.seed,
     });
-    let name = format!("plant-{}", plan.model.name);
+    let name = format!("synthesize-{}", plan.model.name);
     let files = vec![
         ("drops/drops.csv".to_string(), table.into_bytes()),
         ("truth/truth.json".to_string(), format!("{truth:#}\n").into_bytes()),
