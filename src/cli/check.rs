@@ -8,7 +8,7 @@ use super::cache::{Cache, Kept};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::{frames, output, stiffness, table, terminal};
-use crate::checks::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
+use crate::checks::gate::{Baseline, CheckedFrame, Outcome, Policy, Refused, Standing, acceptance, github, junit, markdown, sarif};
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
@@ -21,14 +21,14 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
     let names = frames::expand(&options.frames)?;
     let known = baseline(options)?;
     let (baseline, former) = if options.update_baseline { (None, known) } else { (known, None) };
-    let rules = Rules { strict: options.strict, baseline: baseline.as_ref() };
+    let policy = Policy { strict: options.strict, baseline: baseline.as_ref(), ..Policy::default() };
     let cache = Cache::new(!options.no_cache);
     let working = Progress::of("checking", common);
     let mut told = Vec::new();
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, options, rules, &cache).map_err(|failure| {
+            let result = hold(&asked, options, policy, &cache).map_err(|failure| {
                 told.push(failure.render());
                 refused(&failure)
             });
@@ -47,7 +47,7 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
     }
     say(options, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &options.baseline) {
-        for done in list.done(&outcomes) {
+        for done in acceptance::no_longer_failing(list, &outcomes) {
             let line = format!("note: {}: {} of {} is good now; strike it from {}", done.frame, done.rule, done.subject, path.display());
             terminal::tell(&line);
         }
@@ -56,7 +56,7 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
 }
 
 /// One frame's findings, kept ones where there are any.
-fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Result<Held, Failure> {
+fn hold(asked: &str, options: &CheckOptions, policy: Policy, cache: &Cache) -> Result<CheckedFrame, Failure> {
     let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: options.rigid.clone() })?;
     let Kept { findings, masses } = match cache.get(&frame) {
         Some(kept) => kept,
@@ -72,7 +72,7 @@ fn hold(asked: &str, options: &CheckOptions, rules: Rules, cache: &Cache) -> Res
     if let Some(settings) = session::mechanics(&options.mechanics)? {
         findings.extend(strength(frame.clone(), &file, &settings)?);
     }
-    Ok(Held::new(&frame, &file, findings, masses, rules))
+    Ok(CheckedFrame::new(&frame, &file, findings, masses, policy))
 }
 
 /// What the design drop of the frame's own model does to it.
@@ -126,7 +126,7 @@ fn update(options: &CheckOptions, common: &Common, outcomes: &[Outcome], former:
     if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
         return Ok(ExitCode::from(code));
     }
-    let list = Baseline::of_outcomes(outcomes, former);
+    let list = acceptance::renewed(outcomes, former);
     let failed = |error| Failure::Machine { what: format!("cannot write {}", path.display()), error };
     if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         fs::create_dir_all(parent).map_err(failed)?;
@@ -155,7 +155,7 @@ fn say(options: &CheckOptions, common: &Common, outcomes: &[Outcome]) -> Result<
         CheckFormat::Junit => terminal::print(&xml()?),
         CheckFormat::Github => terminal::print(&github::annotations(outcomes)),
         CheckFormat::Markdown => terminal::print(&markdown::page(outcomes)),
-        CheckFormat::Sarif => terminal::print(&sarif::log(outcomes)),
+        CheckFormat::Sarif => terminal::print(&sarif::log(outcomes, &checks::CATALOGUE)),
     }
 }
 
@@ -178,7 +178,7 @@ fn text(options: &CheckOptions, outcomes: &[Outcome]) -> String {
     text
 }
 
-fn frame_text(options: &CheckOptions, held: &Held) -> String {
+fn frame_text(options: &CheckOptions, held: &CheckedFrame) -> String {
     let findings: Vec<Finding> = held.findings.iter().map(|judged| judged.finding.clone()).collect();
     let every: Vec<Tightest> = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
     let table = table::findings(&if options.all { every } else { checks::tightest(&findings) });
