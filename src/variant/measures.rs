@@ -94,7 +94,7 @@ impl Evaluation {
     }
 
     fn printed_mm3(&self) -> f64 {
-        self.design.printed.iter().map(|part| part.volume_mm3 * f64::from(part.name.quantity())).sum()
+        self.design.printed.iter().map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum()
     }
 
     fn mass_of_g(&self, kind: &str) -> f64 {

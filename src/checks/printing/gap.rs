@@ -2,6 +2,7 @@
 //! [walls](super::wall).
 
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
+use crate::frame::parts::record;
 
 pub static RULE: Rule = Rule {
     id: "narrowest_gap",
@@ -9,7 +10,7 @@ pub static RULE: Rule = Rule {
     requires: "no gap is narrower than a printed line",
     units: &["mm"],
     limits: &[Limit::Printer],
-    levers: Levers::OfPart(super::wall::levers),
+    levers: Levers::OfPart(|part| record(part).walls),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: true },
     found: Found::WithAnother,

@@ -19,6 +19,7 @@ pub(in crate::checks) const PROCESS: &[&[&str]; 2] = &[&["materials.flexible", "
 /// The places of a part that hang, and what its material prints over air.
 pub(in crate::checks) struct Hung<'a> {
     pub part: PartName,
+    flexible: bool,
     pub material: &'a str,
     pub process: Process,
     pub places: Vec<Hanging>,
@@ -28,7 +29,13 @@ impl<'a> Hung<'a> {
     pub fn in_design(design: &'a Design, part: &Printed) -> Self {
         let material = design.material_of(part.name);
         let process = Process::of(&material.material, &design.frame.printer);
-        Self { part: part.name, material: &material.name, process, places: printability::hanging(part, &process) }
+        Self {
+            part: part.name,
+            flexible: part.part.is_flexible(),
+            material: &material.name,
+            process,
+            places: printability::hanging(part, &process),
+        }
     }
 
     /// The worst place that would break a rule, or is nearest to it.
@@ -48,7 +55,7 @@ impl<'a> Hung<'a> {
 
     /// The keys of what it is printed of, and on.
     pub fn levers(&self) -> &'static [&'static str] {
-        PROCESS[usize::from(!self.part.is_flexible())]
+        PROCESS[usize::from(!self.flexible)]
     }
 
     /// The places that are printed on support.

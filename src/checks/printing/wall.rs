@@ -15,6 +15,7 @@ use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
 use crate::frame::assembly::Printed;
+use crate::frame::parts::record;
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
 use crate::printing::printability::{Thin, Walls};
@@ -26,7 +27,7 @@ pub static RULE: Rule = Rule {
     requires: "no wall is thinner than the nozzle can print",
     units: &["mm"],
     limits: &[Limit::Printer],
-    levers: Levers::OfPart(levers),
+    levers: Levers::OfPart(|part| record(part).walls),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -75,7 +76,7 @@ impl ThinnestWall {
         let reach_mm = REACH * limit_mm;
         let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));
         let rule = if *is_gap { &gap::RULE } else { &RULE };
-        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: levers(*part) };
+        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: record(*part).walls };
         let [size, needed] = measure.figures(2);
         let where_it_is = thinnest.map(|thin| thin.at_mm.map(|mm| decimals(mm, 1)).join(", "));
         let message = match (where_it_is.filter(|_| value < reach_mm), is_gap) {
@@ -101,25 +102,6 @@ fn floor(part: &Printed, reach_mm: f64) -> Option<Thin> {
         area += area_mm2;
         (area >= AREA_MM2).then_some(thin)
     })
-}
-
-/// The keys of the part's thinnest walls.
-pub(super) fn levers(part: PartName) -> &'static [&'static str] {
-    match part {
-        PartName::TopCorner | PartName::BottomCorner => &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
-        PartName::Knee => &["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"],
-        PartName::Fork => &["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"],
-        PartName::MotorMount => {
-            &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_ring_diameter_mm", "motor_mount.motor_plate_diameter_mm"]
-        }
-        PartName::HubJoint => &["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"],
-        PartName::Hub => &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
-        PartName::PiCarrier => &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
-        PartName::BatteryBracket => &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
-        PartName::BatterySleeve => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"],
-        PartName::BatteryLid => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
-        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
-    }
 }
 
 struct Facet {
