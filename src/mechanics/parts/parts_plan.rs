@@ -5,7 +5,7 @@ use super::joint_plans;
 use super::plan::{NoSection, Plan, PlannedBeam};
 use crate::frame::assembly::{Design, Printed};
 use crate::frame::parts::{BottomCorner, Fork, HubJoint, Knee, MotorMount, TopCorner};
-use crate::mechanics::model::frame_model::ModelError;
+use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::settings::Settings;
 use crate::params::PartName;
 
