@@ -59,7 +59,7 @@ impl Pair {
 
     /// The real part on the left and ours on the right: as they lie on the print bed, and below that turned over.
     fn picture(&self) -> Vec<u8> {
-        let colour = COLOURS[usize::from(!self.real.part.is_flexible())];
+        let colour = COLOURS[usize::from(!self.part.part.is_flexible())];
         let over = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI);
         let views = [UnitQuaternion::identity(), over].map(|turn| {
             self.meshes.each_ref().map(|mesh| {

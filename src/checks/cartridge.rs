@@ -7,12 +7,31 @@
 
 use rayon::prelude::*;
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::figures::told_apart;
 use crate::frame::assembly::Kind;
 use crate::params::PartName;
 use crate::solid::MeshSolid;
+
+const CLEARANCES: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
+const RIMS: &[&str] = &["lid.lid_reach_mm", "lid.lid_clearance_mm"];
+const MAGNETS: &[&str] = &["bracket.magnet_gap_mm"];
+const CONNECTOR: &[&str] = &["bracket.connector_width_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "battery_slide",
+    title: "Battery change",
+    requires: "the battery slides out and meets its stops",
+    units: &["mm3", "mm"],
+    limits: &[],
+    levers: Levers::Sets(&[CLEARANCES, RIMS, MAGNETS, CONNECTOR]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: false },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// What slides: by kind.
 const CARTRIDGE: [&str; 3] = ["battery", "connector_lid", "magnet_lid"];
@@ -39,8 +58,7 @@ pub struct CartridgePassage {
 impl CartridgePassage {
     fn finding(&self) -> Finding {
         let Self { pair, shared_mm3, way_mm } = self;
-        let levers = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
-        let measure = Measure { rule: "battery_slide", value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers };
+        let measure = Measure { rule: &RULE, value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers: CLEARANCES };
         let (subject, message) = match pair {
             Some([piece, other]) => (
                 format!("{piece} past {other}"),
@@ -71,7 +89,7 @@ impl CartridgeMeeting {
     fn finding(&self) -> Finding {
         let Self { what, gap_mm, meant_mm, tolerance_mm, levers } = *self;
         let value = (gap_mm - meant_mm).abs();
-        let measure = Measure { rule: "battery_slide", value, limit: tolerance_mm, unit: "mm", levers };
+        let measure = Measure { rule: &RULE, value, limit: tolerance_mm, unit: "mm", levers };
         let [gap, meant] = told_apart(gap_mm, meant_mm, 2);
         measure.at_most(format!("end stop: {what}"), format!("{what} are {gap} mm apart when the cartridge is home, {meant} mm are meant"))
     }
@@ -130,9 +148,9 @@ fn meetings(scene: &Scene) -> Vec<Finding> {
     let plugs = ["connector_lid", "connector_bracket"].map(|name| scene.bought(name));
     let magnet_gap = scene.design.frame.bracket.magnet_gap_mm;
     let expected: [(_, _, _, _, &'static [&'static str]); 3] = [
-        ("the rims of lid and sleeve", rims, 0.0, 0.01, &["lid.lid_reach_mm", "lid.lid_clearance_mm"]),
-        ("the magnets", magnets, magnet_gap, 0.01, &["bracket.magnet_gap_mm"]),
-        ("the connector's halves", plugs, 0.0, MEET_MM, &["bracket.connector_width_mm"]),
+        ("the rims of lid and sleeve", rims, 0.0, 0.01, RIMS),
+        ("the magnets", magnets, magnet_gap, 0.01, MAGNETS),
+        ("the connector's halves", plugs, 0.0, MEET_MM, CONNECTOR),
     ];
     expected
         .into_iter()

@@ -1,9 +1,25 @@
 //! The centre of mass lies near the motors' centre in plan, so that no motor has to carry much more than its share.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
 use crate::figures::decimals;
 use crate::frame::skeleton::MODULE_NAMES;
+
+const LEVERS: &[&str] = &["bought.battery", "camera.camera_reach_mm", "lid.lid_block_depth_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "centre_of_mass",
+    title: "Centre of mass",
+    requires: "the centre of mass is near the middle of the motors, in plan",
+    units: &["mm"],
+    limits: &[Limit::Key { subject: "", key: "limits.centre_of_mass_offset_mm" }],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Masses { summed: false },
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Where the centre of mass lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,8 +34,7 @@ impl CentreOffset {
     fn finding(&self) -> Finding {
         let [x, y] = self.offset_mm;
         let (value, limit) = (libm::hypot(x, y), self.limit_mm);
-        let levers = &["bought.battery", "camera.camera_reach_mm", "lid.lid_block_depth_mm"];
-        let measure = Measure { rule: "centre_of_mass", value, limit, unit: "mm", levers };
+        let measure = Measure { rule: &RULE, value, limit, unit: "mm", levers: LEVERS };
         let [far, allowed] = measure.figures(2);
         let [right, front] = [x, y].map(|offset| decimals(offset, 2));
         let message = format!(

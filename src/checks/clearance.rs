@@ -6,11 +6,27 @@ use std::collections::BTreeMap;
 
 use rayon::prelude::*;
 
-use super::finding::{Finding, Measure, falls_short_mm};
+use super::finding::Finding;
+use super::measure::{Measure, falls_short_mm};
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::frame::assembly::Kind;
 use crate::frame::skeleton::{Rod, RodRole};
 use crate::params::PartName;
+
+const LEVERS: &[&str] = &["rods.arm_rod_length_mm", "hub_joint.arm_pitch_mm", "knee.knee_node_offset_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "part_clearance",
+    title: "Clearance of rods",
+    requires: "rods are clear of each other, and of parts that do not hold them",
+    units: &["mm"],
+    limits: &[Limit::Key { subject: "", key: "limits.part_clearance_mm" }],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Pairs further apart than this beyond the limit are not listed, mm.
 const REACH_MM: f64 = 2.0;
@@ -30,8 +46,7 @@ impl RodClearance {
     fn finding(&self) -> Finding {
         let Self { gap_mm, limit_mm, .. } = *self;
         let [rod, other] = &self.pair;
-        let levers = &["rods.arm_rod_length_mm", "hub_joint.arm_pitch_mm", "knee.knee_node_offset_mm"];
-        let measure = Measure { rule: "part_clearance", value: gap_mm, limit: limit_mm, unit: "mm", levers };
+        let measure = Measure { rule: &RULE, value: gap_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
         let [gap, least] = measure.figures(2);
         measure.at_least(format!("{rod} to {other}"), format!("{rod} passes {other} at {gap} mm, {least} mm are needed"))
     }

@@ -3,8 +3,50 @@
 //! The limit is the user's (a class, a box, a doorway). It is the frame's without propellers; with them the size is
 //! stated as a note, for a propeller may be turned out of the way.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Scene, bounds_of};
+
+const SOLVED_HEIGHT: &[&str] = &["target.height_mm"];
+const HEIGHT: &[&str] = &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"];
+const SOLVED_WIDTH: &[&str] = &["target.width_mm"];
+const WIDTH: &[&str] = &["rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm", "corner.corner_wall_mm"];
+
+/// Rods first, then what else makes the frame high.
+const MAKE_HIGH: &[&str] = &[
+    "target.height_mm",
+    "rods.strut_rod_length_mm",
+    "rods.arm_rod_length_mm",
+    "rods.cage_rod_length_mm",
+    "target.strut_tilt_deg",
+    "bracket.bay_height_mm",
+];
+/// Rods first, then what else makes the frame wide.
+const MAKE_WIDE: &[&str] = &[
+    "target.width_mm",
+    "rods.cage_rod_length_mm",
+    "rods.arm_rod_length_mm",
+    "rods.strut_rod_length_mm",
+    "corner.corner_node_to_bottom_mm",
+    "corner.corner_wall_mm",
+];
+
+pub static RULE: Rule = Rule {
+    id: "envelope",
+    title: "Envelope",
+    requires: "the bounding box is no larger than its limits",
+    units: &["mm"],
+    limits: &[
+        Limit::Key { subject: "width", key: "limits.envelope_width_mm" },
+        Limit::Key { subject: "depth", key: "limits.envelope_width_mm" },
+        Limit::Key { subject: "height", key: "limits.envelope_height_mm" },
+    ],
+    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, SOLVED_WIDTH, WIDTH]),
+    blame: Blame::Keys(&[("height", MAKE_HIGH), ("", MAKE_WIDE)]),
+    in_search: InSearch::Constraints { subjects: &["width", "depth", "height"], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// The size of the frame along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,13 +66,13 @@ pub struct Extent {
 impl Extent {
     fn finding(&self) -> Finding {
         let Self { name, with_propellers, size_mm, limit_mm, solved } = *self;
-        let levers: &[&str] = match (name, solved) {
-            ("height", true) => &["target.height_mm"],
-            ("height", false) => &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"],
-            (_, true) => &["target.width_mm"],
-            (_, false) => &["rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm", "corner.corner_wall_mm"],
+        let levers = match (name, solved) {
+            ("height", true) => SOLVED_HEIGHT,
+            ("height", false) => HEIGHT,
+            (_, true) => SOLVED_WIDTH,
+            (_, false) => WIDTH,
         };
-        let measure = Measure { rule: "envelope", value: size_mm, limit: limit_mm, unit: "mm", levers };
+        let measure = Measure { rule: &RULE, value: size_mm, limit: limit_mm, unit: "mm", levers };
         let [size, most] = measure.figures(2);
         let which = if with_propellers { "with propellers" } else { "without propellers" };
         let message = format!("the frame's {name} {which} is {size} mm, the envelope {most} mm");

@@ -2,9 +2,30 @@
 //! bores, the plugs guide the modules while the rings close, the strut's notch is wide enough for its fold, a module's parts lie
 //! flat on a table, and nothing is in the way of a step's motion.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, sweeps};
+
+const HOLD: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
+const PLUG: &[&str] = &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"];
+const ORDER: &[&str] = &["rods.strut_rod_length_mm", "motor_mount.motor_position_mm", "corner.corner_node_to_bottom_mm"];
+const NOTCH: &[&str] = &["corner.notch_half_angle_deg"];
+const WAY: &[&str] = &["motor_mount.motor_position_mm", "rods.strut_rod_length_mm"];
+const FLAT: &[&str] = &["rods.arm_rod_length_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "fold_sequence",
+    title: "Fold sequence",
+    requires: "a sequence exists in which the frame can be assembled",
+    units: &["", "mm", "deg", "mm3", "steps"],
+    limits: &[],
+    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, FLAT]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &["fold: hold", "fold: notch", "fold: flat", "fold"], binds: true },
+    found: Found::By(&[Pass::quick(check), Pass::slow(way)]),
+};
 
 /// Farthest that a strut may fold beyond the closing of its notch, degrees: a choice; the real frame does 25.
 const MOST_PRELOAD_DEG: f64 = 45.0;
@@ -12,22 +33,17 @@ const MOST_PRELOAD_DEG: f64 = 45.0;
 /// Farthest that the leg's end may be from its place in the foot, mm.
 const CLOSED_MM: f64 = 0.05;
 
-const HOLDS: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
-
 fn measure(value: f64, limit: f64, unit: &'static str, levers: &'static [&'static str]) -> Measure {
-    Measure { rule: "fold_sequence", value, limit, unit, levers }
+    Measure { rule: &RULE, value, limit, unit, levers }
 }
 
 /// Why there is no sequence, as a broken limit.
 fn refused(error: &FoldError) -> Finding {
-    let levers: &[&str] = &["rods.strut_rod_length_mm", "motor_mount.motor_position_mm", "corner.corner_node_to_bottom_mm"];
     let (value, limit, unit, levers) = match error {
-        FoldError::Linkage(LinkageError::LegTooLong { pulled, .. }) => (*pulled, MOST_PULLED, "", HOLDS),
-        FoldError::PlugTooShort { needed_mm, plug_mm } => {
-            (*needed_mm, *plug_mm, "mm", &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"][..])
-        }
-        FoldError::NoOrder { blocked } => (blocked.len() as f64, 0.0, "steps", levers),
-        FoldError::Linkage(LinkageError::Lost { .. }) => (1.0, 0.0, "steps", levers),
+        FoldError::Linkage(LinkageError::LegTooLong { pulled, .. }) => (*pulled, MOST_PULLED, "", HOLD),
+        FoldError::PlugTooShort { needed_mm, plug_mm } => (*needed_mm, *plug_mm, "mm", PLUG),
+        FoldError::NoOrder { blocked } => (blocked.len() as f64, 0.0, "steps", ORDER),
+        FoldError::Linkage(LinkageError::Lost { .. }) => (1.0, 0.0, "steps", ORDER),
     };
     measure(value, limit, unit, levers).at_most("fold".into(), error.to_string())
 }
@@ -35,7 +51,7 @@ fn refused(error: &FoldError) -> Finding {
 fn preload(scene: &Scene) -> Finding {
     let (frame, closure) = (&scene.design.frame, &scene.design.skeleton.closure);
     let value = 90.0 + closure.strut_tilt.to_deg() - 2.0 * frame.corner.notch_half_angle_deg;
-    let measure = measure(value, MOST_PRELOAD_DEG, "deg", &["corner.notch_half_angle_deg"]);
+    let measure = measure(value, MOST_PRELOAD_DEG, "deg", NOTCH);
     let [beyond, most] = measure.figures(1);
     measure.at_most("fold: notch".into(), format!("the struts fold {beyond} deg beyond the closing of their notch, {most} deg are allowed"))
 }
@@ -57,7 +73,7 @@ fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
         }
         None => format!("nothing is in the way of any step: {pairs} pairs of pieces that move to each other"),
     };
-    measure(value, 0.0, "mm3", &["motor_mount.motor_position_mm", "rods.strut_rod_length_mm"]).at_most("fold: way".into(), message)
+    measure(value, 0.0, "mm3", WAY).at_most("fold: way".into(), message)
 }
 
 /// The module on a table, before the first step.
@@ -69,7 +85,7 @@ fn flat(scene: &Scene) -> Finding {
         Some(error) => error.to_string(),
         None => format!("a module's parts lie flat on {x:.0} x {y:.0} mm, each as it is printed"),
     };
-    measure(wrong.len() as f64, 0.0, "", &["rods.arm_rod_length_mm"]).at_most("fold: flat".into(), message)
+    measure(wrong.len() as f64, 0.0, "", FLAT).at_most("fold: flat".into(), message)
 }
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
@@ -77,7 +93,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         Ok(fold) => fold,
         Err(error) => return vec![refused(&error), preload(scene)],
     };
-    let pulled = measure(fold.entry.pulled, MOST_PULLED, "", HOLDS);
+    let pulled = measure(fold.entry.pulled, MOST_PULLED, "", HOLD);
     let told = format!(
         "{} steps; while the triangle closes its rods stand out by {:.0} % of their hold, {:.0} % are allowed",
         fold.steps.len(),

@@ -1,9 +1,25 @@
 //! What hangs under the hub stays clear of the ground when the frame stands on its lower corners: the legs give on
 //! landing, and the battery must not take the blow.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Scene, bounds_of};
 use crate::params::PartName;
+
+const LEVERS: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "ground_clearance",
+    title: "Ground clearance",
+    requires: "the lowest body under the hub is clear of the ground",
+    units: &["mm"],
+    limits: &[Limit::Key { subject: "", key: "limits.ground_clearance_mm" }],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Room under the centre.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,8 +35,7 @@ pub struct GroundClearance {
 impl GroundClearance {
     fn finding(&self) -> Finding {
         let Self { lowest, clearance_mm: value, limit_mm: limit } = self;
-        let levers = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
-        let measure = Measure { rule: "ground_clearance", value: *value, limit: *limit, unit: "mm", levers };
+        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "mm", levers: LEVERS };
         let [height, least] = measure.figures(2);
         measure.at_least(lowest.clone(), format!("{lowest} hangs {height} mm above the ground, {least} mm are needed"))
     }

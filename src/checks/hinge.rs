@@ -14,12 +14,30 @@
 //! Both are small-strain formulas used beyond small strains, to compare frames; the factor on the elongation at break
 //! covers that, creep, and the layers. The elongation is a data sheet's, its source is in the catalogue.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold;
 use crate::frame::fold::HingeLoad;
 use crate::params::Frame;
 use crate::units::Angle;
+
+const WEB: &[&str] = &["corner.corner_hinge_thickness_mm", "corner.corner_wall_mm", "materials.flexible"];
+const NECKS: &[&str] = &["hub_joint.neck_thickness_mm", "hub_joint.arm_pitch_mm", "materials.flexible"];
+const NOTCH: &[&str] = &["corner.notch_half_angle_deg"];
+
+pub static RULE: Rule = Rule {
+    id: "hinge_strain",
+    title: "Strain of folded hinges",
+    requires: "the strain of a folded hinge is below the limit of its material",
+    units: &["%", "deg"],
+    limits: &[Limit::Key { subject: "", key: "limits.hinge_strain_factor" }, Limit::Material],
+    levers: Levers::Sets(&[WEB, NECKS, NOTCH]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// The strain of a folded hinge.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,19 +59,17 @@ pub struct HingeStrain {
 impl HingeStrain {
     fn web(hinge: &'static str, frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
         let HingeLoad { length_mm, strain_percent, .. } = fold::web(frame, fold);
-        let levers = &["corner.corner_hinge_thickness_mm", "corner.corner_wall_mm", "materials.flexible"];
-        Self { hinge, fold, length_mm, strain_percent, limit_percent, levers }
+        Self { hinge, fold, length_mm, strain_percent, limit_percent, levers: WEB }
     }
 
     fn neck(frame: &Frame, fold: Angle, limit_percent: f64) -> Self {
         let HingeLoad { length_mm, strain_percent, .. } = fold::necks(frame, fold);
-        let levers = &["hub_joint.neck_thickness_mm", "hub_joint.arm_pitch_mm", "materials.flexible"];
-        Self { hinge: "hub joint necks", fold, length_mm, strain_percent, limit_percent, levers }
+        Self { hinge: "hub joint necks", fold, length_mm, strain_percent, limit_percent, levers: NECKS }
     }
 
     fn finding(&self) -> Finding {
         let Self { hinge, fold, length_mm, strain_percent: value, limit_percent: limit, levers } = self;
-        let measure = Measure { rule: "hinge_strain", value: *value, limit: *limit, unit: "%", levers };
+        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "%", levers };
         let [strain, allowed] = measure.figures(0);
         let message = format!(
             "{hinge}: a fold of {:.1} deg over {length_mm:.2} mm strains the material by {strain} %, {allowed} % are allowed",
@@ -75,7 +91,7 @@ pub struct NotchPreload {
 impl NotchPreload {
     fn finding(&self) -> Finding {
         let [value, limit] = [self.fold.to_deg(), self.closing.to_deg()];
-        let measure = Measure { rule: "hinge_strain", value, limit, unit: "deg", levers: &["corner.notch_half_angle_deg"] };
+        let measure = Measure { rule: &RULE, value, limit, unit: "deg", levers: NOTCH };
         let beyond = value - limit;
         let message = if beyond > 0.0 {
             format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces press by {beyond:.1} deg")
@@ -102,7 +118,7 @@ pub struct LayerStrain {
 impl LayerStrain {
     fn finding(&self) -> Finding {
         let Self { hinge, strain_percent: value, material, across_percent: limit } = self;
-        let measure = Measure { rule: "hinge_strain", value: *value, limit: *limit, unit: "%", levers: &[] };
+        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "%", levers: &[] };
         let [strain, bears] = measure.figures(0);
         let message = if value > limit {
             format!(

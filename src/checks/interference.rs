@@ -5,11 +5,31 @@
 
 use rayon::prelude::*;
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::frame::assembly::Kind;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::params::PartName;
+
+const ROD_FIT: &[&str] = &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"];
+const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
+const KNEE_WINDOW: &[&str] = &["knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"];
+const SLEEVE: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"];
+const OTHER: &[&str] = &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "interference",
+    title: "Interference",
+    requires: "bodies share no volume beyond the intended press fits",
+    units: &["mm3"],
+    limits: &[],
+    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: false },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// What two bodies share.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +47,7 @@ pub struct SharedVolume {
 impl SharedVolume {
     fn finding(&self) -> Finding {
         let Self { pair: [a, b], volume_mm3: value, limit_mm3: limit, levers } = self;
-        let measure = Measure { rule: "interference", value: *value, limit: *limit, unit: "mm3", levers };
+        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "mm3", levers };
         let [shared, meant] = measure.figures(3);
         measure.at_most(format!("{a} and {b}"), format!("{a} and {b} share {shared} mm3, {meant} mm3 are meant"))
     }
@@ -43,20 +63,14 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         let (Kind::Rod(_), Kind::Printed(name)) = (&rod.shape.kind, &part.shape.kind) else { continue };
         let rods = scene.design.skeleton.rods.iter().filter(|r| r.name == rod.body.name);
         let ring: f64 = rods.map(|r| gripped_mm3(r, frame.rods.rod_diameter_mm, *name, part.body.module)).sum();
-        return (ring * ROUNDING, &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"]);
+        return (ring * ROUNDING, ROD_FIT);
     }
     let is = |name| a.is_part(name) || b.is_part(name);
     match () {
-        () if is(PartName::Hub) && is(PartName::HubJoint) => {
-            (plugs_mm3(frame) * ROUNDING, &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"])
-        }
-        () if is(PartName::Knee) && is(PartName::Fork) => {
-            (0.0, &["knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"])
-        }
-        () if is(PartName::BatterySleeve) => {
-            (0.0, &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"])
-        }
-        () => (0.0, &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"]),
+        () if is(PartName::Hub) && is(PartName::HubJoint) => (plugs_mm3(frame) * ROUNDING, PLUG_FIT),
+        () if is(PartName::Knee) && is(PartName::Fork) => (0.0, KNEE_WINDOW),
+        () if is(PartName::BatterySleeve) => (0.0, SLEEVE),
+        () => (0.0, OTHER),
     }
 }
 
@@ -78,7 +92,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (clear, broken): (Vec<_>, Vec<_>) = rest.into_iter().partition(|s| s.volume_mm3 <= s.limit_mm3);
     let mut found: Vec<Finding> = broken.iter().chain(&fits).map(SharedVolume::finding).collect();
     let most = clear.iter().map(|s| s.volume_mm3).fold(0.0, f64::max);
-    let measure = Measure { rule: "interference", value: most, limit: TOUCH_MM3, unit: "mm3", levers: &[] };
+    let measure = Measure { rule: &RULE, value: most, limit: TOUCH_MM3, unit: "mm3", levers: &[] };
     let (count, [most, limit]) = (clear.len(), measure.figures(3));
     let message =
         format!("of {count} other pairs of bodies that are near each other none shares more than {most} mm3, {limit} mm3 are rounding");

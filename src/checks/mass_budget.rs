@@ -2,8 +2,24 @@
 //!
 //! The mass is the table's: volumes times densities, the catalogue's masses, and what is estimated.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
+
+const LEVERS: &[&str] = &["bought.battery", "bought.motor", "materials.rigid"];
+
+pub static RULE: Rule = Rule {
+    id: "mass_budget",
+    title: "Take-off mass",
+    requires: "the take-off mass is within its budget",
+    units: &["g"],
+    limits: &[Limit::Key { subject: "", key: "limits.mass_budget_g" }],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Masses { summed: true },
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// The take-off mass.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,13 +35,7 @@ pub struct TakeOffMass {
 impl TakeOffMass {
     fn finding(&self) -> Finding {
         let Self { total_g, estimated_g, limit_g } = *self;
-        let measure = Measure {
-            rule: "mass_budget",
-            value: total_g,
-            limit: limit_g,
-            unit: "g",
-            levers: &["bought.battery", "bought.motor", "materials.rigid"],
-        };
+        let measure = Measure { rule: &RULE, value: total_g, limit: limit_g, unit: "g", levers: LEVERS };
         let [total, budget] = measure.figures(1);
         let message = format!("the frame takes off with {total} g ({estimated_g:.1} g of it estimated), the budget is {budget} g");
         measure.at_most("take-off mass".into(), message)

@@ -1,6 +1,8 @@
 //! Frames for the tests of the rules: sound ones, and ones with one thing broken.
 
 use super::finding::{Finding, Verdict};
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
@@ -25,7 +27,7 @@ impl Planted {
         Self::designed(frame)
     }
 
-    fn designed(frame: Frame) -> Self {
+    pub fn designed(frame: Frame) -> Self {
         let design = Design::new(frame).expect("closes");
         Self { masses: mass::table(&design), design }
     }
@@ -35,11 +37,34 @@ impl Planted {
         body.pose.translation.vector += nalgebra::Vector3::from(by_mm);
     }
 
-    pub fn found(&self, rule: fn(&Scene) -> Vec<Finding>) -> Vec<Finding> {
+    pub(super) fn found(&self, rule: fn(&Scene) -> Vec<Finding>) -> Vec<Finding> {
         rule(&Scene::new(&self.design, &self.masses))
     }
 }
 
 pub fn violated(found: &[Finding]) -> Vec<Finding> {
     found.iter().filter(|finding| finding.verdict == Verdict::Violated).cloned().collect()
+}
+
+/// A rule that only tests know: the rods of the ring are no shorter than a limit.
+pub static TOY: Rule = Rule {
+    id: "toy",
+    title: "Toy",
+    requires: "the rods of the ring are long enough for a toy",
+    units: &["mm"],
+    limits: &[Limit::Key { subject: "ring", key: "limits.part_clearance_mm" }],
+    levers: Levers::Sets(&[TOY_LEVERS]),
+    blame: Blame::Keys(&[("ring", &["rods.strut_rod_length_mm"])]),
+    in_search: InSearch::Constraints { subjects: &["ring"], binds: true },
+    found: Found::By(&[Pass::quick(toy)]),
+};
+
+/// The toy's limit, mm.
+pub const TOY_MM: f64 = 188.0;
+const TOY_LEVERS: &[&str] = &["rods.cage_rod_length_mm"];
+
+fn toy(scene: &Scene) -> Vec<Finding> {
+    let value = scene.design.frame.rods.cage_rod_length_mm;
+    let measure = Measure { rule: &TOY, value, limit: TOY_MM, unit: "mm", levers: TOY_LEVERS };
+    vec![measure.at_least("ring".into(), format!("the ring's rods are {value} mm long"))]
 }

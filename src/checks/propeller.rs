@@ -7,10 +7,26 @@
 use nalgebra::Point3;
 
 use super::bounds::Bounds;
-use super::finding::{Finding, Measure, falls_short_mm};
+use super::finding::Finding;
+use super::measure::{Measure, falls_short_mm};
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::frame::assembly::Kind;
 use crate::solid::SEGMENTS_PER_TURN;
+
+const LEVERS: &[&str] = &["motor_mount.propeller_diameter_mm", "motor_mount.motor_position_mm", "motor_mount.propeller_height_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "propeller_clearance",
+    title: "Propeller clearance",
+    requires: "propellers are clear of everything but their motors",
+    units: &["mm"],
+    limits: &[Limit::Key { subject: "", key: "limits.propeller_clearance_mm" }],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Distances beyond this are not measured, mm.
 const REACH_MM: f64 = 100.0;
@@ -31,8 +47,7 @@ pub struct PropellerClearance {
 impl PropellerClearance {
     fn finding(&self) -> Finding {
         let Self { of, gap_mm, limit_mm, .. } = *self;
-        let levers = &["motor_mount.propeller_diameter_mm", "motor_mount.motor_position_mm", "motor_mount.propeller_height_mm"];
-        let measure = Measure { rule: "propeller_clearance", value: gap_mm, limit: limit_mm, unit: "mm", levers };
+        let measure = Measure { rule: &RULE, value: gap_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
         let [gap, least] = measure.figures(2);
         let message = match &self.pair {
             Some([disc, other]) => format!("{disc} passes {other} at {gap} mm, {least} mm are needed"),

@@ -7,12 +7,32 @@
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
 use crate::figures::decimals;
 use crate::frame::skeleton::{Rod, RodRole, Socket};
 use crate::solid::{Feature, MeshSolid};
 use crate::units::Angle;
+
+const IN_CORNER: &[&str] = &["corner.corner_socket_depth_mm"];
+const IN_KNEE: &[&str] = &["knee.knee_socket_depth_mm"];
+const IN_FORK: &[&str] = &["fork.fork_socket_depth_mm", "rods.arm_rod_slack_mm"];
+const ARM_IN_HUB_JOINT: &[&str] = &["hub_joint.hub_arm_socket_depth_mm"];
+const LEG_IN_HUB_JOINT: &[&str] = &["hub_joint.hub_leg_socket_depth_mm"];
+
+pub static RULE: Rule = Rule {
+    id: "socket_seating",
+    title: "Seating of rods",
+    requires: "each end of a rod is in a bore, deep enough",
+    units: &["mm", "deg", "mm3", ""],
+    limits: &[Limit::Key { subject: "", key: "limits.socket_engagement_mm" }],
+    levers: Levers::Sets(&[IN_CORNER, IN_KNEE, IN_FORK, ARM_IN_HUB_JOINT, LEG_IN_HUB_JOINT]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Largest angle between rod and socket.
 const AXIS_DEG: f64 = 0.1;
@@ -61,7 +81,7 @@ impl SeatedEnd {
 
     fn findings(&self, levers: &'static [&'static str]) -> [Finding; 3] {
         let Self { pair: [rod, part], sawn_mm, engagement_mm, limit_mm, above_bottom_mm, off_axis_deg } = self;
-        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, levers };
+        let measure = |value: f64, limit: f64, unit| Measure { rule: &RULE, value, limit, unit, levers };
         let engagement = measure(*engagement_mm, *limit_mm, "mm");
         let [depth, least] = engagement.figures(2);
         [
@@ -110,7 +130,7 @@ impl SocketGeometry {
 
     fn findings(&self, levers: &'static [&'static str]) -> [Finding; 2] {
         let Self { pair: [rod, part], met_mm3, wall_share } = self;
-        let measure = |value: f64, limit: f64, unit| Measure { rule: "socket_seating", value, limit, unit, levers };
+        let measure = |value: f64, limit: f64, unit| Measure { rule: &RULE, value, limit, unit, levers };
         [
             measure(*met_mm3, PASSING_MM3, "mm3").at_most(
                 format!("{rod} in {part}: bore"),
@@ -139,11 +159,11 @@ fn pin_pose(start: Point3<f64>, along: Vector3<f64>) -> Isometry3<f64> {
 /// The keys of a socket's depth, and of the rod's share of it.
 fn levers(role: RodRole, at: usize) -> &'static [&'static str] {
     match (role, at) {
-        (RodRole::Cage, _) | (RodRole::Strut | RodRole::Leg, 1) => &["corner.corner_socket_depth_mm"],
-        (RodRole::Strut, _) => &["knee.knee_socket_depth_mm"],
-        (RodRole::Arm, 0) => &["hub_joint.hub_arm_socket_depth_mm"],
-        (RodRole::Arm, _) => &["fork.fork_socket_depth_mm", "rods.arm_rod_slack_mm"],
-        (RodRole::Leg, _) => &["hub_joint.hub_leg_socket_depth_mm"],
+        (RodRole::Cage, _) | (RodRole::Strut | RodRole::Leg, 1) => IN_CORNER,
+        (RodRole::Strut, _) => IN_KNEE,
+        (RodRole::Arm, 0) => ARM_IN_HUB_JOINT,
+        (RodRole::Arm, _) => IN_FORK,
+        (RodRole::Leg, _) => LEG_IN_HUB_JOINT,
     }
 }
 

@@ -3,44 +3,45 @@
 //! The numbers are those of the frame's own mechanics, `docs/mechanics.md`; limits and drop height stand in
 //! `params/mechanics.toml`. Strain is that of the drop alone, on top of what folding leaves.
 
-use super::finding::{Finding, Measure};
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
 use crate::frame::assembly::Design;
 use crate::mechanics::result::prediction::Prediction;
 use crate::mechanics::settings::DropLimits;
 
+const PAYLOAD: &[&str] = &["rods.strut_rod_length_mm", "corner.corner_hinge_thickness_mm", "materials.flexible"];
+const STRETCH: &[&str] = &["corner.corner_wall_mm", "hub_joint.arch_width_mm", "materials.flexible"];
+const BUCKLING: &[&str] = &["rods.rod_diameter_mm", "rods.cage_rod_length_mm", "bought.rod"];
+
+pub static RULE: Rule = Rule {
+    id: "design_drop",
+    title: "Design drop",
+    requires: "acceleration, strain and rod compression in the design drop are within their limits",
+    units: &["g", "%", "N"],
+    limits: &[Limit::Mechanics],
+    levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING]),
+    blame: Blame::Levers,
+    in_search: InSearch::AsGoal("the mechanics take a second or two a frame: a goal of a `design_drop` measure asks for them"),
+    found: Found::FromPrediction,
+};
+
 /// Holds a prediction against the limits of the design drop.
 pub fn strength(design: &Design, limits: &DropLimits, found: &Prediction) -> Vec<Finding> {
     let drop_m = found.drop_m;
-    let peak = Measure {
-        rule: "design_drop",
-        value: found.payload_peak_g,
-        limit: limits.payload_peak_g,
-        unit: "g",
-        levers: &["rods.strut_rod_length_mm", "corner.corner_hinge_thickness_mm", "materials.flexible"],
-    };
+    let peak = Measure { rule: &RULE, value: found.payload_peak_g, limit: limits.payload_peak_g, unit: "g", levers: PAYLOAD };
     let [value, limit] = peak.figures(1);
     let message = format!("dropped from {drop_m} m the payload feels {value} g, {limit} g are allowed");
     let mut findings = vec![peak.at_most("payload".into(), message)];
     let (zone, strain) = found.strain;
     let breaks = design.frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);
-    let stretch = Measure {
-        rule: "design_drop",
-        value: 100.0 * strain,
-        limit: breaks / limits.strain_factor,
-        unit: "%",
-        levers: &["corner.corner_wall_mm", "hub_joint.arch_width_mm", "materials.flexible"],
-    };
+    let stretch = Measure { rule: &RULE, value: 100.0 * strain, limit: breaks / limits.strain_factor, unit: "%", levers: STRETCH };
     let [value, limit] = stretch.figures(0);
     let message = format!("dropped from {drop_m} m the {zone} stretch by {value} %, {limit} % are allowed");
     findings.push(stretch.at_most(zone.into(), message));
     if let Some(rod) = &found.rod {
-        let buckling = Measure {
-            rule: "design_drop",
-            value: rod.compression_n,
-            limit: rod.buckling_n / limits.buckling_factor,
-            unit: "N",
-            levers: &["rods.rod_diameter_mm", "rods.cage_rod_length_mm", "bought.rod"],
-        };
+        let buckling =
+            Measure { rule: &RULE, value: rod.compression_n, limit: rod.buckling_n / limits.buckling_factor, unit: "N", levers: BUCKLING };
         let [value, limit] = buckling.figures(0);
         let message = format!("dropped from {drop_m} m {} is pressed by {value} N, {limit} N are allowed against buckling", rod.rod);
         findings.push(buckling.at_most(rod.rod.clone(), message));

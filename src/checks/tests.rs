@@ -1,7 +1,12 @@
 //! Whole frames against every rule.
 
-use super::planted::{Planted, violated};
+use std::collections::BTreeSet;
+
+use super::gate::{CheckedFrame, Outcome, Policy, sarif};
+use super::planted::{Planted, TOY, violated};
+use super::rule::Found;
 use super::*;
+use crate::params::{Frame, FrameFile, PartName, parameters, preset};
 
 fn broken(preset: &str) -> Vec<String> {
     let frame = Planted::preset(preset);
@@ -40,9 +45,6 @@ fn regress_findings_do_not_depend_on_threads() {
     };
     let once = on(1);
     assert_eq!(once, on(3));
-    let rules: std::collections::BTreeSet<&str> = once.iter().map(|f| &*f.rule).collect();
-    // The fold has two: whether there is a way, and whether it is free. Walls find gaps, too; printing has four names.
-    assert_eq!(rules.len() + 1, RULES.len() + 1 + 3);
 }
 
 #[test]
@@ -52,4 +54,90 @@ fn analytic_margin_and_verdict_agree() {
         assert!(f.value.is_finite() && f.limit.is_finite(), "{f:?}");
         assert!(f.verdict == Verdict::Note || (f.verdict == Verdict::Holds) == (f.margin >= 0.0), "{f:?}");
     }
+}
+
+/// Keys of a frame file that choose something whole.
+const CHOICES: [&str; 6] = ["printer", "materials.flexible", "materials.rigid", "bought.battery", "bought.motor", "bought.rod"];
+
+fn is_key(key: &str) -> bool {
+    CHOICES.contains(&key) || parameters().any(|p| key == format!("{}.{}", p.table, p.key))
+}
+
+/// The sets of levers that a rule's findings can have.
+fn lever_sets(rule: &Rule) -> Vec<&'static [&'static str]> {
+    match rule.levers {
+        Levers::Sets(sets) => sets.to_vec(),
+        Levers::OfPart(levers) => PartName::ALL.into_iter().map(levers).collect(),
+    }
+}
+
+#[test]
+fn analytic_every_rule_says_all_of_itself() {
+    let ids: BTreeSet<&str> = CATALOGUE.iter().map(|rule| rule.id).collect();
+    assert_eq!(ids.len(), CATALOGUE.len(), "an identifier stands twice");
+    for rule in CATALOGUE {
+        let id = rule.id;
+        assert!(!rule.title.is_empty() && rule.sentence().ends_with('.') && !rule.units.is_empty(), "{id}");
+        let sets = lever_sets(rule);
+        assert!(sets.iter().all(|set| (1..=3).contains(&set.len())), "{id}: {sets:?}");
+        let limits = rule.limits.iter().filter_map(|limit| if let Limit::Key { key, .. } = limit { Some(*key) } else { None });
+        let blamed = if let Blame::Keys(keys) = rule.blame { keys.iter().flat_map(|(_, keys)| keys.iter()).collect() } else { Vec::new() };
+        for key in sets.iter().copied().flatten().chain(blamed).copied().chain(limits) {
+            assert!(is_key(key), "{id}: {key} is no key of a frame file");
+        }
+        match (&rule.found, rule.in_search) {
+            (Found::By(passes), InSearch::Constraints { subjects, .. }) => {
+                assert!(!subjects.is_empty() && passes.iter().any(|pass| pass.cost == Cost::Quick), "{id}: nothing for a search");
+            }
+            (_, InSearch::Constraints { subjects, .. }) => assert!(!subjects.is_empty(), "{id}: nothing for a search"),
+            (Found::By(passes), _) => assert!(passes.iter().all(|pass| pass.cost == Cost::Slow), "{id}: quick, but no constraint"),
+            (_, InSearch::AtTheEnd(why) | InSearch::AsGoal(why)) => assert!(!why.is_empty(), "{id}: no constraint, and no reason"),
+        }
+    }
+}
+
+#[test]
+fn analytic_the_page_of_the_gate_has_every_rule() {
+    let page = include_str!("../../docs/gate.md");
+    for rule in CATALOGUE {
+        let line = rule.table_line();
+        assert!(page.lines().any(|known| known == line), "docs/gate.md lacks this line of its table of rules:\n{line}");
+    }
+}
+
+#[test]
+fn regress_every_finding_of_every_preset_is_by_the_record_of_its_rule() {
+    let mut met: BTreeSet<&str> = BTreeSet::new();
+    for name in preset::names() {
+        let frame = Planted::preset(name);
+        for finding in check(&frame.design, &frame.masses) {
+            let rule = CATALOGUE.iter().find(|rule| rule.id == finding.rule).expect("a rule of the catalogue");
+            assert!(rule.units.contains(&&*finding.unit), "{finding:?}");
+            let levers: Vec<&str> = finding.levers.iter().map(|lever| &**lever).collect();
+            assert!(levers.is_empty() || lever_sets(rule).contains(&levers.as_slice()), "{finding:?}");
+            met.insert(rule.id);
+        }
+    }
+    let missing: Vec<&str> = CATALOGUE.iter().map(|rule| rule.id).filter(|id| !met.contains(id) && *id != "design_drop").collect();
+    assert!(missing.is_empty(), "no preset has a finding of {missing:?}");
+}
+
+#[test]
+fn planted_a_rule_needs_nothing_but_its_record() {
+    let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([&TOY]).collect();
+    let text = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 180.0\nstrut_rod_length_mm = 71.0\n";
+    let file = FrameFile::parse("short.toml", text).expect("reads");
+    let frame = Planted::designed(Frame::resolve(&file).expect("is one"));
+    let findings = check_by(&[&TOY], Cost::Quick, &frame.design, &frame.masses);
+    let policy = Policy { rules: &rules, ..Policy::default() };
+    let checked = CheckedFrame::new(&frame.design.frame, &file, findings, frame.masses, policy);
+    let blamed: Vec<&str> = checked.findings[0].spots.iter().map(|spot| spot.key.as_str()).collect();
+    assert_eq!(blamed, ["rods.strut_rod_length_mm", "rods.cage_rod_length_mm"]);
+    let log = sarif::log(&[Outcome { asked: "short.toml".into(), result: Ok(checked) }], &rules);
+    let log: serde_json::Value = serde_json::from_str(&log).expect("JSON");
+    let (run, last) = (&log["runs"][0], CATALOGUE.len() + 1);
+    let described = &run["tool"]["driver"]["rules"][last];
+    assert_eq!((&described["id"], &described["shortDescription"]["text"]), (&"toy".into(), &TOY.sentence().into()));
+    assert_eq!((&run["results"][0]["ruleId"], &run["results"][0]["ruleIndex"]), (&"toy".into(), &last.into()));
+    assert_eq!(TOY.table_line(), "| `toy` | the rods of the ring are long enough for a toy | `[limits]` `part_clearance_mm` |");
 }

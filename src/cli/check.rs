@@ -10,7 +10,7 @@ use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
 use super::session;
 use super::{frames, output, table, terminal};
-use crate::checks::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
+use crate::checks::gate::{Baseline, CheckedFrame, Outcome, Policy, Refused, Standing, acceptance, github, junit, markdown, sarif};
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
@@ -75,14 +75,14 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let names = frames::expand(&args.frames)?;
     let known = baseline(args)?;
     let (baseline, former) = if args.update_baseline { (None, known) } else { (known, None) };
-    let rules = Rules { strict: args.strict, baseline: baseline.as_ref() };
+    let policy = Policy { strict: args.strict, baseline: baseline.as_ref(), ..Policy::default() };
     let cache = Cache::new(!args.no_cache);
     let working = Progress::of("checking", common);
     let mut told = Vec::new();
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, args, rules, &cache).map_err(|failure| {
+            let result = hold(&asked, args, policy, &cache).map_err(|failure| {
                 told.push(failure.render());
                 refused(&failure)
             });
@@ -101,7 +101,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     say(args, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
-        for done in list.done(&outcomes) {
+        for done in acceptance::no_longer_failing(list, &outcomes) {
             let line = format!("note: {}: {} of {} is good now; strike it from {}", done.frame, done.rule, done.subject, path.display());
             terminal::tell(&line);
         }
@@ -110,7 +110,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 /// One frame's findings, kept ones where there are any.
-fn hold(asked: &str, args: &Args, rules: Rules, cache: &Cache) -> Result<Held, Failure> {
+fn hold(asked: &str, args: &Args, policy: Policy, cache: &Cache) -> Result<CheckedFrame, Failure> {
     let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: args.rigid.clone() })?;
     let Kept { findings, masses } = match cache.get(&frame) {
         Some(kept) => kept,
@@ -126,7 +126,7 @@ fn hold(asked: &str, args: &Args, rules: Rules, cache: &Cache) -> Result<Held, F
     if let Some(settings) = session::mechanics(&args.mechanics)? {
         findings.extend(strength(frame.clone(), &file, &settings)?);
     }
-    Ok(Held::new(&frame, &file, findings, masses, rules))
+    Ok(CheckedFrame::new(&frame, &file, findings, masses, policy))
 }
 
 /// What the design drop of the frame's own model does to it.
@@ -180,7 +180,7 @@ fn update(args: &Args, common: &Common, outcomes: &[Outcome], former: Option<Bas
     if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
         return Ok(ExitCode::from(code));
     }
-    let list = Baseline::of_outcomes(outcomes, former);
+    let list = acceptance::renewed(outcomes, former);
     let failed = |error| Failure::Machine { what: format!("cannot write {}", path.display()), error };
     if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         fs::create_dir_all(parent).map_err(failed)?;
@@ -209,7 +209,7 @@ fn say(args: &Args, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure
         CheckFormat::Junit => terminal::print(&xml()?),
         CheckFormat::Github => terminal::print(&github::annotations(outcomes)),
         CheckFormat::Markdown => terminal::print(&markdown::page(outcomes)),
-        CheckFormat::Sarif => terminal::print(&sarif::log(outcomes)),
+        CheckFormat::Sarif => terminal::print(&sarif::log(outcomes, &checks::CATALOGUE)),
     }
 }
 
@@ -232,7 +232,7 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
     text
 }
 
-fn frame_text(args: &Args, held: &Held) -> String {
+fn frame_text(args: &Args, held: &CheckedFrame) -> String {
     let findings: Vec<Finding> = held.findings.iter().map(|judged| judged.finding.clone()).collect();
     let every: Vec<Tightest> = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
     let table = table::findings(&if args.all { every } else { checks::tightest(&findings) });

@@ -1,10 +1,10 @@
 //! Keys of a frame file that hold a name instead of a number: what they choose, which names there are, what follows from them.
 
 use super::failure::Failure;
-use crate::params::frame::ROLES;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::{Place, nearest};
+use crate::params::roles::ROLES;
 use crate::params::{Frame, FrameFile, follows, parameters, preset};
 
 /// Keys beside the roles of bought parts, each with what it is.

@@ -142,7 +142,7 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
 fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
     let line = |part: &crate::frame::assembly::Printed| {
         let NamedMaterial { name, material } = design.material_of(part.name);
-        let quantity = part.name.quantity();
+        let quantity = part.part.quantity();
         let volume_mm3 = part.volume_mm3 * f64::from(quantity);
         let weighed = masses.lines.iter().find(|line| line.kind == "printed" && line.name == part.name.slug());
         PrintLine {

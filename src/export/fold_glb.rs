@@ -18,7 +18,8 @@ use serde_json::json;
 use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
 use crate::frame::assembly::{Body, Design, Kind};
-use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, module_turn, moments};
+use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
+use crate::frame::skeleton::module_turn;
 
 /// Folded, flexible members.
 const HINGED: [Member; 3] = [Member::HubJoint, Member::Corner(true), Member::Corner(false)];

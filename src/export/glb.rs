@@ -210,7 +210,7 @@ pub(super) fn accessor(view: Index<View>, count: usize, component: ComponentType
 }
 
 fn material(shape: &Shape) -> Material {
-    let flexible = matches!(shape.kind, Kind::Printed(name) if name.is_flexible());
+    let flexible = shape.kind.is_flexible();
     let metal = matches!(shape.kind, Kind::Motor) || shape.name.starts_with("magnet");
     Material {
         name: Some(format!("{} ({})", shape.name, shape.material)),

@@ -155,7 +155,7 @@ fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files
         .map(|part| (part, meshes.mesh(part.name).unwrap_or(&part.mesh)))
         .map(|(part, mesh)| PartEntry {
             name: part.name.to_string(),
-            quantity: part.name.quantity(),
+            quantity: part.part.quantity(),
             material: design.material_of(part.name).name.clone(),
             volume_mm3: rounded(mesh.volume_mm3()),
             mass_g: rounded(mass_of(masses, part.name.slug())),

@@ -3,10 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::catalogue::{BoughtPart, Material, Printer};
-use super::frame::{BoughtItem, NamedMaterial, ROLES, bad_entry, stated_text, text};
+use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
 use super::preset;
+use super::read::{bad_entry, stated_text, text};
 use super::refusal::{Reason, Refusal, nearest};
+use super::roles::ROLES;
 
 /// Roles that no frame can be without.
 const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];

@@ -11,9 +11,12 @@ pub mod impact_file;
 pub mod parameter;
 pub mod part_name;
 pub mod preset;
+mod read;
 pub mod refusal;
 mod relation;
 mod renamed;
+pub mod resolve;
+pub mod roles;
 
 pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::{FrameFile, LoadError};

@@ -4,7 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::catalogue;
 use super::element::{number, put, table};
-use crate::params::frame::{ROLES, TARGET_BOUNDS};
+use crate::params::resolve::TARGET_BOUNDS;
+use crate::params::roles::ROLES;
 use crate::params::{Frame, follows, parameters, preset};
 
 pub(super) fn schema() -> Value {

@@ -155,10 +155,6 @@ impl MeshSolid {
         Region::of(self.0.slice(z_mm))
     }
 
-    pub(super) fn of(solid: Manifold) -> Self {
-        Self(solid)
-    }
-
     /// The same surface with every edge cut to at most this length, for a bend that follows.
     pub fn refined(&self, length_mm: f64) -> Self {
         Self(self.0.refine_to_length(length_mm))
@@ -176,6 +172,14 @@ impl MeshSolid {
     pub(super) fn revolved(contours: &[Vec<[f64; 2]>], segments: u32, degrees: f64) -> Self {
         let outlines = contours.iter().map(|c| c.iter().map(|p| Vec2::new(p[0], p[1])).collect()).collect();
         Self(Manifold::revolve(&outlines, segments as i32, degrees))
+    }
+}
+
+impl Region {
+    /// The solid between two heights, mm.
+    pub fn drawn_up(&self, low_mm: f64, high_mm: f64) -> MeshSolid {
+        let solid = Manifold::extrude(&self.polygons(), high_mm - low_mm, 0, 0.0, Vec2::new(1.0, 1.0));
+        MeshSolid(solid).placed(&Isometry3::translation(0.0, 0.0, low_mm))
     }
 }
 

@@ -2,11 +2,7 @@
 
 use manifold_rust::cross_section::CrossSection;
 use manifold_rust::linalg::Vec2;
-use manifold_rust::manifold::Manifold;
-use manifold_rust::types::Rect;
-use nalgebra::Isometry3;
-
-use super::mesh_solid::MeshSolid;
+use manifold_rust::types::{Polygons, Rect};
 
 /// Straight pieces that a full turn is drawn with where a corner is rounded: at a radius of 0.2 mm 4 µm are lost.
 const ROUND_SEGMENTS: i32 = 16;
@@ -28,6 +24,10 @@ impl Region {
     /// Its contours: outer ones counter-clockwise, holes clockwise.
     pub fn contours(&self) -> Vec<Vec<[f64; 2]>> {
         self.0.to_polygons().iter().map(|c| c.iter().map(|p| [p.x, p.y]).collect()).collect()
+    }
+
+    pub(super) fn polygons(&self) -> Polygons {
+        self.0.to_polygons()
     }
 
     /// Nothing in it.
@@ -120,12 +120,6 @@ impl Region {
             edges.filter(|(a, b)| (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])).count()
         };
         self.contours().iter().map(crossings).sum::<usize>() % 2 == 1
-    }
-
-    /// The solid between two heights, mm.
-    pub fn drawn_up(&self, low_mm: f64, high_mm: f64) -> MeshSolid {
-        let solid = Manifold::extrude(&self.0.to_polygons(), high_mm - low_mm, 0, 0.0, Vec2::new(1.0, 1.0));
-        MeshSolid::of(solid).placed(&Isometry3::translation(0.0, 0.0, low_mm))
     }
 }
 

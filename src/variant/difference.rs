@@ -183,7 +183,7 @@ fn mass_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
 fn volume_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
     let volumes = |e: &Evaluation| {
         let parts = e.design.printed.iter();
-        parts.map(|part| (part.name.slug().to_string(), part.volume_mm3 * f64::from(part.name.quantity()))).collect()
+        parts.map(|part| (part.name.slug().to_string(), part.volume_mm3 * f64::from(part.part.quantity()))).collect()
     };
     paired(sides.map(volumes), "mm3", 0)
 }

@@ -1,7 +1,7 @@
 //! What a frame measures, by name: the vocabulary of `diff`, `explain`, `solve` and `watch`.
 
 use super::peak::predicted_peak_g;
-use crate::checks::{self, Finding, Verdict};
+use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::figures::decimals;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
@@ -39,20 +39,22 @@ pub struct Evaluation {
 impl Evaluation {
     /// Every rule.
     pub fn of(design: Design) -> Self {
+        Self::by(&CATALOGUE, Cost::Slow, design)
+    }
+
+    /// These rules, without the passes that cost more.
+    pub fn by(rules: &[&Rule], dearest: Cost, design: Design) -> Self {
         let masses = mass::table(&design);
-        let findings = checks::check(&design, &masses);
+        let findings = checks::check_by(rules, dearest, &design, &masses);
         Self::with(design, masses, findings)
     }
 
-    /// Every rule but the one that moves all parts through all steps, which takes longer than the rest together.
+    /// Every rule as far as it is quick to check.
     ///
     /// # Errors
     /// When the frame cannot be designed.
     pub fn quick(frame: Frame, workshop: &mut Workshop) -> Result<Self, crate::frame::assembly::DesignError> {
-        let design = Design::with(frame, workshop)?;
-        let masses = mass::table(&design);
-        let findings = checks::quick(&design, &masses);
-        Ok(Self::with(design, masses, findings))
+        Ok(Self::by(&CATALOGUE, Cost::Quick, Design::with(frame, workshop)?))
     }
 
     /// The same with what the frame's own mechanics say: a second or two.
@@ -92,7 +94,7 @@ impl Evaluation {
     }
 
     fn printed_mm3(&self) -> f64 {
-        self.design.printed.iter().map(|part| part.volume_mm3 * f64::from(part.name.quantity())).sum()
+        self.design.printed.iter().map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum()
     }
 
     fn mass_of_g(&self, kind: &str) -> f64 {

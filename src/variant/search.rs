@@ -8,8 +8,8 @@ use cobyla::{RhoBeg, StopTols};
 use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, Problem, Vary};
-use crate::checks::{Finding, Verdict};
-use crate::frame::assembly::Workshop;
+use crate::checks::{Cost, Finding, Rule, Verdict};
+use crate::frame::assembly::{Design, Workshop};
 use crate::params::Frame;
 
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
@@ -34,29 +34,26 @@ impl Point {
     }
 }
 
-/// What is a constraint of its own: a rule, and how the subjects begin that it is the tightest of. Width and height pull
-/// different ways; together they would have a kink where they are equal, on which a search by planes comes to rest. The fold's
-/// slow rule is left for the end.
-pub(super) const RULES: [(&str, &str); 18] = [
-    ("envelope", "width"),
-    ("envelope", "depth"),
-    ("envelope", "height"),
-    ("mass_budget", ""),
-    ("centre_of_mass", ""),
-    ("propeller_clearance", ""),
-    ("part_clearance", ""),
-    ("socket_seating", ""),
-    ("interference", ""),
-    ("ground_clearance", ""),
-    ("hinge_strain", ""),
-    ("fold_sequence", "fold: hold"),
-    ("fold_sequence", "fold: notch"),
-    ("fold_sequence", "fold: flat"),
-    ("fold_sequence", "fold"),
-    ("thinnest_wall", ""),
-    ("battery_slide", ""),
-    ("printer_bed", ""),
-];
+/// A constraint of a search: the tightest finding of a rule whose subjects begin with these words.
+#[derive(Clone, Copy)]
+pub(super) struct Constraint {
+    /// The rule.
+    pub rule: &'static Rule,
+    /// How the subjects begin.
+    pub subject: &'static str,
+}
+
+impl Constraint {
+    /// Those of all rules that a search keeps on every frame.
+    fn of_all(rules: &[&'static Rule]) -> Vec<Self> {
+        rules.iter().flat_map(|rule| rule.constraints().iter().map(|subject| Self { rule, subject })).collect()
+    }
+
+    /// Whether a finding is one of its own. Notes never are.
+    pub fn concerns(&self, finding: &Finding) -> bool {
+        finding.rule == self.rule.id && finding.subject.starts_with(self.subject) && finding.verdict != Verdict::Note
+    }
+}
 
 /// What of a unit is as much as a millimetre.
 pub(super) fn scale(unit: &str) -> f64 {
@@ -80,6 +77,10 @@ const NO_FRAME: f64 = 20.0;
 pub(super) struct Search<'a> {
     /// What is asked for.
     pub problem: &'a Problem<'a>,
+    /// The rules.
+    pub rules: &'a [&'static Rule],
+    /// What of the rules is kept on every frame.
+    pub constraints: Vec<Constraint>,
     /// Parts that were made.
     pub workshop: RefCell<Workshop>,
     points: RefCell<BTreeMap<Vec<u64>, Point>>,
@@ -91,8 +92,9 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Nothing was looked at yet.
-    pub fn new(problem: &'a Problem<'a>) -> Self {
-        Self { problem, workshop: RefCell::default(), points: RefCell::default(), order: RefCell::default(), scale: 1.0 }
+    pub fn new(problem: &'a Problem<'a>, rules: &'a [&'static Rule]) -> Self {
+        let (constraints, workshop) = (Constraint::of_all(rules), RefCell::default());
+        Self { problem, rules, constraints, workshop, points: RefCell::default(), order: RefCell::default(), scale: 1.0 }
     }
 
     /// The frame with these values.
@@ -120,13 +122,19 @@ impl<'a> Search<'a> {
         say(&self.points.borrow()[&key])
     }
 
+    /// A frame by the rules that are quick to check.
+    pub fn quick(&self, frame: Frame) -> Result<Evaluation, String> {
+        let design = Design::with(frame, &mut self.workshop.borrow_mut()).map_err(|error| error.to_string())?;
+        Ok(Evaluation::by(self.rules, Cost::Quick, design))
+    }
+
     fn look(&self, values: &[f64]) -> Point {
         let near = |from: &[f64]| {
             let part = |((vary, a), b): ((&Vary, &f64), &f64)| (vary.share(*a) - vary.share(*b)).powi(2);
             self.problem.vary.iter().zip(values).zip(from).map(part).sum::<f64>()
         };
-        let quick = |frame| Evaluation::quick(frame, &mut self.workshop.borrow_mut()).map_err(|error| error.to_string());
-        let evaluation = match self.frame(values).and_then(quick).and_then(|evaluation| self.problem.known(evaluation)) {
+        let evaluation = match self.frame(values).and_then(|frame| self.quick(frame)).and_then(|evaluation| self.problem.known(evaluation))
+        {
             Ok(evaluation) => evaluation,
             Err(why) => {
                 let aim = if let Aim::Near(from) = &self.problem.aim { near(from) } else { 1.0 };
@@ -137,21 +145,20 @@ impl<'a> Search<'a> {
             Aim::Measure(measure) => measure.of(&evaluation).unwrap_or(f64::INFINITY) / self.scale,
             Aim::Near(from) => near(from),
         };
-        Point { aim, margins: Some(margins(&evaluation, &self.problem.goals)), why: None }
+        Point { aim, margins: Some(margins(&evaluation, &self.constraints, &self.problem.goals)), why: None }
     }
 }
 
-fn margins(evaluation: &Evaluation, goals: &[Goal]) -> Vec<f64> {
-    let rule = |(rule, subject): &(&str, &str)| {
-        let fits = |f: &&Finding| f.rule == *rule && f.subject.starts_with(subject) && f.verdict != Verdict::Note;
-        let found = evaluation.findings.iter().filter(fits);
+fn margins(evaluation: &Evaluation, constraints: &[Constraint], goals: &[Goal]) -> Vec<f64> {
+    let tightest = |constraint: &Constraint| {
+        let found = evaluation.findings.iter().filter(|finding| constraint.concerns(finding));
         found.map(|f| f.margin / scale(&f.unit)).fold(FAR, f64::min).max(-FAR)
     };
     let goal = |goal: &Goal| {
         let margin = goal.measure.of(evaluation).map_or(-FAR, |value| goal.margin(value) / scale(goal.measure.unit));
         margin.clamp(-FAR, FAR)
     };
-    RULES.iter().map(rule).chain(goals.iter().map(goal)).collect()
+    constraints.iter().map(tightest).chain(goals.iter().map(goal)).collect()
 }
 
 /// Follows COBYLA from a start.
@@ -161,7 +168,7 @@ pub(super) fn descend(search: &Search, start: &[f64], step: f64, most: usize) {
         return;
     }
     let shares: Vec<f64> = problem.vary.iter().zip(start).map(|(vary, value)| vary.share(*value)).collect();
-    let count = RULES.len() + problem.goals.len() + 1;
+    let count = search.constraints.len() + problem.goals.len() + 1;
     let constraint = |at: usize| {
         Box::new(move |shares: &[f64], (): &mut ()| {
             search.of(&search.values(shares), |point| match &point.margins {

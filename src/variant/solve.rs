@@ -10,8 +10,8 @@
 use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, Binding, Problem, Solution, SolveError, Vary};
-use super::search::{RULES, STEPS, Search, descend, ranked, scale};
-use crate::checks::{Finding, Verdict};
+use super::search::{STEPS, Search, descend, ranked, scale};
+use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
 use crate::params::Frame;
 
@@ -27,16 +27,21 @@ const REASONS: usize = 3;
 /// # Errors
 /// When nothing varies, or no frame that was looked at keeps every limit.
 pub fn solve(problem: &Problem) -> Result<Solution, SolveError> {
+    solve_by(problem, &CATALOGUE)
+}
+
+/// Searches for a frame that keeps these rules.
+pub(super) fn solve_by(problem: &Problem, rules: &[&'static Rule]) -> Result<Solution, SolveError> {
     if problem.vary.is_empty() {
         return Err(SolveError::Problem("nothing varies: name parameters with --vary".into()));
     }
     let before = Frame::resolve(problem.file).map_err(|refusal| SolveError::Problem(refusal.to_string()))?;
     let own: Vec<f64> = problem.vary.iter().map(|v| before.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
     let start = if problem.start.is_empty() { own.clone() } else { problem.start.clone() };
-    let mut search = Search::new(problem);
+    let mut search = Search::new(problem, rules);
     if let Aim::Measure(measure) = problem.aim {
-        let first = Evaluation::quick(before, &mut search.workshop.borrow_mut()).map_err(|error| error.to_string());
-        let first = first.and_then(|evaluation| problem.known(evaluation)).ok().and_then(|evaluation| measure.of(&evaluation));
+        let first =
+            search.quick(before).and_then(|evaluation| problem.known(evaluation)).ok().and_then(|evaluation| measure.of(&evaluation));
         search.scale = first.filter(|value| value.abs() > 0.0).map_or(1.0, f64::abs);
     }
     descend(&search, &start, STEPS[0], problem.most / 2);
@@ -55,12 +60,12 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
     for best in ranked.iter().take(VERIFIED) {
         let Ok(frame) = search.frame(best) else { continue };
         let Ok(design) = Design::with(frame, &mut search.workshop.borrow_mut()) else { continue };
-        let Ok(evaluation) = search.problem.known(Evaluation::of(design)) else { continue };
+        let Ok(evaluation) = search.problem.known(Evaluation::by(search.rules, Cost::Slow, design)) else { continue };
         let broken = broken(&evaluation, &search.problem.goals);
         if broken.is_empty() {
             let values: Vec<(Vary, f64, f64)> =
                 search.problem.vary.iter().zip(own.iter().zip(best)).map(|(vary, (a, b))| (*vary, *a, *b)).collect();
-            let binding = binding(&evaluation, search.problem, &values);
+            let binding = binding(&evaluation, search, &values);
             let refused = refused(search, best);
             return Ok(Solution { evaluation, values, binding, refused, looked_at });
         }
@@ -84,7 +89,7 @@ fn refused(search: &Search, best: &[f64]) -> Vec<String> {
         .filter_map(|values| {
             let reason = search.of(values, |point| match (&point.margins, &point.why) {
                 (None, why) => why.clone(),
-                (Some(margins), _) if point.aim < own && point.worst() < 0.0 => worst_of(margins, &search.problem.goals),
+                (Some(margins), _) if point.aim < own && point.worst() < 0.0 => worst_of(margins, search),
                 _ => None,
             });
             reason.map(|reason| (distance(values), reason))
@@ -101,12 +106,13 @@ fn refused(search: &Search, best: &[f64]) -> Vec<String> {
 }
 
 /// The rule or goal that is missed most.
-fn worst_of(margins: &[f64], goals: &[Goal]) -> Option<String> {
+fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
     let (at, _) = margins.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
-    RULES
+    let (constraints, goals) = (&search.constraints, &search.problem.goals);
+    constraints
         .get(at)
-        .map(|(rule, subject)| format!("breaks {rule} {subject}").trim_end().to_string())
-        .or_else(|| goals.get(at - RULES.len()).map(|goal| format!("misses {}", goal.told())))
+        .map(|constraint| format!("breaks {} {}", constraint.rule.id, constraint.subject).trim_end().to_string())
+        .or_else(|| goals.get(at - constraints.len()).map(|goal| format!("misses {}", goal.told())))
 }
 
 /// What a frame misses.
@@ -117,13 +123,12 @@ fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
 }
 
 /// Limits with hardly any room, and bounds that are reached.
-fn binding(evaluation: &Evaluation, problem: &Problem, values: &[(Vary, f64, f64)]) -> Vec<Binding> {
+fn binding(evaluation: &Evaluation, search: &Search, values: &[(Vary, f64, f64)]) -> Vec<Binding> {
     let mut found: Vec<(f64, Binding)> = Vec::new();
-    for (rule, subject) in RULES {
-        let fits = |f: &&Finding| f.rule == rule && f.subject.starts_with(subject) && f.verdict != Verdict::Note;
-        let of = evaluation.findings.iter().filter(fits);
-        // What is meant to be zero, as a shared volume is, has no room to begin with and holds nothing back.
-        let real = of.filter(|f| f.limit.abs() / scale(&f.unit) > 2.0 * BINDS && !matches!(rule, "interference" | "battery_slide"));
+    for constraint in search.constraints.iter().filter(|constraint| constraint.rule.binds()) {
+        let of = evaluation.findings.iter().filter(|finding| constraint.concerns(finding));
+        // What is meant to be zero has no room to begin with and limits nothing.
+        let real = of.filter(|f| f.limit.abs() / scale(&f.unit) > 2.0 * BINDS);
         let tightest: Option<&Finding> = real.min_by(|a, b| (a.margin / scale(&a.unit)).total_cmp(&(b.margin / scale(&b.unit))));
         if let Some(f) = tightest.filter(|f| f.margin / scale(&f.unit) < BINDS) {
             let what = format!("{}: {}", f.rule, f.message);
@@ -133,7 +138,7 @@ fn binding(evaluation: &Evaluation, problem: &Problem, values: &[(Vary, f64, f64
             }
         }
     }
-    for goal in &problem.goals {
+    for goal in &search.problem.goals {
         let margin = goal.measure.of(evaluation).map_or(0.0, |value| goal.margin(value));
         if margin / scale(goal.measure.unit) < BINDS {
             found.push((margin, Binding { what: goal.told(), margin, unit: goal.measure.unit.into() }));
@@ -150,4 +155,27 @@ fn binding(evaluation: &Evaluation, problem: &Problem, values: &[(Vary, f64, f64
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.into_iter().map(|(_, binding)| binding).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{TOY, TOY_MM};
+    use crate::params::{FrameFile, parameters};
+    use crate::variant::measure;
+
+    #[test]
+    fn planted_a_search_keeps_a_rule_that_it_does_not_name() {
+        let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([&TOY]).collect();
+        let file = FrameFile::load("cognifly").expect("a preset");
+        let frame = Frame::resolve(&file).expect("is one");
+        let rod = parameters().find(|p| p.key == "cage_rod_length_mm").expect("a parameter");
+        let aim = Aim::Measure(measure("envelope.width").expect("a measure"));
+        let vary = vec![Vary::around(rod, &frame, 0.05)];
+        let problem = Problem { file: &file, aim, goals: Vec::new(), vary, start: Vec::new(), most: 14, mechanics: None };
+        let solution = solve_by(&problem, &rules).ok().expect("is found");
+        let (_, before, after) = solution.values[0];
+        assert!(after < before && (TOY_MM..TOY_MM + 0.5).contains(&after), "{after}");
+        assert!(solution.binding.iter().any(|binding| binding.what.starts_with("toy: ")), "{:?}", solution.binding);
+    }
 }

@@ -9,10 +9,7 @@ use std::sync::OnceLock;
 
 use flexframe::checks;
 use flexframe::frame::assembly::{Design, Printed, mass};
-use flexframe::frame::parts::{
-    BottomCorner, Fork, HubJoint, Knee, MotorMount, TopCorner, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub,
-    pi_carrier,
-};
+use flexframe::frame::parts::catalogue;
 use flexframe::frame::skeleton::Centre;
 use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName, parameters};
@@ -93,23 +90,7 @@ fn base_value(key: &str) -> f64 {
 
 /// The features of every printed part, before they are made.
 fn features(frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> BTreeMap<PartName, Feature> {
-    let tilt = skeleton.closure.strut_tilt;
-    let feature = |name| match name {
-        PartName::TopCorner => TopCorner::from_frame(frame, tilt).feature(),
-        PartName::BottomCorner => BottomCorner::from_frame(frame, tilt).feature(),
-        PartName::Knee => Knee::from_frame(frame, tilt).feature(),
-        PartName::Fork => Fork::from_frame(frame).feature(),
-        PartName::MotorMount => MotorMount::from_frame(frame).feature(),
-        PartName::HubJoint => HubJoint::from_frame(frame).feature(),
-        PartName::Hub => hub::feature(frame, centre),
-        PartName::PiCarrier => pi_carrier::feature(frame, centre),
-        PartName::BatteryBracket => battery_bracket::feature(frame, centre),
-        PartName::BatterySleeve => battery_sleeve::feature(frame, centre),
-        PartName::BatteryLid => battery_lid::feature(frame, centre),
-        PartName::CameraConnectorLeft => camera_connector::left(frame, centre),
-        PartName::CameraConnectorRight => camera_connector::right(frame, centre),
-    };
-    PartName::ALL.into_iter().map(|name| (name, feature(name))).collect()
+    catalogue().into_iter().map(|part| (part.name, (part.feature)(frame, &skeleton.closure, centre))).collect()
 }
 
 /// The frame before its change: designed once for all tests. A test asks for it before it works in parallel: a thread

@@ -76,7 +76,7 @@ fn faults(frame: &Frame) -> Vec<String> {
         Err(error) => return vec![error.to_string()],
     };
     // The fold has its own random frames.
-    let findings = checks::quick(&design, &mass::table(&design));
+    let findings = checks::check_by(&checks::CATALOGUE, checks::Cost::Quick, &design, &mass::table(&design));
     let seats: Vec<_> = findings.iter().filter(|f| f.rule == "socket_seating").collect();
     assert!(seats.len() >= 56, "every rod end is looked at");
     // How far a rod has to reach in is a limit of the frame file, not a matter of being seated.

@@ -1,4 +1,5 @@
-//! What the source tree promises: the order of its imports, licences of the libraries.
+//! What the source tree promises: the order of its imports, no circles of files, licences of the libraries.
 
+mod circles;
 mod layering;
 mod licences;

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::outcome::{Outcome, Standing};
 use crate::checks::Finding;
 
 /// How much worse than recorded a finding may be, in its own unit: records are rounded to a millionth.
@@ -30,6 +29,11 @@ pub struct Accepted {
 impl Accepted {
     fn key(&self) -> [&str; 3] {
         [&self.frame, &self.rule, &self.subject]
+    }
+
+    /// Whether it is a finding of a frame, whatever the numbers.
+    pub fn is(&self, frame: &str, finding: &Finding) -> bool {
+        self.key() == [frame, &*finding.rule, finding.subject.as_str()]
     }
 }
 
@@ -71,17 +75,17 @@ impl Baseline {
         Self { schema_version: VERSION, accepted }
     }
 
-    /// A list of all that fails, or would without a list; of frames that were not held, what a former list has.
-    pub fn of_outcomes(outcomes: &[Outcome], former: Option<Self>) -> Self {
-        let held = || outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok());
-        let mut list = Self::of(held().flat_map(|held| {
-            let failing = held.findings.iter().filter(|judged| judged.standing >= Standing::Accepted);
-            failing.map(|judged| (held.frame.as_str(), &judged.finding))
-        }));
-        let kept = former.into_iter().flat_map(|former| former.accepted).filter(|a| held().all(|held| held.frame != a.frame));
-        list.accepted.extend(kept);
-        list.accepted.sort_by(|a, b| a.key().cmp(&b.key()));
-        list
+    /// The list with those entries of another one whose frames are not among these.
+    pub fn with_other_frames(mut self, other: Option<Self>, frames: &[&str]) -> Self {
+        let kept = other.into_iter().flat_map(|other| other.accepted).filter(|entry| !frames.contains(&entry.frame.as_str()));
+        self.accepted.extend(kept);
+        self.accepted.sort_by(|a, b| a.key().cmp(&b.key()));
+        self
+    }
+
+    /// Its entries, by frame, rule and subject.
+    pub fn entries(&self) -> &[Accepted] {
+        &self.accepted
     }
 
     /// Reads a list.
@@ -101,22 +105,8 @@ impl Baseline {
 
     /// Whether a finding of a frame is on the list and no worse than there.
     pub fn accepts(&self, frame: &str, finding: &Finding) -> bool {
-        self.accepted.iter().any(|a| is(a, frame, finding) && finding.margin >= a.margin - SAME)
+        self.accepted.iter().any(|entry| entry.is(frame, finding) && finding.margin >= entry.margin - SAME)
     }
-
-    /// Entries of frames that were held and no longer have such a finding.
-    pub fn done<'a>(&'a self, outcomes: &'a [Outcome]) -> impl Iterator<Item = &'a Accepted> {
-        self.accepted.iter().filter(|a| {
-            let held = outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok()).find(|held| held.frame == a.frame);
-            held.is_some_and(|held| {
-                !held.findings.iter().any(|judged| judged.standing >= Standing::Accepted && is(a, &held.frame, &judged.finding))
-            })
-        })
-    }
-}
-
-fn is(accepted: &Accepted, frame: &str, finding: &Finding) -> bool {
-    (accepted.frame.as_str(), accepted.rule.as_str(), accepted.subject.as_str()) == (frame, &*finding.rule, finding.subject.as_str())
 }
 
 #[cfg(test)]

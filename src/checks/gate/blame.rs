@@ -1,12 +1,12 @@
 //! Where a frame file drives a finding.
 //!
-//! Of a mass the largest contributors, heaviest first, of the envelope the rods, of a part what drives that part; but for
-//! masses a value that the file itself states comes before one of its bases', and the limit after what it limits. A preset that comes with the program is no
-//! file that anybody could change, so nothing points there.
+//! What the rule's record blames comes first, then the levers, then what drives the part that the subject names, then the limit.
+//! A value that the file itself states comes before one of its bases', but for a sum of masses, whose largest come first. A
+//! preset that comes with the program is no file that anybody could change, so nothing points there.
 
 use std::sync::Arc;
 
-use crate::checks::Finding;
+use crate::checks::{Blame, Finding, Rule};
 use crate::frame::assembly::mass::{MassLine, MassTable};
 use crate::params::refusal::Place;
 use crate::params::{FrameFile, follows, parameters};
@@ -52,19 +52,19 @@ fn plain(name: &str) -> String {
 }
 
 /// Where a frame file drives a finding, the first most. None when there is no file to change.
-pub fn spots(finding: &Finding, file: &FrameFile, masses: &MassTable) -> Vec<Spot> {
+pub fn spots(finding: &Finding, rule: Option<&Rule>, file: &FrameFile, masses: &MassTable) -> Vec<Spot> {
     let own = |place: &Place| file.files.iter().any(|source| Arc::ptr_eq(source, &place.source));
     let mut stated: Vec<(usize, Spot)> = Vec::new();
-    for key in drivers(finding, masses) {
+    for key in drivers(finding, rule, masses) {
         let Some(entry) = file.entries.get(&key).filter(|entry| own(&entry.place)) else { continue };
         let spot = Spot::at(&key, &entry.place);
         if stated.iter().all(|(_, known)| *known != spot) {
             stated.push((entry.depth, spot));
         }
     }
-    if finding.rule == "mass_budget" {
+    if rule.is_some_and(is_sum_of_masses) {
         // The heaviest comes first wherever it stands, unless the limit is what the nearer file changed.
-        let limit = limit_key(finding).unwrap_or_default();
+        let limit = rule.and_then(|rule| rule.limit_key(&finding.subject)).unwrap_or_default();
         let nearest = stated.iter().filter(|(_, spot)| spot.key != limit).map(|(depth, _)| *depth).min();
         stated.sort_by_key(|(depth, spot)| spot.key != limit || nearest.is_some_and(|nearest| *depth >= nearest));
     } else {
@@ -81,22 +81,38 @@ pub fn spots(finding: &Finding, file: &FrameFile, masses: &MassTable) -> Vec<Spo
 }
 
 /// Keys that drive a finding, the first most.
-fn drivers(finding: &Finding, masses: &MassTable) -> Vec<String> {
-    let mut keys: Vec<String> = Vec::new();
-    match &*finding.rule {
-        "mass_budget" | "centre_of_mass" => keys.extend(mass_keys(masses)),
-        "envelope" => keys.extend(envelope_keys(&finding.subject).iter().map(|key| key.to_string())),
-        _ => {}
-    }
+fn drivers(finding: &Finding, rule: Option<&Rule>, masses: &MassTable) -> Vec<String> {
+    let mut keys: Vec<String> = match rule.map(|rule| rule.blame) {
+        Some(Blame::Masses { .. }) => mass_keys(masses),
+        Some(Blame::Keys(by_subject)) => {
+            let fits = by_subject.iter().find(|(subject, _)| finding.subject.starts_with(subject));
+            fits.into_iter().flat_map(|(_, keys)| keys.iter()).map(|key| key.to_string()).collect()
+        }
+        Some(Blame::Levers) | None => Vec::new(),
+    };
     for lever in finding.levers.iter() {
         keys.extend(std::iter::once(lever.clone().into_owned()).chain(followed(lever, masses)));
     }
     let named = |p: &&crate::params::parameter::Parameter| p.drives.iter().any(|part| finding.subject.contains(part.slug()));
-    if !matches!(&*finding.rule, "mass_budget" | "envelope") {
-        keys.extend(parameters().filter(named).map(|p| format!("{}.{}", p.table, p.key)));
-    }
-    keys.extend(limit_key(finding).map(String::from));
+    keys.extend(parameters().filter(named).map(|p| format!("{}.{}", p.table, p.key)));
+    keys.extend(rule.and_then(|rule| rule.limit_key(&finding.subject)).map(String::from));
     keys
+}
+
+/// Whether the value of a rule's findings is a sum of masses.
+fn is_sum_of_masses(rule: &Rule) -> bool {
+    rule.blame == Blame::Masses { summed: true }
+}
+
+/// The largest masses, as a clause that goes after a message; empty for a rule whose value is no sum of masses.
+pub(super) fn masses_named(rule: &Rule, masses: &MassTable) -> String {
+    if !is_sum_of_masses(rule) {
+        return String::new();
+    }
+    let mut lines: Vec<_> = masses.lines.iter().collect();
+    lines.sort_by(|a, b| b.total_g.total_cmp(&a.total_g).then_with(|| a.name.cmp(&b.name)));
+    let named: Vec<String> = lines.iter().take(HEAVIEST).map(|line| format!("{} {:.1} g", line.name, line.total_g)).collect();
+    format!("; the largest are {}", named.join(", "))
 }
 
 /// Where a lever that no file states comes from: the bought part that it follows, its own figures first.
@@ -105,30 +121,6 @@ fn followed(lever: &str, masses: &MassTable) -> Vec<String> {
     let part = masses.lines.iter().find(|line| line.kind == "bought" && line.name == role).map(|line| &line.material);
     let figures = part.map(|part| ["size_mm", "mass_g"].map(|figure| format!("override.parts.{part}.{figure}")));
     figures.into_iter().flatten().chain([format!("bought.{role}")]).collect()
-}
-
-/// Rods first, then what else makes the frame wide or high.
-fn envelope_keys(subject: &str) -> [&'static str; 6] {
-    let [width, height] = ["target.width_mm", "target.height_mm"];
-    if subject.starts_with("height") {
-        [
-            height,
-            "rods.strut_rod_length_mm",
-            "rods.arm_rod_length_mm",
-            "rods.cage_rod_length_mm",
-            "target.strut_tilt_deg",
-            "bracket.bay_height_mm",
-        ]
-    } else {
-        [
-            width,
-            "rods.cage_rod_length_mm",
-            "rods.arm_rod_length_mm",
-            "rods.strut_rod_length_mm",
-            "corner.corner_node_to_bottom_mm",
-            "corner.corner_wall_mm",
-        ]
-    }
 }
 
 /// Keys of the heaviest lines first.
@@ -150,21 +142,4 @@ fn line_keys(line: &MassLine) -> Vec<String> {
         "rod" => vec![format!("rods.{name}_length_mm"), "bought.rod".into()],
         _ => vec![format!("override.materials.{material}.print_factor"), format!("override.materials.{material}.density_g_cm3")],
     }
-}
-
-/// The key of a finding's limit, where it is one of the frame file's.
-fn limit_key(finding: &Finding) -> Option<&'static str> {
-    Some(match &*finding.rule {
-        "envelope" if finding.subject.starts_with("height") => "limits.envelope_height_mm",
-        "envelope" => "limits.envelope_width_mm",
-        "mass_budget" => "limits.mass_budget_g",
-        "centre_of_mass" => "limits.centre_of_mass_offset_mm",
-        "propeller_clearance" => "limits.propeller_clearance_mm",
-        "part_clearance" => "limits.part_clearance_mm",
-        "ground_clearance" => "limits.ground_clearance_mm",
-        "socket_seating" => "limits.socket_engagement_mm",
-        "hinge_strain" => "limits.hinge_strain_factor",
-        "printer_bed" | "thinnest_wall" | "narrowest_gap" | "footing" => "printer",
-        _ => return None,
-    })
 }

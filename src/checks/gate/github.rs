@@ -4,7 +4,8 @@
 //! line feeds and carriage returns escaped in messages, in properties `:` and `,` too.
 
 use super::blame::Spot;
-use super::outcome::{Held, Judged, Outcome, Refused, Standing};
+use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
+use super::policy::Standing;
 
 /// One line an annotation, errors first.
 pub fn annotations(outcomes: &[Outcome]) -> String {
@@ -24,10 +25,10 @@ fn of_refusal(asked: &str, refused: &Refused) -> String {
     command("error", spot.as_ref(), "refused", &format!("{asked}: {message}. {remedy}"))
 }
 
-fn of_frame(held: &Held) -> Vec<(u8, String)> {
+fn of_frame(held: &CheckedFrame) -> Vec<(u8, String)> {
     let mut lines = Vec::new();
     for judged in &held.findings {
-        let Judged { finding, standing, spots } = judged;
+        let Judged { finding, standing, spots, made_of } = judged;
         let (rank, word) = match standing {
             Standing::Good => continue,
             Standing::Fails => (0, "error"),
@@ -36,7 +37,7 @@ fn of_frame(held: &Held) -> Vec<(u8, String)> {
         };
         let accepted = if *standing == Standing::Accepted { " (accepted)" } else { "" };
         let title = format!("{}: {}", held.frame, finding.rule);
-        lines.push((rank, command(word, spots.first(), &title, &format!("{}{accepted}{}", finding.message, why(held, judged)))));
+        lines.push((rank, command(word, spots.first(), &title, &format!("{}{accepted}{made_of}", finding.message))));
         if *standing == Standing::Fails {
             lines.extend(
                 spots.iter().skip(1).map(|spot| (2, command("notice", Some(spot), &title, &format!("`{}` drives this, too", spot.key)))),
@@ -44,17 +45,6 @@ fn of_frame(held: &Held) -> Vec<(u8, String)> {
         }
     }
     lines
-}
-
-/// What a mass is made of; nothing for another finding.
-pub(super) fn why(held: &Held, judged: &Judged) -> String {
-    if judged.finding.rule != "mass_budget" {
-        return String::new();
-    }
-    let mut lines: Vec<_> = held.masses.lines.iter().collect();
-    lines.sort_by(|a, b| b.total_g.total_cmp(&a.total_g).then_with(|| a.name.cmp(&b.name)));
-    let named: Vec<String> = lines.iter().take(3).map(|line| format!("{} {:.1} g", line.name, line.total_g)).collect();
-    format!("; the largest are {}", named.join(", "))
 }
 
 fn command(word: &str, spot: Option<&Spot>, title: &str, message: &str) -> String {

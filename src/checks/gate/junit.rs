@@ -3,8 +3,8 @@
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::blame::Spot;
-use super::github::why;
-use super::outcome::{Held, Judged, Outcome, Refused, Standing};
+use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
+use super::policy::Standing;
 
 /// The report as XML.
 ///
@@ -21,7 +21,7 @@ pub fn xml(outcomes: &[Outcome]) -> Result<String, quick_junit::SerializeError> 
     report.to_string()
 }
 
-fn suite(asked: &str, held: &Held) -> TestSuite {
+fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
     let mut suite = TestSuite::new(held.frame.as_str());
     suite.add_property(("frame", asked));
     suite.add_property(("mass_g", format!("{:.3}", held.masses.total_g).as_str()));
@@ -29,9 +29,9 @@ fn suite(asked: &str, held: &Held) -> TestSuite {
     suite
 }
 
-fn case(held: &Held, judged: &Judged) -> TestCase {
-    let Judged { finding, standing, spots } = judged;
-    let told = format!("{}{}{}", finding.message, why(held, judged), place(spots.first()));
+fn case(held: &CheckedFrame, judged: &Judged) -> TestCase {
+    let Judged { finding, standing, spots, made_of } = judged;
+    let told = format!("{}{}{}", finding.message, made_of, place(spots.first()));
     let status = match standing {
         Standing::Good | Standing::Warning => TestCaseStatus::success(),
         Standing::Accepted => {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use super::github::why;
-use super::outcome::{Held, Outcome, Refused, Standing};
+use super::outcome::{CheckedFrame, Outcome, Refused};
+use super::policy::Standing;
 use crate::checks::{self, Finding, Verdict};
 
 /// A table of frames, then what is wrong with each, then the tightest limits of each.
@@ -24,7 +24,7 @@ pub fn page(outcomes: &[Outcome]) -> String {
     page
 }
 
-fn row(held: &Held) -> String {
+fn row(held: &CheckedFrame) -> String {
     let extent = |axis: &str| {
         let subject = format!("{axis} without propellers");
         held.findings.iter().find(|judged| judged.finding.subject == subject).map_or(0.0, |judged| judged.finding.value)
@@ -45,12 +45,12 @@ fn refusal(asked: &str, refused: &Refused) -> String {
     format!("\n### {}\n\nRefused{place}: {message}. {remedy}\n", cell(asked))
 }
 
-fn section(held: &Held) -> String {
+fn section(held: &CheckedFrame) -> String {
     let mut text = format!("\n### {}\n\n", cell(&held.frame));
     for (standing, word) in [(Standing::Fails, "**fails**"), (Standing::Warning, "warning"), (Standing::Accepted, "accepted")] {
         for judged in held.of(standing) {
             let place = judged.spots.first().map_or(String::new(), |spot| format!(" (`{}:{}`)", spot.file, spot.line));
-            let _ = writeln!(text, "- {word}: {}{}{place}", judged.finding.message, why(held, judged));
+            let _ = writeln!(text, "- {word}: {}{}{place}", judged.finding.message, judged.made_of);
         }
     }
     text += "\n<details><summary>margins</summary>\n\n| rule | of | value | limit | margin |\n|---|---|---|---|---|\n";

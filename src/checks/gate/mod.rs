@@ -1,13 +1,16 @@
-//! The gate: frames held against their limits, what of it fails a job, and the forms that build servers read.
+//! The gate: frames checked against their limits, what of it fails a job, and the forms that build servers read.
 
-pub mod baseline;
+pub mod acceptance;
+mod baseline;
 mod blame;
 pub mod github;
 pub mod junit;
 pub mod markdown;
 mod outcome;
+mod policy;
 pub mod sarif;
 
-pub use baseline::Baseline;
+pub use baseline::{Accepted, Baseline, BaselineError};
 pub use blame::{Spot, spots};
-pub use outcome::{Held, Judged, Outcome, Refused, Rules, Standing};
+pub use outcome::{CheckedFrame, Judged, Outcome, Refused};
+pub use policy::{Policy, Standing};

@@ -1,47 +1,11 @@
 //! What became of a frame at the gate.
 
-use super::baseline::Baseline;
-use super::blame::{Spot, spots};
-use crate::checks::{Finding, Verdict};
+use super::blame::{Spot, masses_named, spots};
+use super::policy::{Policy, Standing};
+use crate::checks::Finding;
 use crate::frame::assembly::mass::MassTable;
 use crate::params::refusal::Refusal;
 use crate::params::{Frame, FrameFile};
-
-/// What a finding means to a job.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Standing {
-    /// The limit is kept, or it is a remark.
-    Good,
-    /// A note beyond its figure; nothing fails.
-    Warning,
-    /// It would fail, but is on the list of accepted findings.
-    Accepted,
-    /// The job fails.
-    Fails,
-}
-
-/// What decides about a finding besides its verdict.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Rules<'a> {
-    /// Warnings fail too.
-    pub strict: bool,
-    /// What was accepted before.
-    pub baseline: Option<&'a Baseline>,
-}
-
-impl Rules<'_> {
-    /// What a finding means.
-    pub fn standing(&self, frame: &str, finding: &Finding) -> Standing {
-        let warns = finding.verdict == Verdict::Note && finding.margin < 0.0;
-        let fails = finding.verdict == Verdict::Violated || (warns && self.strict);
-        match (fails, warns) {
-            (true, _) if self.baseline.is_some_and(|baseline| baseline.accepts(frame, finding)) => Standing::Accepted,
-            (true, _) => Standing::Fails,
-            (false, true) => Standing::Warning,
-            (false, false) => Standing::Good,
-        }
-    }
-}
 
 /// A finding and what it means.
 #[derive(Clone, Debug)]
@@ -52,11 +16,13 @@ pub struct Judged {
     pub standing: Standing,
     /// Where the frame file drives it, the first most; empty for what is good.
     pub spots: Vec<Spot>,
+    /// What its value is made of, as a clause that goes after its message; empty where the message says all.
+    pub made_of: String,
 }
 
-/// A frame that was held against its limits.
+/// A frame that was checked against its limits.
 #[derive(Clone, Debug)]
-pub struct Held {
+pub struct CheckedFrame {
     /// Its name.
     pub frame: String,
     /// Its findings, in the order of the rules.
@@ -65,13 +31,14 @@ pub struct Held {
     pub masses: MassTable,
 }
 
-impl Held {
+impl CheckedFrame {
     /// Judges the findings of a frame.
-    pub fn new(frame: &Frame, file: &FrameFile, findings: Vec<Finding>, masses: MassTable, rules: Rules) -> Self {
+    pub fn new(frame: &Frame, file: &FrameFile, findings: Vec<Finding>, masses: MassTable, policy: Policy) -> Self {
         let judge = |finding: Finding| {
-            let standing = rules.standing(&frame.name, &finding);
-            let spots = if standing == Standing::Good { Vec::new() } else { spots(&finding, file, &masses) };
-            Judged { finding, standing, spots }
+            let (rule, standing) = (policy.rule(&finding), policy.standing(&frame.name, &finding));
+            let spots = if standing == Standing::Good { Vec::new() } else { spots(&finding, rule, file, &masses) };
+            let made_of = rule.map_or(String::new(), |rule| masses_named(rule, &masses));
+            Judged { finding, standing, spots, made_of }
         };
         let findings = findings.into_iter().map(judge).collect();
         Self { frame: frame.name.clone(), findings, masses }
@@ -88,7 +55,7 @@ impl Held {
     }
 }
 
-/// A frame that could not be held against anything.
+/// A frame that could not be checked.
 #[derive(Clone, Debug)]
 pub struct Refused {
     /// Why.
@@ -115,7 +82,7 @@ pub struct Outcome {
     /// A preset's name or a path, as asked for.
     pub asked: String,
     /// What became of it.
-    pub result: Result<Held, Refused>,
+    pub result: Result<CheckedFrame, Refused>,
 }
 
 impl Outcome {
@@ -126,43 +93,5 @@ impl Outcome {
             Err(refused) if refused.machine => 3,
             Err(_) => 2,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn finding(verdict: Verdict, margin: f64) -> Finding {
-        Finding {
-            rule: "mass_budget".into(),
-            subject: "take-off mass".into(),
-            verdict,
-            value: 250.0 - margin,
-            limit: 250.0,
-            margin,
-            unit: "g".into(),
-            message: String::new(),
-            levers: Vec::new(),
-        }
-    }
-
-    #[test]
-    fn analytic_what_fails_a_job() {
-        let (lax, strict) = (Rules::default(), Rules { strict: true, baseline: None });
-        for (finding, standing, strictly) in [
-            (finding(Verdict::Holds, 3.0), Standing::Good, Standing::Good),
-            (finding(Verdict::Note, 3.0), Standing::Good, Standing::Good),
-            (finding(Verdict::Note, -3.0), Standing::Warning, Standing::Fails),
-            (finding(Verdict::Violated, -3.0), Standing::Fails, Standing::Fails),
-        ] {
-            assert_eq!((lax.standing("a", &finding), strict.standing("a", &finding)), (standing, strictly), "{finding:?}");
-        }
-        let accepted = Baseline::of([("a", &finding(Verdict::Violated, -3.0))].into_iter());
-        let rules = Rules { strict: false, baseline: Some(&accepted) };
-        assert_eq!(rules.standing("a", &finding(Verdict::Violated, -3.0)), Standing::Accepted);
-        assert_eq!(rules.standing("a", &finding(Verdict::Violated, -2.0)), Standing::Accepted, "it got better");
-        assert_eq!(rules.standing("a", &finding(Verdict::Violated, -3.1)), Standing::Fails, "it got worse");
-        assert_eq!(rules.standing("b", &finding(Verdict::Violated, -3.0)), Standing::Fails, "of another frame");
     }
 }

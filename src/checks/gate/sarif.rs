@@ -3,47 +3,29 @@
 use serde_json::{Value, json};
 
 use super::blame::Spot;
-use super::github::why;
-use super::outcome::{Held, Judged, Outcome, Refused, Standing};
+use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
+use super::policy::Standing;
+use crate::checks::Rule;
 
-/// Rules with a sentence each, in the order of the checks; `refused` is that of files that do not read.
-const RULES: [(&str, &str); 20] = [
-    ("refused", "The frame file cannot be read, or says what no frame can be."),
-    ("envelope", "The frame's bounding box is no larger than its limits."),
-    ("mass_budget", "The frame takes off with no more than its budget."),
-    ("centre_of_mass", "The centre of mass is near the middle of the motors, in plan."),
-    ("propeller_clearance", "Propellers stay clear of everything but their motors."),
-    ("part_clearance", "Rods stay clear of each other and of parts that do not hold them."),
-    ("socket_seating", "Each end of a rod sits in a bore, deep enough."),
-    ("interference", "Bodies share no volume beyond the meant press fits."),
-    ("ground_clearance", "What hangs lowest stays off the ground."),
-    ("hinge_strain", "Folded hinges are strained by less than their material bears."),
-    ("fold_sequence", "There is a way to put the frame together."),
-    ("thinnest_wall", "No wall is thinner than the nozzle can print."),
-    ("narrowest_gap", "No gap is narrower than a printed line."),
-    ("battery_slide", "The battery slides out and meets its stops."),
-    ("printer_bed", "Each part fits the printer's bed."),
-    ("footing", "Each part stands on its first layer while it is printed."),
-    ("layer_direction", "No hinge is strained across its layers."),
-    ("overhang", "Nothing leans far out over air as printed."),
-    ("island", "No layer has a piece that begins in the air."),
-    ("bridge", "Bridges are no longer than their material spans."),
-];
+/// What is reported of a file that gives no frame: identifier, name and sentence.
+const REFUSED: [&str; 3] = ["refused", "Refused", "The frame file can be read, and describes a possible frame."];
 
-/// The log as JSON text.
-pub fn log(outcomes: &[Outcome]) -> String {
+/// The log as JSON text. The rules are those that the findings are of.
+pub fn log(outcomes: &[Outcome], rules: &[&Rule]) -> String {
     let results: Vec<Value> = outcomes
         .iter()
         .flat_map(|outcome| match &outcome.result {
-            Ok(held) => of_frame(&outcome.asked, held),
-            Err(refused) => vec![of_refusal(&outcome.asked, refused)],
+            Ok(held) => of_frame(&outcome.asked, held, rules),
+            Err(refused) => vec![of_refusal(&outcome.asked, refused, rules)],
         })
         .collect();
-    let rule = |(id, text): &(&str, &str)| json!({ "id": id, "shortDescription": { "text": text } });
+    let described = |id: &str, name: &str, text: &str| json!({ "id": id, "name": name, "shortDescription": { "text": text } });
+    let refused = described(REFUSED[0], REFUSED[1], REFUSED[2]);
+    let described = rules.iter().map(|rule| described(rule.id, rule.title, &rule.sentence()));
     let driver = json!({
         "name": "flexframe",
         "semanticVersion": env!("CARGO_PKG_VERSION"),
-        "rules": RULES.iter().map(rule).collect::<Vec<_>>(),
+        "rules": std::iter::once(refused).chain(described).collect::<Vec<_>>(),
     });
     let log = json!({
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
@@ -53,18 +35,19 @@ pub fn log(outcomes: &[Outcome]) -> String {
     format!("{log:#}\n")
 }
 
-fn of_frame(asked: &str, held: &Held) -> Vec<Value> {
-    held.findings.iter().filter(|judged| judged.standing != Standing::Good).map(|judged| result(asked, held, judged)).collect()
+fn of_frame(asked: &str, held: &CheckedFrame, rules: &[&Rule]) -> Vec<Value> {
+    let reported = held.findings.iter().filter(|judged| judged.standing != Standing::Good);
+    reported.map(|judged| result(asked, held, judged, rules)).collect()
 }
 
-fn result(asked: &str, held: &Held, judged: &Judged) -> Value {
-    let Judged { finding, standing, spots } = judged;
+fn result(asked: &str, held: &CheckedFrame, judged: &Judged, rules: &[&Rule]) -> Value {
+    let Judged { finding, standing, spots, made_of } = judged;
     let level = match standing {
         Standing::Fails => "error",
         Standing::Accepted => "note",
         Standing::Good | Standing::Warning => "warning",
     };
-    let text = format!("{}: {}{}", held.frame, finding.message, why(held, judged));
+    let text = format!("{}: {}{made_of}", held.frame, finding.message);
     let mut result = json!({
         "ruleId": finding.rule,
         "level": level,
@@ -75,27 +58,29 @@ fn result(asked: &str, held: &Held, judged: &Judged) -> Value {
         "partialFingerprints": { "frameRuleSubject/v1": format!("{}/{}/{}", held.frame, finding.rule, finding.subject) },
         "properties": { "frame": asked, "value": finding.value, "limit": finding.limit, "margin": finding.margin, "unit": finding.unit },
     });
-    number_rule(&mut result);
+    number_rule(&mut result, rules);
     if *standing == Standing::Accepted {
         result["suppressions"] = json!([{ "kind": "external", "justification": "in the list of accepted findings" }]);
     }
     result
 }
 
-fn of_refusal(asked: &str, refused: &Refused) -> Value {
+fn of_refusal(asked: &str, refused: &Refused, rules: &[&Rule]) -> Value {
     let Refused { message, remedy, spot, .. } = refused;
     let mut result = json!({
-        "ruleId": "refused",
+        "ruleId": REFUSED[0],
         "level": "error",
         "message": { "text": format!("{asked}: {message}. {remedy}") },
         "locations": spot.iter().map(location).collect::<Vec<_>>(),
     });
-    number_rule(&mut result);
+    number_rule(&mut result, rules);
     result
 }
 
-fn number_rule(result: &mut Value) {
-    if let Some(at) = RULES.iter().position(|(id, _)| result["ruleId"] == *id) {
+/// Where a result's rule stands in the list; `refused` is the first.
+fn number_rule(result: &mut Value, rules: &[&Rule]) {
+    let mut listed = std::iter::once(REFUSED[0]).chain(rules.iter().map(|rule| rule.id));
+    if let Some(at) = listed.position(|id| result["ruleId"] == id) {
         result["ruleIndex"] = json!(at);
     }
 }

@@ -3,10 +3,26 @@
 //! On a rectangular bed the part may be turned by a right angle; on a round one its corners' distance from the middle
 //! of its box counts.
 
-use crate::checks::finding::{Finding, Measure};
+use crate::checks::finding::Finding;
+use crate::checks::measure::Measure;
+use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::frame::assembly::Printed;
 use crate::params::catalogue::{Bed, Printer};
+
+const LEVERS: &[&str] = &["printer"];
+
+pub static RULE: Rule = Rule {
+    id: "printer_bed",
+    title: "Printer's bed",
+    requires: "each part fits the printer's bed",
+    units: &["mm"],
+    limits: &[Limit::Printer],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// The room that a part needs on the printer.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +55,7 @@ impl BedUse {
 
     fn finding(&self) -> Finding {
         let Self { part, size_mm: [x, y, z], tightest, value_mm, limit_mm } = self;
-        let measure = Measure { rule: "printer_bed", value: *value_mm, limit: *limit_mm, unit: "mm", levers: &["printer"] };
+        let measure = Measure { rule: &RULE, value: *value_mm, limit: *limit_mm, unit: "mm", levers: LEVERS };
         let [value, limit] = measure.figures(1);
         let message = format!("{part} is printed as {x:.1} x {y:.1} x {z:.1} mm: {tightest} {value} mm of {limit} mm on the printer");
         measure.at_most((*part).into(), message)

@@ -2,10 +2,26 @@
 //!
 //! What stands under a supported place stands with the part. The brim is not counted.
 
-use crate::checks::finding::{Finding, Measure};
-use crate::params::PartName;
-use crate::params::catalogue::Printer;
+use crate::checks::finding::Finding;
+use crate::checks::measure::Measure;
+use crate::checks::printing::hung::Hung;
+use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
+use crate::frame::assembly::{Design, Printed};
 use crate::printing::printability::Footing;
+
+const LEVERS: &[&str] = &["printer"];
+
+pub static RULE: Rule = Rule {
+    id: "footing",
+    title: "Footing",
+    requires: "each part stands on its first layer while it is printed",
+    units: &["mm2", "deg", ""],
+    limits: &[Limit::Printer],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Levers,
+    in_search: InSearch::AtTheEnd("all layers of all parts are looked at"),
+    found: Found::WithAnother,
+};
 
 /// Least area of a first layer, mm²: chosen; the smallest part of the real frame, which printed, has 50.
 const CONTACT_MM2: f64 = 20.0;
@@ -14,10 +30,16 @@ const TIP_DEG: f64 = 10.0;
 /// Most height over the width of the first layer: chosen; the battery's sleeve has 2.9.
 const SLENDER: f64 = 5.0;
 
-/// The three of a part.
-pub(in crate::checks) fn findings(name: PartName, footing: &Footing, printer: &Printer) -> [Finding; 3] {
-    let Footing { contact_mm2, tip, slender } = footing;
-    let measure = |value: f64, limit: f64, unit| Measure { rule: "footing", value, limit, unit, levers: &["printer"] };
+/// How a part stands while it is printed: three findings.
+pub fn standing(design: &Design, part: &Printed) -> [Finding; 3] {
+    findings(&Hung::in_design(design, part), design, part)
+}
+
+pub(in crate::checks) fn findings(hung: &Hung, design: &Design, part: &Printed) -> [Finding; 3] {
+    let (name, printer) = (part.name, &design.frame.printer);
+    let footing = Footing::of(part, hung.process.layer_mm, &hung.supported());
+    let Footing { contact_mm2, tip, slender } = &footing;
+    let measure = |value: f64, limit: f64, unit| Measure { rule: &RULE, value, limit, unit, levers: LEVERS };
     let contact = measure(*contact_mm2, printer.least_contact_mm2.unwrap_or(CONTACT_MM2), "mm2");
     let [area, least] = contact.figures(0);
     let tilt = measure(tip.to_deg(), printer.least_tip_deg.unwrap_or(TIP_DEG), "deg");
@@ -41,7 +63,7 @@ pub(in crate::checks) fn findings(name: PartName, footing: &Footing, printer: &P
 #[cfg(test)]
 mod tests {
     use crate::checks::planted::{Planted, violated};
-    use crate::checks::printing::stance::check;
+    use crate::checks::printing::overhang::check;
 
     #[test]
     fn planted_limits_that_a_part_misses() {

@@ -8,13 +8,29 @@
 
 use nalgebra::Vector3;
 
-use crate::checks::finding::{Finding, Measure};
+use crate::checks::finding::Finding;
+use crate::checks::measure::Measure;
+use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::frame::assembly::Printed;
 use crate::frame::fold;
 use crate::frame::fold::HingeLoad;
 use crate::params::Frame;
 use crate::solid::Bend;
+
+const LEVERS: &[&str] = &["materials.flexible"];
+
+pub static RULE: Rule = Rule {
+    id: "layer_direction",
+    title: "Direction of layers",
+    requires: "no hinge is strained across its layers beyond the limit of its material",
+    units: &["%"],
+    limits: &[Limit::Material],
+    levers: Levers::Sets(&[LEVERS]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Strain that is none, %: rounding.
 const NONE_PERCENT: f64 = 1e-9;
@@ -45,7 +61,7 @@ fn finding(part: &Printed, at: usize, bend: &Bend, frame: &Frame) -> Finding {
     let value = if across < NONE_PERCENT { 0.0 } else { across };
     let bears = frame.flexible.material.elongation_across_layers_percent.unwrap_or(0.0);
     let limit = bears / frame.limits.hinge_strain_factor;
-    let measure = Measure { rule: "layer_direction", value, limit, unit: "%", levers: &["materials.flexible"] };
+    let measure = Measure { rule: &RULE, value, limit, unit: "%", levers: LEVERS };
     let [strain, allowed] = measure.figures(0);
     let (name, angle) = (part.name, libm::asin(upwards).to_degrees());
     let what = match (part.bends.len(), at) {

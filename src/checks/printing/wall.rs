@@ -8,14 +8,30 @@
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
 
-use crate::checks::finding::{Finding, Measure};
+use crate::checks::finding::Finding;
+use crate::checks::measure::Measure;
+use crate::checks::printing::gap;
+use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
 use crate::frame::assembly::Printed;
+use crate::frame::parts::record;
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
 use crate::printing::printability::{Thin, Walls};
 use crate::solid::MeshSolid;
+
+pub static RULE: Rule = Rule {
+    id: "thinnest_wall",
+    title: "Wall thickness",
+    requires: "no wall is thinner than the nozzle can print",
+    units: &["mm"],
+    limits: &[Limit::Printer],
+    levers: Levers::OfPart(|part| record(part).walls),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    found: Found::By(&[Pass::quick(check)]),
+};
 
 /// Facets looked at, a part.
 const SAMPLES: usize = 500;
@@ -56,14 +72,14 @@ impl ThinnestWall {
 
     /// Whether the limit is kept, and what was found.
     pub fn finding(&self) -> Finding {
-        let Self { part, gap, thinnest, limit_mm } = self;
+        let Self { part, gap: is_gap, thinnest, limit_mm } = self;
         let reach_mm = REACH * limit_mm;
         let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));
-        let rule = if *gap { "narrowest_gap" } else { "thinnest_wall" };
-        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: levers(*part) };
+        let rule = if *is_gap { &gap::RULE } else { &RULE };
+        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: record(*part).walls };
         let [size, needed] = measure.figures(2);
         let where_it_is = thinnest.map(|thin| thin.at_mm.map(|mm| decimals(mm, 1)).join(", "));
-        let message = match (where_it_is.filter(|_| value < reach_mm), gap) {
+        let message = match (where_it_is.filter(|_| value < reach_mm), is_gap) {
             (Some(at), false) => format!("the thinnest wall of {part} is {size} mm (at {at} as printed), the nozzle needs {needed} mm"),
             (None, false) => format!("every wall of {part} is over {size} mm, the nozzle needs {needed} mm"),
             (Some(at), true) => format!("the narrowest gap of {part} is {size} mm (at {at} as printed), a line fills {needed} mm"),
@@ -86,25 +102,6 @@ fn floor(part: &Printed, reach_mm: f64) -> Option<Thin> {
         area += area_mm2;
         (area >= AREA_MM2).then_some(thin)
     })
-}
-
-/// The keys of the part's thinnest walls.
-fn levers(part: PartName) -> &'static [&'static str] {
-    match part {
-        PartName::TopCorner | PartName::BottomCorner => &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
-        PartName::Knee => &["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"],
-        PartName::Fork => &["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"],
-        PartName::MotorMount => {
-            &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_ring_diameter_mm", "motor_mount.motor_plate_diameter_mm"]
-        }
-        PartName::HubJoint => &["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"],
-        PartName::Hub => &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
-        PartName::PiCarrier => &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
-        PartName::BatteryBracket => &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
-        PartName::BatterySleeve => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"],
-        PartName::BatteryLid => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
-        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
-    }
 }
 
 struct Facet {

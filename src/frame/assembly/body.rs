@@ -2,6 +2,7 @@
 
 use nalgebra::Isometry3;
 
+use crate::frame::parts::record;
 use crate::frame::skeleton::RodRole;
 use crate::params::PartName;
 use crate::solid::{Feature, Mesh, MeshSolid};
@@ -19,6 +20,13 @@ pub enum Kind {
     Propeller,
     /// Something bought that sits in the centre, by its name.
     Bought(&'static str),
+}
+
+impl Kind {
+    /// Whether it is a part printed of the flexible material.
+    pub fn is_flexible(self) -> bool {
+        matches!(self, Self::Printed(name) if record(name).is_flexible())
+    }
 }
 
 /// A shape that one or more bodies share, in its own axes.

@@ -2,22 +2,21 @@
 
 use crate::frame::assembly::BoughtPart;
 use crate::frame::parts::gauges::{Gauged, v8};
-use crate::frame::parts::{battery_bracket, battery_lid, battery_sleeve, camera_connector, hub, pi_carrier};
-use crate::frame::skeleton::Centre;
+use crate::frame::parts::{Seat, record};
+use crate::frame::skeleton::{Centre, Skeleton};
 use crate::params::{Frame, PartName};
 use crate::solid::{Feature, MeshSolid};
 
+/// A printed part of the centre where it sits.
+fn placed(name: PartName, frame: &Frame, centre: &Centre) -> Feature {
+    let (part, skeleton) = (record(name), Skeleton::new(frame).expect("closes"));
+    let pose = part.poses(frame, &skeleton.closure, centre)[0].1;
+    (part.feature)(frame, &skeleton.closure, centre).placed(pose)
+}
+
 fn all(frame: &Frame, centre: &Centre) -> Vec<(String, Feature)> {
-    let parts = [
-        (PartName::Hub, hub::feature(frame, centre)),
-        (PartName::PiCarrier, pi_carrier::feature(frame, centre)),
-        (PartName::BatteryBracket, battery_bracket::feature(frame, centre)),
-        (PartName::BatterySleeve, battery_sleeve::feature(frame, centre)),
-        (PartName::BatteryLid, battery_lid::feature(frame, centre)),
-        (PartName::CameraConnectorLeft, camera_connector::left(frame, centre)),
-        (PartName::CameraConnectorRight, camera_connector::right(frame, centre)),
-    ];
-    let printed = parts.into_iter().map(|(part, feature)| (part.to_string(), feature.placed(centre.pose(part))));
+    let standing = PartName::ALL.into_iter().filter(|name| matches!(record(*name).seat, Seat::Centre(_)));
+    let printed = standing.map(|name| (name.to_string(), placed(name, frame, centre)));
     printed.chain(BoughtPart::ALL.map(|part| (part.slug().to_string(), part.feature(frame, centre)))).collect()
 }
 
@@ -59,7 +58,7 @@ fn measured_magnet_faces_keep_their_gap() {
     let solid = |part: BoughtPart| MeshSolid::build(&part.feature(&frame, &centre));
     let gap = solid(BoughtPart::MagnetBracket).gap_mm(&solid(BoughtPart::MagnetLid), 5.0);
     assert!((gap - 0.29).abs() < 1e-6, "{gap}");
-    let lid = Gauged::new(&battery_lid::feature(&frame, &centre).placed(centre.pose(PartName::BatteryLid)));
+    let lid = Gauged::new(&placed(PartName::BatteryLid, &frame, &centre));
     let y = -centre.bracket_half_mm - 0.29;
     let z = centre.magnet_z_mm + centre.bracket_z_mm();
     lid.pocket([-5.1, y - 3.0, z - 2.6], [5.1, y + 0.2, z + 2.6], "xXyzZ");
@@ -71,14 +70,10 @@ fn analytic_lid_slides_out_without_touching() {
     for (length, width, height) in [(58.0, 31.0, 16.0), (70.0, 35.0, 18.0)] {
         (frame.battery.battery_length_mm, frame.battery.battery_width_mm, frame.battery.battery_height_mm) = (length, width, height);
         let centre = Centre::new(&frame);
-        let of = |feature: Feature, part| MeshSolid::build(&feature.placed(centre.pose(part)));
-        let stays = of(battery_bracket::feature(&frame, &centre), PartName::BatteryBracket)
-            .union(&of(hub::feature(&frame, &centre), PartName::Hub))
-            .union(&of(battery_sleeve::feature(&frame, &centre), PartName::BatterySleeve));
+        let of = |part| MeshSolid::build(&placed(part, &frame, &centre));
+        let stays = of(PartName::BatteryBracket).union(&of(PartName::Hub)).union(&of(PartName::BatterySleeve));
         let carried = BoughtPart::ALL.iter().filter(|part| part.slides_with_battery());
-        let slides = carried.fold(of(battery_lid::feature(&frame, &centre), PartName::BatteryLid), |solid, part| {
-            solid.union(&MeshSolid::build(&part.feature(&frame, &centre)))
-        });
+        let slides = carried.fold(of(PartName::BatteryLid), |solid, part| solid.union(&MeshSolid::build(&part.feature(&frame, &centre))));
         for step in 0..20 {
             let away = nalgebra::Isometry3::translation(0.0, -4.0 * f64::from(step), 0.0);
             let overlap = slides.placed(&away).intersection(&stays).volume_mm3();

@@ -4,11 +4,12 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 
 use super::body::{Body, Kind, Shape};
-use super::printed::{Printed, Recipe, recipe};
+use super::printed::{Printed, Recipe};
 use super::workshop::Workshop;
 use crate::frame::assembly::bought_solids::BoughtPart;
+use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
-use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for, placements};
+use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for};
 use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::solid::gate::GateError;
@@ -72,27 +73,36 @@ impl Design {
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
-    pub fn with(mut frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
-        let Some(target) = frame.target else { return Self::of_lengths(frame, workshop) };
+    pub fn with(frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
+        Self::of_parts(frame, &catalogue(), workshop)
+    }
+
+    /// Designs a frame of these parts, as far as it has a use for them.
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub(super) fn of_parts(mut frame: Frame, parts: &[&'static PrintedPart], workshop: &mut Workshop) -> Result<Self, DesignError> {
+        let Some(target) = frame.target else { return Self::of_lengths(frame, parts, workshop) };
         solve_target(&mut frame, target)?;
-        let design = Self::of_lengths(frame.clone(), workshop)?;
+        let design = Self::of_lengths(frame.clone(), parts, workshop)?;
         let over_mm = design.modules_width_mm() - target.width_mm;
         if over_mm <= 0.0 {
             return Ok(design);
         }
         // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
         solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
-        Self::of_lengths(frame, workshop)
+        Self::of_lengths(frame, parts, workshop)
     }
 
-    fn of_lengths(frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
+    fn of_lengths(frame: Frame, parts: &[&'static PrintedPart], workshop: &mut Workshop) -> Result<Self, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
-        let names = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame));
-        let recipes: Vec<(PartName, Recipe)> = names.map(|name| (name, recipe(name, &frame, &skeleton, &centre))).collect();
-        let make = |(name, recipe): &(PartName, Recipe)| match workshop.find(*name, recipe) {
-            Some(part) => Ok(part),
-            None => Printed::by(*name, recipe.clone()).map_err(|error| DesignError::Part { part: *name, error }),
+        let needed = parts.iter().filter(|part| (part.needed)(&frame));
+        let recipes: Vec<(&'static PrintedPart, Recipe)> =
+            needed.map(|part| (*part, Recipe::of(part, &frame, &skeleton, &centre))).collect();
+        let make = |(part, recipe): &(&'static PrintedPart, Recipe)| match workshop.find(part.name, recipe) {
+            Some(made) => Ok(made),
+            None => Printed::by(part, recipe.clone()).map_err(|error| DesignError::Part { part: part.name, error }),
         };
         let made: Vec<Result<Printed, DesignError>> = recipes.par_iter().map(make).collect();
         let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
@@ -114,7 +124,10 @@ impl Design {
 
     /// What a printed part is made of.
     pub fn material_of(&self, name: PartName) -> &NamedMaterial {
-        if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid }
+        match record(name).material {
+            MaterialClass::Flexible => &self.frame.flexible,
+            MaterialClass::Rigid => &self.frame.rigid,
+        }
     }
 
     /// Width of all that the four modules are made of, without what the propellers sweep, mm.
@@ -167,14 +180,9 @@ impl Design {
             let feature = part.bends.is_empty().then(|| part.feature.clone());
             let kind = Kind::Printed(name);
             let shape = self.add_shape(Shape { name: name.slug().into(), kind, material, colour, solid, mesh, feature, exact_mm3 });
-            let poses = placements(name, &self.frame, &self.skeleton);
-            if poses.is_empty() {
-                let pose = self.centre.pose(name);
-                self.bodies.push(Body { name: name.slug().into(), shape, module: None, pose });
-            }
-            for (module, pose) in poses.into_iter().enumerate() {
-                let name = format!("{name}_{}", MODULE_NAMES[module]);
-                self.bodies.push(Body { name, shape, module: Some(module), pose });
+            for (module, pose) in self.printed[index].part.poses(&self.frame, &self.skeleton.closure, &self.centre) {
+                let name = module.map_or(name.slug().into(), |module| format!("{name}_{}", MODULE_NAMES[module]));
+                self.bodies.push(Body { name, shape, module, pose });
             }
         }
     }
@@ -250,15 +258,6 @@ fn bought_look(frame: &Frame, part: BoughtPart) -> Option<(String, [f32; 4])> {
         BoughtPart::Camera => ("camera", [0.01, 0.22, 0.05, 1.0]),
     };
     frame.bought.get(role).map(|item| (item.name.clone(), colour))
-}
-
-/// Whether a frame has a use for a part: the camera connectors carry the camera. The computer's carrier stays without a
-/// computer, for the ties that hold the bracket run over it.
-fn is_needed(name: PartName, frame: &Frame) -> bool {
-    match name {
-        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => frame.bought.contains_key("camera"),
-        _ => true,
-    }
 }
 
 /// The second solution is narrower than wanted by this, mm: meshes have rounded corners, and the size is a limit.

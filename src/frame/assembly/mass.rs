@@ -101,7 +101,7 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
             let material = design.material_of(part.name);
             let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
             let each_g = solid_g * material.material.print_factor;
-            let quantity = part.name.quantity();
+            let quantity = part.part.quantity();
             line(part.name.slug(), "printed", &material.name, quantity, each_g, "computed")
         })
         .collect()

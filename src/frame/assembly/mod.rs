@@ -7,6 +7,8 @@ mod centre_tests;
 pub mod compensated;
 mod design;
 pub mod mass;
+#[cfg(test)]
+mod parts_tests;
 pub mod press_fit;
 mod printed;
 mod workshop;

@@ -2,10 +2,7 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 
-use crate::frame::parts::{
-    BottomCorner, Fork, HubJoint, Knee, MotorMount, TopCorner, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub,
-    pi_carrier,
-};
+use crate::frame::parts::{PrintedPart, record};
 use crate::frame::skeleton::Centre;
 use crate::frame::skeleton::Skeleton;
 use crate::params::{Frame, PartName};
@@ -17,6 +14,8 @@ use crate::solid::{Bend, Brep, Feature, Mesh, MeshSolid};
 pub struct Printed {
     /// Which.
     pub name: PartName,
+    /// Its record.
+    pub part: &'static PrintedPart,
     /// What it is made of, in its own axes.
     pub feature: Feature,
     /// How it bends when the frame is assembled.
@@ -48,22 +47,24 @@ impl Printed {
     /// When its mesh does not pass the export gate, or the B-rep kernel makes another solid of it: its parameters
     /// contradict each other.
     pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
-        Self::by(name, recipe(name, frame, skeleton, centre))
+        let part = record(name);
+        Self::by(part, Recipe::of(part, frame, skeleton, centre))
     }
 
-    /// Makes a part by its recipe; nothing else enters.
-    pub(super) fn by(name: PartName, recipe: Recipe) -> Result<Self, GateError> {
-        let Recipe { feature, bends, print_turn } = recipe;
+    /// Makes a part by its record and recipe; nothing else enters.
+    pub(super) fn by(part: &'static PrintedPart, recipe: Recipe) -> Result<Self, GateError> {
+        let Recipe { feature, bends } = recipe;
         let raw = MeshSolid::build(&feature);
         let flat = raw.melted();
-        let (printed, print_pose) = laid(&flat, &print_turn)?;
+        let (printed, print_pose) = laid(&flat, &(part.print_turn)())?;
         let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
         let folded = if bends.is_empty() { flat.clone() } else { bent(&flat, &bends)? };
         let exact_volume_mm3 = Brep::build(&feature).map(|brep| brep.volume_mm3());
         exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
         Ok(Self {
-            name,
+            name: part.name,
+            part,
             volume_mm3: mesh.volume_mm3(),
             feature,
             bends,
@@ -117,40 +118,17 @@ fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
     Ok(melted(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &MELTS_MM)?.0)
 }
 
-/// A part before it is made.
+/// A part before it is made: what its record says of it in a frame.
 #[derive(Clone, PartialEq)]
 pub(super) struct Recipe {
     feature: Feature,
     bends: Vec<Bend>,
-    print_turn: UnitQuaternion<f64>,
 }
 
-/// How a part of a frame is made.
-pub(super) fn recipe(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Recipe {
-    let closure = &skeleton.closure;
-    let rigid = |feature, print_turn| Recipe { feature, bends: Vec::new(), print_turn };
-    match name {
-        PartName::TopCorner => {
-            let part = TopCorner::from_frame(frame, closure.strut_tilt);
-            Recipe { feature: part.feature(), bends: part.bends(), print_turn: TopCorner::print_turn() }
-        }
-        PartName::BottomCorner => {
-            let part = BottomCorner::from_frame(frame, closure.strut_tilt);
-            Recipe { feature: part.feature(), bends: part.bends(closure.leg_tilt), print_turn: BottomCorner::print_turn() }
-        }
-        PartName::HubJoint => {
-            let part = HubJoint::from_frame(frame);
-            Recipe { feature: part.feature(), bends: part.bends(closure.leg_tilt), print_turn: HubJoint::print_turn() }
-        }
-        PartName::Knee => rigid(Knee::from_frame(frame, closure.strut_tilt).feature(), Knee::print_turn()),
-        PartName::Fork => rigid(Fork::from_frame(frame).feature(), Fork::print_turn()),
-        PartName::MotorMount => rigid(MotorMount::from_frame(frame).feature(), MotorMount::print_turn()),
-        PartName::Hub => rigid(hub::feature(frame, centre), hub::print_turn()),
-        PartName::PiCarrier => rigid(pi_carrier::feature(frame, centre), pi_carrier::print_turn()),
-        PartName::BatteryBracket => rigid(battery_bracket::feature(frame, centre), battery_bracket::print_turn()),
-        PartName::BatterySleeve => rigid(battery_sleeve::feature(frame, centre), battery_sleeve::print_turn()),
-        PartName::BatteryLid => rigid(battery_lid::feature(frame, centre), battery_lid::print_turn()),
-        PartName::CameraConnectorLeft => rigid(camera_connector::left(frame, centre), camera_connector::print_turn_left()),
-        PartName::CameraConnectorRight => rigid(camera_connector::right(frame, centre), camera_connector::print_turn_right()),
+impl Recipe {
+    /// How a part of a frame is made.
+    pub(super) fn of(part: &PrintedPart, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Self {
+        let closure = &skeleton.closure;
+        Self { feature: (part.feature)(frame, closure, centre), bends: part.bends(frame, closure) }
     }
 }

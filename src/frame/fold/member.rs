@@ -86,7 +86,7 @@ impl Member {
             Self::Corner(true) => PartName::TopCorner,
             Self::Corner(false) => PartName::BottomCorner,
             Self::Hub => PartName::Hub,
-            _ => return None,
+            Self::Arm(_) | Self::Leg | Self::Strut(_) | Self::Cage(_) | Self::Motor | Self::Propeller => return None,
         })
     }
 
@@ -97,7 +97,9 @@ impl Member {
             Self::Leg => RodRole::Leg,
             Self::Strut(_) => RodRole::Strut,
             Self::Cage(_) => RodRole::Cage,
-            _ => return None,
+            Self::HubJoint | Self::Mount | Self::Fork | Self::Knee | Self::Corner(_) | Self::Motor | Self::Propeller | Self::Hub => {
+                return None;
+            }
         })
     }
 }
@@ -181,7 +183,8 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
             vec![tube(1.0), tube(-1.0)]
         }
         Member::Corner(up) => corner(up, frame, skeleton.closure.corner_radius_mm),
-        _ => Vec::new(),
+        // Rods are above; what stands for no capsule is met by no other while a sequence is looked for.
+        Member::Arm(_) | Member::Leg | Member::Strut(_) | Member::Cage(_) | Member::Motor | Member::Propeller | Member::Hub => Vec::new(),
     }
 }
 
@@ -221,4 +224,19 @@ pub fn left() -> Vector3<f64> {
 /// Outward along the first module's diagonal.
 pub fn outward() -> Vector3<f64> {
     Vector3::new(1.0, 1.0, 0.0).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::parts::{Fold, catalogue};
+
+    #[test]
+    fn analytic_every_part_that_moves_is_a_member() {
+        for part in catalogue() {
+            let member = Member::ALL.into_iter().find(|member| member.part() == Some(part.name));
+            let moves = matches!(part.fold, Fold::Bends(_) | Fold::Moves);
+            assert!(member.is_some_and(|member| member != Member::Hub) == moves, "{}: {member:?}", part.name);
+        }
+    }
 }

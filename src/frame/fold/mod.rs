@@ -19,7 +19,7 @@ pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
 pub use hinge::{HingeLoad, necks, web};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
-pub use piece::{mesh_at, module_turn};
+pub use piece::mesh_at;
 pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};

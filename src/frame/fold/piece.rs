@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::Isometry3;
 
 use super::member::Member;
 use super::posture::{Module, bent_by};
@@ -11,6 +11,7 @@ use super::task::Task;
 use super::timeline::Moment;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::skeleton::module_turn;
 use crate::solid::{BoxTree, Feature, Mesh, MeshSolid};
 
 /// A rigid piece of a body.
@@ -34,11 +35,6 @@ pub(super) struct Piece {
 
 /// A rod's piece is longer by this at both ends than it must be, mm.
 const ROD_END_MM: f64 = 0.5;
-
-/// A module's turn from the first one.
-pub fn module_turn(module: usize) -> UnitQuaternion<f64> {
-    UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * module as f64)
-}
 
 /// The pieces of a design. A propeller's disc is what it sweeps when it turns, not a body that is carried about.
 pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {

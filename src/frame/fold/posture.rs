@@ -4,8 +4,8 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::linkage::Linkage;
 use super::member::{Member, Side, left, outward};
-use crate::frame::parts::{BottomCorner, HubJoint, TopCorner};
-use crate::frame::skeleton::{RodRole, Skeleton, placements};
+use crate::frame::parts::record;
+use crate::frame::skeleton::{Centre, RodRole, Skeleton};
 use crate::params::{Frame, PartName};
 use crate::solid::Bend;
 use crate::units::Angle;
@@ -63,11 +63,11 @@ fn rod_pose(start: Point3<f64>, end: Point3<f64>) -> Isometry3<f64> {
 impl Module {
     /// The first module of a frame.
     pub fn new(frame: &Frame, skeleton: &Skeleton, linkage: Linkage) -> Self {
-        let c = &skeleton.closure;
+        let (c, centre) = (&skeleton.closure, Centre::new(frame));
         let seat = skeleton.node("M_FR").unwrap_or_else(Point3::origin);
         let place = |member: Member| {
             let rod = |name: &str| skeleton.rods.iter().find(|r| r.name == name).map(|r| rod_pose(r.start, r.end));
-            let part = |name: PartName| placements(name, frame, skeleton).first().copied();
+            let part = |name: PartName| record(name).poses(frame, c, &centre).first().map(|(_, pose)| *pose);
             let motor = |above: f64| Some(Isometry3::translation(seat.x, seat.y, seat.z + above));
             let height = frame.bought.get("propeller").map_or(0.0, |p| p.part.hub_height_mm.unwrap_or(p.part.size_mm[2]));
             match (member, member.part()) {
@@ -79,17 +79,13 @@ impl Module {
             .unwrap_or_else(Isometry3::identity)
         };
         let strut_up = [false, true].map(|up| place(Member::Strut(up)) * Vector3::z());
-        let bends = vec![
-            (Member::Corner(true), TopCorner::from_frame(frame, c.strut_tilt).bends()),
-            (Member::Corner(false), BottomCorner::from_frame(frame, c.strut_tilt).bends(c.leg_tilt)),
-            (Member::HubJoint, HubJoint::from_frame(frame).bends(c.leg_tilt)),
-        ];
+        let bends = |member: Member| member.part().map_or(Vec::new(), |name| record(name).bends(frame, c));
         Self {
             linkage,
             places: Member::ALL.iter().map(|m| (*m, place(*m))).collect(),
             hub_pivot: Point3::from(outward() * c.hub_leg_pivot_s_mm),
             strut_up,
-            bends,
+            bends: Member::ALL.into_iter().map(|member| (member, bends(member))).collect(),
         }
     }
 

@@ -6,10 +6,23 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, along_x, along_y, bore, bore_y, face, sharp};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::centre::Centre;
-use crate::params::Frame;
 use crate::params::groups::BracketParameters;
+use crate::params::{Frame, PartName};
 use crate::solid::{Feature, Profile};
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::BatteryBracket,
+    feature: |frame, _, centre| feature(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::bracket_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn,
+    needed: always,
+    walls: &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
+};
 
 /// Rounding of the two uncut corners of the connector, mm.
 const CONNECTOR_ROUND_MM: f64 = 0.65;

@@ -7,10 +7,23 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::battery_bracket::connector;
 use super::outline::{SINK_MM, along_x, along_y, arc, face, sharp, upright};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::centre::Centre;
-use crate::params::Frame;
+use crate::params::{Frame, PartName};
 use crate::solid::{Feature, Profile};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::BatteryLid,
+    feature: |frame, _, centre| feature(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::sleeve_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn,
+    needed: always,
+    walls: &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
+};
 
 /// Rounding of the block's rear upper edge, mm.
 const BLOCK_ROUND_MM: f64 = 1.0;

@@ -5,10 +5,23 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::centre::Centre;
-use crate::params::Frame;
+use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::BatterySleeve,
+    feature: |frame, _, centre| feature(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::sleeve_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn,
+    needed: always,
+    walls: &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"],
+};
 
 /// Lugs of a side that are nearer to each other are one, mm.
 const LEAST_LUG_GAP_MM: f64 = 1.0;

@@ -6,9 +6,23 @@ use nalgebra::{Matrix2, Point2, Point3, Unit, UnitQuaternion, Vector2, Vector3};
 
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{half_space, plate};
-use crate::params::Frame;
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use crate::frame::skeleton::placement;
+use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::BottomCorner,
+    feature: |frame, closure, _| BottomCorner::from_frame(frame, closure.strut_tilt).feature(),
+    material: MaterialClass::Flexible,
+    seat: Seat::Modules(placement::bottom_corner),
+    fold: Fold::Bends(|frame, closure| BottomCorner::from_frame(frame, closure.strut_tilt).bends(closure.leg_tilt)),
+    print_turn: BottomCorner::print_turn,
+    needed: always,
+    walls: &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
+};
 
 /// How far the wedges that shape the pocket reach, mm.
 const REACH_MM: f64 = 60.0;

@@ -6,10 +6,39 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, bore_y, face, sharp, upright};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat};
 use crate::frame::skeleton::centre::Centre;
-use crate::params::Frame;
+use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
+
+/// The record of the left one.
+pub static LEFT: PrintedPart = PrintedPart {
+    name: PartName::CameraConnectorLeft,
+    feature: |frame, _, centre| left(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::camera_left_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn_left,
+    needed: carries_a_camera,
+    walls: &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
+};
+
+/// The record of the right one.
+pub static RIGHT: PrintedPart = PrintedPart {
+    name: PartName::CameraConnectorRight,
+    feature: |frame, _, centre| right(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::camera_right_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn_right,
+    needed: carries_a_camera,
+    walls: &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
+};
+
+fn carries_a_camera(frame: &Frame) -> bool {
+    frame.bought.contains_key("camera")
+}
 
 /// Half the width of the foot; the foot reaches from that far behind the hole to twice that in front, mm.
 const FOOT_HALF_MM: f64 = 2.0;

@@ -6,9 +6,23 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::place::{SINK_MM, along_y, half_space, with_mirror};
-use crate::params::Frame;
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use crate::frame::skeleton::placement;
+use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::Fork,
+    feature: |frame, _, _| Fork::from_frame(frame).feature(),
+    material: MaterialClass::Flexible,
+    seat: Seat::Modules(placement::fork),
+    fold: Fold::Moves,
+    print_turn: Fork::print_turn,
+    needed: always,
+    walls: &["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"],
+};
 
 /// How far a leg's outer line stays behind the bar's front where they meet, mm.
 const LEG_INSET_MM: f64 = 0.05;

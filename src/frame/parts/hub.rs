@@ -5,10 +5,23 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::centre::Centre;
-use crate::params::Frame;
+use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile, SEGMENTS_PER_TURN};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::Hub,
+    feature: |frame, _, centre| feature(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::hub_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn,
+    needed: always,
+    walls: &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
+};
 
 /// The fillet between the plate and a boss, and in the plate's outline, mm.
 const FILLET_MM: f64 = 3.0;

@@ -6,9 +6,23 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::place::{SINK_MM, plate, with_mirror};
-use crate::params::Frame;
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use crate::frame::skeleton::placement;
+use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature, Profile};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::HubJoint,
+    feature: |frame, _, _| HubJoint::from_frame(frame).feature(),
+    material: MaterialClass::Flexible,
+    seat: Seat::Modules(placement::hub_joint),
+    fold: Fold::Bends(|frame, closure| HubJoint::from_frame(frame).bends(closure.leg_tilt)),
+    print_turn: HubJoint::print_turn,
+    needed: always,
+    walls: &["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"],
+};
 
 /// Cutters reach this far past a face, mm.
 const PAST_MM: f64 = 1.0;

@@ -6,9 +6,23 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 pub use super::knee_window::KneeWindow;
 use super::place::{SINK_MM, along_x, half_space, placed, plate, turn, with_mirror};
-use crate::params::Frame;
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use crate::frame::skeleton::placement;
+use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::Knee,
+    feature: |frame, closure, _| Knee::from_frame(frame, closure.strut_tilt).feature(),
+    material: MaterialClass::Flexible,
+    seat: Seat::Modules(placement::knee),
+    fold: Fold::Moves,
+    print_turn: Knee::print_turn,
+    needed: always,
+    walls: &["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"],
+};
 
 /// Reach of prisms that something else ends, mm.
 const FAR_MM: f64 = 40.0;

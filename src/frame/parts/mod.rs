@@ -5,6 +5,7 @@ pub mod battery_lid;
 pub mod battery_sleeve;
 pub mod bottom_corner;
 pub mod camera_connector;
+mod catalogue;
 pub mod corner;
 pub mod fork;
 #[cfg(test)]
@@ -20,13 +21,16 @@ mod motor_outline;
 pub(in crate::frame) mod outline;
 pub mod pi_carrier;
 pub mod place;
+mod record;
 pub mod top_corner;
 
 pub use bottom_corner::BottomCorner;
+pub use catalogue::{catalogue, record};
 pub use fork::Fork;
 pub use hub_joint::HubJoint;
 pub use knee::Knee;
 pub use motor_mount::MotorMount;
+pub use record::{Fold, MaterialClass, PrintedPart, Seat};
 pub use top_corner::TopCorner;
 
 #[cfg(test)]

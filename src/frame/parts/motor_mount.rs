@@ -7,9 +7,23 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::motor_outline::Outline;
 use super::place::{along_y, half_space, turn, with_mirror};
-use crate::params::Frame;
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use crate::frame::skeleton::placement;
+use crate::params::{Frame, PartName};
 use crate::solid::Feature;
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::MotorMount,
+    feature: |frame, _, _| MotorMount::from_frame(frame).feature(),
+    material: MaterialClass::Flexible,
+    seat: Seat::Modules(placement::motor_mount),
+    fold: Fold::Moves,
+    print_turn: MotorMount::print_turn,
+    needed: always,
+    walls: &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_ring_diameter_mm", "motor_mount.motor_plate_diameter_mm"],
+};
 
 /// A plate this much higher than the rings' tops gets sloping arms, mm.
 const RAISED_MM: f64 = 0.5;

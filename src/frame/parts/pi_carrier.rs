@@ -5,9 +5,23 @@
 use nalgebra::{Point2, UnitQuaternion, Vector2};
 
 use super::outline::{Line, Pen};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::centre::Centre;
-use crate::params::Frame;
+use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::PiCarrier,
+    feature: |frame, _, centre| feature(frame, centre),
+    material: MaterialClass::Rigid,
+    seat: Seat::Centre(Centre::carrier_pose),
+    fold: Fold::Stands,
+    print_turn: print_turn,
+    // It stays without a computer: the ties that hold the bracket run over it.
+    needed: always,
+    walls: &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
+};
 
 /// The carrier of a frame. An impossible one (see [`profile`]) is empty.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {

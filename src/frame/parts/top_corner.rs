@@ -7,9 +7,23 @@ use nalgebra::{Point2, Point3, UnitQuaternion, Vector2, Vector3};
 
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{SINK_MM, along_x, half_space, plate};
-use crate::params::Frame;
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use crate::frame::skeleton::placement;
+use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature, Segment};
 use crate::units::Angle;
+
+/// The record of the part.
+pub static PART: PrintedPart = PrintedPart {
+    name: PartName::TopCorner,
+    feature: |frame, closure, _| TopCorner::from_frame(frame, closure.strut_tilt).feature(),
+    material: MaterialClass::Flexible,
+    seat: Seat::Modules(placement::top_corner),
+    fold: Fold::Bends(|frame, closure| TopCorner::from_frame(frame, closure.strut_tilt).bends()),
+    print_turn: TopCorner::print_turn,
+    needed: always,
+    walls: &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
+};
 
 /// The top corner.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,9 +5,9 @@
 
 use std::f64::consts::SQRT_2;
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+use nalgebra::Isometry3;
 
-use crate::params::{Frame, PartName};
+use crate::params::Frame;
 
 /// Plate left around the counterbores of the stack where they reach further out than the plug bores, mm.
 const COUNTERBORE_RIM_MM: f64 = 1.0;
@@ -112,19 +112,36 @@ impl Centre {
         }
     }
 
-    /// Where a rigid part sits: from its own frame of reference to the assembly's. Flexible parts are placed
-    /// by the skeleton; for them this is the identity.
-    pub fn pose(&self, part: PartName) -> Isometry3<f64> {
+    /// Where the hub sits: its axes are the assembly's.
+    pub fn hub_pose(&self) -> Isometry3<f64> {
+        Isometry3::identity()
+    }
+
+    /// Where the computer's carrier sits: on the hub.
+    pub fn carrier_pose(&self) -> Isometry3<f64> {
+        Isometry3::translation(0.0, 0.0, self.hub_half_height_mm)
+    }
+
+    /// Where the battery's bracket sits: under the hub.
+    pub fn bracket_pose(&self) -> Isometry3<f64> {
+        Isometry3::translation(0.0, 0.0, self.bracket_z_mm)
+    }
+
+    /// Where the battery's sleeve sits, and its lid: at the rim between them.
+    pub fn sleeve_pose(&self) -> Isometry3<f64> {
+        Isometry3::translation(0.0, self.rim_y_mm, self.sleeve_z_mm())
+    }
+
+    /// Where the left camera connector sits: on the computer's board, over a front hole.
+    pub fn camera_left_pose(&self) -> Isometry3<f64> {
         let [x, y] = self.board_hole_mm;
-        let at = match part {
-            PartName::PiCarrier => [0.0, 0.0, self.hub_half_height_mm],
-            PartName::BatteryBracket => [0.0, 0.0, self.bracket_z_mm],
-            PartName::BatterySleeve | PartName::BatteryLid => [0.0, self.rim_y_mm, self.sleeve_z_mm()],
-            PartName::CameraConnectorLeft => [x, y, self.board_top_mm()],
-            PartName::CameraConnectorRight => [-x, y, self.board_top_mm()],
-            _ => [0.0; 3],
-        };
-        Isometry3::from_parts(Translation3::new(at[0], at[1], at[2]), UnitQuaternion::identity())
+        Isometry3::translation(x, y, self.board_top_mm())
+    }
+
+    /// Where the right camera connector sits.
+    pub fn camera_right_pose(&self) -> Isometry3<f64> {
+        let [x, y] = self.board_hole_mm;
+        Isometry3::translation(-x, y, self.board_top_mm())
     }
 
     /// Height of the middle of sleeve and battery.

@@ -4,7 +4,7 @@ use nalgebra::{Point3, Rotation3, Unit, Vector3};
 use serde::Serialize;
 
 use super::closure::{Closure, ClosureError};
-use super::placement::MODULE_NAMES;
+use super::module::MODULE_NAMES;
 use crate::params::{Frame, PartName};
 
 /// What a rod is for.

@@ -6,9 +6,10 @@
 pub mod centre;
 mod closure;
 mod graph;
-mod placement;
+mod module;
+pub mod placement;
 
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, Skeleton, Socket};
-pub use placement::{MODULE_NAMES, placements};
+pub use module::{MODULE_NAMES, module_turn};

@@ -10,18 +10,10 @@
 //!
 //! *When it is wrong:* large strains, sections that change their shape, and elements so long that they bow much within.
 
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use super::corotation::Frame;
-
-/// Stretch and rotations in the beam's own frame: u, then three rotations at each end (x along the beam).
-pub type Local = SVector<f64, 7>;
-/// Force or displacement of both ends: force, moment, force, moment.
-pub type Ends = SVector<f64, 12>;
-/// Their matrix.
-pub type Tangent = SMatrix<f64, 12, 12>;
-/// Stiffness in a beam's own frame.
-pub type Matrix7 = SMatrix<f64, 7, 7>;
+use super::corotation::CorotatedAxes;
+use super::matrices::{Ends, Local, Matrix7, Tangent};
 
 /// Stiffnesses of a beam's section: N, N mm².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,21 +67,21 @@ impl Beam {
 
     /// Stretch and rotations for the places and turns of its nodes.
     pub fn local(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2]) -> Local {
-        let frame = Frame::new(self, places, turns);
-        frame.local(self)
+        let frame = CorotatedAxes::new(&self.axes, places, turns);
+        frame.local(self.length_mm)
     }
 
     /// The force of [`Self::feel`] alone.
     pub fn push(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> Ends {
-        let frame = Frame::new(self, places, turns);
-        let local = frame.local(self);
+        let frame = CorotatedAxes::new(&self.axes, places, turns);
+        let local = frame.local(self.length_mm);
         frame.force(&local, &(self.stiffness * local * scale + bias))
     }
 
     /// Force and tangent; the force in its own frame is `scale` times the elastic one and `bias` on top.
     pub fn feel(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> Felt {
-        let frame = Frame::new(self, places, turns);
-        let local = frame.local(self);
+        let frame = CorotatedAxes::new(&self.axes, places, turns);
+        let local = frame.local(self.length_mm);
         let stiffness = self.stiffness * scale;
         let own = stiffness * local + bias;
         let (force, tangent) = frame.spread(&local, &own, &stiffness);

@@ -5,7 +5,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::beam::{Ends, Tangent};
+use super::matrices::{Ends, Tangent};
 use super::rotation::{inverse_tangent, log, moment_change, skew};
 
 /// The tie.

@@ -2,11 +2,11 @@
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-use super::beam::{Beam, Ends, Local, Matrix7, Tangent};
+use super::matrices::{Ends, Local, Matrix7, Tangent};
 use super::rotation::{inverse_tangent, log, moment_change, skew};
 
 /// The frame that follows the beam.
-pub(in crate::mechanics) struct Frame {
+pub(in crate::mechanics) struct CorotatedAxes {
     axes: Matrix3<f64>,
     length: f64,
     /// Turns of the ends in the frame.
@@ -15,12 +15,12 @@ pub(in crate::mechanics) struct Frame {
     second: [Vector3<f64>; 2],
 }
 
-impl Frame {
-    pub(in crate::mechanics) fn new(beam: &Beam, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2]) -> Self {
+impl CorotatedAxes {
+    pub(in crate::mechanics) fn new(rest: &Matrix3<f64>, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2]) -> Self {
         let along = places[1] - places[0];
         let length = along.norm();
         let r1 = along / length;
-        let own = [turns[0] * beam.axes, turns[1] * beam.axes];
+        let own = [turns[0] * rest, turns[1] * rest];
         let q = [own[0].column(1).into_owned(), own[1].column(1).into_owned()];
         let mean = (q[0] + q[1]) * 0.5;
         let r3 = r1.cross(&mean).normalize();
@@ -30,9 +30,9 @@ impl Frame {
         Self { axes, length, ends: own.map(|o| back * o), second: [a / m.y, b / m.y] }
     }
 
-    pub(in crate::mechanics) fn local(&self, beam: &Beam) -> Local {
+    pub(in crate::mechanics) fn local(&self, rest_mm: f64) -> Local {
         let [a, b] = [log(&self.ends[0]), log(&self.ends[1])];
-        Local::from_column_slice(&[self.length - beam.length_mm, a.x, a.y, a.z, b.x, b.y, b.z])
+        Local::from_column_slice(&[self.length - rest_mm, a.x, a.y, a.z, b.x, b.y, b.z])
     }
 
     /// η of the paper: how far the mean of the second axes leans along the beam.

@@ -4,5 +4,6 @@ pub mod beam;
 pub mod bushing;
 pub(in crate::mechanics) mod corotation;
 pub mod foot;
+pub mod matrices;
 pub mod relaxation;
 pub mod rotation;

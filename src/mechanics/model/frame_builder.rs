@@ -4,7 +4,8 @@ mod rods;
 
 use nalgebra::{Isometry3, Matrix3, Vector3};
 
-use super::frame_model::{Extent, FrameModel, ModelError, RodLine, Skin, Tag};
+use super::frame_model::{Extent, FrameModel, RodLine, Skin, Tag};
+use super::model_error::ModelError;
 use super::weights::Weights;
 use crate::frame::assembly::Design;
 use crate::mechanics::element::beam::Beam;

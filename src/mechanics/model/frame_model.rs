@@ -1,17 +1,7 @@
 //! The frame as a structure: parts as beams, rods, ties between them, a rigid centre, masses, feet.
 
-use super::frame_builder::Builder;
-use super::weights::weights;
-use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::MassTable;
 use crate::frame::skeleton::RodRole;
-use crate::mechanics::parts::parts_plan::{PartModel, part_models};
-use crate::mechanics::parts::plan::NoSection;
-use crate::mechanics::parts::section::Elastic;
-use crate::mechanics::settings::Settings;
-use crate::mechanics::system::sparse::SparseError;
 use crate::mechanics::system::system::System;
-use crate::params::PartName;
 
 /// How much of the frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,28 +20,6 @@ impl Extent {
             Self::Quarter => 4.0,
         }
     }
-}
-
-/// Why a frame has no mechanics.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum ModelError {
-    /// A part's mesh was not met.
-    #[error("{part}: {error}")]
-    Part {
-        /// Which part.
-        part: PartName,
-        /// What was not met.
-        error: NoSection,
-    },
-    /// The rods' material says nothing of its stiffness.
-    #[error("the rods' material `{material}` does not say its tensile_modulus_mpa")]
-    NoModulus {
-        /// Which.
-        material: String,
-    },
-    /// The structure cannot be solved.
-    #[error(transparent)]
-    Sparse(#[from] SparseError),
 }
 
 /// What a beam or tie is.
@@ -105,46 +73,4 @@ pub struct FrameModel {
     pub skins: Vec<Skin>,
     /// How much of the frame it is.
     pub extent: Extent,
-}
-
-impl FrameModel {
-    /// The model of a design.
-    ///
-    /// # Errors
-    /// When a part's mesh is not met on one of its paths, or the rods' material has no modulus.
-    pub fn new(design: &Design, masses: &MassTable, settings: &Settings, extent: Extent) -> Result<Self, ModelError> {
-        let parts = part_models(design, settings)?;
-        Self::of_parts(design, &parts, masses, settings, extent)
-    }
-
-    /// The same from parts that were cut before.
-    ///
-    /// # Errors
-    /// When the rods' material has no modulus, or the structure cannot be solved.
-    pub fn of_parts(
-        design: &Design,
-        parts: &[PartModel],
-        masses: &MassTable,
-        settings: &Settings,
-        extent: Extent,
-    ) -> Result<Self, ModelError> {
-        let weights = weights(design, masses);
-        let mut builder = Builder::new(design, settings, extent, weights);
-        for part in parts {
-            for (index, body) in design.bodies.iter().enumerate() {
-                let here = extent == Extent::Whole || body.module == Some(0);
-                if here && design.shape(body).kind == crate::frame::assembly::Kind::Printed(part.name) {
-                    builder.add_part(part, index, &body.pose);
-                }
-            }
-        }
-        let rod_young = design.frame.rod_material.material.tensile_modulus_mpa;
-        let young_mpa = rod_young.ok_or_else(|| ModelError::NoModulus { material: design.frame.rod_material.name.clone() })?;
-        let material = Elastic { young_mpa, shear_mpa: settings.rod_shear_mpa.min(young_mpa / 2.6) };
-        for rod in &design.skeleton.rods {
-            builder.add_rod(rod, &material);
-        }
-        builder.tie_windows();
-        builder.finish()
-    }
 }

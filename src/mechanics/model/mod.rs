@@ -2,4 +2,6 @@
 
 pub(in crate::mechanics) mod frame_builder;
 pub mod frame_model;
+pub mod model_error;
+mod of_design;
 pub(in crate::mechanics) mod weights;

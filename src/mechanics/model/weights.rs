@@ -2,6 +2,7 @@
 
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{Lump, MassLine, MassTable, lump};
+use crate::mechanics::parts::parts_plan::is_beams;
 use crate::params::PartName;
 
 /// A motor with what turns and holds it.
@@ -39,7 +40,7 @@ const ON_MOTORS: [&str; 3] = ["motor", "propeller", "motor_screw"];
 
 /// Shares the table out.
 pub fn weights(design: &Design, masses: &MassTable) -> Weights {
-    let flexible = |line: &MassLine| PartName::ALL.into_iter().find(|part| part.is_flexible() && part.slug() == line.name);
+    let flexible = |line: &MassLine| PartName::ALL.into_iter().find(|part| is_beams(*part) && part.slug() == line.name);
     let on_motor = |line: &MassLine| ON_MOTORS.contains(&line.name.as_str());
     let parts = masses.lines.iter().filter_map(|line| Some((flexible(line)?, line.each_g))).collect();
     let centre: Vec<MassLine> =

@@ -20,7 +20,7 @@ fn cylinder(from: Point3<f64>, to: Point3<f64>, radius: f64) -> Feature {
 ///
 /// # Errors
 /// When its mesh shows no section on a path.
-pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: &Bend, settings: &Settings) -> Result<Plan, NoSection> {
+pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: Option<&Bend>, settings: &Settings) -> Result<Plan, NoSection> {
     let mut plan = Plan::default();
     let (radius, y) = (part.radius_mm(), 0.5 * part.arm_pitch_mm);
     let arch = part.arch();
@@ -48,7 +48,7 @@ pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: &Bend, settings: &Sett
             .map(|along_y| {
                 let at = on_arch(side * along_y);
                 let zone = if along_y < radius - 1e-9 { "hub joint arch" } else { "hub joint necks" };
-                Stop { at, along: Vector3::y() * side, motion: carried(bend, &at), zone }
+                Stop { at, along: Vector3::y() * side, motion: bend.map_or_else(Isometry3::identity, |bend| carried(bend, &at)), zone }
             })
             .collect();
         let nodes = plan.strand(&ring, &stops, &Vector3::z())?;
@@ -59,13 +59,20 @@ pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: &Bend, settings: &Sett
 }
 
 /// The leg's root and socket; the node where the arch carries it.
-fn leg(plan: &mut Plan, part: &HubJoint, flat: &MeshSolid, bend: &Bend, root_mm: f64, settings: &Settings) -> Result<usize, NoSection> {
+fn leg(
+    plan: &mut Plan,
+    part: &HubJoint,
+    flat: &MeshSolid,
+    bend: Option<&Bend>,
+    root_mm: f64,
+    settings: &Settings,
+) -> Result<usize, NoSection> {
     let (bottom, mouth, radius) = (part.leg_bottom_mm(), part.leg_mouth_mm, part.radius_mm());
     let mesh = within(flat, &cylinder(Point3::new(root_mm - radius, 0.0, 0.0), Point3::new(mouth + 1.0, 0.0, 0.0), 1.02 * radius));
     let mut distances = steps(root_mm, bottom, 2.0 * settings.element_mm);
     distances.extend(steps(bottom, mouth, (mouth - bottom) / settings.socket_elements).into_iter().skip(1));
     let zones = [(0.0, "hub joint leg root"), (bottom, "hub joint leg socket")];
-    let stops = straight(Point3::origin(), Vector3::x(), &distances, &zones, bend.motion());
+    let stops = straight(Point3::origin(), Vector3::x(), &distances, &zones, bend.map_or_else(Isometry3::identity, Bend::motion));
     let nodes = plan.strand(&mesh, &stops, &Vector3::z())?;
     let bore: Vec<usize> = (0..stops.len()).filter(|at| distances[*at] > bottom - 1e-6).collect();
     let places: Vec<Vector3<f64>> = bore.iter().map(|at| (stops[*at].motion * stops[*at].at).coords).collect();

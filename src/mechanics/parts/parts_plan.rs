@@ -5,7 +5,7 @@ use super::joint_plans;
 use super::plan::{NoSection, Plan, PlannedBeam};
 use crate::frame::assembly::{Design, Printed};
 use crate::frame::parts::{BottomCorner, Fork, HubJoint, Knee, MotorMount, TopCorner};
-use crate::mechanics::model::frame_model::ModelError;
+use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::settings::Settings;
 use crate::params::PartName;
 
@@ -25,39 +25,98 @@ impl Plan {
     }
 }
 
-/// Cuts every flexible part of a design.
+/// How a part is cut into beams: from the design and the part as made.
+type Cut = fn(&Design, &Printed, &Settings) -> Result<Plan, NoSection>;
+
+/// What a printed part is in the structure.
+#[derive(Clone, Copy)]
+enum BeamPlan {
+    /// Beams, cut from its flat solid.
+    Beams(Cut),
+    /// A piece of the rigid centre.
+    RigidCentre,
+}
+
+/// What each part is in the structure: one that is missing here does not compile.
+fn beam_plan(name: PartName) -> BeamPlan {
+    match name {
+        PartName::TopCorner => BeamPlan::Beams(top_corner),
+        PartName::BottomCorner => BeamPlan::Beams(bottom_corner),
+        PartName::HubJoint => BeamPlan::Beams(hub_joint),
+        PartName::Fork => BeamPlan::Beams(fork),
+        PartName::Knee => BeamPlan::Beams(knee),
+        PartName::MotorMount => BeamPlan::Beams(motor_mount),
+        PartName::Hub
+        | PartName::PiCarrier
+        | PartName::BatteryBracket
+        | PartName::BatterySleeve
+        | PartName::BatteryLid
+        | PartName::CameraConnectorLeft
+        | PartName::CameraConnectorRight => BeamPlan::RigidCentre,
+    }
+}
+
+/// Whether a part is beams in the structure, not a piece of the rigid centre.
+pub fn is_beams(name: PartName) -> bool {
+    matches!(beam_plan(name), BeamPlan::Beams(_))
+}
+
+/// Cuts every part of a design that deforms.
 ///
 /// # Errors
 /// When a part's mesh is not met on one of its paths.
 pub fn part_models(design: &Design, settings: &Settings) -> Result<Vec<PartModel>, ModelError> {
     use rayon::prelude::*;
-    let flexible: Vec<&Printed> = design.printed.iter().filter(|part| part.name.is_flexible()).collect();
-    let planned: Vec<Option<Result<PartModel, ModelError>>> = flexible
-        .par_iter()
-        .map(|part| {
-            let plan = plan(design, part, settings)?;
-            Some(plan.map(|plan| PartModel { name: part.name, plan }).map_err(|error| ModelError::Part { part: part.name, error }))
+    let cuts: Vec<(&Printed, Cut)> = design
+        .printed
+        .iter()
+        .filter_map(|part| match beam_plan(part.name) {
+            BeamPlan::Beams(cut) => Some((part, cut)),
+            BeamPlan::RigidCentre => None,
         })
         .collect();
-    planned.into_iter().flatten().collect()
+    let model = |(part, cut): &(&Printed, Cut)| match cut(design, part, settings) {
+        Ok(plan) => Ok(PartModel { name: part.name, plan }),
+        Err(error) => Err(ModelError::Part { part: part.name, error }),
+    };
+    cuts.par_iter().map(model).collect::<Vec<_>>().into_iter().collect()
 }
 
-fn plan(design: &Design, part: &Printed, settings: &Settings) -> Option<Result<Plan, NoSection>> {
-    let (frame, tilt) = (&design.frame, design.skeleton.closure.strut_tilt);
-    let flat = &part.flat;
-    Some(match part.name {
-        PartName::TopCorner => {
-            let own = TopCorner::from_frame(frame, tilt);
-            corner_plan::plan(&own.sockets, flat, &part.bends, None, settings)
+fn top_corner(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+    let own = TopCorner::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
+    corner_plan::plan(&own.sockets, &part.flat, &part.bends, None, settings)
+}
+
+fn bottom_corner(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+    let own = BottomCorner::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
+    corner_plan::plan(&own.sockets, &part.flat, &part.bends, Some(own.leg_bottom_mm), settings)
+}
+
+fn hub_joint(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+    joint_plans::hub_joint(&HubJoint::from_frame(&design.frame), &part.flat, part.bends.first(), settings)
+}
+
+fn fork(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+    joint_plans::fork(&Fork::from_frame(&design.frame), &part.flat, settings)
+}
+
+fn knee(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+    joint_plans::knee(&Knee::from_frame(&design.frame, design.skeleton.closure.strut_tilt), &part.flat, settings)
+}
+
+fn motor_mount(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+    joint_plans::motor_mount(&MotorMount::from_frame(&design.frame), &part.flat, settings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::parts::catalogue;
+
+    #[test]
+    fn analytic_every_flexible_part_is_beams_and_every_rigid_one_is_not() {
+        for part in catalogue() {
+            assert_eq!(is_beams(part.name), part.is_flexible(), "{}", part.name);
         }
-        PartName::BottomCorner => {
-            let own = BottomCorner::from_frame(frame, tilt);
-            corner_plan::plan(&own.sockets, flat, &part.bends, Some(own.leg_bottom_mm), settings)
-        }
-        PartName::HubJoint => joint_plans::hub_joint(&HubJoint::from_frame(frame), flat, part.bends.first()?, settings),
-        PartName::Fork => joint_plans::fork(&Fork::from_frame(frame), flat, settings),
-        PartName::Knee => joint_plans::knee(&Knee::from_frame(frame, tilt), flat, settings),
-        PartName::MotorMount => joint_plans::motor_mount(&MotorMount::from_frame(frame), flat, settings),
-        _ => return None,
-    })
+    }
 }

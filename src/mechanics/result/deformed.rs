@@ -8,7 +8,6 @@ use nalgebra::Vector3;
 use crate::frame::assembly::{Design, Kind};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::system::structure::State;
-use crate::params::PartName;
 use crate::solid::Mesh;
 
 /// Nodes that a corner goes with.
@@ -53,7 +52,7 @@ impl Bound {
                 (Kind::Motor, Some(module)) => model.motors.get(module).copied().into_iter().collect(),
                 _ => model.skins.iter().find(|skin| skin.body == index).map_or(vec![model.hub], |skin| skin.nodes.clone()),
             };
-            let flexible = matches!(shape.kind, Kind::Printed(name) if PartName::is_flexible(name));
+            let flexible = shape.kind.is_flexible();
             let nodes = if nodes.is_empty() && !flexible { vec![model.hub] } else { nodes };
             let mesh = shape.mesh.placed(&body.pose);
             let corners = mesh.vertices.iter().map(|v| weights(&Vector3::from(v.map(f64::from)), &nodes, &rest)).collect();

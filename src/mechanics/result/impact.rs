@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::landing::{along_axis_g, falling, rising, touching};
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
-use crate::mechanics::model::frame_model::{FrameModel, ModelError};
+use crate::mechanics::model::frame_model::FrameModel;
+use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::settings::Settings;
 use crate::mechanics::solve::dynamics::{DynamicsError, Motion};
 use crate::mechanics::solve::memory::Energies;

@@ -9,7 +9,8 @@
 //! an impact, and both change with the compression.
 
 use super::static_curve::StaticCurve;
-use crate::mechanics::model::frame_model::{FrameModel, ModelError};
+use crate::mechanics::model::frame_model::FrameModel;
+use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::settings::Settings;
 use crate::mechanics::solve::modes::{Mode, Modes};
 

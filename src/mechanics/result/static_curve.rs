@@ -4,7 +4,8 @@
 //! that breaks the symmetry is not seen here.
 
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
-use crate::mechanics::model::frame_model::{FrameModel, ModelError};
+use crate::mechanics::model::frame_model::FrameModel;
+use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::solve::statics::{Balance, Command, Path, Precision, StaticsError};
 
 /// Why there is no curve.

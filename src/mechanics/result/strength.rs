@@ -40,7 +40,7 @@ impl RodForce {
 }
 
 /// Forces of a beam in its own frame, N, N mm.
-fn own(model: &FrameModel, state: &State, beam: usize) -> crate::mechanics::element::beam::Local {
+fn own(model: &FrameModel, state: &State, beam: usize) -> crate::mechanics::element::matrices::Local {
     let beam = &model.system.structure.beams[beam];
     let local = beam.local(beam.nodes.map(|n| state.places[n]), beam.nodes.map(|n| &state.turns[n]));
     beam.stiffness * local

@@ -3,8 +3,8 @@
 //! J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993) 371, forces weighted between the ends of the step; spins are treated as
 //! displacements over one step, and moments of inertia as fixed in space, both of which are small for the nodes of beams.
 
-use crate::mechanics::element::beam::Local;
 use crate::mechanics::element::bushing::Gap;
+use crate::mechanics::element::matrices::Local;
 use crate::mechanics::element::relaxation::Relaxation;
 use crate::mechanics::system::sparse::{SparseError, Work};
 use crate::mechanics::system::structure::{Bias, State};

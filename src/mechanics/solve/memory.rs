@@ -1,8 +1,8 @@
 //! What viscoelastic elements remember from step to step, and the energies that they hold and lose.
 
 use super::dynamics::Motion;
-use crate::mechanics::element::beam::Local;
 use crate::mechanics::element::bushing::Gap;
+use crate::mechanics::element::matrices::Local;
 use crate::mechanics::element::relaxation::Relaxation;
 use crate::mechanics::system::structure::Bias;
 

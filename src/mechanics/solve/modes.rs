@@ -5,7 +5,8 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use crate::mechanics::model::frame_model::{FrameModel, ModelError};
+use crate::mechanics::model::frame_model::FrameModel;
+use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::system::sparse::{NOWHERE, SparseError};
 use crate::mechanics::system::structure::State;
 use crate::mechanics::system::system::{Sum, System};

@@ -5,9 +5,10 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::sparse::NOWHERE;
-use crate::mechanics::element::beam::{Beam, Local};
+use crate::mechanics::element::beam::Beam;
 use crate::mechanics::element::bushing::{Bushing, Gap};
 use crate::mechanics::element::foot::{Foot, Grip};
+use crate::mechanics::element::matrices::Local;
 use crate::mechanics::element::rotation::exp;
 
 /// A node at rest.

@@ -4,9 +4,10 @@ use nalgebra::Matrix3;
 
 use super::sparse::{NOWHERE, Pattern, SparseError};
 use super::structure::{Bias, State, Structure, Unknowns};
-use crate::mechanics::element::beam::{Beam, Local};
+use crate::mechanics::element::beam::Beam;
 use crate::mechanics::element::bushing::{Bushing, Gap};
 use crate::mechanics::element::foot::{Contact, Grip};
+use crate::mechanics::element::matrices::Local;
 
 /// A structure, ready to be solved.
 pub struct System {

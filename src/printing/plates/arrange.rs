@@ -32,7 +32,7 @@ pub struct NoRoom {
 
 /// All that the frame needs.
 pub fn all(design: &Design) -> Vec<Wanted> {
-    design.printed.iter().map(|part| (part.name, part.name.quantity() as usize)).collect()
+    design.printed.iter().map(|part| (part.name, part.part.quantity() as usize)).collect()
 }
 
 /// As many plates as are needed, those of the flexible material first.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::solid::{Contour, Feature, Mesh, MeshSolid, Profile};
+use crate::units::Angle;
 
 const PROCESS: Process = Process {
     line_mm: 0.45,

@@ -4,9 +4,9 @@
 //! farther out hangs. What hangs in layers one upon another is one place: the top of a lying bore is a bridge from side to
 //! side, not a row of strips.
 
-use super::Process;
 use super::chords::{self, Laid};
 use super::layers::Layers;
+use super::process::Process;
 use crate::solid::{Mesh, MeshSolid, Region};
 
 /// A place that hangs.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 use super::print_factor::{PrintFactor, Ratio};
-use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
 use crate::units::Density;
@@ -126,7 +126,7 @@ impl Weighing {
         readings: &[Reading],
         sliced: &BTreeMap<PartName, Sliced>,
     ) -> Result<Self, (usize, Misread)> {
-        let mut rows: Vec<Row> = design.printed.iter().map(|part| row(design, part.name, part.volume_mm3, sliced)).collect();
+        let mut rows: Vec<Row> = design.printed.iter().map(|part| row(design, part, sliced)).collect();
         let mut ratios: BTreeMap<PartName, Vec<Ratio>> = BTreeMap::new();
         for (at, reading) in readings.iter().enumerate() {
             let (part, ratio) = placed(&rows, reading).map_err(|misread| (at, misread))?;
@@ -165,16 +165,16 @@ impl Weighing {
     }
 }
 
-fn row(design: &Design, part: PartName, volume_mm3: f64, sliced: &BTreeMap<PartName, Sliced>) -> Row {
-    let material = design.material_of(part);
-    let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(volume_mm3);
+fn row(design: &Design, part: &Printed, sliced: &BTreeMap<PartName, Sliced>) -> Row {
+    let material = design.material_of(part.name);
+    let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
     Row {
-        part,
+        part: part.name,
         material: material.name.clone(),
-        quantity: part.quantity(),
+        quantity: part.part.quantity(),
         solid_g,
         counted_g: solid_g * material.material.print_factor,
-        sliced: sliced.get(&part).copied(),
+        sliced: sliced.get(&part.name).copied(),
         weighed_g: None,
     }
 }
@@ -216,7 +216,7 @@ mod tests {
         let masses = mass::table(&design);
         let plain = Weighing::new(&design, &masses, &[], &BTreeMap::new()).expect("holds");
         assert!(!plain.is_weighed() && plain.after_g() == (masses.total_g, Some(0.0)));
-        let planted = |row: &Row| if row.part.is_flexible() { 0.9 } else { 0.95 };
+        let planted = |row: &Row| if row.material == design.frame.flexible.name { 0.9 } else { 0.95 };
         let readings: Vec<Reading> = plain
             .rows
             .iter()

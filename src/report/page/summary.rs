@@ -76,7 +76,7 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
             page,
             "| {} | {} | {material} | {x:.1} x {y:.1} x {z:.1} | {:.0} | {each:.2} | [stl](parts/{}.stl){picture} |",
             part.name,
-            part.name.quantity(),
+            part.part.quantity(),
             part.volume_mm3,
             part.name
         );

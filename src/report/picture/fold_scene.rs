@@ -10,8 +10,8 @@ use super::camera::{Camera, View};
 use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::Design;
-use crate::frame::fold::{Done, FoldSequence, Member, Moment, Motion, Step, Task, exploded, mesh_at, module_turn, moment};
-use crate::frame::skeleton::MODULE_NAMES;
+use crate::frame::fold::{Done, FoldSequence, Member, Moment, Motion, Step, Task, exploded, mesh_at, moment};
+use crate::frame::skeleton::{MODULE_NAMES, module_turn};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
 use crate::solid::Mesh;
 

@@ -70,7 +70,7 @@ pub(in crate::report) fn assembled(design: &Design) -> Vec<Item<'_>> {
 fn on_bed(design: &Design) -> (Vec<Item<'_>>, Bed) {
     let bed = Bed { size_mm: design.frame.printer.size_mm };
     let mut copies: Vec<&Printed> =
-        design.printed.iter().flat_map(|part| std::iter::repeat_n(part, part.name.quantity() as usize)).collect();
+        design.printed.iter().flat_map(|part| std::iter::repeat_n(part, part.part.quantity() as usize)).collect();
     copies.sort_by(|a, b| b.mesh.size_mm()[1].total_cmp(&a.mesh.size_mm()[1]).then(a.name.cmp(&b.name)));
     let (mut x, mut y, mut depth) = (ROOM_MM, ROOM_MM, 0.0_f64);
     let mut items = Vec::new();

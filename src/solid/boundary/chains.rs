@@ -7,7 +7,7 @@ use nalgebra::Point3;
 use super::curve::beside_mm;
 use super::half_edges::HalfEdges;
 use super::regions::Regions;
-use super::{FLATNESS_MM, Face, Side};
+use super::topology::{FLATNESS_MM, Face, Side};
 use crate::solid::Mesh;
 
 /// A border of two regions: corners of the mesh in a row. The first region lies on its left.

@@ -3,8 +3,9 @@
 use nalgebra::{Point2, Point3};
 
 use super::curve::beside_mm;
+use super::surface::Surface;
 use super::surface::square_to;
-use super::{Boundary, Edge, Face, Surface};
+use super::topology::{Boundary, Edge, Face};
 
 /// Pieces of an arc that are compared.
 const PIECES: u32 = 12;

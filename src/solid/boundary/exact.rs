@@ -6,68 +6,21 @@ use nalgebra::{Isometry3, Point3};
 
 use super::chains::{Chain, Chains};
 use super::curve::{self, Curve};
+use super::face_assignment;
 use super::half_edges::HalfEdges;
-use super::homes;
 use super::known::{self, Known};
+use super::not_exact::NotExact;
 use super::regions::{Facet, Regions};
 use super::surface::Surface;
-use super::{Boundary, Edge};
+use super::topology::{Boundary, Edge, FLATNESS_MM};
 use crate::solid::{Feature, Mesh};
-
-/// Why a mesh cannot be put back on the surfaces of its features.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum NotExact {
-    /// Some edge is not shared by two facets.
-    #[error("the mesh is not closed")]
-    Open,
-    /// A cone, a ball, a torus or a hull of round bodies.
-    #[error("{count} facets lie on neither a plane nor a cylinder of the features, the first near {at:.3?}")]
-    Surface {
-        /// How many facets.
-        count: usize,
-        /// Where the first is, mm.
-        at: [f64; 3],
-    },
-    /// Surfaces do not meet where the mesh has a corner.
-    #[error("the surfaces around the corner near {at:.3?} meet {off_mm:.3} mm beside it")]
-    Corner {
-        /// Where, mm.
-        at: [f64; 3],
-        /// How far away, mm.
-        off_mm: f64,
-    },
-    /// Two surfaces do not cross in one curve along a chain.
-    #[error("the surfaces beside the edge near {at:.3?} do not cross along it")]
-    Edge {
-        /// Where, mm.
-        at: [f64; 3],
-    },
-    /// A face is not what its facets are.
-    #[error("a face near {at:.3?} has {exact_mm2:.4} mm², its facets {mesh_mm2:.4} mm²")]
-    Face {
-        /// Where, mm.
-        at: [f64; 3],
-        /// Area of the face, mm².
-        exact_mm2: f64,
-        /// Area of its facets, mm².
-        mesh_mm2: f64,
-    },
-    /// The volume is another.
-    #[error("the faces enclose {exact_mm3:.3} mm³, the mesh {mesh_mm3:.3} mm³")]
-    Volume {
-        /// Volume by the faces, mm³.
-        exact_mm3: f64,
-        /// Volume of the mesh, mm³.
-        mesh_mm3: f64,
-    },
-}
 
 /// How far a corner may move from where the mesh has it, mm: a plane that sinks 0.01 mm into a cylinder ends this much elsewhere
 /// on its chords.
 const MOVED_MM: f64 = 0.3;
 
 /// How far corners and edges may lie beside the surfaces that meet there, mm.
-const MEETS_MM: f64 = super::FLATNESS_MM;
+const MEETS_MM: f64 = FLATNESS_MM;
 
 /// How far an edge may lie beside the chords that stood for it, mm.
 const BULGE_MM: f64 = 0.15;
@@ -90,7 +43,7 @@ impl Boundary {
         let half_edges = HalfEdges::new(mesh).ok_or(NotExact::Open)?;
         let facets = Facet::all(mesh);
         let known = known::surfaces(feature, pose);
-        let homes = homes::of(&facets, &half_edges, &known)?;
+        let homes = face_assignment::of(&facets, &half_edges, &known)?;
         let regions = connected(&facets, &half_edges, &homes, &known);
         let chains = Chains::between(mesh, &half_edges, &regions.of);
         let mut boundary = Self { vertices: corners(mesh, &chains, &regions)?, edges: Vec::new(), faces: chains.faces(&regions) };

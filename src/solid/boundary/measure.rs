@@ -2,8 +2,9 @@
 
 use nalgebra::{Point3, Vector3};
 
+use super::surface::Surface;
 use super::surface::square_to;
-use super::{Boundary, Face, Side, Surface};
+use super::topology::{Boundary, Face, Side};
 
 /// Pieces of an arc over which is summed: half a turn is right to 1e-5 of its area.
 const PIECES: u32 = 180;

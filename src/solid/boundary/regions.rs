@@ -2,9 +2,9 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::FLATNESS_MM;
 use super::half_edges::HalfEdges;
 use super::surface::Surface;
+use super::topology::FLATNESS_MM;
 use crate::solid::Mesh;
 
 /// Facets lower than this have no direction worth asking, mm.

@@ -2,11 +2,10 @@
 
 use flexframe::export::stl;
 use flexframe::frame::assembly::Printed;
-use flexframe::frame::parts::*;
 use flexframe::frame::skeleton::{Centre, Skeleton};
 use flexframe::params::{Frame, PartName};
 use flexframe::solid::Mesh;
-use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+use nalgebra::{Isometry3, Translation3};
 
 use super::figures::RealPart;
 use super::scan;
@@ -41,24 +40,6 @@ pub fn exported(part: &Printed) -> Mesh {
 
 /// From the part's own axes to where it lies on the print bed.
 pub fn on_bed(part: &Printed) -> Isometry3<f64> {
-    let laid = Isometry3::from_parts(Translation3::identity(), print_turn(part.name));
+    let laid = Isometry3::from_parts(Translation3::identity(), (part.part.print_turn)());
     Isometry3::translation(0.0, 0.0, -part.flat.placed(&laid).bounds_mm()[0][2]) * laid
-}
-
-fn print_turn(name: PartName) -> UnitQuaternion<f64> {
-    match name {
-        PartName::TopCorner => TopCorner::print_turn(),
-        PartName::BottomCorner => BottomCorner::print_turn(),
-        PartName::Knee => Knee::print_turn(),
-        PartName::Fork => Fork::print_turn(),
-        PartName::MotorMount => MotorMount::print_turn(),
-        PartName::HubJoint => HubJoint::print_turn(),
-        PartName::Hub => hub::print_turn(),
-        PartName::PiCarrier => pi_carrier::print_turn(),
-        PartName::BatteryBracket => battery_bracket::print_turn(),
-        PartName::BatterySleeve => battery_sleeve::print_turn(),
-        PartName::BatteryLid => battery_lid::print_turn(),
-        PartName::CameraConnectorLeft => camera_connector::print_turn_left(),
-        PartName::CameraConnectorRight => camera_connector::print_turn_right(),
-    }
 }

@@ -1,8 +1,8 @@
 //! Which surface of the features each facet of a mesh stands for.
 
-use super::exact::NotExact;
 use super::half_edges::HalfEdges;
 use super::known::Known;
+use super::not_exact::NotExact;
 use super::regions::Facet;
 
 /// Facets lower than this have no direction that could be asked, mm.

@@ -1,0 +1,180 @@
+//! What a rule is: everything that a check, a table, a report or a search says of it, in one record beside its code.
+
+use super::finding::Finding;
+use super::scene::Scene;
+use crate::params::PartName;
+
+/// A rule of the checks. Tables, reports and searches read this record and name no rule themselves.
+pub struct Rule {
+    /// Its identifier in findings, reports and lists of accepted findings.
+    pub id: &'static str,
+    /// Its name for a person.
+    pub title: &'static str,
+    /// What holds when the rule is kept: a clause, without capital and full stop.
+    pub requires: &'static str,
+    /// Units that its findings can have.
+    pub units: &'static [&'static str],
+    /// Where its limits come from; empty when they are fixed in the program.
+    pub limits: &'static [Limit],
+    /// The keys that change its findings most directly.
+    pub levers: Levers,
+    /// What a violation is blamed on before the levers.
+    pub blame: Blame,
+    /// How a search for better frames keeps it.
+    pub in_search: InSearch,
+    /// How its findings come about.
+    pub(super) found: Found,
+}
+
+/// Where a limit comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limit {
+    /// A key of the frame file, for subjects that begin with these words; an empty beginning is any subject.
+    Key {
+        /// How the subjects begin.
+        subject: &'static str,
+        /// The key with its table.
+        key: &'static str,
+    },
+    /// The printer's entry of the catalogue.
+    Printer,
+    /// The material's entry of the catalogue.
+    Material,
+    /// `[limits]` of `params/mechanics.toml`.
+    Mechanics,
+}
+
+/// Keys that change findings most directly, three at the most a finding.
+#[derive(Clone, Copy, Debug)]
+pub enum Levers {
+    /// A set for each kind of subject.
+    Sets(&'static [&'static [&'static str]]),
+    /// A set for each printed part.
+    OfPart(fn(PartName) -> &'static [&'static str]),
+}
+
+/// What a violation is blamed on, before the levers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blame {
+    /// Nothing else.
+    Levers,
+    /// The heaviest lines of the mass table.
+    Masses {
+        /// Whether the value is the sum of these masses: reports then name the largest, and list them by weight, wherever they
+        /// are stated.
+        summed: bool,
+    },
+    /// Keys of the frame file, for subjects that begin with these words; the first that fits counts.
+    Keys(&'static [(&'static str, &'static [&'static str])]),
+}
+
+/// How a search for better frames keeps a rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InSearch {
+    /// As constraints on every frame that is looked at.
+    Constraints {
+        /// A constraint for the tightest of the findings whose subjects begin with each of these words. Subjects that pull different
+        /// ways need constraints of their own: together they have a kink where they are equal, and a search by planes stops there.
+        subjects: &'static [&'static str],
+        /// Whether little room means that the rule limits the answer. It does not where the value is meant to be at its limit.
+        binds: bool,
+    },
+    /// On the best frames at the end only, for the reason given.
+    AtTheEnd(&'static str),
+    /// Where a goal asks for it only, for the reason given.
+    AsGoal(&'static str),
+}
+
+/// How long a pass over a frame takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Cost {
+    /// Short enough for every frame of a search.
+    Quick,
+    /// Longer than all quick ones together.
+    Slow,
+}
+
+/// How the findings of a rule come about.
+pub(super) enum Found {
+    /// By passes over the design.
+    By(&'static [Pass]),
+    /// In a pass of another rule, which looks at the same places.
+    WithAnother,
+    /// From the prediction of the frame's mechanics, where that is asked for.
+    FromPrediction,
+}
+
+/// A pass over the design.
+pub(super) struct Pass {
+    pub cost: Cost,
+    pub find: fn(&Scene) -> Vec<Finding>,
+}
+
+impl Pass {
+    pub const fn quick(find: fn(&Scene) -> Vec<Finding>) -> Self {
+        Self { cost: Cost::Quick, find }
+    }
+
+    pub const fn slow(find: fn(&Scene) -> Vec<Finding>) -> Self {
+        Self { cost: Cost::Slow, find }
+    }
+}
+
+impl Rule {
+    /// The key of the frame file that holds the limit of a subject, where there is one.
+    pub fn limit_key(&self, subject: &str) -> Option<&'static str> {
+        self.limits.iter().find_map(|limit| match limit {
+            Limit::Key { subject: begins, key } if subject.starts_with(begins) => Some(*key),
+            Limit::Printer => Some("printer"),
+            Limit::Key { .. } | Limit::Material | Limit::Mechanics => None,
+        })
+    }
+
+    /// The constraints of a search: how the subjects of each begin. None for a rule that is kept otherwise.
+    pub fn constraints(&self) -> &'static [&'static str] {
+        match self.in_search {
+            InSearch::Constraints { subjects, .. } => subjects,
+            InSearch::AtTheEnd(_) | InSearch::AsGoal(_) => &[],
+        }
+    }
+
+    /// Whether little room means that the rule limits the answer of a search.
+    pub fn binds(&self) -> bool {
+        matches!(self.in_search, InSearch::Constraints { binds: true, .. })
+    }
+
+    /// What the rule requires, as a sentence.
+    pub fn sentence(&self) -> String {
+        sentence(self.requires)
+    }
+
+    /// The rule's line of the table in `docs/gate.md`: identifier, what it requires, and where its limit comes from.
+    pub fn table_line(&self) -> String {
+        let asked = if matches!(self.found, Found::FromPrediction) { "with `--strength`: " } else { "" };
+        format!("| `{}` | {asked}{} | {} |", self.id, self.requires, self.limit_source())
+    }
+
+    fn limit_source(&self) -> String {
+        let mut keys: Vec<&str> = Vec::new();
+        let mut others: Vec<&str> = Vec::new();
+        for limit in self.limits {
+            match limit {
+                Limit::Key { key, .. } => keys.extend(key.strip_prefix("limits.").filter(|key| !keys.contains(key))),
+                Limit::Printer => others.push("printer"),
+                Limit::Material => others.push("material"),
+                Limit::Mechanics => others.push("`[limits]` of `params/mechanics.toml`"),
+            }
+        }
+        let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+        let stated = (!keys.is_empty()).then(|| format!("`[limits]` {}", keys.join(", ")));
+        let sources: Vec<String> = stated.into_iter().chain(others.into_iter().map(String::from)).collect();
+        if sources.is_empty() { "fixed".into() } else { sources.join(", ") }
+    }
+}
+
+/// A clause as a sentence: with a capital and a full stop.
+fn sentence(clause: &str) -> String {
+    let mut letters = clause.chars();
+    let first: String = letters.next().into_iter().flat_map(char::to_uppercase).collect();
+    format!("{first}{}.", letters.as_str())
+}

@@ -1,0 +1,68 @@
+//! The records of the printed parts, in whole frames.
+
+use nalgebra::{Isometry3, UnitQuaternion};
+
+use super::{Design, Kind, Workshop, mass};
+use crate::frame::parts::{Fold, MaterialClass, PrintedPart, Seat, catalogue};
+use crate::params::{Frame, PartName, parameters, preset};
+use crate::solid::Feature;
+
+#[test]
+fn analytic_every_part_is_made_placed_and_weighed_in_every_preset() {
+    let mut met = Vec::new();
+    for name in preset::names() {
+        let design = Design::new(Frame::load(name).expect("a preset").0).expect("closes");
+        let masses = mass::table(&design);
+        for part in catalogue().into_iter().filter(|part| (part.needed)(&design.frame)) {
+            let made = design.part(part.name).unwrap_or_else(|| panic!("{name} has no {}", part.name));
+            assert!(made.volume_mm3 > 0.0 && made.topology.bodies == 1, "{name}: {}", part.name);
+            let bodies = design.bodies.iter().filter(|body| design.shape(body).kind == Kind::Printed(part.name));
+            assert_eq!(bodies.count(), part.quantity() as usize, "{name}: {}", part.name);
+            let line = masses.lines.iter().find(|line| line.name == part.name.slug()).expect("is weighed");
+            assert!(line.total_g > 0.0 && line.quantity == part.quantity(), "{name}: {line:?}");
+            met.push(part.name);
+        }
+    }
+    assert!(PartName::ALL.iter().all(|name| met.contains(name)), "a part that no preset has");
+}
+
+#[test]
+fn analytic_every_record_agrees_with_the_parameters() {
+    for part in catalogue() {
+        let name = part.name;
+        assert!((1..=3).contains(&part.walls.len()), "{name}: {:?}", part.walls);
+        for key in part.walls {
+            assert!(parameters().any(|p| *key == format!("{}.{}", p.table, p.key)), "{name}: {key} is no parameter");
+        }
+        assert!(parameters().any(|p| p.drives.contains(&name)), "nothing drives {name}");
+        assert_eq!(part.is_flexible(), matches!(part.seat, Seat::Modules(_)), "{name}: modules are flexible, the centre is rigid");
+    }
+}
+
+/// A small plate on the hub, in the place of a camera connector.
+static TOY: PrintedPart = PrintedPart {
+    name: PartName::CameraConnectorLeft,
+    feature: |_, _, _| Feature::cuboid_between([0.0; 3], [10.0, 6.0, 2.0]),
+    material: MaterialClass::Flexible,
+    seat: Seat::Centre(|centre| Isometry3::translation(0.0, 0.0, centre.board_top_mm() + 5.0)),
+    fold: Fold::Stands,
+    print_turn: UnitQuaternion::identity,
+    needed: |_| true,
+    walls: &["camera.camera_foot_mm"],
+};
+
+#[test]
+fn planted_a_part_needs_nothing_but_its_record() {
+    let parts: Vec<&'static PrintedPart> = catalogue().into_iter().map(|part| if part.name == TOY.name { &TOY } else { part }).collect();
+    let (mut frame, _) = Frame::load("cognifly").expect("a preset");
+    frame.bought.remove("camera");
+    let design = Design::of_parts(frame, &parts, &mut Workshop::default()).expect("closes");
+    let toy = design.part(TOY.name).expect("is made");
+    assert!((toy.volume_mm3 - 120.0).abs() < 1e-3 && toy.topology.euler == 2, "{}", toy.volume_mm3);
+    let body = design.bodies.iter().find(|body| body.name == TOY.name.slug()).expect("is placed");
+    assert!((body.pose.translation.z - design.centre.board_top_mm() - 5.0).abs() < 1e-9 && body.module.is_none());
+    let masses = mass::table(&design);
+    let line = masses.lines.iter().find(|line| line.name == TOY.name.slug()).expect("is weighed");
+    assert!(line.quantity == 1 && line.total_g > 0.0, "{line:?}");
+    assert!(design.part(PartName::CameraConnectorRight).is_none(), "nothing carries a camera that is not there");
+}

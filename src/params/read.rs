@@ -1,0 +1,26 @@
+//! Texts of a frame file, and what is said of entries that do not read.
+
+use super::frame_file::{FrameFile, Value};
+use super::refusal::{Reason, Refusal};
+
+/// A text as typed; `None` when no file states it.
+pub(super) fn text(file: &FrameFile, key: &str) -> Result<Option<String>, Refusal> {
+    match file.entries.get(key).map(|entry| &entry.value) {
+        None => Ok(None),
+        Some(Value::Text(text)) => Ok(Some(text.clone())),
+        Some(other) => {
+            let reason = Reason::WrongType { key: key.into(), found: other.kind().into(), expected: "a text in quotes".into() };
+            Err(file.refuse(key, reason))
+        }
+    }
+}
+
+/// A text that has to be stated.
+pub(super) fn stated_text(file: &FrameFile, key: &str) -> Result<String, Refusal> {
+    text(file, key)?.ok_or_else(|| file.refuse(key, Reason::Missing { key: key.into() }))
+}
+
+/// An entry that does not read.
+pub(super) fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, message: &str) -> Refusal {
+    file.refuse(key, Reason::BadEntry { kind: kind.into(), name: name.into(), message: message.trim().into() })
+}

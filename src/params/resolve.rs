@@ -1,0 +1,241 @@
+//! From the file as typed to the frame as meant.
+
+use std::collections::BTreeMap;
+
+use super::choice::Catalogues;
+use super::follows;
+use super::frame::{BoughtItem, Extra, Frame, TargetSize, catalogue};
+use super::frame_file::{FrameFile, LoadError, Value};
+use super::groups::*;
+use super::parameter::Parameter;
+use super::read::{bad_entry, text};
+use super::refusal::{Reason, Refusal, nearest};
+use super::roles::ROLES;
+use super::{relation, renamed};
+
+impl Frame {
+    /// Reads a frame file or a preset and checks it.
+    ///
+    /// # Errors
+    /// When it cannot be read or something in it is refused.
+    pub fn load(frame: &str) -> Result<(Self, FrameFile), LoadError> {
+        let file = FrameFile::load(frame)?;
+        let frame = Self::resolve(&file)?;
+        Ok((frame, file))
+    }
+
+    /// Checks a frame as typed.
+    ///
+    /// # Errors
+    /// The first thing in it that is refused.
+    pub fn resolve(file: &FrameFile) -> Result<Self, Refusal> {
+        known_keys(file)?;
+        let catalogues = Catalogues::read(file)?;
+        let bought = catalogues.bought(file)?;
+        let number = |p: &Parameter| number(file, &bought, p);
+        let frame = Self {
+            name: file.name.clone(),
+            description: text(file, "description")?.unwrap_or_default(),
+            rods: RodParameters::read(number)?,
+            fit: FitParameters::read(number)?,
+            corner: CornerParameters::read(number)?,
+            hub_joint: HubJointParameters::read(number)?,
+            fork: ForkParameters::read(number)?,
+            knee: KneeParameters::read(number)?,
+            motor_mount: MotorMountParameters::read(number)?,
+            hub: HubParameters::read(number)?,
+            pi_carrier: CarrierParameters::read(number)?,
+            battery: BatteryParameters::read(number)?,
+            sleeve: SleeveParameters::read(number)?,
+            bracket: BracketParameters::read(number)?,
+            lid: LidParameters::read(number)?,
+            camera: CameraParameters::read(number)?,
+            limits: LimitParameters::read(number)?,
+            target: target(file)?,
+            flexible: catalogues.flexible(file)?,
+            rigid: catalogues.rigid(file)?,
+            rod_material: catalogues.rod_material(file, &bought)?,
+            printer: catalogues.printer(file)?,
+            bought,
+            extras: extras(file)?,
+        };
+        relation::hold(&frame).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
+        Ok(frame)
+    }
+}
+
+/// Version of a frame file's form.
+const SCHEMA: f64 = 1.0;
+
+/// Tables in which a frame file may name what it likes.
+const FREE_TABLES: [&str; 2] = ["extras", "override"];
+
+/// Tables of a frame file beside the numeric ones.
+const OTHER_KEYS: [&str; 8] =
+    ["schema", "name", "description", "printer", "materials.flexible", "materials.rigid", "target.width_mm", "target.height_mm"];
+
+fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
+    let mut known: Vec<String> = catalogue().map(|p| format!("{}.{}", p.table, p.key)).collect();
+    known.extend(OTHER_KEYS.iter().map(|key| key.to_string()));
+    known.push("target.strut_tilt_deg".into());
+    known.extend(ROLES.iter().map(|(role, ..)| format!("bought.{role}")));
+    for (key, entry) in &file.entries {
+        let free = key.starts_with("extras.") || key.starts_with("override.");
+        let empty = matches!(&entry.value, Value::Other(toml::Value::Table(_)));
+        let table = empty && (FREE_TABLES.contains(&key.as_str()) || known.iter().any(|k| k.starts_with(&format!("{key}."))));
+        if free || table || known.contains(key) {
+            continue;
+        }
+        let inside = known.iter().find(|k| key.strip_prefix(k.as_str()).is_some_and(|rest| rest.starts_with('.')));
+        let reason = match inside {
+            Some(parent) => Reason::TableForValue { key: key.clone(), parent: parent.clone(), expected: expected(parent) },
+            None => match renamed::now(key) {
+                Some(now) => Reason::Renamed { key: key.clone(), now: now.into() },
+                None => Reason::UnknownKey { key: key.clone(), nearest: meant(key, &known) },
+            },
+        };
+        return Err(file.refuse(key, reason));
+    }
+    match file.entries.get("schema").map(|entry| &entry.value) {
+        None | Some(Value::Number(SCHEMA)) => Ok(()),
+        Some(stated) => {
+            let message = format!("`schema` is {}, this flexframe reads schema {SCHEMA}", stated.to_toml());
+            let remedy =
+                format!("write schema = {SCHEMA} if the file is meant for this version, or read it with the version it was written for");
+            Err(file.refuse("schema", Reason::Impossible { message, remedy }))
+        }
+    }
+}
+
+/// What a known key takes.
+fn expected(key: &str) -> String {
+    let number = catalogue().find(|p| key == format!("{}.{}", p.table, p.key));
+    match (number, key) {
+        (Some(p), _) => p.expected(),
+        (None, "target.strut_tilt_deg") => "a number in °".into(),
+        (None, "schema") => format!("{SCHEMA}"),
+        (None, key) if key.starts_with("target.") => "a number in mm".into(),
+        _ => "a text in quotes".into(),
+    }
+}
+
+/// What an unknown key was probably meant to be: one of the same name in another table, one in a table of a similar
+/// name, or one that looks alike.
+fn meant(key: &str, known: &[String]) -> Vec<String> {
+    let bare = key.rsplit('.').next();
+    let same_name: Vec<String> = known.iter().filter(|k| k.rsplit('.').next() == bare).cloned().collect();
+    if !same_name.is_empty() {
+        return same_name;
+    }
+    let (table, rest) = key.split_once('.').unwrap_or((key, ""));
+    let tables = known.iter().filter_map(|k| k.split('.').next()).chain(FREE_TABLES);
+    match nearest(table, tables).first() {
+        Some(near) if rest.is_empty() => vec![near.clone()],
+        Some(near) if FREE_TABLES.contains(&near.as_str()) && table != near => vec![format!("{near}.{rest}").trim_end_matches('.').into()],
+        _ => nearest(key, known.iter().map(String::as_str)),
+    }
+}
+
+/// A number as typed, or what a bought part says of it.
+fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter) -> Result<f64, Refusal> {
+    let key = format!("{}.{}", p.table, p.key);
+    let value = match file.entries.get(&key).map(|entry| &entry.value) {
+        Some(Value::Number(number)) => *number,
+        Some(other) => {
+            let reason = Reason::WrongType { key: key.clone(), found: other.kind().into(), expected: p.expected() };
+            return Err(file.refuse(&key, reason));
+        }
+        None => follows::from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
+    };
+    if (p.min..=p.max).contains(&value) {
+        return Ok(value);
+    }
+    let reason = Reason::OutOfBounds { key: key.clone(), value, min: p.min, max: p.max, unit: p.unit().into() };
+    let typed = file.entries.contains_key(&key);
+    let chosen = follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
+    Err(file.refuse(if typed { &key } else { &chosen }, reason))
+}
+
+/// Keys of a target size, each with its least and its most.
+pub const TARGET_BOUNDS: [(&str, f64, f64); 3] =
+    [("target.width_mm", 80.0, 600.0), ("target.height_mm", 40.0, 400.0), ("target.strut_tilt_deg", 10.0, 35.0)];
+
+fn target(file: &FrameFile) -> Result<Option<TargetSize>, Refusal> {
+    if !file.entries.keys().any(|key| key.starts_with("target.")) {
+        return Ok(None);
+    }
+    let mut values = [0.0; 3];
+    for (value, (key, min, max)) in values.iter_mut().zip(TARGET_BOUNDS) {
+        let unit = if key.ends_with("deg") { "°" } else { "mm" };
+        *value = match file.entries.get(key).map(|entry| &entry.value) {
+            Some(Value::Number(number)) if (min..=max).contains(number) => *number,
+            Some(Value::Number(number)) => {
+                return Err(file.refuse(key, Reason::OutOfBounds { key: key.into(), value: *number, min, max, unit: unit.into() }));
+            }
+            Some(other) => {
+                let reason = Reason::WrongType { key: key.into(), found: other.kind().into(), expected: format!("a number in {unit}") };
+                return Err(file.refuse(key, reason));
+            }
+            None => return Err(file.refuse("target.width_mm", Reason::Missing { key: key.into() })),
+        };
+    }
+    let depth = file.entries.get("target.width_mm").map_or(0, |entry| entry.depth);
+    for length in ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm"] {
+        if file.entries.get(length).is_some_and(|entry| entry.depth <= depth) {
+            let reason = Reason::Impossible {
+                message: format!("`{length}` and a target size are both given"),
+                remedy: "give the three rod lengths, or [target], not both".into(),
+            };
+            return Err(file.refuse(length, reason));
+        }
+    }
+    Ok(Some(TargetSize { width_mm: values[0], height_mm: values[1], strut_tilt_deg: values[2] }))
+}
+
+/// Farthest that an extra mass may sit from the hub along an axis, mm.
+const FARTHEST_EXTRA_MM: f64 = 500.0;
+
+fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
+    let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
+    for (key, entry) in &file.entries {
+        let Some(rest) = key.strip_prefix("extras.") else { continue };
+        match (rest.split_once('.'), &entry.value) {
+            (Some((name, field)), _) => drop(tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml())),
+            (None, Value::Other(toml::Value::Table(_))) => drop(tables.entry(rest.into()).or_default()),
+            (None, _) => {
+                let nearest = vec![format!("extras.NAME.{rest}")];
+                return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
+            }
+        }
+    }
+    let read = |(name, table): (String, toml::Table)| {
+        let at = format!("extras.{name}.mass_g");
+        let extra: Extra = table.try_into().map_err(|e: toml::de::Error| {
+            let own =
+                |key: &&String| key.strip_prefix(&format!("extras.{name}")).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+            let blamed = |key: &&String| key.rsplit('.').next().is_some_and(|field| e.message().contains(&format!("`{field}`")));
+            let stated = file.entries.keys().filter(own);
+            let key = stated.clone().find(blamed).or_else(|| stated.clone().next());
+            bad_entry(file, key.map_or(at.as_str(), String::as_str), "extra", &name, e.message())
+        })?;
+        if extra.position_mm.iter().any(|at| at.abs() > FARTHEST_EXTRA_MM || !at.is_finite()) {
+            let at = format!("extras.{name}.position_mm");
+            let message = format!("lies further than {FARTHEST_EXTRA_MM} mm from the hub, or is no number");
+            return Err(bad_entry(file, &at, "extra", &name, &message));
+        }
+        if let Some(role) = extra.covers.iter().find(|role| ROLES.iter().all(|(known, ..)| known != role)) {
+            let reason = Reason::UnknownName {
+                kind: "role of a bought part".into(),
+                name: role.clone(),
+                nearest: nearest(role, ROLES.iter().map(|(known, ..)| *known)),
+            };
+            return Err(file.refuse(&format!("extras.{name}.covers"), reason));
+        }
+        if !(0.0..=5000.0).contains(&extra.mass_g) {
+            let (value, unit) = (extra.mass_g, "g".to_string());
+            return Err(file.refuse(&at, Reason::OutOfBounds { key: at.clone(), value, min: 0.0, max: 5000.0, unit }));
+        }
+        Ok((name, extra))
+    };
+    tables.into_iter().map(read).collect()
+}

@@ -1,0 +1,20 @@
+//! What is bought, by what it is for.
+
+/// Roles of bought parts, how many of each, and the kind that fits.
+pub const ROLES: [(&str, u32, &str); 15] = [
+    ("motor", 4, "motor"),
+    ("propeller", 4, "propeller"),
+    ("battery", 1, "battery"),
+    ("rod", 1, "rod"),
+    ("computer", 1, "board"),
+    ("flight_controller", 1, "board"),
+    ("motor_controller", 1, "board"),
+    ("camera", 1, "camera"),
+    ("flow_sensor", 1, "sensor"),
+    ("connector", 1, "connector"),
+    ("magnet", 2, "magnet"),
+    ("motor_screw", 16, "screw"),
+    ("stack_screw", 4, "screw"),
+    ("tie", 4, "other"),
+    ("damper", 4, "other"),
+];

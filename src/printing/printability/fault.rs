@@ -1,0 +1,39 @@
+//! The places of a part that hang over air, and what they break.
+
+use super::process::Process;
+use super::unsupported::{self, Hanging};
+use crate::frame::assembly::Printed;
+
+/// What a place that hangs breaks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// It begins on nothing.
+    Island,
+    /// It reaches out too far.
+    Overhang,
+    /// It is bridged, too long.
+    Bridge,
+}
+
+impl Hanging {
+    /// What it breaks, if anything.
+    pub fn fault(&self, process: &Process) -> Option<Fault> {
+        if self.island {
+            Some(Fault::Island)
+        } else if self.bridged {
+            (self.span_mm > process.bridge_mm).then_some(Fault::Bridge)
+        } else {
+            (self.reach_mm > process.ledge_mm).then_some(Fault::Overhang)
+        }
+    }
+}
+
+/// The places of a part that hang over air.
+pub fn hanging(part: &Printed, process: &Process) -> Vec<Hanging> {
+    unsupported::of(&part.printed, &part.mesh, process)
+}
+
+/// Whether a part needs support.
+pub fn needs_support(part: &Printed, process: &Process) -> bool {
+    hanging(part, process).iter().any(|place| place.fault(process).is_some())
+}

@@ -1,0 +1,41 @@
+//! The mesh's own facets as faces, coplanar neighbours merged.
+
+use nalgebra::Point3;
+
+use super::chains::Chains;
+use super::curve::Curve;
+use super::half_edges::HalfEdges;
+use super::regions;
+use super::topology::{Boundary, Edge, Face, Side};
+use crate::solid::Mesh;
+
+impl Boundary {
+    /// The solid with the mesh's own facets, coplanar neighbours merged; `None` when the mesh is not closed.
+    ///
+    /// Vertices are the mesh's; those of a merged face lie on its plane within `FLATNESS_MM`.
+    pub fn faceted(mesh: &Mesh) -> Option<Self> {
+        let half_edges = HalfEdges::new(mesh)?;
+        let mut regions = regions::coplanar(mesh, &half_edges);
+        let vertices: Vec<Point3<f64>> = (0..mesh.vertices.len() as u32).map(|i| mesh.corners(&[i; 3])[0]).collect();
+        loop {
+            let chains = Chains::between(mesh, &half_edges, &regions.of).straightened(mesh);
+            let edges = chains.edges.iter().map(|chain| Edge { from: chain.first(), to: chain.last(), curve: Curve::Line }).collect();
+            let mut boundary = Self { vertices: vertices.clone(), edges, faces: chains.faces(&regions) };
+            let torn: Vec<usize> = (0..boundary.faces.len()).filter(|at| boundary.is_torn(&boundary.faces[*at])).collect();
+            if !regions.split(mesh, &torn) {
+                boundary.tidy();
+                return Some(boundary);
+            }
+        }
+    }
+
+    /// Whether a face's loops do not bound one piece of its surface: they meet in a vertex, or cross.
+    fn is_torn(&self, face: &Face) -> bool {
+        let start = |side: &Side| if side.forward { self.edges[side.edge].from } else { self.edges[side.edge].to };
+        let mut corners: Vec<usize> = face.loops.iter().flatten().map(start).collect();
+        corners.sort_unstable();
+        let meets_itself = corners.windows(2).any(|pair| pair[0] == pair[1]);
+        let outer = face.loops.iter().filter(|sides| self.loop_area_mm2(face, sides) > 0.0).count();
+        meets_itself || outer != 1 || self.touches_itself(face) || face.loops.len() > 1 && self.crosses_itself(face)
+    }
+}
