@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::gate::{CheckedFrame, Outcome, Policy, sarif};
-use super::planted::{Planted, TOY, violated};
+use super::planted::{Planted, violated};
 use super::rule::Found;
 use super::*;
-use crate::params::{Frame, FrameFile, PartName, parameters, preset};
+use crate::params::{PartName, parameters, preset};
 
 fn broken(preset: &str) -> Vec<String> {
     let frame = Planted::preset(preset);
@@ -120,24 +119,4 @@ fn regress_every_finding_of_every_preset_is_by_the_record_of_its_rule() {
     }
     let missing: Vec<&str> = CATALOGUE.iter().map(|rule| rule.id).filter(|id| !met.contains(id) && *id != "design_drop").collect();
     assert!(missing.is_empty(), "no preset has a finding of {missing:?}");
-}
-
-#[test]
-fn planted_a_rule_needs_nothing_but_its_record() {
-    let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([&TOY]).collect();
-    let text = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 180.0\nstrut_rod_length_mm = 71.0\n";
-    let file = FrameFile::parse("short.toml", text).expect("reads");
-    let frame = Planted::designed(Frame::resolve(&file).expect("is one"));
-    let findings = check_by(&[&TOY], Cost::Quick, &frame.design, &frame.masses);
-    let policy = Policy { rules: &rules, ..Policy::default() };
-    let checked = CheckedFrame::new(&frame.design.frame, &file, findings, frame.masses, policy);
-    let blamed: Vec<&str> = checked.findings[0].spots.iter().map(|spot| spot.key.as_str()).collect();
-    assert_eq!(blamed, ["rods.strut_rod_length_mm", "rods.cage_rod_length_mm"]);
-    let log = sarif::log(&[Outcome { asked: "short.toml".into(), result: Ok(checked) }], &rules);
-    let log: serde_json::Value = serde_json::from_str(&log).expect("JSON");
-    let (run, last) = (&log["runs"][0], CATALOGUE.len() + 1);
-    let described = &run["tool"]["driver"]["rules"][last];
-    assert_eq!((&described["id"], &described["shortDescription"]["text"]), (&"toy".into(), &TOY.sentence().into()));
-    assert_eq!((&run["results"][0]["ruleId"], &run["results"][0]["ruleIndex"]), (&"toy".into(), &last.into()));
-    assert_eq!(TOY.table_line(), "| `toy` | the rods of the ring are long enough for a toy | `[limits]` `part_clearance_mm` |");
 }

@@ -14,3 +14,6 @@ pub use baseline::{Accepted, Baseline, BaselineError};
 pub use blame::{Spot, spots};
 pub use outcome::{CheckedFrame, Judged, Outcome, Refused};
 pub use policy::{Policy, Standing};
+
+#[cfg(test)]
+mod tests;
