@@ -21,14 +21,14 @@ def rule(columns):
 
 
 def name_table(cases):
-    """How often the first name is the planted one."""
+    """How often the first name is the true one."""
     whos = list(cases[0]["names"])
 
     def right(some):
         return [f"{sum(one['names'][who] == one['effect'] for one in some)}/{len(some)}" for who in whos]
 
     print()
-    row("effect planted", "excess of the linear fit, weak / plain", *whos)
+    row("hidden effect", "excess of the linear fit, weak / plain", *whos)
     rule(2 + len(whos))
     for effect in dict.fromkeys(one["effect"] for one in cases):
         some = [one for one in cases if one["effect"] == effect]
