@@ -64,8 +64,8 @@ def parts(cases):
 def time_table(rows):
     """Milliseconds and ratios."""
     print()
-    waves = ("waves apart, g", "SciPy, ms a wave: RK45 (LSODA)", "over the tool's published")
-    row("model", *waves, "SciPy, ms a refit", "tool, ms a refit", "ratio")
+    waves = ("difference of waves, g", "SciPy, ms a wave: RK45 (LSODA)", "over flexframe's published time")
+    row("model", *waves, "SciPy, ms a refit", "flexframe, ms a refit", "ratio")
     rule(7)
     for one in rows:
         over = f"{one.rk45_s / TOOL_WAVE_S:.0f} ({one.lsoda_s / TOOL_WAVE_S:.0f})" if one.id == "linear" else "-"

@@ -55,7 +55,7 @@ if [[ -n ${BASE:-} ]]; then
     read -rd '' -a increases <<<"${FAIL_ON_INCREASE:-}"
     for increase in "${increases[@]}"; do limits+=(--fail-on-increase "$increase"); done
     if ! git rev-parse --verify --quiet "$BASE^{commit}" >/dev/null; then
-        echo "gate.sh: the revision $BASE does not exist here; a shallow clone does not contain it" >&2
+        echo "gate.sh: there is no revision $BASE to compare with; a shallow clone does not contain it" >&2
         fails 2
     elif some_file_changed; then
         declare -A seen=()
