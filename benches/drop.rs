@@ -1,8 +1,8 @@
 //! How long one drop takes: `cargo bench --bench drop`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use flexframe::effects::Model;
-use flexframe::sim::{Settings, System, simulate, wave};
+use flexframe::impact::effects::Model;
+use flexframe::impact::sim::{Settings, System, simulate, wave};
 use std::hint::black_box;
 
 #[path = "../tests/impact/mod.rs"]

@@ -1,9 +1,9 @@
 //! How long a fold takes, of a frame that is designed: `cargo bench --bench fold`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use flexframe::assembly::Design;
-use flexframe::assembly::fold::{FoldSequence, sweeps};
 use flexframe::export::fold_glb;
+use flexframe::frame::assembly::Design;
+use flexframe::frame::fold::{FoldSequence, sweeps};
 use flexframe::params::Frame;
 use std::hint::black_box;
 

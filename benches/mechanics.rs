@@ -1,13 +1,13 @@
 //! How long the frame's mechanics take: cutting the parts, a static curve, modes, a drop.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use flexframe::assembly::{Design, mass};
-use flexframe::mechanics::frame_model::{Extent, FrameModel};
-use flexframe::mechanics::impact::{Impact, Run};
-use flexframe::mechanics::modes::Modes;
-use flexframe::mechanics::parts_plan::part_models;
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
+use flexframe::mechanics::parts::parts_plan::part_models;
+use flexframe::mechanics::result::impact::{Impact, Run};
+use flexframe::mechanics::result::static_curve::StaticCurve;
 use flexframe::mechanics::settings::Settings;
-use flexframe::mechanics::static_curve::StaticCurve;
+use flexframe::mechanics::solve::modes::Modes;
 use flexframe::params::Frame;
 
 fn mechanics(criterion: &mut Criterion) {

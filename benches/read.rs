@@ -5,7 +5,8 @@ use std::hint::black_box;
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use flexframe::measured::{self, Calibration};
+use flexframe::impact::measured;
+use flexframe::impact::measured::Calibration;
 
 /// Records.
 const RECORDS: usize = 1000;

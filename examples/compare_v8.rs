@@ -12,9 +12,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::Path;
 
-use flexframe::assembly::Printed;
+use flexframe::frame::assembly::Printed;
 use flexframe::params::PartName;
-use flexframe::report::picture::{self, Item, View};
+use flexframe::report::picture::image as picture;
+use flexframe::report::picture::image::{Item, View};
 use flexframe::solid::{Mesh, MeshSolid};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use real::figures::{Dimension, RealPart};

@@ -16,30 +16,17 @@
 //! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI, in [`mechanics`] with N and ms. Axes: X right, Y front, Z up, origin where
 //! the hub's axis crosses the plane of the arms.
 
-pub mod assembly;
-pub mod body;
 pub mod checks;
 pub mod cli;
-pub mod coupon;
-pub mod diagnose;
-pub mod effects;
 pub mod export;
 pub mod figures;
-pub mod fit;
-pub mod gate;
-pub mod impact_fit;
-pub mod measured;
+pub mod frame;
+pub mod impact;
 pub mod mechanics;
 pub mod params;
-pub mod parts;
-pub mod plant;
-pub mod plates;
-pub mod printability;
+pub mod printing;
 pub mod report;
 pub mod schema;
-pub mod sim;
-pub mod skeleton;
 pub mod solid;
 pub mod units;
 pub mod variant;
-pub mod weighing;

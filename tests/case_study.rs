@@ -3,7 +3,7 @@
 mod case;
 
 use case::Study;
-use flexframe::diagnose::Verdict;
+use flexframe::impact::diagnose::Verdict;
 
 /// Whether the records are there; says loudly when they are not.
 fn is_there(test: &str) -> bool {

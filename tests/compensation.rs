@@ -2,9 +2,9 @@
 
 use std::io::Cursor;
 
-use flexframe::assembly::compensated::{Compensated, mesh};
-use flexframe::assembly::{Design, mass};
 use flexframe::export::stl;
+use flexframe::frame::assembly::compensated::{Compensated, mesh};
+use flexframe::frame::assembly::{Design, mass};
 use flexframe::params::{Frame, PartName};
 use flexframe::solid::gate;
 use flexframe::solid::{Mesh, MeshSolid};

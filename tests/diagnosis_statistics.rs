@@ -1,9 +1,9 @@
 //! Each statistical step of a diagnosis on a case whose answer is known.
 
-use flexframe::diagnose::{Ground, Settings, Verdict, diagnose, flat_top, trend_p};
-use flexframe::effects::{Model, by_id};
-use flexframe::fit::{Drop, Expected, Scatter, Waves, Whitening, minimise};
-use flexframe::plant::{Hidden, Plan, Scatter as Spread, clean, records};
+use flexframe::impact::diagnose::{Ground, Settings, Verdict, diagnose, flat_top, trend_p};
+use flexframe::impact::effects::{Model, by_id};
+use flexframe::impact::fit::{Drop, Expected, Scatter, Waves, Whitening, minimise};
+use flexframe::impact::synthetic::{Hidden, Plan, Scatter as Spread, clean, records};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
@@ -147,7 +147,7 @@ fn planted_wear_is_a_trend_and_scatter_is_none() {
     let changes = |plan: &Plan| {
         let waves = waves(plan);
         let ground = Ground::of(&waves, &base()).expect("a fit");
-        let fitted = ground.problem.fit(flexframe::fit::Layout::of(base()), 20).expect("a fit");
+        let fitted = ground.problem.fit(flexframe::impact::fit::Layout::of(base()), 20).expect("a fit");
         let changes = ground.problem.sensitivity(&fitted).expect("it holds the body");
         trend_p(&waves, &changes, 1).expect("a chance")
     };

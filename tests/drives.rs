@@ -8,14 +8,15 @@ mod common;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-use flexframe::assembly::{Design, Printed, mass};
 use flexframe::checks;
-use flexframe::params::{Frame, PartName, parameters};
-use flexframe::parts::{
-    BottomCorner, Centre, Fork, HubJoint, Knee, MotorMount, TopCorner, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub,
+use flexframe::frame::assembly::{Design, Printed, mass};
+use flexframe::frame::parts::{
+    BottomCorner, Fork, HubJoint, Knee, MotorMount, TopCorner, battery_bracket, battery_lid, battery_sleeve, camera_connector, hub,
     pi_carrier,
 };
-use flexframe::skeleton::Skeleton;
+use flexframe::frame::skeleton::Centre;
+use flexframe::frame::skeleton::Skeleton;
+use flexframe::params::{Frame, PartName, parameters};
 use flexframe::solid::{Feature, Mesh, MeshSolid, gate};
 use rayon::prelude::*;
 

@@ -8,8 +8,8 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use assert_cmd::cargo::cargo_bin;
-use flexframe::assembly::{Design, mass};
 use flexframe::checks;
+use flexframe::frame::assembly::{Design, mass};
 use flexframe::params::{Frame, PartName, preset};
 use gltf::Gltf;
 use nalgebra::{Matrix4, Point3};

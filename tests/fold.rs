@@ -4,13 +4,13 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use flexframe::assembly::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, TABLE_MM, Task, sweeps};
-use flexframe::assembly::{Design, mass};
 use flexframe::export::{fold_glb, glb, stl};
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, TABLE_MM, Task, sweeps};
+use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
-use flexframe::report::booklet::Booklet;
-use flexframe::report::{booklet_html, booklet_pdf};
-use flexframe::skeleton::Skeleton;
+use flexframe::report::booklet::content::Booklet;
+use flexframe::report::booklet::{booklet_html, booklet_pdf};
 use flexframe::solid::{Feature, MeshSolid};
 use gltf::animation::util::ReadOutputs;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};

@@ -4,10 +4,11 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
-use flexframe::diagnose::{Diagnosis, Settings, Verdict, diagnose};
-use flexframe::effects::{FrameCurve, Model};
-use flexframe::fit::{Chosen, Keep};
-use flexframe::measured::{self, Calibration};
+use flexframe::impact::diagnose::{Diagnosis, Settings, Verdict, diagnose};
+use flexframe::impact::effects::{FrameCurve, Model};
+use flexframe::impact::fit::{Chosen, Keep};
+use flexframe::impact::measured;
+use flexframe::impact::measured::Calibration;
 use flexframe::params::ImpactFile;
 
 /// φ of the real frame, which `flexframe stiffness cognifly-v8` computes, to a hundredth of a millimetre; and one that stiffens as much.
@@ -56,7 +57,7 @@ fn planted(folder: &Path, points: &[[f64; 2]], seed: u64) -> std::path::PathBuf 
 fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
     let set = measured::read(&[drops.to_path_buf()], &Calibration::default()).expect("reads");
     let mut model = Model::load("paper-corrected").expect("comes with the program");
-    model.sensor.channel = flexframe::effects::Channel::Axial;
+    model.sensor.channel = flexframe::impact::effects::Channel::Axial;
     model.frame_curve = candidate;
     let waves = Chosen::of(&set, model.sensor.channel, Keep::Evidence).expect("there are drops").waves().expect("can be laid");
     let (fitted, held) = (waves.only(|h| h < 1.9), waves.only(|h| h > 1.9));
@@ -88,12 +89,16 @@ fn planted_a_wrong_frames_curve_is_not_named_alone() {
 #[test]
 fn analytic_energies_balance_with_the_curve_and_beyond_its_end_it_is_marked() {
     let mut model = Model::load("paper-corrected").expect("comes with the program");
-    model = model.with(flexframe::effects::by_id("frame_force_curve").expect("an effect"), &[1.0], 0);
+    model = model.with(flexframe::impact::effects::by_id("frame_force_curve").expect("an effect"), &[1.0], 0);
     for (reach, feet) in [(12, false), (12, true), (4, false)] {
         model.frame_curve = Some(curve(&SOFT[..reach]));
-        let spec = flexframe::effects::by_id("foot_stagger").expect("an effect");
+        let spec = flexframe::impact::effects::by_id("foot_stagger").expect("an effect");
         let dropped = if feet { model.clone().with(spec, &[5.0], 0) } else { model.clone() };
-        let trace = flexframe::sim::simulate(&flexframe::sim::System::new(&dropped), 0.5, &flexframe::sim::Settings::REPORT);
+        let trace = flexframe::impact::sim::simulate(
+            &flexframe::impact::sim::System::new(&dropped),
+            0.5,
+            &flexframe::impact::sim::Settings::REPORT,
+        );
         for balance in trace.compression.iter().chain(&trace.release) {
             assert!(balance.residual().abs() < 1e-8, "{reach} {feet}: {}", balance.residual());
         }
@@ -109,7 +114,7 @@ fn analytic_a_share_of_nothing_leaves_every_bit_and_one_is_the_frames_curve() {
         let text = format!("{text}\n[effects.frame_force_curve]\nshare = {share:?}\nx_mm = [0.0, 5.0, 20.0]\nphi_mm = [0.0, 4.0, 9.0]\n");
         Model::resolve(&ImpactFile::parse("curve", &text).expect("is TOML")).expect("is a model")
     };
-    let force = |model: &Model, x_m: f64| flexframe::sim::System::new(model).slow_force_n(x_m);
+    let force = |model: &Model, x_m: f64| flexframe::impact::sim::System::new(model).slow_force_n(x_m);
     let (base, off, on) = (Model::load("paper-corrected").expect("comes with the program"), file(0.0), file(1.0));
     let k = base.stiffness_and_damping()[0];
     for x_m in [-0.001, 0.002, 0.0137, 0.03] {

@@ -10,11 +10,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use assert_cmd::cargo::cargo_bin;
-use flexframe::assembly::mass::MassTable;
-use flexframe::assembly::{Design, mass};
 use flexframe::checks::{self, Finding};
+use flexframe::frame::assembly::mass::MassTable;
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::frame::skeleton::RodRole;
 use flexframe::params::Frame;
-use flexframe::skeleton::RodRole;
 use rayon::prelude::*;
 
 /// A stage's name and what it came to.

@@ -8,11 +8,11 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
-use flexframe::effects::Model;
-use flexframe::gate::Baseline;
-use flexframe::measured::{Calibration, read};
+use flexframe::checks::gate::Baseline;
+use flexframe::impact::effects::Model;
+use flexframe::impact::measured::{Calibration, read};
+use flexframe::impact::synthetic::Plan;
 use flexframe::params::{Frame, FrameFile, ImpactFile};
-use flexframe::plant::Plan;
 use flexframe::variant::{Goal, Increase};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};

@@ -3,8 +3,8 @@
 #[allow(dead_code)]
 mod impact;
 
-use flexframe::effects::{CATALOGUE, Model, by_id};
-use flexframe::sim::{Balance, Outside, Settings, Stop, System, Trace, simulate, wave};
+use flexframe::impact::effects::{CATALOGUE, Model, by_id};
+use flexframe::impact::sim::{Balance, Outside, Settings, Stop, System, Trace, simulate, wave};
 use impact::{C, G, K, MASS_KG, Table, base, model, reference};
 
 /// Each effect that acts after first touch at a plain strength, and until when the second writing of it holds, s.

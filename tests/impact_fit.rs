@@ -2,10 +2,11 @@
 
 use std::sync::OnceLock;
 
-use flexframe::assembly::{Design, mass};
-use flexframe::impact_fit::{FrameFit, Height, Known, Subject, Surface, fit};
-use flexframe::measured::{self, Calibration, Summary};
-use flexframe::mechanics::frame_model::{Extent, FrameModel};
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::impact::frame_fit::{FrameFit, Height, Known, Subject, Surface, fit};
+use flexframe::impact::measured;
+use flexframe::impact::measured::{Calibration, Summary};
+use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::settings::Settings;
 use flexframe::params::Frame;
 

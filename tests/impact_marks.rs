@@ -3,8 +3,8 @@
 #[allow(dead_code)]
 mod impact;
 
-use flexframe::effects::Model;
-use flexframe::sim::{Outside, Settings, System, simulate};
+use flexframe::impact::effects::Model;
+use flexframe::impact::sim::{Outside, Settings, System, simulate};
 
 /// The reasons that an effect gives.
 fn reasons(model: &Model, effect: &str, height_m: f64) -> Vec<String> {

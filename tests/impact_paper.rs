@@ -1,7 +1,7 @@
 //! The paper's model against the paper's figures (arXiv 2103.04423 and its notebook).
 
-use flexframe::effects::Model;
-use flexframe::sim::{Settings, System, Trace, simulate};
+use flexframe::impact::effects::Model;
+use flexframe::impact::sim::{Settings, System, Trace, simulate};
 
 const HEIGHTS_M: [f64; 8] = [0.3, 0.5, 1.0, 1.5, 2.62, 5.0, 10.0, 20.0];
 

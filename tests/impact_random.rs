@@ -3,8 +3,8 @@
 #[allow(dead_code)]
 mod impact;
 
-use flexframe::effects::{CATALOGUE, Model};
-use flexframe::sim::{Settings, Stop, System, simulate, wave};
+use flexframe::impact::effects::{CATALOGUE, Model};
+use flexframe::impact::sim::{Settings, Stop, System, simulate, wave};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

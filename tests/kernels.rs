@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use flexframe::assembly::Design;
+use flexframe::frame::assembly::BoughtPart;
+use flexframe::frame::assembly::Design;
+use flexframe::frame::skeleton::RodRole;
 use flexframe::params::{Frame, preset};
-use flexframe::parts::BoughtPart;
-use flexframe::skeleton::RodRole;
 use flexframe::solid::{Brep, Contour, Feature, MeshSolid, Profile, SEGMENTS_PER_TURN, Segment, gate};
 use flexframe::units::Angle;
 use nalgebra::{Point2, Vector3};

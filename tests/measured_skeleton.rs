@@ -1,7 +1,7 @@
 //! The real frame (CogniFly v8) is right: the skeleton of the preset `cognifly-v8` lies where that frame was measured.
 
+use flexframe::frame::skeleton::{Rod, RodRole, Skeleton, Socket};
 use flexframe::params::{Frame, PartName};
-use flexframe::skeleton::{Rod, RodRole, Skeleton, Socket};
 use flexframe::solid::Bend;
 use nalgebra::{Point3, Unit, Vector3};
 use serde::Deserialize;
@@ -125,7 +125,7 @@ fn measured_leg_length_and_strut_tilt_follow_from_the_closure() {
 
 #[test]
 fn measured_joints_fold_as_far_as_the_real_ones() {
-    let design = flexframe::assembly::Design::new(frame()).expect("the real frame can be designed");
+    let design = flexframe::frame::assembly::Design::new(frame()).expect("the real frame can be designed");
     let figures = reference();
     let (strut, leg) = (figures.strut_fold_deg, figures.leg_fold_deg);
     for part in &design.printed {

@@ -1,13 +1,13 @@
 //! The frame's own mechanics: the real frame's static test, the ratios that geometry fixes, refinement, the drop's accounts.
 
-use flexframe::assembly::{Design, mass};
-use flexframe::mechanics::calibration::calibrate;
-use flexframe::mechanics::frame_model::{Extent, FrameModel};
-use flexframe::mechanics::impact::{Impact, Run};
-use flexframe::mechanics::modes::Modes;
-use flexframe::mechanics::parts_plan::part_models;
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
+use flexframe::mechanics::parts::parts_plan::part_models;
+use flexframe::mechanics::result::calibration::calibrate;
+use flexframe::mechanics::result::impact::{Impact, Run};
+use flexframe::mechanics::result::static_curve::StaticCurve;
 use flexframe::mechanics::settings::Settings;
-use flexframe::mechanics::static_curve::StaticCurve;
+use flexframe::mechanics::solve::modes::Modes;
 use flexframe::params::Frame;
 use flexframe::units::Angle;
 
@@ -28,7 +28,7 @@ fn curve(design: &Design, settings: &Settings, extent: Extent, to_mm: f64) -> St
 
 fn measured() -> Vec<[f64; 2]> {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("params/static/cognifly-v8.csv");
-    flexframe::measured::read_static_test(&path).expect("is a static test")
+    flexframe::impact::measured::read_static_test(&path).expect("is a static test")
 }
 
 #[test]
@@ -58,14 +58,14 @@ fn measured_ratios_between_variants_hold_over_two_models() {
         }),
         // The same tilt: the ring moves out as far as the strut's longer end does.
         ("strut +10 %", 1.053, 1.068, |f| {
-            let tilt = flexframe::skeleton::Skeleton::new(f).expect("closes").closure.strut_tilt;
+            let tilt = flexframe::frame::skeleton::Skeleton::new(f).expect("closes").closure.strut_tilt;
             let longer = 0.1 * f.rods.strut_rod_length_mm;
             f.rods.strut_rod_length_mm += longer;
             f.rods.cage_rod_length_mm += longer * tilt.sin() * std::f64::consts::SQRT_2;
         }),
         // At the lower end of the band, 0.876, to a thousandth.
         ("plan +10 %", 0.875, 0.889, |f| {
-            let out = 0.1 * flexframe::skeleton::Skeleton::new(f).expect("closes").closure.ring_half_side_mm;
+            let out = 0.1 * flexframe::frame::skeleton::Skeleton::new(f).expect("closes").closure.ring_half_side_mm;
             f.rods.cage_rod_length_mm += 2.0 * out;
             f.rods.arm_rod_length_mm += out * std::f64::consts::SQRT_2;
         }),

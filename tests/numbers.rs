@@ -4,9 +4,9 @@ mod common;
 
 use std::collections::BTreeMap;
 
-use flexframe::assembly::{Body, Design, mass};
+use flexframe::frame::assembly::{Body, Design, mass};
+use flexframe::frame::skeleton::{Closure, Envelope, Rod, RodRole, Skeleton, lengths_for};
 use flexframe::params::{Frame, FrameFile, LoadError, preset};
-use flexframe::skeleton::{Closure, Envelope, Rod, RodRole, Skeleton, lengths_for};
 use flexframe::units::{Angle, Density};
 use nalgebra::{Matrix3, Point3, Vector3};
 use proptest::prelude::*;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use flexframe::effects::{FrameCurve, Model, by_id};
-use flexframe::plant::Motion;
-use flexframe::sim::{Settings, System, wave};
+use flexframe::impact::effects::{FrameCurve, Model, by_id};
+use flexframe::impact::sim::{Settings, System, wave};
+use flexframe::impact::synthetic::Motion;
 
 /// Every effect, some with both words.
 const CASES: [(&str, &[f64], usize); 18] = [

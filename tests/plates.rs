@@ -3,10 +3,10 @@
 use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
-use flexframe::assembly::Design;
+use flexframe::frame::assembly::Design;
 use flexframe::params::catalogue::{Bed, Printer};
 use flexframe::params::{Frame, FrameFile, PartName};
-use flexframe::plates::{Plate, all, arrange};
+use flexframe::printing::plates::{Plate, all, arrange};
 use proptest::prelude::*;
 
 fn design() -> Design {
@@ -36,7 +36,7 @@ fn printers() -> Vec<(String, Printer)> {
 
 /// Boxes of a plate's parts on the bed, mm.
 fn boxes(design: &Design, plate: &Plate) -> Vec<[[f64; 2]; 2]> {
-    let of = |item: &flexframe::plates::Item| {
+    let of = |item: &flexframe::printing::plates::Item| {
         let part = design.part(item.part).expect("a part of the frame");
         let placed = part.mesh.placed(&item.pose(part));
         let [low, high] = placed.bounds_mm();

@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 use std::process::Command;
 
 use assert_cmd::cargo::cargo_bin;
-use flexframe::assembly::{Design, mass};
 use flexframe::checks::{self, Verdict};
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, LoadError, parameters};
-use flexframe::skeleton::Skeleton;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

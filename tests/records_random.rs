@@ -2,8 +2,10 @@
 
 use std::fs;
 
-use flexframe::measured::{self, Calibration};
-use flexframe::report::{measure_data, measure_plots};
+use flexframe::impact::measured;
+use flexframe::impact::measured::Calibration;
+use flexframe::report::chart::measure_plots;
+use flexframe::report::data::measure_data;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};

@@ -3,7 +3,7 @@
 #[allow(dead_code)] // The example uses the rest of it.
 mod paper;
 
-use flexframe::effects::{Channel, GRAVITY_M_S2};
+use flexframe::impact::effects::{Channel, GRAVITY_M_S2};
 use paper::{figures, fits, measured, model};
 
 /// Whether the records are there; says loudly when they are not.

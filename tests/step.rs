@@ -8,8 +8,8 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 use assert_cmd::cargo::cargo_bin;
-use flexframe::assembly::Design;
 use flexframe::export::step::{self, Made};
+use flexframe::frame::assembly::Design;
 use flexframe::params::Frame;
 use flexframe::solid::{Boundary, Contour, Feature, MeshSolid, NotExact, Profile};
 use flexframe::units::Angle;

@@ -2,10 +2,10 @@
 
 use std::time::Instant;
 
-use flexframe::diagnose::{Diagnosis, Estimate, Settings, Verdict, diagnose};
-use flexframe::effects::Model;
-use flexframe::fit::Expected;
-use flexframe::plant::{Plan, clean};
+use flexframe::impact::diagnose::{Diagnosis, Estimate, Settings, Verdict, diagnose};
+use flexframe::impact::effects::Model;
+use flexframe::impact::fit::Expected;
+use flexframe::impact::synthetic::{Plan, clean};
 
 use crate::truth::{base, waves};
 

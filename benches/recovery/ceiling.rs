@@ -9,9 +9,9 @@
 
 use std::collections::BTreeMap;
 
-use flexframe::effects::{CATALOGUE, Model};
-use flexframe::fit::{Layout, Problem, inverse_root};
-use flexframe::plant::Plan;
+use flexframe::impact::effects::{CATALOGUE, Model};
+use flexframe::impact::fit::{Layout, Problem, inverse_root};
+use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};

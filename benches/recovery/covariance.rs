@@ -1,9 +1,9 @@
 //! The generator's own covariance of records, by quadrature over all that is random in them instead of by draws.
 
-use flexframe::effects::Model;
-use flexframe::fit::{BEFORE, Expected, Problem, Whitening};
-use flexframe::plant::Plan;
-use flexframe::sim::System;
+use flexframe::impact::effects::Model;
+use flexframe::impact::fit::{BEFORE, Expected, Problem, Whitening};
+use flexframe::impact::sim::System;
+use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
 
 /// What a plan's mean waves are: the mean over phases, drops that differ in k and c, and cut readings.

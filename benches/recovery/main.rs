@@ -12,8 +12,8 @@ mod pairs;
 mod singles;
 mod truth;
 
-use flexframe::diagnose::Verdict;
-use flexframe::plant::Hidden;
+use flexframe::impact::diagnose::Verdict;
+use flexframe::impact::synthetic::Hidden;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 

@@ -1,9 +1,9 @@
 //! Our score with the generator's own covariance: what is lost by having to estimate it.
 
-use flexframe::diagnose::{Ground, Nulls, Search, Setting};
-use flexframe::effects::CATALOGUE;
-use flexframe::fit::Problem;
-use flexframe::plant::Plan;
+use flexframe::impact::diagnose::{Ground, Nulls, Search, Setting};
+use flexframe::impact::effects::CATALOGUE;
+use flexframe::impact::fit::Problem;
+use flexframe::impact::synthetic::Plan;
 
 use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, noise_free, noncentrality, waves};
 

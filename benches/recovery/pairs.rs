@@ -1,8 +1,8 @@
 //! Two effects at once: is the set found exactly, and could it be.
 
-use flexframe::diagnose::Search;
-use flexframe::effects::CATALOGUE;
-use flexframe::plant::Plan;
+use flexframe::impact::diagnose::Search;
+use flexframe::impact::effects::CATALOGUE;
+use flexframe::impact::synthetic::Plan;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 

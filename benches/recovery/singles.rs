@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use flexframe::effects::CATALOGUE;
+use flexframe::impact::effects::CATALOGUE;
 
 use crate::case::diagnosed;
 use crate::truth::{DETECTABLE, STRENGTHS, at_strength, noncentrality};

@@ -1,9 +1,9 @@
 //! Drops with a known truth: base models, effects on top of them at a stated strength, and how strong they are.
 
-use flexframe::diagnose::{Candidate, Ground, Nulls, Search, Setting};
-use flexframe::effects::{Model, by_id};
-use flexframe::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
-use flexframe::plant::{Plan, Scatter as Spread, clean, records};
+use flexframe::impact::diagnose::{Candidate, Ground, Nulls, Search, Setting};
+use flexframe::impact::effects::{Model, by_id};
+use flexframe::impact::fit::{Drop, Expected, Layout, Problem, Scatter, Waves, Whitening};
+use flexframe::impact::synthetic::{Plan, Scatter as Spread, clean, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -62,7 +62,7 @@ fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Mode
 }
 
 pub fn waves(plan: &Plan) -> Waves {
-    let drop = |record: flexframe::plant::Record| Drop {
+    let drop = |record: flexframe::impact::synthetic::Record| Drop {
         trial: record.trial,
         height_m: record.height_m,
         t_s: record.t_s,

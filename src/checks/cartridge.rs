@@ -9,8 +9,8 @@ use rayon::prelude::*;
 
 use super::finding::{Finding, Measure};
 use super::scene::{Placed, Scene};
-use crate::assembly::Kind;
 use crate::figures::told_apart;
+use crate::frame::assembly::Kind;
 use crate::params::PartName;
 use crate::solid::MeshSolid;
 

@@ -3,7 +3,7 @@
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
 use crate::figures::decimals;
-use crate::skeleton::MODULE_NAMES;
+use crate::frame::skeleton::MODULE_NAMES;
 
 /// Where the centre of mass lies.
 #[derive(Clone, Copy, Debug, PartialEq)]

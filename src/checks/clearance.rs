@@ -8,9 +8,9 @@ use rayon::prelude::*;
 
 use super::finding::{Finding, Measure, falls_short_mm};
 use super::scene::{Placed, Scene};
-use crate::assembly::Kind;
+use crate::frame::assembly::Kind;
+use crate::frame::skeleton::{Rod, RodRole};
 use crate::params::PartName;
-use crate::skeleton::{Rod, RodRole};
 
 /// Pairs further apart than this beyond the limit are not listed, mm.
 const REACH_MM: f64 = 2.0;

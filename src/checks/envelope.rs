@@ -58,8 +58,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::assembly::{Design, mass};
     use crate::checks::planted::{Planted, violated};
+    use crate::frame::assembly::{Design, mass};
     use crate::params::Frame;
     use crate::params::frame::TargetSize;
 

@@ -4,7 +4,7 @@
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
-use crate::assembly::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, sweeps};
+use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, sweeps};
 
 /// Farthest that a strut may fold beyond the closing of its notch, degrees: a choice; the real frame does 25.
 const MOST_PRELOAD_DEG: f64 = 45.0;

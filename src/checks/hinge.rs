@@ -16,7 +16,8 @@
 
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
-use crate::assembly::fold::{self, HingeLoad};
+use crate::frame::fold;
+use crate::frame::fold::HingeLoad;
 use crate::params::Frame;
 use crate::units::Angle;
 

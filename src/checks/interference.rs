@@ -1,14 +1,14 @@
 //! No two bodies share volume beyond the press fits that are meant.
 //!
-//! Measured by the kernel's boolean intersection. What is meant is in [`press_fit`](crate::assembly::press_fit).
+//! Measured by the kernel's boolean intersection. What is meant is in [`press_fit`](crate::frame::assembly::press_fit).
 //! Swept discs are the propeller rule's.
 
 use rayon::prelude::*;
 
 use super::finding::{Finding, Measure};
 use super::scene::{Placed, Scene};
-use crate::assembly::Kind;
-use crate::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
+use crate::frame::assembly::Kind;
+use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::params::PartName;
 
 /// What two bodies share.

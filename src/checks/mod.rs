@@ -2,31 +2,24 @@
 //!
 //! Rules measure the assembled bodies, not the parameters that made them. What holds is reported too, with its margin.
 
-mod bed;
 mod bounds;
-mod bridge;
 mod cartridge;
 mod centre_of_mass;
 mod clearance;
 mod envelope;
 mod finding;
 mod fold;
-mod footing;
+pub mod gate;
 mod ground;
 mod hinge;
 mod interference;
-mod island;
-mod layer_direction;
 mod mass_budget;
-mod overhang;
-mod printing;
+pub mod printing;
 mod propeller;
 mod scene;
 mod seating;
 mod strength;
-mod wall;
 
-pub use bed::BedUse;
 pub use cartridge::{CartridgeMeeting, CartridgePassage};
 pub use centre_of_mass::CentreOffset;
 pub use clearance::RodClearance;
@@ -36,16 +29,17 @@ pub use ground::GroundClearance;
 pub use hinge::{HingeStrain, LayerStrain, NotchPreload};
 pub use interference::SharedVolume;
 pub use mass_budget::TakeOffMass;
-pub use printing::standing;
+pub use printing::bed::BedUse;
+pub use printing::stance::standing;
+pub use printing::wall::ThinnestWall;
 pub use propeller::PropellerClearance;
 pub use seating::{SeatedEnd, SocketGeometry};
 pub use strength::strength;
-pub use wall::ThinnestWall;
 
 use rayon::prelude::*;
 
-use crate::assembly::Design;
-use crate::assembly::mass::MassTable;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
 use scene::Scene;
 
 /// A rule: what it finds in a frame.
@@ -73,11 +67,11 @@ const RULES: [(Rule, Pace); 16] = [
     (hinge::check, Pace::Short),
     (fold::check, Pace::Short),
     (fold::way, Pace::Long),
-    (wall::check, Pace::Short),
+    (printing::wall::check, Pace::Short),
     (cartridge::check, Pace::Short),
-    (bed::check, Pace::Short),
-    (layer_direction::check, Pace::Short),
-    (printing::check, Pace::Long),
+    (printing::bed::check, Pace::Short),
+    (printing::layer_direction::check, Pace::Short),
+    (printing::stance::check, Pace::Long),
 ];
 
 /// Holds a design against its limits. The order of the findings depends on the design only.

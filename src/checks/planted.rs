@@ -2,8 +2,9 @@
 
 use super::finding::{Finding, Verdict};
 use super::scene::Scene;
-use crate::assembly::Design;
-use crate::assembly::mass::{self, MassTable};
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass;
+use crate::frame::assembly::mass::MassTable;
 use crate::params::Frame;
 
 /// A frame to be tested, to be broken by hand.

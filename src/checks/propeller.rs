@@ -9,7 +9,7 @@ use nalgebra::Point3;
 use super::bounds::Bounds;
 use super::finding::{Finding, Measure, falls_short_mm};
 use super::scene::{Placed, Scene};
-use crate::assembly::Kind;
+use crate::frame::assembly::Kind;
 use crate::solid::SEGMENTS_PER_TURN;
 
 /// Distances beyond this are not measured, mm.

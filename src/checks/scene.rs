@@ -6,8 +6,8 @@ use nalgebra::{Isometry3, Point3};
 use rayon::prelude::*;
 
 use super::bounds::Bounds;
-use crate::assembly::mass::MassTable;
-use crate::assembly::{Body, Design, Kind, Shape};
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Body, Design, Kind, Shape};
 use crate::params::PartName;
 use crate::solid::{Feature, MeshSolid};
 

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::finding::{Finding, Measure};
 use super::scene::Scene;
 use crate::figures::decimals;
-use crate::skeleton::{Rod, RodRole, Socket};
+use crate::frame::skeleton::{Rod, RodRole, Socket};
 use crate::solid::{Feature, MeshSolid};
 use crate::units::Angle;
 

@@ -4,8 +4,8 @@
 //! `params/mechanics.toml`. Strain is that of the drop alone, on top of what folding leaves.
 
 use super::finding::{Finding, Measure};
-use crate::assembly::Design;
-use crate::mechanics::prediction::Prediction;
+use crate::frame::assembly::Design;
+use crate::mechanics::result::prediction::Prediction;
 use crate::mechanics::settings::DropLimits;
 
 /// Holds a prediction against the limits of the design drop.
@@ -52,10 +52,10 @@ pub fn strength(design: &Design, limits: &DropLimits, found: &Prediction) -> Vec
 mod tests {
     use super::*;
     use crate::checks::Verdict;
+    use crate::frame::skeleton::RodRole;
+    use crate::mechanics::result::strength::RodForce;
     use crate::mechanics::settings::Settings;
-    use crate::mechanics::strength::RodForce;
     use crate::params::Frame;
-    use crate::skeleton::RodRole;
 
     #[test]
     fn planted_a_hard_a_stretched_and_a_slender_frame() {

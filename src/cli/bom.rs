@@ -6,8 +6,8 @@ use super::arguments::{BomFormat, BomOptions, Common};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::mass;
 use crate::export::{bill, bill_page, bom};
+use crate::frame::assembly::mass;
 
 /// Most that a saw cut may take, mm.
 const WIDEST_KERF_MM: f64 = 10.0;

@@ -10,15 +10,18 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::compensated::Compensated;
-use crate::assembly::mass::{self, MassTable};
-use crate::assembly::{Design, Printed};
 use crate::checks::{self, Finding, Verdict};
 use crate::export::{bill, bom, glb, manifest, step, stl, three_mf};
+use crate::frame::assembly::compensated::Compensated;
+use crate::frame::assembly::mass;
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
-use crate::plates::{self, Plate, Wanted};
-use crate::report::{plate_picture, print_settings, scene, summary};
+use crate::printing::plates;
+use crate::printing::plates::{Plate, Wanted};
+use crate::report::page::{print_settings, summary};
+use crate::report::picture::{plate_picture, scene};
 
 /// Most copies of one part.
 const MOST_COPIES: usize = 100;

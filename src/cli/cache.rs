@@ -11,9 +11,9 @@ use std::path::PathBuf;
 use serde::{Deserialize, Serialize};
 
 use super::output;
-use crate::assembly::mass::MassTable;
 use crate::checks::Finding;
 use crate::export::fingerprint;
+use crate::frame::assembly::mass::MassTable;
 use crate::params::Frame;
 use crate::params::frame_file::read_source;
 

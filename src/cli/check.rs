@@ -8,10 +8,10 @@ use super::cache::{Cache, Kept};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::{frames, output, stiffness, table, terminal};
-use crate::assembly::mass;
+use crate::checks::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
 use crate::checks::{self, Finding, Tightest};
-use crate::gate::{Baseline, Held, Outcome, Refused, Rules, Standing, github, junit, markdown, sarif};
-use crate::mechanics::prediction::predict;
+use crate::frame::assembly::mass;
+use crate::mechanics::result::prediction::predict;
 use crate::mechanics::settings::Settings;
 use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile, LoadError};
@@ -190,12 +190,11 @@ fn frame_text(options: &CheckOptions, held: &Held) -> String {
 }
 
 fn json(outcomes: &[Outcome]) -> serde_json::Value {
-    let finding = |judged: &crate::gate::Judged| {
+    let finding = |judged: &crate::checks::gate::Judged| {
         let mut value = serde_json::json!(judged.finding);
         value["fails"] = (judged.standing == Standing::Fails).into();
         value["accepted"] = (judged.standing == Standing::Accepted).into();
-        let place =
-            |spot: &crate::gate::Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
+        let place = |spot: &crate::checks::gate::Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
         value["places"] = judged.spots.iter().map(place).collect::<Vec<_>>().into();
         value
     };

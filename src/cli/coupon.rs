@@ -7,12 +7,12 @@ use super::frame_text::{self, Line};
 use super::output;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::coupon::{Coupon, Found};
 use crate::export::stl;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::plates::Settings;
-use crate::report::coupon_page;
+use crate::printing::coupon::{Coupon, Found};
+use crate::printing::plates::Settings;
+use crate::report::page::coupon_page;
 
 /// Writes the coupon's folder, or what was found on it.
 pub(super) fn coupon(options: &CouponOptions, common: &Common) -> Result<ExitCode, Failure> {
@@ -44,7 +44,7 @@ fn write(frame: &Frame, options: &CouponOptions, common: &Common) -> Result<Exit
 }
 
 fn read(frame: &Frame, options: &CouponOptions, common: &Common) -> Result<ExitCode, Failure> {
-    let unfit = |error: crate::coupon::Unfit| Failure::Usage { message: format!("--read: {error}") };
+    let unfit = |error: crate::printing::coupon::Unfit| Failure::Usage { message: format!("--read: {error}") };
     let found: Vec<Found> = options.read.iter().map(|words| Found::parse(words)).collect::<Result<_, _>>().map_err(unfit)?;
     let set = Found::parameters(frame, &found).map_err(unfit)?;
     let why = format!("found on the coupon: {}", options.read.join(", "));

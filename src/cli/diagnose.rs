@@ -11,19 +11,23 @@ use super::progress::Progress;
 use super::session::{self, Failure};
 use super::stiffness::refused;
 use super::terminal;
-use crate::assembly::mass;
-use crate::body::Body;
-use crate::diagnose::{self, Diagnosis, Settings, Stage, Verdict, observables};
-use crate::effects::{Channel, Model};
-use crate::fit::{Chosen, Keep, Unfit, Waves};
-use crate::measured::{self, Fall, StaticTest};
-use crate::mechanics::frame_model::{Extent, FrameModel};
+use crate::frame::assembly::mass;
+use crate::impact::body::Body;
+use crate::impact::diagnose;
+use crate::impact::diagnose::{Diagnosis, Settings, Stage, Verdict, observables};
+use crate::impact::effects::{Channel, Model};
+use crate::impact::fit::{Chosen, Keep, Unfit, Waves};
+use crate::impact::measured;
+use crate::impact::measured::{Fall, StaticTest};
+use crate::mechanics::model::frame_model::{Extent, FrameModel};
+use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::Settings as Mechanics;
-use crate::mechanics::static_curve::StaticCurve;
-use crate::report::diagnosis_data::{self, Compared, Pressed};
-use crate::report::own_mode::OwnMode;
-use crate::report::page::{Block, html, markdown};
-use crate::report::{diagnosis_page, drop_data};
+use crate::report::data::diagnosis_data;
+use crate::report::data::diagnosis_data::{Compared, Pressed};
+use crate::report::data::drop_data;
+use crate::report::data::own_mode::OwnMode;
+use crate::report::page::diagnosis_page;
+use crate::report::page::document::{Block, html, markdown};
 
 /// Diagnoses drops and writes a folder.
 pub(super) fn diagnose(options: &DiagnoseOptions, common: &Common) -> Result<ExitCode, Failure> {

@@ -14,7 +14,8 @@ use crate::checks;
 use crate::mechanics::settings::Settings;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
-use crate::report::{diff_page, side_by_side};
+use crate::report::page::diff_page;
+use crate::report::picture::side_by_side;
 use crate::variant::{Difference, Evaluation, Increase, MECHANICS_CAVEAT, PEAK_CAVEAT, Side};
 
 /// Says what differs; exits 1 when a measure grew by more than allowed.

@@ -7,11 +7,12 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::mass;
-use crate::body::{Body, Origin};
-use crate::effects::Model;
-use crate::report::{drop_data, drop_plots};
-use crate::sim::{Balance, Settings, System, Trace, simulate};
+use crate::frame::assembly::mass;
+use crate::impact::body::{Body, Origin};
+use crate::impact::effects::Model;
+use crate::impact::sim::{Balance, Settings, System, Trace, simulate};
+use crate::report::chart::drop_plots;
+use crate::report::data::drop_data;
 
 /// Drop heights that are allowed, m.
 const HEIGHTS_M: [f64; 2] = [0.01, 100.0];

@@ -10,12 +10,14 @@ use super::progress::Progress;
 use super::session::{self, Failure};
 use super::stiffness::refused;
 use super::terminal;
-use crate::assembly::mass;
-use crate::impact_fit::{Height, Subject, Surface, fit};
-use crate::measured::{self, DropSet, Summary};
-use crate::mechanics::frame_model::{Extent, FrameModel};
+use crate::frame::assembly::mass;
+use crate::impact::frame_fit::{Height, Subject, Surface, fit};
+use crate::impact::measured;
+use crate::impact::measured::{DropSet, Summary};
+use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::settings::Settings;
-use crate::report::impact_fit_data::{self, Fitted};
+use crate::report::data::impact_fit_data;
+use crate::report::data::impact_fit_data::Fitted;
 
 /// Fits a frame's own model to drops and writes its folder.
 pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {

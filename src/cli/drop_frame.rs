@@ -8,16 +8,18 @@ use super::progress::Progress;
 use super::session::{self, Failure};
 use super::stiffness::refused;
 use super::terminal;
-use crate::assembly::mass;
 use crate::checks;
-use crate::mechanics::deformed::Bound;
-use crate::mechanics::frame_model::{Extent, FrameModel};
-use crate::mechanics::impact::{Impact, Run};
-use crate::mechanics::parts_plan::part_models;
+use crate::frame::assembly::mass;
+use crate::mechanics::model::frame_model::{Extent, FrameModel};
+use crate::mechanics::parts::parts_plan::part_models;
+use crate::mechanics::result::deformed::Bound;
+use crate::mechanics::result::impact::{Impact, Run};
 use crate::mechanics::settings::Settings;
-use crate::report::impact_data::{self, Impacts};
-use crate::report::picture::View;
-use crate::report::{bent_scene, impact_plots};
+use crate::report::chart::impact_plots;
+use crate::report::data::impact_data;
+use crate::report::data::impact_data::Impacts;
+use crate::report::picture::bent_scene;
+use crate::report::picture::image::View;
 use crate::units::Angle;
 
 /// Largest turn at first touch, degrees: beyond it more than the feet would touch.

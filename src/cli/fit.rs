@@ -9,13 +9,15 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::mass;
-use crate::body::Body;
-use crate::effects::{Channel, Model};
-use crate::fit::{self, Chosen, Fit, Keep, Layout, LeftOut, Likelihood, Paper, Unfit};
-use crate::measured;
+use crate::frame::assembly::mass;
+use crate::impact::body::Body;
+use crate::impact::effects::{Channel, Model};
+use crate::impact::fit;
+use crate::impact::fit::{Chosen, Fit, Keep, Layout, LeftOut, Likelihood, Paper, Unfit};
+use crate::impact::measured;
 use crate::params::preset;
-use crate::report::{drop_data, fit_data, fit_plots};
+use crate::report::chart::fit_plots;
+use crate::report::data::{drop_data, fit_data};
 
 /// Bootstrap samples at the most.
 const MOST_SAMPLES: usize = 100_000;

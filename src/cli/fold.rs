@@ -7,11 +7,12 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::fold::{FoldSequence, sweeps};
-use crate::assembly::{Design, mass};
 use crate::export::{fold_glb, fold_json};
-use crate::report::booklet::Booklet;
-use crate::report::{booklet_html, booklet_pdf, fold_scene};
+use crate::frame::assembly::{Design, mass};
+use crate::frame::fold::{FoldSequence, sweeps};
+use crate::report::booklet::content::Booklet;
+use crate::report::booklet::{booklet_html, booklet_pdf};
+use crate::report::picture::fold_scene;
 
 /// The file with the steps.
 const STEPS: &str = "fold.json";

@@ -2,15 +2,15 @@
 
 use super::session::Failure;
 use super::stiffness::refused;
-use crate::assembly::Design;
-use crate::assembly::mass::MassTable;
-use crate::body::Body;
-use crate::effects::{Channel, FrameCurve, Model, Sensor, by_id};
-use crate::mechanics::frame_model::FrameModel;
-use crate::mechanics::impact::LOGGER_HZ;
-use crate::mechanics::reduction::Reduction;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
+use crate::impact::body::Body;
+use crate::impact::effects::{Channel, FrameCurve, Model, Sensor, by_id};
+use crate::mechanics::model::frame_model::FrameModel;
+use crate::mechanics::result::impact::LOGGER_HZ;
+use crate::mechanics::result::reduction::Reduction;
+use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::Settings;
-use crate::mechanics::static_curve::StaticCurve;
 use std::sync::Arc;
 
 /// How far the frame is pressed for its curve, mm.

@@ -7,8 +7,10 @@ use super::output;
 use super::progress::Progress;
 use super::session::Failure;
 use super::terminal;
-use crate::measured::{self, Calibration, Drop, Group, Spread, Summary};
-use crate::report::{measure_data, measure_plots};
+use crate::impact::measured;
+use crate::impact::measured::{Calibration, Drop, Group, Spread, Summary};
+use crate::report::chart::measure_plots;
+use crate::report::data::measure_data;
 
 /// Reads drops, judges each, and writes a folder.
 pub(super) fn measure(options: &MeasureOptions, common: &Common) -> Result<ExitCode, Failure> {

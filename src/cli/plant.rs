@@ -9,7 +9,7 @@ use super::output;
 use super::progress::Progress;
 use super::session::Failure;
 use super::terminal;
-use crate::plant::{Plan, records};
+use crate::impact::synthetic::{Plan, records};
 
 /// Plants drops and writes a folder: `drops/` for whoever shall find the truth, `truth/` for whoever knows it.
 pub(super) fn plant(options: &PlantOptions, common: &Common) -> Result<ExitCode, Failure> {

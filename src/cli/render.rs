@@ -7,7 +7,7 @@ use super::output;
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::report::{printing_picture, scene};
+use crate::report::picture::{printing_picture, scene};
 
 /// Writes `FRAME-pictures` with every picture, or `FRAME-findings`.
 pub(super) fn render(options: &RenderOptions, common: &Common) -> Result<ExitCode, Failure> {

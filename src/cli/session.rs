@@ -4,8 +4,8 @@ use std::io;
 
 use super::arguments::{FrameOption, MechanicsOption};
 use super::choice;
-use crate::assembly::{Design, DesignError};
-use crate::measured::Malformed;
+use crate::frame::assembly::{Design, DesignError};
+use crate::impact::measured::Malformed;
 use crate::mechanics::settings::Settings;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;

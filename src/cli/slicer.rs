@@ -10,13 +10,13 @@ use std::{fs, io};
 use rayon::prelude::*;
 
 use super::session::Failure;
-use crate::assembly::{Design, Printed};
 use crate::export::stl;
+use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
-use crate::plates::Settings;
-use crate::report::weighing_page::SLICER_RATIO;
-use crate::weighing::Sliced;
+use crate::printing::plates::Settings;
+use crate::printing::weighing::Sliced;
+use crate::report::page::weighing_page::SLICER_RATIO;
 
 /// Longest that a part may take.
 const PATIENCE: Duration = Duration::from_secs(120);

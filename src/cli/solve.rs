@@ -7,7 +7,7 @@ use super::frame_text::{self, Line};
 use super::progress::Progress;
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::Workshop;
+use crate::frame::assembly::Workshop;
 use crate::mechanics::settings::Settings;
 use crate::params::Frame;
 use crate::params::frame_file::Value;

@@ -10,10 +10,10 @@ use notify::{RecursiveMode, Watcher};
 use super::arguments::{Common, FrameOption, WatchOptions};
 use super::session::{self, Failure};
 use super::terminal;
-use crate::assembly::Workshop;
 use crate::checks::Verdict;
+use crate::frame::assembly::Workshop;
 use crate::params::LoadError;
-use crate::report::diff_page;
+use crate::report::page::diff_page;
 use crate::variant::{Difference, Evaluation, Side};
 
 /// How long nothing has to happen before a save is over: editors write a file, or another one and rename it.

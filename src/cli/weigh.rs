@@ -10,12 +10,12 @@ use super::progress::Progress;
 use super::session::{self, Failure};
 use super::slicer::Slicer;
 use super::terminal;
-use crate::assembly::{Design, mass};
-use crate::measured::{ScaleReading, read_scale};
+use crate::frame::assembly::{Design, mass};
+use crate::impact::measured::{ScaleReading, read_scale};
 use crate::params::PartName;
 use crate::params::frame_file::Value;
-use crate::report::weighing_page;
-use crate::weighing::{Fitted, Reading, Sliced, Weighing};
+use crate::printing::weighing::{Fitted, Reading, Sliced, Weighing};
+use crate::report::page::weighing_page;
 
 /// Prints the table; exits 1 when the frame is too heavy with the factors that the scale asks for.
 pub(super) fn weigh(options: &WeighOptions, common: &Common) -> Result<ExitCode, Failure> {

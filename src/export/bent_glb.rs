@@ -10,8 +10,8 @@ use gltf::json::validation::Checked;
 use serde_json::json;
 
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
-use crate::assembly::Design;
-use crate::mechanics::deformed::BentBody;
+use crate::frame::assembly::Design;
+use crate::mechanics::result::deformed::BentBody;
 
 /// A moment of the animation: when, s, and how much of each bent shape.
 pub type Key = (f64, Vec<f64>);

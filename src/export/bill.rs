@@ -3,10 +3,10 @@
 use serde::Serialize;
 
 use super::bom::{KERF_MM, rod_plan};
-use crate::assembly::Design;
-use crate::assembly::mass::{MassLine, MassTable};
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::{MassLine, MassTable};
+use crate::frame::skeleton::RodRole;
 use crate::params::frame::NamedMaterial;
-use crate::skeleton::RodRole;
 
 /// A printed part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -140,7 +140,7 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
 }
 
 fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
-    let line = |part: &crate::assembly::Printed| {
+    let line = |part: &crate::frame::assembly::Printed| {
         let NamedMaterial { name, material } = design.material_of(part.name);
         let quantity = part.name.quantity();
         let volume_mm3 = part.volume_mm3 * f64::from(quantity);

@@ -2,8 +2,8 @@
 
 use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine};
 use super::cutting::{self, Stock, TooLong};
-use crate::assembly::Design;
-use crate::skeleton::RodRole;
+use crate::frame::assembly::Design;
+use crate::frame::skeleton::RodRole;
 
 /// Width of a saw cut, mm.
 pub const KERF_MM: f64 = 1.0;

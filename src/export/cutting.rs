@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::skeleton::RodRole;
+use crate::frame::skeleton::RodRole;
 
 /// One stock length and what is cut from it.
 #[derive(Clone, Debug, PartialEq)]

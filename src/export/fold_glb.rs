@@ -17,8 +17,8 @@ use serde_json::json;
 
 use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
-use crate::assembly::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, module_turn, moments};
-use crate::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, module_turn, moments};
 
 /// Folded, flexible members.
 const HINGED: [Member; 3] = [Member::HubJoint, Member::Corner(true), Member::Corner(false)];
@@ -106,7 +106,7 @@ fn share(hinge: &Hinge, fold_deg: f64) -> UnitQuaternion<f64> {
 
 impl GlbFile {
     /// A hinged part: its flat mesh, finer in the hinges, with each corner's share of their folds.
-    fn add_bending(&mut self, shape: &crate::assembly::Shape, flat: &crate::solid::Mesh, hinges: &[Hinge]) {
+    fn add_bending(&mut self, shape: &crate::frame::assembly::Shape, flat: &crate::solid::Mesh, hinges: &[Hinge]) {
         let mesh = hinges.iter().fold(flat.clone(), |mesh, hinge| hinge.refined(&mesh));
         let mesh_index = self.add_mesh(shape, &mesh);
         let (mut joints, mut weights) = (Vec::new(), Vec::new());

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::assembly::Design;
-use crate::assembly::fold::{FlatState, FoldSequence, STEP_S, Sweep, TABLE_MM};
+use crate::frame::assembly::Design;
+use crate::frame::fold::{FlatState, FoldSequence, STEP_S, Sweep, TABLE_MM};
 
 /// Version of the file's form.
 const SCHEMA_VERSION: u32 = 1;

@@ -11,8 +11,8 @@ use gltf::json::validation::{Checked, USize64};
 use gltf::json::{Asset, Index, Mesh as GltfMesh, Root};
 use serde_json::{json, value::RawValue};
 
-use crate::assembly::mass::MassTable;
-use crate::assembly::{Body, Design, Kind, Shape};
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Body, Design, Kind, Shape};
 use crate::solid::Mesh;
 
 /// The file could not be put together.
@@ -235,7 +235,7 @@ fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::V
         "material": shape.material,
         "quantity": quantity,
         "mass_each_g": mass.map(|line| rounded(line.each_g)),
-        "module": body.module.map(|module| crate::skeleton::MODULE_NAMES[module]),
+        "module": body.module.map(|module| crate::frame::skeleton::MODULE_NAMES[module]),
     })
 }
 

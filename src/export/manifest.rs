@@ -4,11 +4,11 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::step::StepEntry;
-use crate::assembly::compensated::Compensated;
-use crate::assembly::mass::MassTable;
-use crate::assembly::{Design, Shape};
+use crate::frame::assembly::compensated::Compensated;
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Design, Shape};
+use crate::frame::skeleton::RodRole;
 use crate::params::catalogue::MassBasis;
-use crate::skeleton::RodRole;
 
 /// Version of the manifest's form; raised when a key changes its meaning or goes.
 pub const SCHEMA_VERSION: u32 = 1;

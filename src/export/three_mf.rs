@@ -10,10 +10,10 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::colour::curved;
-use crate::assembly::compensated::Compensated;
-use crate::assembly::{Design, Printed};
+use crate::frame::assembly::compensated::Compensated;
+use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
-use crate::plates::{Plate, Settings};
+use crate::printing::plates::{Plate, Settings};
 use crate::solid::Mesh;
 
 /// Core namespace.

@@ -1,7 +1,7 @@
 //! Numbers of the mechanics that no frame file holds, as `params/mechanics.toml` states them.
 
-use super::relaxation::Relaxation;
-use super::section::Elastic;
+use crate::mechanics::element::relaxation::Relaxation;
+use crate::mechanics::parts::section::Elastic;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
 

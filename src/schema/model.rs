@@ -3,8 +3,8 @@
 use serde_json::{Map, Value, json};
 
 use super::{number, put, table};
-use crate::effects::{CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words, every};
-use crate::plant::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, PLAN_NUMBERS};
+use crate::impact::effects::{CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words, every};
+use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, PLAN_NUMBERS};
 
 pub(super) fn schema() -> Value {
     closed(keys(), &["mass_kg", "gap_mm", "sensor", "effects"])

@@ -3,11 +3,11 @@
 use super::measures::Evaluation;
 use super::problem::{Aim, Problem, Solution, SolveError, Vary};
 use super::solve::solve;
-use crate::assembly::{Design, Workshop};
 use crate::checks::Verdict;
+use crate::frame::assembly::{Design, Workshop};
+use crate::frame::skeleton::{Envelope, lengths_for};
 use crate::params::refusal::Refusal;
 use crate::params::{Frame, FrameFile, parameters};
-use crate::skeleton::{Envelope, lengths_for};
 
 /// What is asked for: already set in the file.
 pub struct Request<'a> {
@@ -100,7 +100,7 @@ const WITHIN_MM: f64 = 2.0;
 /// Where the search begins: the rods that fill the wanted envelope at the struts' present tilt, and the motors between hub
 /// and fork as they were; else the frame itself.
 fn start(request: &Request, frame: &Frame) -> Vec<f64> {
-    let closure = crate::skeleton::Skeleton::new(request.from).map(|skeleton| skeleton.closure);
+    let closure = crate::frame::skeleton::Skeleton::new(request.from).map(|skeleton| skeleton.closure);
     let (Some([width_mm, height_mm]), Ok(closure)) = (request.envelope_mm, closure) else { return Vec::new() };
     let envelope = Envelope { width_mm: width_mm - WITHIN_MM, height_mm: height_mm - WITHIN_MM, strut_tilt: closure.strut_tilt };
     let [cage, arm, strut] = lengths_for(&envelope, frame);

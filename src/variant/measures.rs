@@ -1,12 +1,13 @@
 //! What a frame measures, by name: the vocabulary of `diff`, `explain`, `solve` and `watch`.
 
 use super::peak::predicted_peak_g;
-use crate::assembly::mass::{self, MassTable};
-use crate::assembly::{Design, Workshop};
-use crate::body::{Body, Origin};
 use crate::checks::{self, Finding, Verdict};
 use crate::figures::decimals;
-use crate::mechanics::prediction::{Prediction, PredictionError, predict};
+use crate::frame::assembly::mass;
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Design, Workshop};
+use crate::impact::body::{Body, Origin};
+use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
 use crate::mechanics::settings::Settings;
 use crate::params::Frame;
 
@@ -47,7 +48,7 @@ impl Evaluation {
     ///
     /// # Errors
     /// When the frame cannot be designed.
-    pub fn quick(frame: Frame, workshop: &mut Workshop) -> Result<Self, crate::assembly::DesignError> {
+    pub fn quick(frame: Frame, workshop: &mut Workshop) -> Result<Self, crate::frame::assembly::DesignError> {
         let design = Design::with(frame, workshop)?;
         let masses = mass::table(&design);
         let findings = checks::quick(&design, &masses);

@@ -1,8 +1,8 @@
 //! The predicted peak: the one place that says how a frame's body becomes a figure of a drop.
 
-use crate::body::Body;
-use crate::effects::Model;
-use crate::sim::{Settings, System, simulate};
+use crate::impact::body::Body;
+use crate::impact::effects::Model;
+use crate::impact::sim::{Settings, System, simulate};
 
 /// Model of the drop, one of those that come with the program.
 const MODEL: &str = "paper-corrected";

@@ -8,8 +8,8 @@ use cobyla::{RhoBeg, StopTols};
 use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, Problem, Vary};
-use crate::assembly::Workshop;
 use crate::checks::{Finding, Verdict};
+use crate::frame::assembly::Workshop;
 use crate::params::Frame;
 
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.

@@ -1,7 +1,7 @@
 //! What a parameter does: every measure at a little less and a little more of it.
 
 use super::measures::{Evaluation, MEASURES};
-use crate::assembly::Workshop;
+use crate::frame::assembly::Workshop;
 use crate::mechanics::settings::Settings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};

@@ -11,8 +11,8 @@ use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, Binding, Problem, Solution, SolveError, Vary};
 use super::search::{RULES, STEPS, Search, descend, ranked, scale};
-use crate::assembly::Design;
 use crate::checks::{Finding, Verdict};
+use crate::frame::assembly::Design;
 use crate::params::Frame;
 
 /// How near its limit a scaled margin binds.

@@ -4,15 +4,16 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use flexframe::assembly::{Design, mass};
-use flexframe::diagnose::{Diagnosis, Observable, Settings, diagnose, joined, observables};
-use flexframe::effects::{Channel, FrameCurve, Model, by_id};
-use flexframe::fit::{Chosen, Keep, Layout, Paper, Waves, fit};
-use flexframe::measured::{self, Calibration, DropSet};
+use flexframe::frame::assembly::{Design, mass};
+use flexframe::impact::diagnose::{Diagnosis, Observable, Settings, diagnose, joined, observables};
+use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
+use flexframe::impact::fit::{Chosen, Keep, Layout, Paper, Waves, fit};
+use flexframe::impact::measured;
+use flexframe::impact::measured::{Calibration, DropSet};
 use flexframe::mechanics;
-use flexframe::mechanics::frame_model::{Extent, FrameModel};
-use flexframe::mechanics::reduction::Reduction;
-use flexframe::mechanics::static_curve::StaticCurve;
+use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
+use flexframe::mechanics::result::reduction::Reduction;
+use flexframe::mechanics::result::static_curve::StaticCurve;
 use flexframe::params::Frame;
 
 /// Cutoffs at which the paper's damper is fitted again, Hz; the second is its notebook's 500 rad/s, the fifth its text's.

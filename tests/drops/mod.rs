@@ -1,7 +1,7 @@
 //! Drops made up for the tests: a model's waves with another phase of the clock each, noise, and scatter.
 
-use flexframe::effects::{Channel, Model, Sensor};
-use flexframe::sim::{Sampler, Settings, System, Trace, simulate};
+use flexframe::impact::effects::{Channel, Model, Sensor};
+use flexframe::impact::sim::{Sampler, Settings, System, Trace, simulate};
 
 /// Noise of a sample, g.
 pub const NOISE_G: f64 = 0.17;

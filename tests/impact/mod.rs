@@ -1,7 +1,7 @@
 //! The drop written down a second time, straight from the table of effects, for another integrator: DOP853 of ode_solvers.
 
-use flexframe::body::{Body, Origin};
-use flexframe::effects::{Channel, Model, Sensor, by_id};
+use flexframe::impact::body::{Body, Origin};
+use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use ode_solvers::{Dop853, OutputType, SVector, System as Equations};
 
 pub const G: f64 = 9.81;

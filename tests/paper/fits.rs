@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use flexframe::effects::{Channel, Model};
-use flexframe::fit::{Chosen, Estimate, Fit, Keep, Layout, Likelihood, Paper, fit};
-use flexframe::measured::{self, Calibration, DropSet};
+use flexframe::impact::effects::{Channel, Model};
+use flexframe::impact::fit::{Chosen, Estimate, Fit, Keep, Layout, Likelihood, Paper, fit};
+use flexframe::impact::measured;
+use flexframe::impact::measured::{Calibration, DropSet};
 
 use super::figures::{DAMPING_500_HZ, DAMPING_N_S_M, OBJECTIVE, RIGID_500_HZ, STIFFNESS_N_M};
 use super::model::{paper, shares, traces};
@@ -112,7 +113,7 @@ pub fn filter(page: &mut String, drops: &Drops) {
     );
     for (before, after) in before.iter().zip(&after) {
         let cells: Vec<String> = shares(before).into_iter().chain(shares(after)).map(|share| format!("{share:.1}")).collect();
-        let passed = |trace: &flexframe::sim::Trace| if shares(trace)[2] > 0.0 { "yes" } else { "no" };
+        let passed = |trace: &flexframe::impact::sim::Trace| if shares(trace)[2] > 0.0 { "yes" } else { "no" };
         let _ = writeln!(
             page,
             "| {} | {} | {}, was {} | {:.1} |",
@@ -123,7 +124,7 @@ pub fn filter(page: &mut String, drops: &Drops) {
             after.peak_coordinate_g
         );
     }
-    let first = |traces: &[flexframe::sim::Trace]| {
+    let first = |traces: &[flexframe::impact::sim::Trace]| {
         traces.iter().find(|trace| shares(trace)[2] > 0.0).map_or("none".into(), |trace| format!("{:.0} cm", trace.height_m * 100.0))
     };
     let _ = writeln!(

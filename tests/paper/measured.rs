@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use flexframe::measured::{self, Calibration, Summary};
+use flexframe::impact::measured;
+use flexframe::impact::measured::{Calibration, Summary};
 
 use super::figures::{Height, MEASURED};
 use super::{folder, ratio};

@@ -2,8 +2,8 @@
 
 use std::fmt::Write;
 
-use flexframe::effects::{GRAVITY_M_S2, Model};
-use flexframe::sim::{Settings, System, Trace, simulate};
+use flexframe::impact::effects::{GRAVITY_M_S2, Model};
+use flexframe::impact::sim::{Settings, System, Trace, simulate};
 
 use super::figures::{HEIGHTS_M, PEAKS_G, SHARES, STATIC_FITS, STATIC_TEST, WEIGHT_N};
 use super::ratio;

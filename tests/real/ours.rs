@@ -1,10 +1,10 @@
 //! Our parts as they are exported, laid back into their own axes.
 
-use flexframe::assembly::Printed;
 use flexframe::export::stl;
+use flexframe::frame::assembly::Printed;
+use flexframe::frame::parts::*;
+use flexframe::frame::skeleton::{Centre, Skeleton};
 use flexframe::params::{Frame, PartName};
-use flexframe::parts::*;
-use flexframe::skeleton::Skeleton;
 use flexframe::solid::Mesh;
 use nalgebra::{Isometry3, Translation3, UnitQuaternion};
 

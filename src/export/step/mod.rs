@@ -13,7 +13,7 @@ use serde::Serialize;
 
 use self::product::{Context, Product};
 use self::writer::Writer;
-use crate::assembly::{Design, Kind, Printed, Shape};
+use crate::frame::assembly::{Design, Kind, Printed, Shape};
 use crate::solid::{Boundary, Feature, Mesh, NotExact};
 
 /// How far vertices may lie beside the surfaces of their faces, mm, as every file states; see [`crate::solid::FLATNESS_MM`].

@@ -1,0 +1,81 @@
+//! Each printed part fits the printer, as it is printed.
+//!
+//! On a rectangular bed the part may be turned by a right angle; on a round one its corners' distance from the middle
+//! of its box counts.
+
+use crate::checks::finding::{Finding, Measure};
+use crate::checks::scene::Scene;
+use crate::frame::assembly::Printed;
+use crate::params::catalogue::{Bed, Printer};
+
+/// The room that a part needs on the printer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BedUse {
+    /// The part.
+    pub part: &'static str,
+    /// Length, width and height, mm.
+    pub size_mm: [f64; 3],
+    /// What is nearest to its limit: `length`, `width`, `diameter` or `height`.
+    pub tightest: &'static str,
+    /// That size, mm.
+    pub value_mm: f64,
+    /// Room for it, mm.
+    pub limit_mm: f64,
+}
+
+impl BedUse {
+    fn of(part: &Printed, printer: &Printer) -> Self {
+        let [x, y, z] = part.mesh.size_mm();
+        let [long, wide] = [printer.size_mm[0].max(printer.size_mm[1]), printer.size_mm[0].min(printer.size_mm[1])];
+        let mut uses = match printer.bed {
+            Bed::Rectangular => vec![("length", x.max(y), long), ("width", x.min(y), wide)],
+            Bed::Round => vec![("diameter", diameter_mm(part), wide)],
+        };
+        uses.push(("height", z, printer.height_mm));
+        let tight = uses.into_iter().min_by(|a, b| (a.2 - a.1).total_cmp(&(b.2 - b.1)));
+        let (tightest, value_mm, limit_mm) = tight.unwrap_or(("height", z, printer.height_mm));
+        Self { part: part.name.slug(), size_mm: [x, y, z], tightest, value_mm, limit_mm }
+    }
+
+    fn finding(&self) -> Finding {
+        let Self { part, size_mm: [x, y, z], tightest, value_mm, limit_mm } = self;
+        let measure = Measure { rule: "printer_bed", value: *value_mm, limit: *limit_mm, unit: "mm", levers: &["printer"] };
+        let [value, limit] = measure.figures(1);
+        let message = format!("{part} is printed as {x:.1} x {y:.1} x {z:.1} mm: {tightest} {value} mm of {limit} mm on the printer");
+        measure.at_most((*part).into(), message)
+    }
+}
+
+/// Twice the largest distance of a point of the part from the middle of its box, in plan, mm.
+fn diameter_mm(part: &Printed) -> f64 {
+    let [low, high] = part.mesh.bounds_mm();
+    let middle = [0, 1].map(|i| 0.5 * (low[i] + high[i]));
+    let radius = |v: &[f32; 3]| libm::hypot(f64::from(v[0]) - middle[0], f64::from(v[1]) - middle[1]);
+    2.0 * part.mesh.vertices.iter().map(radius).fold(0.0, f64::max)
+}
+
+pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
+    let printer = &scene.design.frame.printer;
+    scene.design.printed.iter().map(|part| BedUse::of(part, printer).finding()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+    use crate::params::PartName;
+
+    #[test]
+    fn planted_beds_too_small_and_too_low() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        let hub = frame.design.part(PartName::Hub).expect("has a hub").mesh.size_mm();
+        frame.design.frame.printer.size_mm = [hub[0] - 1.0, 300.0];
+        assert_eq!(violated(&frame.found(check)).iter().map(|f| f.subject.as_str()).collect::<Vec<_>>(), ["hub"]);
+        frame.design.frame.printer.size_mm = [hub[0] + 1.0, hub[0] + 1.0];
+        frame.design.frame.printer.bed = Bed::Round;
+        assert!(violated(&frame.found(check)).iter().any(|f| f.subject == "hub"));
+        frame.design.frame.printer.height_mm = 1.0;
+        assert_eq!(violated(&frame.found(check)).len(), frame.design.printed.len());
+    }
+}

@@ -1,0 +1,57 @@
+//! Each part stands while it is printed: enough of it lies on the bed, its weight is over that, and it is not too slender.
+//!
+//! What stands under a supported place stands with the part. The brim is not counted.
+
+use crate::checks::finding::{Finding, Measure};
+use crate::params::PartName;
+use crate::params::catalogue::Printer;
+use crate::printing::printability::Footing;
+
+/// Least area of a first layer, mm²: chosen; the smallest part of the real frame, which printed, has 50.
+const CONTACT_MM2: f64 = 20.0;
+/// Least tilt before a part falls, °: chosen.
+const TIP_DEG: f64 = 10.0;
+/// Most height over the width of the first layer: chosen; the battery's sleeve has 2.9.
+const SLENDER: f64 = 5.0;
+
+/// The three of a part.
+pub(in crate::checks) fn findings(name: PartName, footing: &Footing, printer: &Printer) -> [Finding; 3] {
+    let Footing { contact_mm2, tip, slender } = footing;
+    let measure = |value: f64, limit: f64, unit| Measure { rule: "footing", value, limit, unit, levers: &["printer"] };
+    let contact = measure(*contact_mm2, printer.least_contact_mm2.unwrap_or(CONTACT_MM2), "mm2");
+    let [area, least] = contact.figures(0);
+    let tilt = measure(tip.to_deg(), printer.least_tip_deg.unwrap_or(TIP_DEG), "deg");
+    let [angle, least_angle] = tilt.figures(0);
+    let tall = measure(*slender, printer.most_slender.unwrap_or(SLENDER), "");
+    let [ratio, most] = tall.figures(1);
+    let remedy = "print it with a brim or lay it down";
+    [
+        contact.at_least(format!("{name}: contact"), format!("{name} holds to the bed by {area} mm2, at least {least}: else {remedy}")),
+        tilt.at_least(
+            format!("{name}: tilt"),
+            format!("{name} falls off its first layer at {angle} deg, at least {least_angle}: else {remedy}"),
+        ),
+        tall.at_most(
+            format!("{name}: height"),
+            format!("{name} is {ratio} times as high as its first layer is wide, at most {most}: else {remedy}"),
+        ),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::checks::planted::{Planted, violated};
+    use crate::checks::printing::stance::check;
+
+    #[test]
+    fn planted_limits_that_a_part_misses() {
+        let mut frame = Planted::preset("cognifly");
+        assert_eq!(violated(&frame.found(check)), []);
+        let printer = &mut frame.design.frame.printer;
+        (printer.least_contact_mm2, printer.least_tip_deg, printer.most_slender) = (Some(60.0), Some(25.0), Some(2.0));
+        let broken: Vec<String> = violated(&frame.found(check)).into_iter().map(|f| f.subject).collect();
+        for subject in ["camera_connector_left: contact", "battery_sleeve: tilt", "battery_sleeve: height"] {
+            assert!(broken.iter().any(|b| b == subject), "{subject}: {broken:?}");
+        }
+    }
+}

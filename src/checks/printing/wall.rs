@@ -1,0 +1,184 @@
+//! No wall is thinner than what the nozzle can lay, two lines side by side; no gap is narrower than a line.
+//!
+//! Measured on the mesh that is printed: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
+//! ([`Walls`]). Floors and roofs, which no cut shows, by rays from the middle of facets that lie flatter than 45°; where
+//! the opposite facet faces away from the first it is a floor, and the ray's length its thickness. Facets are taken by
+//! size, [`SAMPLES`] a part: a thin spot smaller than the smallest of these is not seen, nor is the edge of a wedge.
+
+use nalgebra::{Point3, Vector3};
+use rayon::prelude::*;
+
+use crate::checks::finding::{Finding, Measure};
+use crate::checks::scene::Scene;
+use crate::figures::decimals;
+use crate::frame::assembly::Printed;
+use crate::params::PartName;
+use crate::params::catalogue::{Material, Printer};
+use crate::printing::printability::{Thin, Walls};
+use crate::solid::MeshSolid;
+
+/// Facets looked at, a part.
+const SAMPLES: usize = 500;
+/// Surface that must be thin before a floor is, mm².
+const AREA_MM2: f64 = 0.5;
+/// Walls thicker than this many limits are not measured.
+const REACH: f64 = 4.0;
+/// Least cosine between the directions of opposite facets: 25°.
+const OPPOSITE: f64 = 0.9;
+/// Rays start this far inside, mm.
+const INSIDE_MM: f64 = 1e-4;
+/// Least upward or downward part of the direction of a floor's facet.
+const LYING: f64 = 0.7;
+
+/// The thinnest wall or the narrowest gap of a part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ThinnestWall {
+    /// The part.
+    pub part: PartName,
+    /// Whether it is a gap.
+    pub gap: bool,
+    /// Thickness or width, mm, and where; nothing when all are beyond the reach of the measurement.
+    pub thinnest: Option<Thin>,
+    /// Least thickness or width, mm.
+    pub limit_mm: f64,
+}
+
+impl ThinnestWall {
+    /// Of a part: wall or floor, and gap.
+    pub fn of(part: &Printed, printer: &Printer, material: &Material) -> [Self; 2] {
+        let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
+        let reach = REACH * limit_mm;
+        let Walls { wall, gap } = Walls::of(&part.mesh, printer.layer_mm(material), reach);
+        let thinnest = [wall, floor(part, reach)].into_iter().flatten().min_by(|a, b| a.mm.total_cmp(&b.mm));
+        let one = |gap, thinnest, limit_mm| Self { part: part.name, gap, thinnest, limit_mm };
+        [one(false, thinnest, limit_mm), one(true, gap, printer.line_mm())]
+    }
+
+    /// Whether the limit is kept, and what was found.
+    pub fn finding(&self) -> Finding {
+        let Self { part, gap, thinnest, limit_mm } = self;
+        let reach_mm = REACH * limit_mm;
+        let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));
+        let rule = if *gap { "narrowest_gap" } else { "thinnest_wall" };
+        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: levers(*part) };
+        let [size, needed] = measure.figures(2);
+        let where_it_is = thinnest.map(|thin| thin.at_mm.map(|mm| decimals(mm, 1)).join(", "));
+        let message = match (where_it_is.filter(|_| value < reach_mm), gap) {
+            (Some(at), false) => format!("the thinnest wall of {part} is {size} mm (at {at} as printed), the nozzle needs {needed} mm"),
+            (None, false) => format!("every wall of {part} is over {size} mm, the nozzle needs {needed} mm"),
+            (Some(at), true) => format!("the narrowest gap of {part} is {size} mm (at {at} as printed), a line fills {needed} mm"),
+            (None, true) => format!("every gap of {part} is over {size} mm, a line fills {needed} mm"),
+        };
+        measure.at_least(part.slug().into(), message)
+    }
+}
+
+/// The thinnest floor or roof.
+fn floor(part: &Printed, reach_mm: f64) -> Option<Thin> {
+    let mut floors: Vec<(Thin, f64)> = facets(part)
+        .into_iter()
+        .filter(|facet| facet.normal.z.abs() >= LYING)
+        .filter_map(|facet| facet.wall_mm(&part.printed, reach_mm).map(|mm| (Thin { mm, at_mm: facet.middle.into() }, facet.area_mm2)))
+        .collect();
+    floors.sort_by(|a, b| a.0.mm.total_cmp(&b.0.mm));
+    let mut area = 0.0;
+    floors.into_iter().find_map(|(thin, area_mm2)| {
+        area += area_mm2;
+        (area >= AREA_MM2).then_some(thin)
+    })
+}
+
+/// The keys of the part's thinnest walls.
+fn levers(part: PartName) -> &'static [&'static str] {
+    match part {
+        PartName::TopCorner | PartName::BottomCorner => &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
+        PartName::Knee => &["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"],
+        PartName::Fork => &["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"],
+        PartName::MotorMount => {
+            &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_ring_diameter_mm", "motor_mount.motor_plate_diameter_mm"]
+        }
+        PartName::HubJoint => &["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"],
+        PartName::Hub => &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
+        PartName::PiCarrier => &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
+        PartName::BatteryBracket => &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
+        PartName::BatterySleeve => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"],
+        PartName::BatteryLid => &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
+        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
+    }
+}
+
+struct Facet {
+    middle: Point3<f64>,
+    normal: Vector3<f64>,
+    area_mm2: f64,
+}
+
+impl Facet {
+    fn wall_mm(&self, solid: &MeshSolid, reach_mm: f64) -> Option<f64> {
+        let from = self.middle - self.normal * INSIDE_MM;
+        let hit = solid.first_hit(from, self.middle - self.normal * reach_mm)?;
+        (hit.normal.dot(&self.normal) < -OPPOSITE).then_some((hit.at - self.middle).norm())
+    }
+}
+
+/// The largest facets of the printed mesh.
+fn facets(part: &Printed) -> Vec<Facet> {
+    let facet = |triangle: &[u32; 3]| {
+        let [a, b, c] = part.mesh.corners(triangle);
+        let cross = (b - a).cross(&(c - a));
+        let middle = Point3::from((a.coords + b.coords + c.coords) / 3.0);
+        Facet { middle, normal: cross.normalize(), area_mm2: 0.5 * cross.norm() }
+    };
+    let mut all: Vec<Facet> = part.mesh.triangles.iter().map(facet).collect();
+    all.sort_by(|a, b| b.area_mm2.total_cmp(&a.area_mm2));
+    all.truncate(SAMPLES);
+    all
+}
+
+pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
+    let design = scene.design;
+    let of = |part: &Printed| ThinnestWall::of(part, &design.frame.printer, &design.material_of(part.name).material);
+    let found: Vec<[ThinnestWall; 2]> = design.printed.par_iter().map(of).collect();
+    found.iter().flatten().map(ThinnestWall::finding).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn measured_the_real_frame_has_two_walls_too_thin() {
+        let found = Planted::preset("cognifly-v8").found(check);
+        let broken: Vec<_> = violated(&found).iter().map(|f| (f.subject.clone(), (100.0 * f.value).round())).collect();
+        assert_eq!(broken, [("motor_mount".to_string(), 80.0), ("battery_bracket".to_string(), 85.0)]);
+    }
+
+    #[test]
+    fn planted_a_wall_as_thick_as_the_nozzle_needs() {
+        let skirt = |wall_mm: f64| {
+            let found = Planted::frame(|frame| {
+                frame.motor_mount.motor_skirt_wall_mm = wall_mm;
+                (frame.printer.nozzle_mm, frame.printer.min_wall_nozzles) = (0.4, 2.0);
+            });
+            violated(&found.found(check))
+        };
+        assert_eq!(skirt(0.8), []);
+        let thin = skirt(0.78);
+        assert!(thin.len() == 1 && thin[0].message.contains("is 0.78 mm") && thin[0].message.contains("needs 0.80 mm"), "{thin:?}");
+    }
+
+    #[test]
+    fn regress_the_lid_keeps_its_walls_around_a_wide_and_high_battery() {
+        let found = Planted::frame(|frame| {
+            let battery = &mut frame.battery;
+            (battery.battery_length_mm, battery.battery_width_mm, battery.battery_height_mm) = (67.0, 37.0, 22.0);
+        });
+        assert_eq!(violated(&found.found(check)), []);
+    }
+
+    #[test]
+    fn regress_the_default_frame_has_none() {
+        assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
+    }
+}

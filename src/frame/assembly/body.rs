@@ -1,0 +1,56 @@
+//! Bodies of the assembly: a shape in a place.
+
+use nalgebra::Isometry3;
+
+use crate::frame::skeleton::RodRole;
+use crate::params::PartName;
+use crate::solid::{Feature, Mesh, MeshSolid};
+
+/// What a body is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// A printed part.
+    Printed(PartName),
+    /// A rod.
+    Rod(RodRole),
+    /// A motor.
+    Motor,
+    /// The disc that a propeller sweeps.
+    Propeller,
+    /// Something bought that sits in the centre, by its name.
+    Bought(&'static str),
+}
+
+/// A shape that one or more bodies share, in its own axes.
+#[derive(Clone)]
+pub struct Shape {
+    /// Name: the part's, the rod's role …
+    pub name: String,
+    /// What it is.
+    pub kind: Kind,
+    /// Material or catalogue name, for tables.
+    pub material: String,
+    /// Linear red, green, blue, alpha.
+    pub colour: [f32; 4],
+    /// Solid for booleans and gaps.
+    pub solid: MeshSolid,
+    /// Mesh for files and pictures.
+    pub mesh: Mesh,
+    /// What the mesh was made of, where it is not folded from something else.
+    pub feature: Option<Feature>,
+    /// Volume by the B-rep kernel, mm³, where it builds the shape without booleans.
+    pub exact_mm3: Option<f64>,
+}
+
+/// A shape in its place.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Name, unique in the assembly.
+    pub name: String,
+    /// Index of its shape.
+    pub shape: usize,
+    /// Module it belongs to; `None` in the centre.
+    pub module: Option<usize>,
+    /// From the shape's axes to the frame's.
+    pub pose: Isometry3<f64>,
+}

@@ -1,0 +1,88 @@
+//! The parts of the rigid centre together: printed ones and bought ones, in their places.
+
+use crate::frame::assembly::BoughtPart;
+use crate::frame::parts::gauges::{Gauged, v8};
+use crate::frame::parts::{battery_bracket, battery_lid, battery_sleeve, camera_connector, hub, pi_carrier};
+use crate::frame::skeleton::Centre;
+use crate::params::{Frame, PartName};
+use crate::solid::{Feature, MeshSolid};
+
+fn all(frame: &Frame, centre: &Centre) -> Vec<(String, Feature)> {
+    let parts = [
+        (PartName::Hub, hub::feature(frame, centre)),
+        (PartName::PiCarrier, pi_carrier::feature(frame, centre)),
+        (PartName::BatteryBracket, battery_bracket::feature(frame, centre)),
+        (PartName::BatterySleeve, battery_sleeve::feature(frame, centre)),
+        (PartName::BatteryLid, battery_lid::feature(frame, centre)),
+        (PartName::CameraConnectorLeft, camera_connector::left(frame, centre)),
+        (PartName::CameraConnectorRight, camera_connector::right(frame, centre)),
+    ];
+    let printed = parts.into_iter().map(|(part, feature)| (part.to_string(), feature.placed(centre.pose(part))));
+    printed.chain(BoughtPart::ALL.map(|part| (part.slug().to_string(), part.feature(frame, centre)))).collect()
+}
+
+#[test]
+fn analytic_nothing_in_the_centre_overlaps() {
+    let (mut frame, _) = v8();
+    for (connector, magnet) in [([10.55, 5.55], 3.0), ([16.4, 8.6], 2.0)] {
+        [frame.bracket.connector_width_mm, frame.bracket.connector_height_mm] = connector;
+        frame.bracket.magnet_thickness_mm = magnet;
+        let centre = Centre::new(&frame);
+        let solids: Vec<_> = all(&frame, &centre).into_iter().map(|(name, feature)| (name, Gauged::new(&feature).0)).collect();
+        for (i, (name, solid)) in solids.iter().enumerate() {
+            for (other_name, other) in &solids[i + 1..] {
+                let overlap = solid.intersection(other).volume_mm3();
+                assert!(overlap < 0.001, "{name} and {other_name} share {overlap} mm³");
+            }
+        }
+    }
+}
+
+#[test]
+fn measured_heights_are_those_of_the_assembly() {
+    let (frame, centre) = v8();
+    let named = |name: &str| all(&frame, &centre).into_iter().find(|(n, _)| n == name).map(|(_, f)| Gauged::new(&f).0.bounds_mm());
+    let z = |name: &str| named(name).map(|[low, high]| [low[2], high[2]]).unwrap_or_default();
+    let close = |name: &str, low: f64, high: f64| {
+        let [l, h] = z(name);
+        assert!((l - low).abs() < 0.05 && (h - high).abs() < 0.05, "{name}: {l} to {h}");
+    };
+    close("hub", -4.6, 4.6);
+    close("pi_carrier", 4.6, 6.6);
+    close("battery_bracket", -26.3, -4.8);
+    close("battery_sleeve", -45.3, -24.8);
+}
+
+#[test]
+fn measured_magnet_faces_keep_their_gap() {
+    let (frame, centre) = v8();
+    let solid = |part: BoughtPart| MeshSolid::build(&part.feature(&frame, &centre));
+    let gap = solid(BoughtPart::MagnetBracket).gap_mm(&solid(BoughtPart::MagnetLid), 5.0);
+    assert!((gap - 0.29).abs() < 1e-6, "{gap}");
+    let lid = Gauged::new(&battery_lid::feature(&frame, &centre).placed(centre.pose(PartName::BatteryLid)));
+    let y = -centre.bracket_half_mm - 0.29;
+    let z = centre.magnet_z_mm + centre.bracket_z_mm();
+    lid.pocket([-5.1, y - 3.0, z - 2.6], [5.1, y + 0.2, z + 2.6], "xXyzZ");
+}
+
+#[test]
+fn analytic_lid_slides_out_without_touching() {
+    let (mut frame, _) = v8();
+    for (length, width, height) in [(58.0, 31.0, 16.0), (70.0, 35.0, 18.0)] {
+        (frame.battery.battery_length_mm, frame.battery.battery_width_mm, frame.battery.battery_height_mm) = (length, width, height);
+        let centre = Centre::new(&frame);
+        let of = |feature: Feature, part| MeshSolid::build(&feature.placed(centre.pose(part)));
+        let stays = of(battery_bracket::feature(&frame, &centre), PartName::BatteryBracket)
+            .union(&of(hub::feature(&frame, &centre), PartName::Hub))
+            .union(&of(battery_sleeve::feature(&frame, &centre), PartName::BatterySleeve));
+        let carried = BoughtPart::ALL.iter().filter(|part| part.slides_with_battery());
+        let slides = carried.fold(of(battery_lid::feature(&frame, &centre), PartName::BatteryLid), |solid, part| {
+            solid.union(&MeshSolid::build(&part.feature(&frame, &centre)))
+        });
+        for step in 0..20 {
+            let away = nalgebra::Isometry3::translation(0.0, -4.0 * f64::from(step), 0.0);
+            let overlap = slides.placed(&away).intersection(&stays).volume_mm3();
+            assert!(overlap < 1e-6, "{overlap} mm³ after {} mm", 4 * step);
+        }
+    }
+}

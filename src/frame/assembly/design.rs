@@ -1,0 +1,280 @@
+//! A frame, designed: skeleton, printed parts, and the bodies of the assembly.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+use rayon::prelude::*;
+
+use super::body::{Body, Kind, Shape};
+use super::printed::{Printed, Recipe, recipe};
+use super::workshop::Workshop;
+use crate::frame::assembly::bought_solids::BoughtPart;
+use crate::frame::skeleton::Centre;
+use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for, placements};
+use crate::params::frame::{NamedMaterial, TargetSize};
+use crate::params::{Frame, PartName};
+use crate::solid::gate::GateError;
+use crate::solid::{Brep, Feature, MeshSolid};
+use crate::units::Angle;
+
+/// Why a frame cannot be designed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DesignError {
+    /// The rods do not close.
+    #[error(transparent)]
+    Closure(#[from] ClosureError),
+    /// A part's parameters contradict each other.
+    #[error("{part} cannot be made: {error}")]
+    Part {
+        /// Which.
+        part: PartName,
+        /// What is wrong with its mesh.
+        error: GateError,
+    },
+    /// The wanted size needs a rod that no rod can be.
+    #[error("the target size needs {key} = {value:.2} mm, outside {min} to {max} mm")]
+    Target {
+        /// Which rod.
+        key: &'static str,
+        /// Its length.
+        value: f64,
+        /// Shortest.
+        min: f64,
+        /// Longest.
+        max: f64,
+    },
+}
+
+/// A frame with everything that follows from it.
+pub struct Design {
+    /// The parameters; rod lengths are solved when a target size was given.
+    pub frame: Frame,
+    /// Nodes and rods.
+    pub skeleton: Skeleton,
+    /// Derived dimensions of the rigid centre.
+    pub centre: Centre,
+    /// Printed parts, in the order of [`PartName::ALL`]; what would carry nothing is left out.
+    pub printed: Vec<Printed>,
+    /// Shapes of the assembly.
+    pub shapes: Vec<Shape>,
+    /// Bodies of the assembly.
+    pub bodies: Vec<Body>,
+}
+
+impl Design {
+    /// Designs a frame.
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn new(frame: Frame) -> Result<Self, DesignError> {
+        Self::with(frame, &mut Workshop::default())
+    }
+
+    /// Designs a frame with the parts of former ones where they are the same; the result is that of [`Design::new`].
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn with(mut frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
+        let Some(target) = frame.target else { return Self::of_lengths(frame, workshop) };
+        solve_target(&mut frame, target)?;
+        let design = Self::of_lengths(frame.clone(), workshop)?;
+        let over_mm = design.modules_width_mm() - target.width_mm;
+        if over_mm <= 0.0 {
+            return Ok(design);
+        }
+        // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
+        solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
+        Self::of_lengths(frame, workshop)
+    }
+
+    fn of_lengths(frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
+        let skeleton = Skeleton::new(&frame)?;
+        let centre = Centre::new(&frame);
+        let names = PartName::ALL.into_iter().filter(|name| is_needed(*name, &frame));
+        let recipes: Vec<(PartName, Recipe)> = names.map(|name| (name, recipe(name, &frame, &skeleton, &centre))).collect();
+        let make = |(name, recipe): &(PartName, Recipe)| match workshop.find(*name, recipe) {
+            Some(part) => Ok(part),
+            None => Printed::by(*name, recipe.clone()).map_err(|error| DesignError::Part { part: *name, error }),
+        };
+        let made: Vec<Result<Printed, DesignError>> = recipes.par_iter().map(make).collect();
+        let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
+        for ((_, recipe), part) in recipes.into_iter().zip(&printed) {
+            workshop.keep(recipe, part.clone());
+        }
+        let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
+        design.place_printed();
+        design.place_rods();
+        design.place_motors();
+        design.place_bought();
+        Ok(design)
+    }
+
+    /// A printed part by name.
+    pub fn part(&self, name: PartName) -> Option<&Printed> {
+        self.printed.iter().find(|part| part.name == name)
+    }
+
+    /// What a printed part is made of.
+    pub fn material_of(&self, name: PartName) -> &NamedMaterial {
+        if name.is_flexible() { &self.frame.flexible } else { &self.frame.rigid }
+    }
+
+    /// Width of all that the four modules are made of, without what the propellers sweep, mm.
+    fn modules_width_mm(&self) -> f64 {
+        let bodies = self.bodies.iter().filter(|body| body.module.is_some() && self.shape(body).kind != Kind::Propeller);
+        let sides = bodies.map(|body| self.placed(body).bounds_mm()).map(|[low, high]| [low[0], high[0]]);
+        let [low, high] = sides.fold([0.0_f64; 2], |all, side| [all[0].min(side[0]), all[1].max(side[1])]);
+        high - low
+    }
+
+    /// The shape of a body.
+    pub fn shape(&self, body: &Body) -> &Shape {
+        &self.shapes[body.shape]
+    }
+
+    /// A body's solid where it sits.
+    pub fn placed(&self, body: &Body) -> MeshSolid {
+        self.shape(body).solid.placed(&body.pose)
+    }
+
+    fn add_shape(&mut self, shape: Shape) -> usize {
+        self.shapes.push(shape);
+        self.shapes.len() - 1
+    }
+
+    /// A shape that is not printed.
+    fn add_plain(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], feature: &Feature) -> usize {
+        let solid = MeshSolid::build(feature).melted();
+        let mesh = solid.mesh();
+        let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
+        self.add_shape(Shape {
+            name: name.into(),
+            kind,
+            material: material.into(),
+            colour,
+            solid,
+            mesh,
+            feature: Some(feature.clone()),
+            exact_mm3,
+        })
+    }
+
+    fn place_printed(&mut self) {
+        for index in 0..self.printed.len() {
+            let part = &self.printed[index];
+            let (name, solid, exact_mm3) = (part.name, part.folded.clone(), part.exact_volume_mm3);
+            let material = self.material_of(name);
+            let (material, colour) = (material.name.clone(), material.material.colour);
+            let mesh = solid.mesh();
+            let feature = part.bends.is_empty().then(|| part.feature.clone());
+            let kind = Kind::Printed(name);
+            let shape = self.add_shape(Shape { name: name.slug().into(), kind, material, colour, solid, mesh, feature, exact_mm3 });
+            let poses = placements(name, &self.frame, &self.skeleton);
+            if poses.is_empty() {
+                let pose = self.centre.pose(name);
+                self.bodies.push(Body { name: name.slug().into(), shape, module: None, pose });
+            }
+            for (module, pose) in poses.into_iter().enumerate() {
+                let name = format!("{name}_{}", MODULE_NAMES[module]);
+                self.bodies.push(Body { name, shape, module: Some(module), pose });
+            }
+        }
+    }
+
+    fn place_rods(&mut self) {
+        let material = self.frame.rod_material.clone();
+        let radius = 0.5 * self.frame.rods.rod_diameter_mm;
+        for role in RodRole::ALL {
+            let length = self.skeleton.length_mm(role);
+            let name = format!("{}_rod", role.slug());
+            let feature = Feature::cylinder(radius, length);
+            let shape = self.add_plain(&name, Kind::Rod(role), &material.name, material.material.colour, &feature);
+            let bodies: Vec<Body> = self
+                .skeleton
+                .rods_of(role)
+                .map(|rod| {
+                    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &(rod.end - rod.start))
+                        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+                    let pose = Isometry3::from_parts(Translation3::from(rod.start.coords), turn);
+                    Body { name: rod.name.clone(), shape, module: Some(rod.sockets[0].module), pose }
+                })
+                .collect();
+            self.bodies.extend(bodies);
+        }
+    }
+
+    /// Motors on their mounts, and the discs that the propellers sweep.
+    fn place_motors(&mut self) {
+        let [motor, propeller] = ["motor", "propeller"].map(|role| self.frame.bought.get(role).cloned());
+        let mount = self.frame.motor_mount.clone();
+        if let Some(motor) = motor {
+            let diameter = motor.part.body_diameter_mm.unwrap_or(motor.part.size_mm[0]);
+            let height = motor.part.height_mm.unwrap_or(motor.part.size_mm[2]);
+            let feature = Feature::cylinder(0.5 * diameter, height);
+            let shape = self.add_plain("motor", Kind::Motor, &motor.name, [0.12, 0.12, 0.13, 1.0], &feature);
+            self.on_motor_axes("motor", shape, 0.0);
+        }
+        if let Some(propeller) = propeller {
+            let height = propeller.part.hub_height_mm.unwrap_or(propeller.part.size_mm[2]);
+            let feature = Feature::cylinder(0.5 * mount.propeller_diameter_mm, height);
+            let shape = self.add_plain("propeller", Kind::Propeller, &propeller.name, [0.9, 0.62, 0.05, 0.35], &feature);
+            self.on_motor_axes("propeller", shape, mount.propeller_height_mm - 0.5 * height);
+        }
+    }
+
+    fn on_motor_axes(&mut self, name: &str, shape: usize, above_seat_mm: f64) {
+        for (module, quadrant) in MODULE_NAMES.iter().enumerate() {
+            let Some(seat) = self.skeleton.node(&format!("M_{quadrant}")) else { continue };
+            let pose = Isometry3::translation(seat.x, seat.y, seat.z + above_seat_mm);
+            self.bodies.push(Body { name: format!("{name}_{quadrant}"), shape, module: Some(module), pose });
+        }
+    }
+
+    fn place_bought(&mut self) {
+        for part in BoughtPart::ALL {
+            let Some((material, colour)) = bought_look(&self.frame, part) else { continue };
+            let feature = part.feature(&self.frame, &self.centre);
+            let shape = self.add_plain(part.slug(), Kind::Bought(part.slug()), &material, colour, &feature);
+            self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
+        }
+    }
+}
+
+/// Catalogue name and colour of a bought part in the centre; `None` when the frame has none.
+fn bought_look(frame: &Frame, part: BoughtPart) -> Option<(String, [f32; 4])> {
+    let (role, colour) = match part {
+        BoughtPart::Battery => ("battery", [0.35, 0.36, 0.45, 1.0]),
+        BoughtPart::Computer => ("computer", [0.01, 0.25, 0.06, 1.0]),
+        BoughtPart::Stack => ("flight_controller", [0.05, 0.06, 0.1, 1.0]),
+        BoughtPart::ConnectorBracket | BoughtPart::ConnectorLid => ("connector", [0.85, 0.6, 0.02, 1.0]),
+        BoughtPart::MagnetBracket | BoughtPart::MagnetLid => ("magnet", [0.5, 0.5, 0.52, 1.0]),
+        BoughtPart::FlowSensor => ("flow_sensor", [0.01, 0.08, 0.35, 1.0]),
+        BoughtPart::Camera => ("camera", [0.01, 0.22, 0.05, 1.0]),
+    };
+    frame.bought.get(role).map(|item| (item.name.clone(), colour))
+}
+
+/// Whether a frame has a use for a part: the camera connectors carry the camera. The computer's carrier stays without a
+/// computer, for the ties that hold the bracket run over it.
+fn is_needed(name: PartName, frame: &Frame) -> bool {
+    match name {
+        PartName::CameraConnectorLeft | PartName::CameraConnectorRight => frame.bought.contains_key("camera"),
+        _ => true,
+    }
+}
+
+/// The second solution is narrower than wanted by this, mm: meshes have rounded corners, and the size is a limit.
+const BELOW_MM: f64 = 0.002;
+
+/// Replaces the rod lengths by those that give the target size.
+fn solve_target(frame: &mut Frame, target: TargetSize) -> Result<(), DesignError> {
+    let envelope = Envelope { width_mm: target.width_mm, height_mm: target.height_mm, strut_tilt: Angle::deg(target.strut_tilt_deg) };
+    let lengths = lengths_for(&envelope, frame);
+    for (value, key) in lengths.into_iter().zip(["cage_rod_length_mm", "arm_rod_length_mm", "strut_rod_length_mm"]) {
+        let bounds = crate::params::groups::RodParameters::CATALOGUE.iter().find(|p| p.key == key);
+        let (min, max) = bounds.map_or((0.0, f64::INFINITY), |p| (p.min, p.max));
+        if !(min..=max).contains(&value) {
+            return Err(DesignError::Target { key, value, min, max });
+        }
+    }
+    [frame.rods.cage_rod_length_mm, frame.rods.arm_rod_length_mm, frame.rods.strut_rod_length_mm] = lengths;
+    Ok(())
+}

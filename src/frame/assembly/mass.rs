@@ -1,0 +1,201 @@
+//! The mass table: what weighs how much, how that is known, and where it sits.
+
+use std::borrow::Cow;
+
+use nalgebra::{Matrix3, Point3, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::body::{Kind, Shape};
+use super::design::Design;
+use crate::params::catalogue::MassBasis;
+use crate::units::Density;
+
+/// A line of the table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MassLine {
+    /// What: a part, a rod, a role.
+    pub name: String,
+    /// `printed`, `rod`, `bought` or `extra`.
+    pub kind: Cow<'static, str>,
+    /// Material or catalogue name.
+    pub material: String,
+    /// How many.
+    pub quantity: u32,
+    /// Mass of one, g; 0 when another line covers it.
+    pub each_g: f64,
+    /// Mass of all, g.
+    pub total_g: f64,
+    /// `computed`, `measured`, `datasheet`, `estimate`, or the line that covers it.
+    pub basis: String,
+}
+
+/// Masses of a frame and where they sit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MassTable {
+    /// Line by line.
+    pub lines: Vec<MassLine>,
+    /// All together, g.
+    pub total_g: f64,
+    /// The part of it that rests on estimates, g.
+    pub estimated_g: f64,
+    /// Centre of mass in frame axes, mm.
+    pub centre_of_mass_mm: [f64; 3],
+    /// Inertia about the centre of mass, frame axes, g mm².
+    pub inertia_g_mm2: [[f64; 3]; 3],
+}
+
+/// Some lines of the table as one lump.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lump {
+    /// Mass, g.
+    pub mass_g: f64,
+    /// Centre of mass in frame axes, mm.
+    pub centre_mm: Point3<f64>,
+    /// Inertia about the centre of mass, frame axes, g mm².
+    pub inertia_g_mm2: Matrix3<f64>,
+}
+
+/// Lines of the table taken together; everything at the origin when they weigh nothing.
+pub fn lump(design: &Design, lines: &[MassLine]) -> Lump {
+    let sum = moments(design, lines);
+    let centre = if sum.mass > 0.0 { sum.first / sum.mass } else { Vector3::zeros() };
+    let inertia_g_mm2 = sum.about_origin - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * sum.mass;
+    Lump { mass_g: sum.mass, centre_mm: centre.into(), inertia_g_mm2 }
+}
+
+/// Sums mass, first moment and inertia about the origin.
+#[derive(Default)]
+struct Sum {
+    mass: f64,
+    first: Vector3<f64>,
+    about_origin: Matrix3<f64>,
+}
+
+impl Sum {
+    fn add(&mut self, mass_g: f64, centre: Point3<f64>, own_inertia: Matrix3<f64>) {
+        let r = centre.coords;
+        self.mass += mass_g;
+        self.first += r * mass_g;
+        self.about_origin += own_inertia + (Matrix3::identity() * r.norm_squared() - r * r.transpose()) * mass_g;
+    }
+}
+
+/// Makes the table of a design.
+pub fn table(design: &Design) -> MassTable {
+    let mut lines = printed_lines(design);
+    lines.extend(rod_lines(design));
+    lines.extend(bought_lines(design));
+    lines.extend(extra_lines(design));
+    let total_g = lines.iter().map(|line| line.total_g).sum();
+    let estimated_g = lines.iter().filter(|line| line.basis == "estimate").map(|line| line.total_g).sum();
+    let Lump { centre_mm, inertia_g_mm2: about_centre, .. } = lump(design, &lines);
+    let row = |i: usize| [about_centre[(i, 0)], about_centre[(i, 1)], about_centre[(i, 2)]];
+    MassTable { lines, total_g, estimated_g, centre_of_mass_mm: centre_mm.into(), inertia_g_mm2: [row(0), row(1), row(2)] }
+}
+
+fn printed_lines(design: &Design) -> Vec<MassLine> {
+    design
+        .printed
+        .iter()
+        .map(|part| {
+            let material = design.material_of(part.name);
+            let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
+            let each_g = solid_g * material.material.print_factor;
+            let quantity = part.name.quantity();
+            line(part.name.slug(), "printed", &material.name, quantity, each_g, "computed")
+        })
+        .collect()
+}
+
+fn rod_lines(design: &Design) -> Vec<MassLine> {
+    let material = &design.frame.rod_material;
+    let weighed = |shape: &Shape| match shape.kind {
+        Kind::Rod(role) => {
+            let volume_mm3 = shape.exact_mm3.unwrap_or_else(|| shape.solid.volume_mm3());
+            let each_g = Density::g_cm3(material.material.density_g_cm3).mass_g(volume_mm3);
+            let quantity = design.skeleton.rods_of(role).count() as u32;
+            Some(line(&shape.name, "rod", &material.name, quantity, each_g, "computed"))
+        }
+        _ => None,
+    };
+    design.shapes.iter().filter_map(weighed).collect()
+}
+
+fn bought_lines(design: &Design) -> Vec<MassLine> {
+    let frame = &design.frame;
+    let covering = |role: &str| frame.extras.iter().find(|(_, extra)| extra.covers.iter().any(|c| c == role)).map(|(name, _)| name);
+    frame
+        .bought
+        .iter()
+        .filter(|(role, _)| *role != "rod")
+        .map(|(role, item)| {
+            let mass_g = if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g };
+            match covering(role) {
+                Some(extra) => line(role, "bought", &item.name, item.quantity, 0.0, &format!("in {extra}")),
+                None => line(role, "bought", &item.name, item.quantity, mass_g, basis(item.part.mass_basis)),
+            }
+        })
+        .collect()
+}
+
+fn extra_lines(design: &Design) -> Vec<MassLine> {
+    let extras = design.frame.extras.iter().filter(|(_, extra)| extra.mass_g > 0.0);
+    extras.map(|(name, extra)| line(name, "extra", "", 1, extra.mass_g, basis(extra.mass_basis))).collect()
+}
+
+fn line(name: &str, kind: &'static str, material: &str, quantity: u32, each_g: f64, basis: &str) -> MassLine {
+    let total_g = each_g * f64::from(quantity);
+    MassLine { name: name.into(), kind: kind.into(), material: material.into(), quantity, each_g, total_g, basis: basis.into() }
+}
+
+fn basis(basis: MassBasis) -> &'static str {
+    match basis {
+        MassBasis::Measured => "measured",
+        MassBasis::Datasheet => "datasheet",
+        MassBasis::Estimate => "estimate",
+    }
+}
+
+/// Each line's mass over the bodies that stand for it; lines without a body sit at the hub, or on the motors.
+fn moments(design: &Design, lines: &[MassLine]) -> Sum {
+    let mut sum = Sum::default();
+    for line in lines {
+        let bodies: Vec<_> = design.bodies.iter().filter(|body| stands_for(&design.shape(body).kind, &line.name)).collect();
+        let share = line.total_g / bodies.len().max(1) as f64;
+        for body in &bodies {
+            let mesh = &design.shape(body).mesh;
+            let (centre, unit_inertia) = mesh.moments();
+            let turn = body.pose.rotation.to_rotation_matrix();
+            let density = share / mesh.volume_mm3();
+            let own = turn.matrix() * unit_inertia * turn.matrix().transpose() * density;
+            sum.add(share, body.pose * centre, own);
+        }
+        if bodies.is_empty() {
+            for place in places_without_body(design, &line.name) {
+                sum.add(line.total_g / place.1, place.0, Matrix3::zeros());
+            }
+        }
+    }
+    sum
+}
+
+fn stands_for(kind: &Kind, line: &str) -> bool {
+    match kind {
+        Kind::Printed(name) => name.slug() == line,
+        Kind::Rod(role) => line.strip_suffix("_rod") == Some(role.slug()),
+        Kind::Motor => line == "motor",
+        Kind::Propeller => line == "propeller",
+        Kind::Bought("stack") => line == "flight_controller" || line == "motor_controller",
+        Kind::Bought(name) => *name == line || name.strip_suffix("_bracket") == Some(line) || name.strip_suffix("_lid") == Some(line),
+    }
+}
+
+/// Where a line without a body of its own sits, and over how many places it is shared.
+fn places_without_body(design: &Design, line: &str) -> Vec<(Point3<f64>, f64)> {
+    if line == "motor_screw" {
+        let seats = crate::frame::skeleton::MODULE_NAMES.iter().filter_map(|module| design.skeleton.node(&format!("M_{module}")));
+        return seats.map(|seat| (seat, 4.0)).collect();
+    }
+    let at = design.frame.extras.get(line).map_or([0.0; 3], |extra| extra.position_mm);
+    vec![(Point3::from(at), 1.0)]
+}

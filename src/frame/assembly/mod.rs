@@ -1,0 +1,18 @@
+//! The assembled frame: every part made once, flat and folded, and put where the skeleton says.
+
+mod body;
+pub mod bought_solids;
+#[cfg(test)]
+mod centre_tests;
+pub mod compensated;
+mod design;
+pub mod mass;
+pub mod press_fit;
+mod printed;
+mod workshop;
+
+pub use body::{Body, Kind, Shape};
+pub use bought_solids::BoughtPart;
+pub use design::{Design, DesignError};
+pub use printed::Printed;
+pub use workshop::Workshop;

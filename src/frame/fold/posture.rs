@@ -1,0 +1,184 @@
+//! Where each member of the first module stands while it is put together.
+
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+
+use super::linkage::Linkage;
+use super::member::{Member, Side, left, outward};
+use crate::frame::parts::{BottomCorner, HubJoint, TopCorner};
+use crate::frame::skeleton::{RodRole, Skeleton, placements};
+use crate::params::{Frame, PartName};
+use crate::solid::Bend;
+use crate::units::Angle;
+
+/// The folds and ways that place a module.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Posture {
+    /// Fold of the hub joint's leg, degrees.
+    pub hub_deg: f64,
+    /// Fold of the bottom corner's strut hinge, degrees.
+    pub strut_deg: f64,
+    /// Fold of the bottom corner's leg hinge, degrees.
+    pub foot_deg: f64,
+    /// Fold of the top corner's strut hinge, degrees.
+    pub top_deg: f64,
+    /// Share of their hold by which the triangle's rods stand out.
+    pub pulled: f64,
+    /// How far the module stands off the hub, mm.
+    pub off_hub_mm: f64,
+}
+
+/// The assembled places of a module, and its hinges.
+pub struct Module {
+    /// The triangle.
+    pub linkage: Linkage,
+    places: Vec<(Member, Isometry3<f64>)>,
+    hub_pivot: Point3<f64>,
+    strut_up: [Vector3<f64>; 2],
+    bends: Vec<(Member, Vec<Bend>)>,
+}
+
+/// The same bend through another angle.
+pub fn bent_by(bend: &Bend, deg: f64) -> Bend {
+    match *bend {
+        Bend::Web { pivot, outward, towards, half_width_mm, .. } => {
+            Bend::Web { pivot, outward, towards, half_width_mm, angle: Angle::deg(deg) }
+        }
+        Bend::Necks { pivot, axis, inner_mm, outer_mm, .. } => Bend::Necks { pivot, axis, inner_mm, outer_mm, angle: Angle::deg(deg) },
+    }
+}
+
+/// A turn about an axis through a point.
+pub fn about(point: Point3<f64>, axis: Vector3<f64>, deg: f64) -> Isometry3<f64> {
+    let turn = UnitQuaternion::from_scaled_axis(axis * Angle::deg(deg).to_rad());
+    Translation3::from(point.coords) * turn * Translation3::from(-point.coords)
+}
+
+/// Place of a rod in the design: z along it, from its start.
+fn rod_pose(start: Point3<f64>, end: Point3<f64>) -> Isometry3<f64> {
+    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &(end - start))
+        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
+    Isometry3::from_parts(Translation3::from(start.coords), turn)
+}
+
+impl Module {
+    /// The first module of a frame.
+    pub fn new(frame: &Frame, skeleton: &Skeleton, linkage: Linkage) -> Self {
+        let c = &skeleton.closure;
+        let seat = skeleton.node("M_FR").unwrap_or_else(Point3::origin);
+        let place = |member: Member| {
+            let rod = |name: &str| skeleton.rods.iter().find(|r| r.name == name).map(|r| rod_pose(r.start, r.end));
+            let part = |name: PartName| placements(name, frame, skeleton).first().copied();
+            let motor = |above: f64| Some(Isometry3::translation(seat.x, seat.y, seat.z + above));
+            let height = frame.bought.get("propeller").map_or(0.0, |p| p.part.hub_height_mm.unwrap_or(p.part.size_mm[2]));
+            match (member, member.part()) {
+                (Member::Motor, _) => motor(0.0),
+                (Member::Propeller, _) => motor(frame.motor_mount.propeller_height_mm - 0.5 * height),
+                (_, Some(name)) => part(name),
+                _ => rod(&member.body(0)),
+            }
+            .unwrap_or_else(Isometry3::identity)
+        };
+        let strut_up = [false, true].map(|up| place(Member::Strut(up)) * Vector3::z());
+        let bends = vec![
+            (Member::Corner(true), TopCorner::from_frame(frame, c.strut_tilt).bends()),
+            (Member::Corner(false), BottomCorner::from_frame(frame, c.strut_tilt).bends(c.leg_tilt)),
+            (Member::HubJoint, HubJoint::from_frame(frame).bends(c.leg_tilt)),
+        ];
+        Self {
+            linkage,
+            places: Member::ALL.iter().map(|m| (*m, place(*m))).collect(),
+            hub_pivot: Point3::from(outward() * c.hub_leg_pivot_s_mm),
+            strut_up,
+            bends,
+        }
+    }
+
+    /// The assembled place of a member.
+    pub fn place(&self, member: Member) -> Isometry3<f64> {
+        self.places.iter().find(|(m, _)| *m == member).map_or_else(Isometry3::identity, |(_, pose)| *pose)
+    }
+
+    /// The hinges of a member.
+    pub fn bends(&self, member: Member) -> &[Bend] {
+        self.bends.iter().find(|(m, _)| *m == member).map_or(&[], |(_, bends)| bends)
+    }
+
+    /// The assembled posture.
+    pub fn closed(&self) -> Posture {
+        let s = self.linkage.closed();
+        Posture { hub_deg: s.hub_deg, strut_deg: s.strut_deg, foot_deg: s.foot_deg, top_deg: s.strut_deg, pulled: 0.0, off_hub_mm: 0.0 }
+    }
+
+    /// Folds of a member's hinges in a posture, degrees.
+    pub fn folds(member: Member, posture: &Posture) -> Vec<f64> {
+        match member {
+            Member::HubJoint => vec![posture.hub_deg],
+            Member::Corner(true) => vec![posture.top_deg],
+            Member::Corner(false) => vec![posture.strut_deg, posture.foot_deg],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Where a member stands.
+    pub fn pose(&self, member: Member, posture: &Posture) -> Isometry3<f64> {
+        let out = |s: f64| Translation3::from(outward() * s);
+        let arm_out = posture.pulled * self.linkage.arm_holds_mm[0];
+        let knee_out = self.linkage.knee_out_mm(posture.pulled);
+        let [strut_out, corner_out] = self.linkage.strut_out_mm(posture.pulled);
+        let place = self.place(member);
+        let moved = match member {
+            Member::HubJoint | Member::Mount | Member::Motor | Member::Propeller => place,
+            Member::Hub => return place,
+            Member::Arm(_) => out(arm_out) * place,
+            Member::Fork | Member::Knee => out(knee_out) * place,
+            Member::Leg => about(self.hub_pivot, left(), posture.hub_deg - self.closed().hub_deg) * place,
+            Member::Strut(up) => out(knee_out) * Translation3::from(self.strut_up[usize::from(up)] * strut_out) * place,
+            Member::Corner(up) => {
+                let off = Translation3::from(self.strut_up[usize::from(up)] * (strut_out + corner_out));
+                out(knee_out) * off * place * self.refold(member, posture)
+            }
+            Member::Cage(up) => {
+                let corner = Member::Corner(up);
+                self.pose_near(corner, posture) * self.place(corner).inverse() * place
+            }
+        };
+        out(posture.off_hub_mm) * moved
+    }
+
+    /// The corner's pose without the module's stand-off.
+    fn pose_near(&self, corner: Member, posture: &Posture) -> Isometry3<f64> {
+        self.pose(corner, &Posture { off_hub_mm: 0.0, ..*posture })
+    }
+
+    /// The strut's socket stays, so the corner turns back by what is not yet folded.
+    fn refold(&self, corner: Member, posture: &Posture) -> Isometry3<f64> {
+        let Some(bend) = self.bends(corner).first() else { return Isometry3::identity() };
+        let fold = if corner == Member::Corner(true) { posture.top_deg } else { posture.strut_deg };
+        bend.motion() * bent_by(bend, fold).motion().inverse()
+    }
+
+    /// Where one side of a member's hinges stands.
+    pub fn side_pose(&self, member: Member, side: Side, posture: &Posture) -> Isometry3<f64> {
+        let base = self.pose(member, posture);
+        let index = match side {
+            Side::Base => return base,
+            Side::First => 0,
+            Side::Second => 1,
+        };
+        let fold = Self::folds(member, posture).get(index).copied().unwrap_or(0.0);
+        self.bends(member).get(index).map_or(base, |bend| base * bent_by(bend, fold).motion())
+    }
+
+    /// How far the leg's axis is off the axis of the foot's bore: between bottom and rod's end less the way out, mm.
+    pub fn loop_error_mm(&self, posture: &Posture, leg_out_mm: f64, skeleton: &Skeleton) -> f64 {
+        let Some(rod) = skeleton.rods_of(RodRole::Leg).next() else { return f64::INFINITY };
+        let (socket, length) = (&rod.sockets[1], rod.length_mm());
+        let pose = self.pose(Member::Leg, posture);
+        let tip = pose * Point3::new(0.0, 0.0, length);
+        let along = pose * Vector3::z();
+        let foot = self.side_pose(Member::Corner(false), Side::Second, posture);
+        let flat = self.side_pose(Member::Corner(false), Side::Second, &self.closed());
+        let bottom = foot * flat.inverse() * socket.bottom;
+        (bottom - (tip + along * leg_out_mm)).norm()
+    }
+}

@@ -1,0 +1,400 @@
+//! What may be done when: read from the geometry of what is there, not from a list.
+
+use std::collections::BTreeSet;
+
+use nalgebra::{Isometry3, Translation3, Vector3};
+
+use super::linkage::{FREE_WAY, Stance};
+use super::member::{Capsule, Member, capsules, distance_mm};
+use super::posture::{Module, Posture};
+use super::task::{Motion, Task};
+use crate::frame::skeleton::{RodRole, Skeleton};
+use crate::params::Frame;
+use crate::units::Angle;
+
+/// Members this much inside each other are in each other's way, mm: the capsules of a press fit or a fold touch.
+const OVERLAP_MM: f64 = 0.2;
+/// Places at which a way is looked at.
+const SAMPLES: u32 = 8;
+/// How far a bore may be off the axis of what comes into it.
+const FACING_DEG: f64 = 1.0;
+/// A rod's end this near its bore's mouth meets it, mm.
+const MEETING_MM: f64 = 1.0;
+/// A part is put on from this far outside the mouth, mm.
+const BEFORE_MM: f64 = 1.0;
+
+/// Why a task cannot be done.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Broken {
+    /// The task is missing or occurs twice.
+    #[error("{} is done {times} times", task.title())]
+    Times {
+        /// The task.
+        task: Task,
+        /// How often it occurs.
+        times: usize,
+    },
+    /// Both are held already: a rod cannot be pushed along its axis within a closed loop.
+    #[error("{mover} and {onto} are already held by the rest: nothing gives way along the bore")]
+    LoopShut {
+        /// What moves.
+        mover: String,
+        /// What it is joined to.
+        onto: String,
+    },
+    /// A rod between two blind bores that both stay where they are.
+    #[error("{rod} would have to pass through the bottom of its bore in {part}: both its ends are closed")]
+    BetweenBottoms {
+        /// The rod.
+        rod: String,
+        /// The part at its other end.
+        part: String,
+    },
+    /// What slides along a rail finds no open end.
+    #[error("{mover} slides on along {rail}, but {} and {} close both its ends", by[0], by[1])]
+    EndsClosed {
+        /// What slides.
+        mover: String,
+        /// The rail.
+        rail: String,
+        /// What closes it.
+        by: [String; 2],
+    },
+    /// Nothing to turn the hinge with.
+    #[error("{part} cannot be bent: {lever} is not in it, and springs back")]
+    NoLever {
+        /// The part.
+        part: String,
+        /// What it is turned by.
+        lever: String,
+    },
+    /// The hinge is in a closed loop.
+    #[error("{part} cannot be bent any more: the loop through it is closed and rigid")]
+    Rigid {
+        /// The part.
+        part: String,
+    },
+    /// The bend would close nothing.
+    #[error("the bend closes nothing: {missing} is not joined")]
+    LoopOpen {
+        /// What is missing.
+        missing: String,
+    },
+    /// The rod does not meet the bore.
+    #[error("{rod} ends {gap_mm:.1} mm beside the mouth of its bore in {part}")]
+    DoesNotMeet {
+        /// The rod.
+        rod: String,
+        /// The part.
+        part: String,
+        /// Distance, mm.
+        gap_mm: f64,
+    },
+    /// Bores that do not look at each other.
+    #[error("the cage bores of {part} are {off_deg:.0} deg off those of the next module")]
+    NotFacing {
+        /// The part.
+        part: String,
+        /// Angle, degrees.
+        off_deg: f64,
+    },
+    /// Something is in the way.
+    #[error("{mover} runs into {other} on its way, {overlap_mm:.1} mm deep")]
+    Blocked {
+        /// What moves.
+        mover: String,
+        /// What it meets.
+        other: String,
+        /// How deep, mm.
+        overlap_mm: f64,
+    },
+}
+
+/// What is asked about a sequence.
+pub struct Rules<'a> {
+    /// The module.
+    pub module: &'a Module,
+    /// The stance before the leg enters the foot.
+    pub entry: Stance,
+    /// How far a module stands off the hub before it is pressed in, mm.
+    pub off_hub_mm: f64,
+    solids: Vec<(Member, Vec<Capsule>)>,
+    far_sockets: Vec<(Member, Member)>,
+}
+
+/// Tasks that are done.
+pub type Done = BTreeSet<Task>;
+
+fn name(member: Member) -> String {
+    member.body(0)
+}
+
+impl<'a> Rules<'a> {
+    /// The rules of a frame.
+    pub fn new(frame: &Frame, skeleton: &Skeleton, module: &'a Module, entry: Stance) -> Self {
+        let solids = Member::ALL.iter().map(|m| (*m, capsules(*m, frame, skeleton))).collect();
+        Self { module, entry, off_hub_mm: frame.hub_joint.plug_length_mm + OFF_HUB_MM, solids, far_sockets: far_sockets(skeleton) }
+    }
+
+    /// The posture after some tasks, in the middle of one.
+    ///
+    /// The closing is followed by its linkage; a closure that is lost stays where it was last found.
+    pub fn posture(&self, done: &Done, doing: Option<(Task, f64)>) -> Posture {
+        let way = |task: Task| match doing {
+            Some((t, way)) if t == task => way,
+            _ => f64::from(u8::from(done.contains(&task))),
+        };
+        let closed = self.module.closed();
+        let closing = way(Task::CloseTriangle);
+        let stance = self.module.linkage.closing(&self.entry, closing).unwrap_or(self.entry);
+        let hub_deg = if closing > FREE_WAY { stance.hub_deg } else { self.entry.hub_deg * way(Task::BendLeg) };
+        Posture {
+            hub_deg,
+            strut_deg: stance.strut_deg,
+            foot_deg: stance.foot_deg,
+            top_deg: closed.top_deg * way(Task::BendTop),
+            pulled: stance.pulled,
+            off_hub_mm: self.off_hub_mm * (1.0 - way(Task::CloseRing)),
+        }
+    }
+
+    /// Everything that is joined to a member.
+    pub fn component(&self, of: Member, done: &Done) -> BTreeSet<Member> {
+        let mut contacts: Vec<(Member, Member)> = done.iter().flat_map(|task| task.contacts()).collect();
+        if done.contains(&Task::CloseRing) {
+            // The neighbours' cage rods hold this module's corners.
+            contacts.extend([true, false].map(|up| (Member::Corner(up), Member::Hub)));
+        }
+        let mut found = BTreeSet::from([of]);
+        loop {
+            let before = found.len();
+            for (a, b) in &contacts {
+                if found.contains(a) || found.contains(b) {
+                    found.extend([*a, *b]);
+                }
+            }
+            if found.len() == before {
+                return found;
+            }
+        }
+    }
+
+    /// What keeps a task from being done after those that are.
+    pub fn broken(&self, done: &Done, task: Task) -> Option<Broken> {
+        match task.motion() {
+            Motion::Push | Motion::Slide => self.broken_push(done, task),
+            Motion::Bend => self.broken_bend(done, task),
+            Motion::Close if task == Task::CloseTriangle => self.broken_triangle(done),
+            Motion::Close => self.broken_ring(done),
+        }
+    }
+
+    /// Everything that is wrong with an order of tasks, with the task before which it is.
+    pub fn check(&self, order: &[Task]) -> Vec<(Task, Broken)> {
+        let mut done = Done::new();
+        let mut found = Vec::new();
+        for task in Task::ALL {
+            let times = order.iter().filter(|t| **t == task).count();
+            if times != 1 {
+                found.push((task, Broken::Times { task, times }));
+            }
+        }
+        for task in order {
+            found.extend(self.broken(&done, *task).map(|broken| (*task, broken)));
+            done.insert(*task);
+        }
+        found
+    }
+
+    /// An order that breaks nothing: the frame is taken apart, each time by the last of the candidates that can be undone,
+    /// and that read backwards. Taking apart only frees what is left, so no way back is needed.
+    ///
+    /// # Errors
+    /// What keeps the remaining tasks from being undone.
+    pub fn order(&self, candidates: &[Task]) -> Result<Vec<Task>, Vec<(Task, Broken)>> {
+        let mut left: Done = candidates.iter().copied().collect();
+        let mut order = Vec::new();
+        while !left.is_empty() {
+            let without = |task: &Task| left.iter().copied().filter(|t| t != task).collect::<Done>();
+            let undone = candidates
+                .iter()
+                .rev()
+                .filter(|t| left.contains(*t))
+                .find(|t| self.broken(&without(t), **t).is_none() && self.holds(&without(t)));
+            let Some(task) = undone else {
+                return Err(left.iter().filter_map(|t| self.broken(&without(t), *t).map(|broken| (*t, broken))).collect());
+            };
+            left.remove(task);
+            order.push(*task);
+        }
+        order.reverse();
+        Ok(order)
+    }
+
+    /// Whether every bend among these tasks still has what it is turned by: nothing else holds a hinge that springs back.
+    fn holds(&self, done: &Done) -> bool {
+        done.iter().filter_map(|task| task.lever()).all(|(part, lever)| self.component(part, done).contains(&lever))
+    }
+
+    fn broken_push(&self, done: &Done, task: Task) -> Option<Broken> {
+        for rail in task.rails() {
+            let closed = |end: &(Member, Member)| done.iter().any(|t| t.contacts().contains(end));
+            if rail.iter().all(closed) {
+                let (mover, onto) = task.contacts()[0];
+                let other = |end: &(Member, Member)| name(if end.0 == onto { end.1 } else { end.0 });
+                return Some(Broken::EndsClosed { mover: name(mover), rail: name(onto), by: [other(&rail[0]), other(&rail[1])] });
+            }
+        }
+        for (mover, onto) in task.contacts() {
+            let held = self.component(onto, done);
+            if held.contains(&mover) {
+                return Some(Broken::LoopShut { mover: name(mover), onto: name(onto) });
+            }
+            if let Some(part) = self.shut_far_end(mover, onto, &held, done) {
+                return Some(Broken::BetweenBottoms { rod: name(mover), part });
+            }
+        }
+        self.swept_push(done, task)
+    }
+
+    /// The part with the bore for a rod's other end, when it stays where it is while the rod is pushed in here.
+    fn shut_far_end(&self, rod: Member, onto: Member, held: &BTreeSet<Member>, done: &Done) -> Option<String> {
+        if let Member::Cage(up) = rod {
+            // The other corner is the next module's, held by the hub.
+            return done.contains(&Task::CloseRing).then(|| Member::Corner(up).body(1));
+        }
+        let far = self.far_sockets.iter().find(|(member, part)| *member == rod && *part != onto);
+        far.filter(|(_, part)| held.contains(part)).map(|(_, part)| name(*part))
+    }
+
+    fn swept_push(&self, done: &Done, task: Task) -> Option<Broken> {
+        let posture = self.posture(done, None);
+        for (mover, onto) in task.contacts() {
+            let (moving, still) = (self.component(mover, done), self.component(onto, done));
+            let along = self.module.pose(onto, &posture).rotation * self.module.place(onto).rotation.inverse() * self.along(task, mover);
+            for sample in 0..SAMPLES {
+                let off = Translation3::from(along * ((WAY_MM + BEFORE_MM) * f64::from(sample) / f64::from(SAMPLES)));
+                let hit = self.first_overlap(&moving, &still, &posture, &Isometry3::from_parts(off, Default::default()));
+                if hit.is_some() {
+                    return hit;
+                }
+            }
+        }
+        None
+    }
+
+    /// The direction from which a task's member comes, in the assembled module.
+    pub fn along(&self, task: Task, mover: Member) -> Vector3<f64> {
+        task.comes_along(mover, |up| self.module.place(Member::Strut(up)) * Vector3::z())
+    }
+
+    fn broken_bend(&self, done: &Done, task: Task) -> Option<Broken> {
+        let (part, lever) = task.lever()?;
+        if !self.component(part, done).contains(&lever) {
+            return Some(Broken::NoLever { part: name(part), lever: name(lever) });
+        }
+        let closes = if task == Task::BendLeg { Task::CloseTriangle } else { Task::CloseRing };
+        if done.contains(&closes) {
+            return Some(Broken::Rigid { part: name(part) });
+        }
+        self.swept_bend(done, task, &self.component(part, done))
+    }
+
+    fn broken_triangle(&self, done: &Done) -> Option<Broken> {
+        let (foot, leg) = (Member::Corner(false), Member::Leg);
+        let reached = self.component(leg, done);
+        if !reached.contains(&foot) {
+            let chain = [Member::HubJoint, Member::Arm(true), Member::Fork, Member::Knee, Member::Strut(false), foot];
+            let missing = chain.into_iter().find(|m| !reached.contains(m)).unwrap_or(foot);
+            return Some(Broken::LoopOpen { missing: name(missing) });
+        }
+        if done.contains(&Task::CloseRing) {
+            return Some(Broken::Rigid { part: name(foot) });
+        }
+        let before = self.posture(done, Some((Task::CloseTriangle, FREE_WAY)));
+        let gap_mm = self.leg_gap_mm(&before);
+        if gap_mm > MEETING_MM {
+            return Some(Broken::DoesNotMeet { rod: name(leg), part: name(foot), gap_mm });
+        }
+        self.swept_bend(done, Task::CloseTriangle, &reached)
+    }
+
+    /// How far the leg's end is beside where it enters the foot, mm.
+    fn leg_gap_mm(&self, posture: &Posture) -> f64 {
+        let linkage = &self.module.linkage;
+        let stance = Stance { hub_deg: posture.hub_deg, strut_deg: posture.strut_deg, pulled: posture.pulled, ..self.entry };
+        linkage.gap(&stance).norm()
+    }
+
+    fn broken_ring(&self, done: &Done) -> Option<Broken> {
+        let reached = self.component(Member::HubJoint, done);
+        let rods = [Member::Cage(false), Member::Cage(true)];
+        if let Some(missing) = rods.into_iter().find(|m| !reached.contains(m)) {
+            return Some(Broken::LoopOpen { missing: name(missing) });
+        }
+        let (now, closed) = (self.posture(done, None), self.module.closed());
+        for corner in [Member::Corner(false), Member::Corner(true)] {
+            let turned = self.module.pose(corner, &now).rotation.angle_to(&self.module.pose(corner, &closed).rotation);
+            let off_deg = Angle::rad(turned).to_deg();
+            if off_deg > FACING_DEG {
+                return Some(Broken::NotFacing { part: name(corner), off_deg });
+            }
+        }
+        None
+    }
+
+    fn swept_bend(&self, done: &Done, task: Task, within: &BTreeSet<Member>) -> Option<Broken> {
+        (0..=2 * SAMPLES).find_map(|sample| {
+            let posture = self.posture(done, Some((task, f64::from(sample) / f64::from(2 * SAMPLES))));
+            self.first_overlap(within, within, &posture, &Isometry3::identity())
+        })
+    }
+
+    fn first_overlap(
+        &self,
+        moving: &BTreeSet<Member>,
+        still: &BTreeSet<Member>,
+        posture: &Posture,
+        off: &Isometry3<f64>,
+    ) -> Option<Broken> {
+        // What is joined in the end touches there; whether it gets there is asked where it is joined.
+        let contacts: Vec<(Member, Member)> = Task::ALL.iter().flat_map(|t| t.contacts()).collect();
+        let touch = |a: Member, b: Member| a == b || contacts.contains(&(a, b)) || contacts.contains(&(b, a));
+        let placed = |m: Member, off: &Isometry3<f64>| -> Vec<_> {
+            let all = self.solids.iter().find(|(member, _)| *member == m).map_or(&[][..], |(_, all)| all);
+            all.iter().map(|c| (c.placed(&(off * self.module.side_pose(m, c.side, posture))), c.radius_mm)).collect()
+        };
+        let fixed: Vec<(Member, Vec<_>)> = still.iter().map(|m| (*m, placed(*m, &Isometry3::identity()))).collect();
+        for a in moving {
+            let mine = placed(*a, off);
+            for (b, theirs) in fixed.iter().filter(|(b, _)| !touch(*a, *b)) {
+                for ((axis, r), (other, s)) in mine.iter().flat_map(|x| theirs.iter().map(move |y| (x, y))) {
+                    let overlap_mm = r + s - distance_mm(axis, other);
+                    if overlap_mm > OVERLAP_MM {
+                        return Some(Broken::Blocked { mover: name(*a), other: name(*b), overlap_mm });
+                    }
+                }
+            }
+        }
+        None
+    }
+}
+
+/// A part comes from at least this far, mm: the length of a rod's free way beside others.
+const WAY_MM: f64 = 70.0;
+
+/// What a module stands off the hub beyond its plugs, mm.
+const OFF_HUB_MM: f64 = 30.0;
+
+/// For each rod the parts at its ends, as members.
+fn far_sockets(skeleton: &Skeleton) -> Vec<(Member, Member)> {
+    let mut found = Vec::new();
+    for member in Member::ALL.into_iter().filter(|m| m.rod().is_some()) {
+        let Some(rod) = skeleton.rods.iter().find(|rod| rod.name == member.body(0)) else { continue };
+        for socket in &rod.sockets {
+            let part = Member::ALL.into_iter().find(|m| m.part() == Some(socket.part));
+            found.extend(part.filter(|_| socket.module == 0 || rod.role == RodRole::Cage).map(|part| (member, part)));
+        }
+    }
+    found
+}

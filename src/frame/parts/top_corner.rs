@@ -1,0 +1,141 @@
+//! The top corner: two cage rods and a strut that folds by more than a right angle.
+//!
+//! Frame: origin in the ring's node, rods' axes in z = 0, cage sockets along +x and +y, strut along the
+//! diagonal away from them; folding turns the strut towards +z, into the notch. Printed as it lies.
+
+use nalgebra::{Point2, Point3, UnitQuaternion, Vector2, Vector3};
+
+use super::corner::{CornerSockets, strut_direction, swapped};
+use super::place::{SINK_MM, along_x, half_space, plate};
+use crate::params::Frame;
+use crate::solid::{Bend, Contour, Feature, Segment};
+use crate::units::Angle;
+
+/// The top corner.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TopCorner {
+    /// The sockets and the strut's hinge.
+    pub sockets: CornerSockets,
+    /// Fillet between the web and the cage sockets, mm.
+    pub web_fillet_mm: f64,
+    /// Angle of the assembled strut against the vertical.
+    pub strut_tilt: Angle,
+}
+
+impl TopCorner {
+    /// The part that a frame asks for; `strut_tilt` is the assembled strut's angle against the vertical.
+    pub fn from_frame(frame: &Frame, strut_tilt: Angle) -> Self {
+        Self { sockets: CornerSockets::from_frame(frame), web_fillet_mm: frame.corner.corner_web_fillet_mm, strut_tilt }
+    }
+
+    /// The part as printed.
+    pub fn feature(&self) -> Feature {
+        let s = &self.sockets;
+        let (r, end) = (s.radius_mm(), s.mouth_mm());
+        let body = Feature::union([s.cage_x(), swapped(s.cage_x()), s.body(strut_direction(), end), self.web()]);
+        let mut body = s.opened(body, end + r, vec![self.cage_kept(), swapped(self.cage_kept())]);
+        if self.web_fillet_mm > 0.0 {
+            body = Feature::union([body, self.fillets()]);
+        }
+        body.minus(s.bores())
+    }
+
+    /// The turn that lays the part on the bed: it lies there as modelled.
+    pub fn print_turn() -> UnitQuaternion<f64> {
+        UnitQuaternion::identity()
+    }
+
+    /// The strut folds by a right angle and its tilt against the vertical.
+    pub fn bends(&self) -> Vec<Bend> {
+        vec![self.sockets.strut_bend(Angle::deg(90.0 + self.strut_tilt.to_deg()))]
+    }
+
+    /// The plate that ties the cage sockets together; after folding it lies outside, on top.
+    fn web(&self) -> Feature {
+        let r = self.sockets.radius_mm();
+        let (end, side) = (self.sockets.mouth_mm() - SINK_MM, r - SINK_MM);
+        let outline = Contour::polygon(&[[0.0, 0.0], [end, 0.0], [end, side], [side, end], [0.0, end]]);
+        plate(outline, SINK_MM - r, 0.0)
+    }
+
+    /// The notch's face on the cage socket along +x runs from the mitre to where the sockets' inner walls cross.
+    fn cage_kept(&self) -> Feature {
+        let r = self.sockets.radius_mm();
+        let foot = self.sockets.mitre_foot();
+        let along = (Point3::new(r, r, foot.z) - foot).normalize();
+        let into_notch = Vector3::new(-along.y, along.x, 0.0);
+        half_space(foot, -into_notch - Vector3::z() * self.sockets.notch_lean.tan())
+    }
+
+    fn fillets(&self) -> Feature {
+        let (r, end) = (self.sockets.radius_mm(), self.sockets.mouth_mm());
+        let along = along_x(fillet_outline(r, self.web_fillet_mm), r, end - 2.0 * SINK_MM);
+        let edge = 0.5 * (end + r) - SINK_MM;
+        let inside = half_space(Point3::new(edge, edge, 0.0) + strut_direction() * SINK_MM, strut_direction());
+        Feature::intersection([Feature::union([along.clone(), swapped(along)]), inside])
+    }
+}
+
+/// Outline, in (distance from the socket's axis, height), of a fillet between a socket and the web at height 0.
+fn fillet_outline(socket_mm: f64, fillet_mm: f64) -> Contour {
+    let apart = socket_mm + fillet_mm;
+    let foot = libm::sqrt(apart * apart - fillet_mm * fillet_mm);
+    let centre = Point2::new(foot, fillet_mm - SINK_MM);
+    let touch = centre - Vector2::new(foot, fillet_mm) * (fillet_mm / apart);
+    let line = |x: f64, y: f64| Segment::Line { to: Point2::new(x, y) };
+    let start = Point2::new(0.8 * socket_mm, -0.3 * socket_mm);
+    Contour::Path {
+        start,
+        segments: vec![
+            line(foot, -0.3 * socket_mm),
+            line(foot, -SINK_MM),
+            Segment::Arc { to: touch, centre, counter_clockwise: false },
+            line(touch.x - 0.3, touch.y),
+            Segment::Line { to: start },
+        ],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::parts::corner::tests::{assert_socket, web_mm};
+    use crate::frame::parts::measure::{assert_close, assert_like, printed, v8};
+    use crate::solid::{MeshSolid, gate};
+
+    fn part() -> TopCorner {
+        TopCorner::from_frame(&v8(), Angle::deg(25.0))
+    }
+
+    #[test]
+    fn measured_top_corner_is_like_the_original() {
+        let mesh = printed(&part().feature(), 0);
+        assert_like(&mesh, [23.39, 23.39, 5.80], 884.8, 0.03);
+        for direction in [Vector3::x(), Vector3::y(), strut_direction()] {
+            assert_socket(&mesh, direction, 5.0);
+        }
+        assert_close("web", web_mm(&mesh, strut_direction(), 1.2), 2.9);
+    }
+
+    #[test]
+    fn analytic_a_thinner_hinge_thins_the_web() {
+        let mut thin = part();
+        thin.sockets.hinge_mm = 2.0;
+        let mesh = printed(&thin.feature(), 0);
+        assert_close("web", web_mm(&mesh, strut_direction(), 1.18), 2.0);
+    }
+
+    #[test]
+    fn analytic_folding_turns_the_socket_and_keeps_one_body() {
+        let part = part();
+        let bend = part.bends()[0];
+        let folded = bend.apply(&MeshSolid::build(&part.feature())).to_mesh();
+        gate::pass(&folded).expect("the folded part is one closed body");
+        let axis = bend.motion() * strut_direction();
+        let expected = Vector3::new(libm::sin(0.436_332_313), 0.0, libm::cos(0.436_332_313));
+        assert!((axis.z - expected.z).abs() < 1e-6, "{axis}");
+        assert!((axis.x - expected.x * std::f64::consts::FRAC_1_SQRT_2).abs() < 1e-6, "{axis}");
+        let bottom = bend.motion() * Point3::from(strut_direction() * 9.0);
+        assert_close("bore", crate::frame::parts::measure::pin_mm(&folded, bottom.coords.into(), axis), 2.7);
+    }
+}

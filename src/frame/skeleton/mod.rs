@@ -1,0 +1,14 @@
+//! The skeleton: nodes, rods and sockets, closed analytically. The only source of positions and axes.
+//!
+//! Axes: X right, Y front, Z up; the origin is where the hub's axis crosses the plane of the arms. A module is what
+//! lies along one diagonal; the four modules are one, turned about Z, so the frame is symmetric by construction.
+
+pub mod centre;
+mod closure;
+mod graph;
+mod placement;
+
+pub use centre::Centre;
+pub use closure::{Closure, ClosureError, Envelope, lengths_for};
+pub use graph::{Node, Rod, RodRole, Skeleton, Socket};
+pub use placement::{MODULE_NAMES, placements};

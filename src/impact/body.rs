@@ -1,0 +1,40 @@
+//! The bridge from the design, in millimetres and grams, to the body that falls, in SI.
+
+use crate::checks;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
+
+/// Where a body's numbers come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// From a model file, by its name.
+    Model(String),
+    /// From a frame, by its name.
+    Frame(String),
+}
+
+/// What falls.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Room under what hangs lowest, m. Book-keeping: it adds no force.
+    pub gap_m: f64,
+    /// How far the frame can be compressed before the arms are down at the lower ring, m; unknown without a frame.
+    pub travel_m: Option<f64>,
+    /// Where the numbers come from.
+    pub origin: Origin,
+}
+
+impl Body {
+    /// A frame's body: mass by its table, gap as `check` measures it.
+    pub fn of(design: &Design, masses: &MassTable) -> Self {
+        let gap_mm = checks::ground_clearance(design, masses).map_or(0.0, |ground| ground.clearance_mm);
+        Self {
+            mass_kg: masses.total_g * 1e-3,
+            gap_m: gap_mm * 1e-3,
+            travel_m: Some(design.skeleton.closure.ring_half_height_mm * 1e-3),
+            origin: Origin::Frame(design.frame.name.clone()),
+        }
+    }
+}

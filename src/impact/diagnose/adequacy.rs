@@ -1,0 +1,136 @@
+//! Whether what a model leaves can be chance.
+//!
+//! Three statistics of the whitened residual: its sum of squares, the largest part of it that one effect of the
+//! catalogue would take away, and the largest that a bump at one time of one height would take away. Their chance is
+//! read off simulated data sets ([`Nulls`]).
+
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+use super::nulls::{NULLS, Nulls};
+use crate::impact::fit::{Whitening, inverse};
+
+/// Widths of a bump, samples.
+const WIDTHS: [f64; 3] = [0.6, 1.5, 3.5];
+/// Part of a column that must be left when what the fit can do itself is taken out of it.
+const LEAST_LEFT: f64 = 1e-8;
+
+/// The three statistics.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Statistics {
+    /// Sum of squares.
+    pub sum: f64,
+    /// Largest gain by an effect.
+    pub effect: f64,
+    /// Largest gain by a bump.
+    pub bump: f64,
+}
+
+impl Statistics {
+    fn parts(self) -> [f64; 3] {
+        [self.sum, self.effect, self.bump]
+    }
+}
+
+/// A model's fit as the statistics see it: everything in g, all heights one below the other.
+#[derive(Clone, Debug)]
+pub struct Seen {
+    /// Change with each free parameter.
+    pub jacobian: DMatrix<f64>,
+    /// Changes by effects that are not in the model.
+    pub effects: DMatrix<f64>,
+    /// Samples a height.
+    pub samples: usize,
+}
+
+/// Chances, and what they were read off.
+#[derive(Clone, Debug)]
+pub struct Adequacy {
+    /// Of the data.
+    pub statistics: Statistics,
+    /// Chance of each statistic alone.
+    pub single_p: [f64; 3],
+    /// Chance of the least of the three.
+    pub p: f64,
+    /// For each free parameter: the ratio that 95 % of the simulated errors do not exceed, error over stated standard error.
+    pub ratio95: Vec<f64>,
+}
+
+/// Judges measured mean waves less a model's.
+pub fn judge(deviation: &DVector<f64>, seen: &Seen, nulls: &Nulls) -> Option<Adequacy> {
+    let (statistics, _) = statistics(deviation, seen, &nulls.whitening)?;
+    let nulls: Vec<(Statistics, Vec<f64>)> =
+        nulls.each.par_iter().filter_map(|null| self::statistics(&null.deviation, seen, &null.whitening)).collect();
+    if nulls.len() < NULLS / 2 {
+        return None;
+    }
+    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(nulls.iter().map(|(null, _)| null.parts()[part])));
+    let chances = |found: Statistics| -> [f64; 3] { std::array::from_fn(|part| chance(&columns[part], found.parts()[part])) };
+    let least = |found: Statistics| chances(found).into_iter().fold(1.0, f64::min);
+    let single_p = chances(statistics);
+    let found = least(statistics);
+    let as_rare = nulls.iter().filter(|(null, _)| least(*null) <= found).count();
+    let ratio95 = (0..seen.jacobian.ncols()).map(|i| quantile(&sorted(nulls.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
+    Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (nulls.len() as f64 + 1.0), ratio95 })
+}
+
+/// The statistics, and each free parameter's error over its stated standard error.
+fn statistics(deviation: &DVector<f64>, seen: &Seen, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
+    let jacobian = whitening.stacked(&seen.jacobian);
+    let white = whitening.stacked(&DMatrix::from_column_slice(deviation.len(), 1, deviation.as_slice()));
+    let normal = jacobian.transpose() * &jacobian;
+    let inverse = inverse(&normal)?;
+    let moved = &inverse * (jacobian.transpose() * &white);
+    let ratios = (0..moved.nrows()).map(|i| moved[(i, 0)].abs() / inverse[(i, i)].max(1e-300).sqrt()).collect();
+    let left = &white - &jacobian * moved;
+    let effects = whitening.stacked(&seen.effects);
+    let shared = jacobian.transpose() * &effects;
+    let along = effects.transpose() * &left;
+    let taken = &inverse * &shared;
+    let mut effect = 0.0_f64;
+    for i in 0..effects.ncols() {
+        let whole = effects.column(i).norm_squared();
+        let rest = whole - shared.column(i).dot(&taken.column(i));
+        if along[(i, 0)] > 0.0 && rest > LEAST_LEFT * whole && rest > 0.0 {
+            effect = effect.max(along[(i, 0)] * along[(i, 0)] / rest);
+        }
+    }
+    Some((Statistics { sum: left.norm_squared(), effect, bump: largest_bump(&left, seen.samples) }, ratios))
+}
+
+/// Largest gain by a bump in the whitened residual; what the fit can do itself is small in it and is left in.
+fn largest_bump(left: &DMatrix<f64>, samples: usize) -> f64 {
+    let mut largest = 0.0_f64;
+    for from in (0..left.nrows()).step_by(samples) {
+        for width in WIDTHS {
+            let reach = (2.5 * width).ceil() as usize;
+            for centre in 0..samples {
+                let (mut along, mut whole) = (0.0, 0.0);
+                for i in centre.saturating_sub(reach)..(centre + reach + 1).min(samples) {
+                    let z = (i as f64 - centre as f64) / width;
+                    let weight = libm::exp(-0.5 * z * z);
+                    along += weight * left[(from + i, 0)];
+                    whole += weight * weight;
+                }
+                largest = largest.max(along * along / whole);
+            }
+        }
+    }
+    largest
+}
+
+fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut all: Vec<f64> = values.collect();
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// Part of the sorted values that are at least as large.
+fn chance(sorted: &[f64], value: f64) -> f64 {
+    let below = sorted.partition_point(|other| *other < value);
+    (sorted.len() - below + 1) as f64 / (sorted.len() + 1) as f64
+}
+
+fn quantile(sorted: &[f64], part: f64) -> f64 {
+    sorted[((sorted.len() - 1) as f64 * part).round() as usize]
+}

@@ -1,0 +1,112 @@
+//! Sets of effects, fitted.
+
+use nalgebra::DVector;
+
+use super::dictionary::{Dictionary, Start};
+use crate::impact::effects::{BASE, Model};
+use crate::impact::fit::{Fitted, Layout, Problem, inverse};
+
+/// What a free parameter has to earn, in the sum of squares.
+pub const PRICE: f64 = 5.0;
+/// What parameters with a default have to earn beyond that: a default is what is known of them.
+const EARNS: f64 = 6.0;
+/// Starts tried for each effect.
+const TRIES: usize = 4;
+/// Steps of a fit from a start.
+const STEPS: usize = 14;
+
+/// A model with effects on top of the base, fitted.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// The fit.
+    pub fitted: Fitted,
+    /// Sum of squares and price of the parameters.
+    pub score: f64,
+}
+
+impl Candidate {
+    fn of(fitted: Fitted) -> Self {
+        let on_top = fitted.layout.free.len() - 2;
+        let score = fitted.chi2() + PRICE * on_top as f64;
+        Self { fitted, score }
+    }
+
+    /// The fitted model.
+    pub fn model(&self) -> &Model {
+        self.fitted.model()
+    }
+
+    /// Ids of the effects on top of the base, in the catalogue's order.
+    pub fn ids(&self) -> Vec<&'static str> {
+        let ids = self.model().effects.iter().map(|listed| listed.spec.id);
+        ids.filter(|id| BASE.iter().all(|base| base.id != *id)).collect()
+    }
+
+    /// Fits a model from each of several starts and keeps the best.
+    pub fn best(problem: &Problem, models: impl IntoIterator<Item = Model>) -> Option<Self> {
+        let fits = models.into_iter().filter_map(|model| problem.fit(Layout::of(model), STEPS));
+        fits.min_by(|a, b| a.chi2().total_cmp(&b.chi2())).map(Self::of)
+    }
+
+    /// The same with parameters free that otherwise keep their default (a stop's damping, a payload's), where that earns
+    /// more than its price.
+    #[must_use]
+    pub fn freed(self, problem: &Problem) -> Self {
+        let layout = Layout::whole(self.model().clone());
+        if layout.free.len() == self.fitted.layout.free.len() {
+            return self;
+        }
+        match problem.fit(layout, STEPS).map(Self::of) {
+            Some(freed) if freed.score < self.score - EARNS => freed,
+            _ => self,
+        }
+    }
+
+    /// The base model on its own.
+    pub fn base(problem: &Problem, model: &Model) -> Option<Self> {
+        let [k, c] = model.stiffness_and_damping();
+        let with = |k: f64, c: f64| Model {
+            name: model.name.clone(),
+            frame_curve: model.frame_curve.clone(),
+            frame_mode: model.frame_mode,
+            ..Model::base(model.body.clone(), model.sensor, k, c)
+        };
+        Self::best(problem, [with(k, c), with(k, 0.4 * c), with(0.5 * k, 1.5 * c), with(2.0 * k, 0.7 * c)])
+    }
+}
+
+/// A start on a fitted model, with the sum of squares that a linear fit from there promises.
+#[derive(Clone, Debug)]
+pub struct Promise {
+    /// The start, with as much of it as the linear fit asks for.
+    pub start: Start,
+    /// Promised sum of squares.
+    pub sum: f64,
+}
+
+/// What every start of a dictionary promises, best first.
+pub fn promises(problem: &Problem, fitted: &Fitted, dictionary: &Dictionary) -> Option<Vec<Promise>> {
+    let jacobian = &fitted.minimum.jacobian;
+    let inverse = inverse(&(jacobian.transpose() * jacobian))?;
+    let left = |column: DVector<f64>| &column - jacobian * (&inverse * (jacobian.transpose() * &column));
+    let residual = left(fitted.minimum.residual.clone());
+    let whole = residual.norm_squared();
+    let mut all: Vec<Promise> = Vec::new();
+    for (start, column) in dictionary.starts.iter().zip(dictionary.columns.column_iter()) {
+        let change = left(problem.whitened(&column.into_owned()));
+        let (along, length) = (residual.dot(&change), change.norm_squared());
+        let scalable = start.spec.parameters.iter().any(|parameter| parameter.off.is_some());
+        let factor = if length <= 0.0 || !scalable { 1.0 } else { (along / length).clamp(0.05, 3.0) };
+        let sum = whole - 2.0 * factor * along + factor * factor * length;
+        all.push(Promise { start: start.scaled(factor), sum });
+    }
+    all.sort_by(|a, b| a.sum.total_cmp(&b.sum));
+    Some(all)
+}
+
+/// The most promising starts of one effect.
+pub fn tries<'a>(promises: &'a [Promise], id: &str) -> Vec<&'a Start> {
+    let own: Vec<&Start> = promises.iter().map(|promise| &promise.start).filter(|start| start.spec.id == id).collect();
+    let count = if own.first().is_some_and(|start| start.values.len() > 1) { TRIES } else { 2 };
+    own.into_iter().take(count).collect()
+}

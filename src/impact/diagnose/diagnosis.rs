@@ -1,0 +1,428 @@
+//! From measured drops to a verdict with its reasons.
+
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+
+use super::adequacy::Adequacy;
+use super::candidate::Candidate;
+use super::constancy::{Constancy, constancy};
+use super::experiment::{Experiment, experiments};
+use super::flat_top::FlatTop;
+use super::gap::{Gap, gap, left_out_heights, left_out_trials};
+use super::ground::Ground;
+use super::nulls::Nulls;
+use super::observable::{Observable, observables};
+use super::place::{Place, Point, place, points};
+use super::search::{RARE, Search, Setting};
+use super::stage::Stage;
+use super::surface::{Patch, surface};
+use super::trend::trend_p;
+use crate::impact::effects::{Model, candidates};
+use crate::impact::fit::{Problem, Waves, inverse};
+
+/// What was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// One set of effects is supported, and enough.
+    Named,
+    /// Several sets are enough, and the drops cannot tell them apart.
+    Ambiguous,
+    /// No set of effects explains the drops.
+    NoneSuffices,
+    /// The base model explains the drops.
+    NothingMissing,
+}
+
+impl Verdict {
+    /// As in files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Named => "named",
+            Self::Ambiguous => "ambiguous",
+            Self::NoneSuffices => "none_suffices",
+            Self::NothingMissing => "nothing_missing",
+        }
+    }
+}
+
+/// A parameter with its interval.
+#[derive(Clone, Debug)]
+pub struct Estimate {
+    /// Effect's id.
+    pub effect: &'static str,
+    /// Key.
+    pub key: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Value.
+    pub value: f64,
+    /// Calibrated 95 % interval.
+    pub ci95: [f64; 2],
+    /// Whether it lies at a bound.
+    pub at_bound: bool,
+}
+
+/// A set of effects with the weight that the drops give it.
+#[derive(Clone, Debug)]
+pub struct Alternative {
+    /// The set.
+    pub candidate: Candidate,
+    /// Its weight among the sets of its size, 0 to 1.
+    pub weight: f64,
+}
+
+/// A candidate that was looked at.
+#[derive(Clone, Debug)]
+pub struct Ranked {
+    /// Ids, joined by ` + `.
+    pub id: String,
+    /// Sum of squares and price of the parameters; lower is better.
+    pub score: f64,
+    /// Gap at each height when fitted to the others, g.
+    pub left_out_g: Option<f64>,
+    /// Parameters by height, where that was looked at.
+    pub constancy: Option<Constancy>,
+    /// Why it was not chosen.
+    pub reason_rejected: Option<String>,
+}
+
+/// Gaps of a model.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Gaps {
+    /// At the fitted heights.
+    pub fitted: Gap,
+    /// At the held-out heights, or at each height fitted to the others.
+    pub held_out: Gap,
+    /// To every second drop, fitted to the others.
+    pub trials: Gap,
+}
+
+/// Everything that was found.
+#[derive(Clone, Debug)]
+pub struct Diagnosis {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Why, in a sentence or two.
+    pub reasons: Vec<String>,
+    /// The base model, refitted.
+    pub base: Candidate,
+    /// The best-supported model.
+    pub chosen: Candidate,
+    /// Its effects, largest contribution first, with what each takes off the sum of squares.
+    pub contributions: Vec<(&'static str, f64)>,
+    /// Its parameters, spring and damper first.
+    pub estimates: Vec<Estimate>,
+    /// Correlations of the estimates.
+    pub correlations: DMatrix<f64>,
+    /// Sets that are nearly as good.
+    pub alternatives: Vec<Alternative>,
+    /// All that was fitted.
+    pub ranking: Vec<Ranked>,
+    /// Of the base.
+    pub before: Gaps,
+    /// Of the chosen model.
+    pub after: Gaps,
+    /// Whether the held-out gaps are those of heights named for it.
+    pub heights_held_out: bool,
+    /// Where the base is apart.
+    pub place: Place,
+    /// Samples with the base's prediction.
+    pub base_points: Vec<Point>,
+    /// Samples with the chosen model's prediction.
+    pub chosen_points: Vec<Point>,
+    /// Chances of the base's residual.
+    pub base_adequacy: Adequacy,
+    /// Chances of the chosen model's residual.
+    pub adequacy: Adequacy,
+    /// Chance of the trend over trials.
+    pub trend_p: f64,
+    /// Before any model.
+    pub observables: Vec<Observable>,
+    /// A limit that shows in the readings.
+    pub flat_top: Option<FlatTop>,
+    /// What is left over displacement and speed, when no effect suffices.
+    pub surface: Vec<Patch>,
+    /// Most telling first.
+    pub experiments: Vec<Experiment>,
+}
+
+/// How to look.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// Most effects on top of the base.
+    pub most_effects: usize,
+    /// Of everything that is drawn.
+    pub seed: u64,
+}
+
+/// Why there is no diagnosis.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Undiagnosed {
+    /// The base model does not hold the body at the start values, or the scatter is degenerate.
+    #[error("the base model cannot be fitted to these drops: the fits run away, or the readings do not scatter at all")]
+    NoFit,
+}
+
+/// Readings that pile up this near to the model's own limit are that limit, g.
+const NEAR_LIMIT_G: f64 = 3.0;
+/// Weight below which a set is not worth a mention.
+const SLIGHT: f64 = 0.02;
+/// Weight that a set needs for its name, by its number of effects.
+const SUPPORT: [f64; 3] = [0.7, 0.7, 0.95];
+/// Chance below which a trend over trials is one.
+const TREND: f64 = 0.002;
+/// Chance below which parameters are not the same at all heights.
+const UNSTEADY: f64 = 1e-4;
+/// Sets whose parameters are looked at height by height.
+const LOOKED_AT: usize = 6;
+
+/// Diagnoses the drops of `fitted`; `held_out` are drops of heights that no fit sees.
+///
+/// # Errors
+/// [`Undiagnosed`] when no fit is possible.
+pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings) -> Result<Diagnosis, Undiagnosed> {
+    watched(fitted, held_out, model, settings, &|_| ())
+}
+
+/// The same, telling `stage` what is being done.
+///
+/// # Errors
+/// [`Undiagnosed`] when no fit is possible.
+pub fn watched(
+    fitted: &Waves,
+    held_out: Option<&Waves>,
+    model: &Model,
+    settings: &Settings,
+    stage: &dyn Fn(Stage),
+) -> Result<Diagnosis, Undiagnosed> {
+    run(fitted, held_out, model, settings, stage).ok_or(Undiagnosed::NoFit)
+}
+
+fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Settings, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
+    stage(Stage::Scatter);
+    let ground = Ground::of(fitted, model)?;
+    let problem = &ground.problem;
+    let limit_seen = ground.flat_top.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
+    stage(Stage::Nulls);
+    let nulls = Nulls::of(&ground.scatter, &ground.family, settings.seed)?;
+    let setting = Setting { problem, nulls: &nulls, limit_seen, most: settings.most_effects, stage };
+    let search = Search::run(&setting, model)?;
+    stage(Stage::Gates);
+    let base = search.levels[0].candidates[0].clone();
+    let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;
+    let nothing = search.levels[0].adequacy.p >= RARE && !limit_seen;
+    let level = if nothing { &search.levels[0] } else { search.levels.last()? };
+    let chosen = level.candidates[0].clone();
+    let able: Vec<Candidate> = level.candidates.iter().filter(|one| nothing || setting.may_be(one)).cloned().collect();
+    let alternatives = alternatives(&able);
+    let ranking = ranking(problem, fitted, &search, &chosen, nothing);
+    let steady = constancy(problem, &chosen);
+    let (verdict, reasons) = verdict(&Evidence {
+        nothing,
+        adequacy: &level.adequacy,
+        chosen: &chosen,
+        alternatives: &alternatives,
+        steady: steady.as_ref(),
+        trend,
+    });
+    let (estimates, correlations) = estimates(&chosen, &level.adequacy)?;
+    let gaps = |candidate: &Candidate| {
+        Some(Gaps {
+            fitted: gap(problem, fitted, candidate.model())?,
+            held_out: match held_out {
+                Some(waves) => gap(problem, waves, candidate.model())?,
+                None if fitted.groups.len() > 1 => left_out_heights(problem, fitted, candidate)?,
+                None => Gap::default(),
+            },
+            trials: left_out_trials(problem, fitted, candidate)?,
+        })
+    };
+    let (before, after) = (gaps(&base)?, gaps(&chosen)?);
+    let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
+    let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or(search.levels.get(1)?.candidates.first());
+    let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &ground.scatter, &chosen, rival));
+    let surface = if verdict == Verdict::NoneSuffices { surface(&chosen_points, model.body.mass_kg) } else { Vec::new() };
+    Some(Diagnosis {
+        verdict,
+        reasons,
+        contributions: contributions(&search, &chosen),
+        estimates,
+        correlations,
+        alternatives: alternatives.into_iter().filter(|alternative| alternative.weight >= SLIGHT).collect(),
+        ranking,
+        before,
+        after,
+        heights_held_out: held_out.is_some(),
+        place: place(&base_points)?,
+        base_points,
+        chosen_points,
+        base_adequacy: search.levels[0].adequacy.clone(),
+        adequacy: level.adequacy.clone(),
+        trend_p: trend,
+        observables: observables(fitted, model),
+        flat_top: ground.flat_top,
+        surface,
+        experiments,
+        base,
+        chosen,
+    })
+}
+
+/// What a verdict rests on.
+struct Evidence<'a> {
+    nothing: bool,
+    adequacy: &'a Adequacy,
+    chosen: &'a Candidate,
+    alternatives: &'a [Alternative],
+    steady: Option<&'a Constancy>,
+    trend: f64,
+}
+
+fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
+    let Evidence { nothing, adequacy, chosen, alternatives, steady, trend } = evidence;
+    let mut reasons = Vec::new();
+    if *trend < TREND {
+        reasons.push(format!("the drops change with their number (p = {trend:.3}): something wears, warms or comes loose, which no effect of the catalogue describes"));
+    }
+    if *nothing {
+        reasons.push(format!("what the base model leaves is no more than the drops' own scatter (p = {:.3})", adequacy.p));
+        return (if *trend < TREND { Verdict::NoneSuffices } else { Verdict::NothingMissing }, reasons);
+    }
+    if adequacy.p < RARE {
+        reasons.push(format!("no set of effects leaves only scatter: the best, {}, fails (p = {:.3})", joined(chosen), adequacy.p));
+    }
+    if let Some(steady) = steady.filter(|steady| steady.p < UNSTEADY) {
+        reasons.push(format!("the parameters of {} are not the same at all heights (p = {:.1e})", joined(chosen), steady.p));
+    }
+    for (free, _) in implausible(chosen) {
+        reasons.push(format!("{free} ended at the bound of what is plausible"));
+    }
+    if !reasons.is_empty() {
+        return (Verdict::NoneSuffices, reasons);
+    }
+    let weight = alternatives.first().map_or(0.0, |best| best.weight);
+    let needed = SUPPORT[(chosen.ids().len().max(1) - 1).min(SUPPORT.len() - 1)];
+    if weight < needed {
+        let others: Vec<String> =
+            alternatives.iter().skip(1).take(3).map(|other| format!("{} ({:.2})", joined(&other.candidate), other.weight)).collect();
+        reasons.push(format!(
+            "{} explains the drops, but so do others nearly as well: weight {weight:.2} against {}",
+            joined(chosen),
+            others.join(", ")
+        ));
+        return (Verdict::Ambiguous, reasons);
+    }
+    reasons.push(format!(
+        "{} explains the drops (p = {:.3}) and no other set does as well (weight {weight:.2})",
+        joined(chosen),
+        adequacy.p
+    ));
+    (Verdict::Named, reasons)
+}
+
+/// Parameters on top of the base at a bound that is not their own 'off' nor the end of a physical range.
+fn implausible(candidate: &Candidate) -> Vec<(String, usize)> {
+    let free = candidate.fitted.layout.free.iter().zip(&candidate.fitted.minimum.at_bound).enumerate().skip(2);
+    free.filter(|(_, (free, at_bound))| **at_bound && free.spec.id != "unilateral_contact")
+        .map(|(i, (free, _))| (format!("{} of {}", free.key(), free.spec.id), i))
+        .collect()
+}
+
+/// Ids with ` + ` between.
+pub fn joined(candidate: &Candidate) -> String {
+    let ids = candidate.ids();
+    if ids.is_empty() { "the base model".into() } else { ids.join(" + ") }
+}
+
+fn alternatives(candidates: &[Candidate]) -> Vec<Alternative> {
+    let best = candidates.first().map_or(0.0, |best| best.score);
+    let each: Vec<f64> = candidates.iter().map(|candidate| libm::exp(0.5 * (best - candidate.score))).collect();
+    let sum: f64 = each.iter().sum();
+    candidates.iter().zip(each).map(|(candidate, weight)| Alternative { candidate: candidate.clone(), weight: weight / sum }).collect()
+}
+
+/// What each effect takes off: the sum of squares of the set without it, less that of the set.
+fn contributions(search: &Search, chosen: &Candidate) -> Vec<(&'static str, f64)> {
+    let ids = chosen.ids();
+    let without = |out: &str| {
+        let rest: Vec<&str> = ids.iter().copied().filter(|id| *id != out).collect();
+        let known = search.levels.iter().flat_map(|level| &level.candidates).find(|candidate| candidate.ids() == rest);
+        known.map_or(0.0, |known| known.fitted.chi2() - chosen.fitted.chi2())
+    };
+    let mut all: Vec<(&'static str, f64)> = ids.iter().map(|id| (*id, without(id))).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1));
+    all
+}
+
+fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<Estimate>, DMatrix<f64>)> {
+    let minimum = &chosen.fitted.minimum;
+    let covariance = inverse(&(minimum.jacobian.transpose() * &minimum.jacobian))?;
+    let sd: Vec<f64> = covariance.diagonal().iter().map(|variance| variance.max(1e-300).sqrt()).collect();
+    let correlations = DMatrix::from_fn(sd.len(), sd.len(), |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
+    let one = |(i, free): (usize, &crate::impact::fit::Free)| {
+        let half = adequacy.ratio95.get(i).copied().unwrap_or(1.96) * sd[i];
+        Estimate {
+            effect: free.spec.id,
+            key: free.key(),
+            unit: free.spec.parameters[free.at].unit,
+            value: free.outward(minimum.at[i]),
+            ci95: [free.outward(minimum.at[i] - half), free.outward(minimum.at[i] + half)],
+            at_bound: minimum.at_bound[i],
+        }
+    };
+    Some((chosen.fitted.layout.free.iter().enumerate().map(one).collect(), correlations))
+}
+
+fn ranking(problem: &Problem, waves: &Waves, search: &Search, chosen: &Candidate, nothing: bool) -> Vec<Ranked> {
+    let looked_at: Vec<(usize, &Candidate)> = search.levels.iter().skip(1).flat_map(|level| level.candidates.iter().enumerate()).collect();
+    let one = |(at, candidate): (usize, &Candidate)| {
+        let close = at < LOOKED_AT;
+        let constancy = close.then(|| constancy(problem, candidate)).flatten();
+        let left_out_g =
+            (close && problem.chosen.len() > 1).then(|| left_out_heights(problem, waves, candidate)).flatten().map(|gap| gap.net_g);
+        let reason_rejected = (nothing || candidate.ids() != chosen.ids()).then(|| reason(candidate, chosen, constancy.as_ref(), nothing));
+        Ranked { id: joined(candidate), score: candidate.score, left_out_g, constancy, reason_rejected }
+    };
+    let mut all: Vec<Ranked> = looked_at.into_par_iter().map(one).collect();
+    all.sort_by(|a, b| a.score.total_cmp(&b.score));
+    for spec in candidates(chosen.model())
+        .iter()
+        .filter(|spec| search.levels.get(1).is_some_and(|level| level.candidates.iter().all(|one| one.ids() != [spec.id])))
+    {
+        all.push(Ranked {
+            id: spec.id.into(),
+            score: f64::INFINITY,
+            left_out_g: None,
+            constancy: None,
+            reason_rejected: Some("no fit holds the body".into()),
+        });
+    }
+    all
+}
+
+fn reason(candidate: &Candidate, chosen: &Candidate, steady: Option<&Constancy>, nothing: bool) -> String {
+    if nothing {
+        return "nothing is missing: the gain is what scatter alone gives".into();
+    }
+    if let Some((parameter, _)) = implausible(candidate).first() {
+        return format!("{parameter} at its bound");
+    }
+    if let Some(steady) = steady.filter(|steady| steady.p < UNSTEADY) {
+        let moved: Vec<String> = steady
+            .parameters
+            .iter()
+            .map(|by| {
+                let values: Vec<String> = by.values.iter().map(|(_, value, _)| format!("{value:.4}")).collect();
+                let slope = by.slope.map_or(String::new(), |slope| format!(", slope {slope:.2} over impact speed"));
+                format!("{} {}{slope}", by.key, values.join(" / "))
+            })
+            .collect();
+        return format!("not the same at all heights (p = {:.1e}): {}", steady.p, moved.join("; "));
+    }
+    let apart = candidate.score - chosen.score;
+    if candidate.ids().len() < chosen.ids().len() {
+        format!("leaves more than scatter; {apart:.1} worse")
+    } else {
+        format!("{apart:.1} worse")
+    }
+}

@@ -1,0 +1,117 @@
+//! Which experiment would tell the remaining candidates apart best.
+
+use serde::Serialize;
+
+use super::candidate::Candidate;
+use crate::impact::effects::{GRAVITY_M_S2, Model};
+use crate::impact::fit::{Problem, Scatter};
+use crate::impact::sim::{Settings, System, wave};
+
+/// An experiment with what it promises.
+#[derive(Clone, Debug, Serialize)]
+pub struct Experiment {
+    /// What to do, in plain words.
+    pub what: String,
+    /// Kind: `drop`, `static_test` or `fast_sensor`.
+    pub kind: &'static str,
+    /// Its height, m, where it is a drop.
+    pub height_m: Option<f64>,
+    /// Expected squared distance between the two best candidates in units of the scatter: 10 and more decides.
+    pub discrimination: f64,
+    /// The two that it would tell apart.
+    pub between: [String; 2],
+}
+
+/// Heights that could be added, m.
+const HEIGHTS_M: [f64; 9] = [0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
+/// Drops of an added height.
+const DROPS: f64 = 20.0;
+/// A static test's error, N: what the paper's ten points leave about their straight line is 4.8 N.
+const STATIC_ERROR_N: f64 = 5.0;
+/// Compressions of a static test, m.
+const STATIC_M: [f64; 8] = [0.002, 0.004, 0.006, 0.008, 0.010, 0.012, 0.014, 0.016];
+/// A faster logger: samples every, s, over the first, s.
+const FAST: (f64, f64) = (1e-4, 0.02);
+/// Cutoff of a faster sensor, Hz.
+const FAST_CUTOFF_HZ: f64 = 5000.0;
+
+/// Every experiment, most telling first.
+pub fn experiments(problem: &Problem, scatter: &Scatter, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
+    let between =
+        [first.ids().join(" + "), second.ids().join(" + ")].map(|ids| if ids.is_empty() { "nothing missing".into() } else { ids });
+    let (a, b) = (first.model(), second.model());
+    let relative = relative_error(problem, scatter);
+    let mut all = Vec::new();
+    for height_m in HEIGHTS_M {
+        let known = problem.means.iter().any(|(known, _)| (known - height_m).abs() < 0.05 * height_m);
+        if let (false, Some(discrimination)) = (known, waves_apart(a, b, height_m, problem.expected.step_s, None, relative)) {
+            all.push(Experiment {
+                what: format!("drop the frame {DROPS} times from {height_m} m with the same sensor"),
+                kind: "drop",
+                height_m: Some(height_m),
+                discrimination,
+                between: between.clone(),
+            });
+        }
+    }
+    let tallest = problem.means.iter().map(|(height_m, _)| *height_m).fold(0.0, f64::max);
+    if let Some(discrimination) = waves_apart(a, b, tallest, FAST.0, Some(FAST_CUTOFF_HZ), relative) {
+        all.push(Experiment {
+            what: format!("drop it {DROPS} times from {tallest} m with a sensor of {FAST_CUTOFF_HZ} Hz read 10,000 times a second"),
+            kind: "fast_sensor",
+            height_m: Some(tallest),
+            discrimination,
+            between: between.clone(),
+        });
+    }
+    all.push(Experiment {
+        what: "press the frame slowly with a dynamometer, 2 to 16 mm in steps of 2 mm, up and down".into(),
+        kind: "static_test",
+        height_m: None,
+        discrimination: STATIC_M.iter().map(|x_m| squared((static_n(a, *x_m) - static_n(b, *x_m)) / STATIC_ERROR_N)).sum(),
+        between,
+    });
+    all.sort_by(|a, b| b.discrimination.total_cmp(&a.discrimination));
+    all
+}
+
+fn squared(value: f64) -> f64 {
+    value * value
+}
+
+/// Standard error of one drop's reading over the peak, in mean over what was measured.
+fn relative_error(problem: &Problem, scatter: &Scatter) -> f64 {
+    let counts = scatter.counts();
+    let of = |(at, errors): (usize, Vec<f64>)| {
+        let peak = problem.means[at].1.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
+        let square = errors.iter().map(|error| error * error * counts[at] as f64).sum::<f64>() / errors.len() as f64;
+        square.sqrt() / peak.max(1e-9)
+    };
+    let each: Vec<f64> = scatter.standard_errors().into_iter().enumerate().map(of).collect();
+    each.iter().sum::<f64>() / each.len() as f64
+}
+
+/// Squared distance of two models' waves, scatter taken as the same part of the peak as in the drops at hand.
+fn waves_apart(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
+    let points = (FAST.1 / step_s) as usize;
+    let run = |model: &Model| {
+        let mut model = model.clone();
+        if let Some(cutoff_hz) = cutoff_hz {
+            model.effects.retain(|listed| listed.spec.id != "sensor_low_pass");
+            model.sensor.cutoff_hz = cutoff_hz;
+        }
+        let mut out = vec![0.0; points];
+        (wave(&System::new(&model), height_m, step_s, &Settings::FIT, &mut out) == crate::impact::sim::Stop::End).then_some(out)
+    };
+    let (a, b) = (run(a)?, run(b)?);
+    let peak = a.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
+    let error = (relative * peak).max(0.17) / DROPS.sqrt();
+    // Neighbouring readings of a fast logger scatter together: as many count as a slow one gives.
+    let independent = (step_s / 1e-3).min(1.0);
+    Some(independent * a.iter().zip(&b).map(|(a, b)| squared((a - b) / error)).sum::<f64>())
+}
+
+/// Force of a model that is compressed slowly, N.
+fn static_n(model: &Model, x_m: f64) -> f64 {
+    System::new(model).slow_force_n(x_m).min(1e3 * GRAVITY_M_S2)
+}

@@ -1,0 +1,54 @@
+//! Readings that pile up at one level: a limit that can be seen, not only fitted.
+
+use crate::impact::fit::Waves;
+
+/// A limit and how single readings scatter below it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatTop {
+    /// The level, g.
+    pub level_g: f64,
+    /// Readings at it.
+    pub readings: usize,
+    /// Scatter of single readings over their mean, where nothing is cut.
+    pub spread: f64,
+}
+
+/// Half width of the level in units of the noise.
+const HALF_WIDTH: f64 = 3.0;
+/// Noise that is believed at least, g.
+const LEAST_NOISE_G: f64 = 0.06;
+/// Readings at the level at least.
+const FEWEST: usize = 8;
+/// How many times denser the level is than the readings just below it.
+const DENSER: f64 = 4.0;
+
+/// Finds the level at which readings pile up, when there is one: nothing lies above it, and it is far denser than what
+/// lies below. Wrong where a wave has a flat top of its own without scatter between drops.
+pub fn flat_top(waves: &Waves) -> Option<FlatTop> {
+    let mut all: Vec<f64> = waves.groups.iter().flat_map(|group| group.windows.iter().flatten().copied()).collect();
+    all.sort_by(f64::total_cmp);
+    let half = HALF_WIDTH * waves.noise_g.max(LEAST_NOISE_G);
+    let top = *all.last()?;
+    let within = |low: f64, high: f64| all.partition_point(|reading| *reading <= high) - all.partition_point(|reading| *reading < low);
+    let readings = within(top - 2.0 * half, top);
+    let below = within(top - 6.0 * half, top - 2.0 * half) as f64 / 2.0;
+    if readings < FEWEST || (readings as f64) < DENSER * (below + 1.0) {
+        return None;
+    }
+    let at: Vec<f64> = all[all.len() - readings..].to_vec();
+    Some(FlatTop { level_g: at[at.len() / 2], readings, spread: spread(waves, top) })
+}
+
+/// Median over samples in the middle of the range of standard deviation over mean.
+fn spread(waves: &Waves, top: f64) -> f64 {
+    let mut ratios = Vec::new();
+    for group in &waves.groups {
+        let count = group.windows.len() as f64;
+        for (i, mean) in group.mean.iter().enumerate().filter(|(_, mean)| (0.15 * top..0.6 * top).contains(*mean)) {
+            let square: f64 = group.windows.iter().map(|window| (window[i] - mean) * (window[i] - mean)).sum();
+            ratios.push((square / (count - 1.0)).sqrt() / mean);
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,186 @@
+//! From the base model to the effects that it lacks: one, then two, then three, each time over all that could be.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+
+use super::adequacy::{Adequacy, Seen, judge};
+use super::candidate::{Candidate, promises, tries};
+use super::dictionary::Dictionary;
+use super::nulls::Nulls;
+use super::stage::Stage;
+use crate::impact::effects::{Model, candidates};
+use crate::impact::fit::Problem;
+
+/// Chance below which something is missing.
+pub const RARE: f64 = 0.01;
+/// Sets of one size that are carried on to the next.
+const CARRIED: usize = 5;
+/// Larger sets from which effects are taken out again.
+const DROPPED: usize = 4;
+/// By how much a score has to fall to count.
+const BETTER: f64 = 1.0;
+/// Sets of the next size that are fitted.
+const FITTED: usize = 14;
+
+/// Sets of one size.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// Best score first.
+    pub candidates: Vec<Candidate>,
+    /// Whether the best is enough.
+    pub adequacy: Adequacy,
+}
+
+/// A set of effects that is not fitted yet: its ids, and the models to start from with the sum of squares each promises.
+type Promised = (Vec<&'static str>, Vec<(f64, Model)>);
+
+/// All that was looked at.
+#[derive(Clone, Debug)]
+pub struct Search {
+    /// The base model first, then sets of one effect, of two …
+    pub levels: Vec<Level>,
+}
+
+/// What a search needs.
+pub struct Setting<'a> {
+    /// Mean waves.
+    pub problem: &'a Problem,
+    /// What could have been measured if nothing were missing.
+    pub nulls: &'a Nulls,
+    /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
+    pub limit_seen: bool,
+    /// Most effects.
+    pub most: usize,
+    /// Told what is being done.
+    pub stage: &'a dyn Fn(Stage),
+}
+
+impl Search {
+    /// Searches from a model's base on; `None` when the base cannot be fitted.
+    pub fn run(setting: &Setting, model: &Model) -> Option<Self> {
+        let base = Candidate::base(setting.problem, model)?;
+        let mut dictionary = Dictionary::on(setting.problem, base.model())?;
+        (setting.stage)(Stage::Effects(1));
+        let adequacy = setting.adequacy(&base, &dictionary)?;
+        let singles = setting.singles(&base, &dictionary)?;
+        let mut levels = vec![Level { candidates: vec![base], adequacy }];
+        let mut candidates = singles;
+        for size in 1..=setting.most {
+            candidates = setting.freed(candidates);
+            let best = candidates.first()?;
+            dictionary = Dictionary::on(setting.problem, best.model())?;
+            let adequacy = setting.adequacy(best, &dictionary)?;
+            let enough = adequacy.p >= RARE && setting.may_be(best);
+            levels.push(Level { candidates, adequacy });
+            if enough || size == setting.most || (levels[0].adequacy.p >= RARE && !setting.limit_seen) {
+                break;
+            }
+            (setting.stage)(Stage::Effects(size + 1));
+            candidates = setting.larger(&levels[size].candidates)?;
+            if setting.dropped(&candidates, &mut levels[size].candidates) {
+                let best = levels[size].candidates.first()?;
+                levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model())?)?;
+                if levels[size].adequacy.p >= RARE && setting.may_be(&levels[size].candidates[0]) {
+                    break;
+                }
+                candidates = setting.larger(&levels[size].candidates)?;
+            }
+        }
+        Some(Self { levels })
+    }
+}
+
+impl Setting<'_> {
+    /// Whether a candidate is enough.
+    pub fn adequacy(&self, candidate: &Candidate, dictionary: &Dictionary) -> Option<Adequacy> {
+        let jacobian = self.problem.sensitivity(&candidate.fitted)?;
+        let seen = Seen { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
+        let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
+        judge(&deviation, &seen, self.nulls)
+    }
+
+    /// Frees defaults of the best sets.
+    fn freed(&self, candidates: Vec<Candidate>) -> Vec<Candidate> {
+        let one = |(at, candidate): (usize, Candidate)| if at < CARRIED { candidate.freed(self.problem) } else { candidate };
+        self.ranked(candidates.into_par_iter().enumerate().map(one).collect())
+    }
+
+    /// Takes each effect out of the best sets and refits what stays: a smaller set that was caught in a worse minimum
+    /// is replaced. Whether the best of the smaller sets became another.
+    fn dropped(&self, larger: &[Candidate], smaller: &mut Vec<Candidate>) -> bool {
+        let Some(before) = smaller.first().map(|best| best.score) else { return false };
+        for from in larger.iter().take(DROPPED) {
+            for id in from.ids() {
+                let mut model = from.model().clone();
+                model.effects.retain(|listed| listed.spec.id != id);
+                let Some(again) = Candidate::best(self.problem, [model]) else { continue };
+                match smaller.iter_mut().find(|known| known.ids() == again.ids()) {
+                    Some(known) if known.score > again.score => *known = again,
+                    Some(_) => {}
+                    None => smaller.push(again),
+                }
+            }
+        }
+        *smaller = self.ranked(std::mem::take(smaller));
+        smaller[0].score < before - BETTER
+    }
+
+    /// Whether a set can explain what is seen in single readings.
+    pub fn may_be(&self, candidate: &Candidate) -> bool {
+        !self.limit_seen || candidate.ids().contains(&"sensor_saturation")
+    }
+
+    /// Best score first, sets that cannot be behind those that can.
+    fn ranked(&self, mut candidates: Vec<Candidate>) -> Vec<Candidate> {
+        candidates.sort_by(|a, b| self.may_be(b).cmp(&self.may_be(a)).then(a.score.total_cmp(&b.score)));
+        candidates
+    }
+
+    /// Every effect alone.
+    fn singles(&self, base: &Candidate, dictionary: &Dictionary) -> Option<Vec<Candidate>> {
+        let promises = promises(self.problem, &base.fitted, dictionary)?;
+        let fit = |id: &str| Candidate::best(self.problem, tries(&promises, id).into_iter().map(|start| start.on(base.model())));
+        Some(self.ranked(candidates(base.model()).into_par_iter().filter_map(|spec| fit(spec.id)).collect()))
+    }
+
+    /// Sets with one effect more, from the best of one size; each of the best is also swapped, as its effects come from
+    /// different sets.
+    fn larger(&self, smaller: &[Candidate]) -> Option<Vec<Candidate>> {
+        let carried = smaller.iter().take(CARRIED);
+        let mut found: BTreeMap<Vec<&'static str>, Candidate> = BTreeMap::new();
+        let mut open: Vec<&Candidate> = carried.collect();
+        for _round in 0..2 {
+            let mut promised: BTreeMap<Vec<&'static str>, Vec<(f64, Model)>> = BTreeMap::new();
+            let dictionaries: Vec<(&Candidate, Dictionary)> =
+                open.iter().filter_map(|from| Some((*from, Dictionary::on(self.problem, from.model())?))).collect();
+            for (from, dictionary) in &dictionaries {
+                for promise in promises(self.problem, &from.fitted, dictionary)? {
+                    let model = promise.start.on(from.model());
+                    promised.entry(ids(&model)).or_default().push((promise.sum, model));
+                }
+            }
+            let mut sets: Vec<Promised> = promised.into_iter().filter(|(ids, _)| !found.contains_key(ids)).collect();
+            sets.iter_mut().for_each(|(_, models)| models.sort_by(|a, b| a.0.total_cmp(&b.0)));
+            sets.sort_by(|a, b| a.1[0].0.total_cmp(&b.1[0].0));
+            let fitted: Vec<(Vec<&'static str>, Candidate)> = sets
+                .into_par_iter()
+                .take(FITTED)
+                .filter_map(|(ids, models)| Some((ids, Candidate::best(self.problem, models.into_iter().take(3).map(|(_, model)| model))?)))
+                .collect();
+            found.extend(fitted);
+            // The parts of the best set that were not carried: from there its other part could be swapped.
+            let best = found.values().min_by(|a, b| self.may_be(b).cmp(&self.may_be(a)).then(a.score.total_cmp(&b.score)))?.ids();
+            let done: Vec<Vec<&'static str>> = dictionaries.iter().map(|(from, _)| from.ids()).collect();
+            open = smaller.iter().filter(|from| from.ids().iter().all(|id| best.contains(id)) && !done.contains(&from.ids())).collect();
+            if open.is_empty() {
+                break;
+            }
+        }
+        Some(self.ranked(found.into_values().collect()))
+    }
+}
+
+fn ids(model: &Model) -> Vec<&'static str> {
+    model.effects.iter().map(|listed| listed.spec.id).collect()
+}

@@ -1,0 +1,198 @@
+//! What a model predicts for the mean of records that were laid at their trigger.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::flicker::Flicker;
+use super::waves::{BEFORE, TRIGGER_G};
+use crate::impact::effects::Model;
+use crate::impact::sim::{Settings, Stop, System, wave};
+
+/// Time between the points of a wave, s.
+const FINE_S: f64 = 5e-5;
+/// Longest time from first touch to the trigger that is followed, s.
+const ONSET_S: f64 = 5e-3;
+/// Scatter of stiffness or damping that changes a mean by less than anybody can see.
+const SLIGHT: f64 = 0.04;
+/// Most scatter of stiffness or damping that is believed: beyond it the three points leave what a frame can be.
+const MOST_VARIED: f64 = 0.25;
+/// Phases over which a covariance is averaged.
+const PHASES: usize = 20;
+
+/// Predicts mean windows.
+///
+/// The clock's phase is even over one step. The first sample beyond the trigger then lies evenly within one step behind
+/// the moment at which the wave crosses it, so the mean of sample j is the wave's mean over the j-th step behind that
+/// moment: (W(t + (j + 1) s) - W(t + j s)) / s, with W the wave's integral. Wrong where the wave is near the trigger for
+/// long, or falls below it again at once.
+#[derive(Clone, Copy, Debug)]
+pub struct Expected {
+    /// Time between samples, s.
+    pub step_s: f64,
+    /// Samples in a window.
+    pub samples: usize,
+    /// Scatter of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
+    pub spread: f64,
+    /// Scatter of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
+    /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
+    pub varied: [f64; 2],
+    /// Scatter of single readings, where it moves the trigger.
+    pub flicker: Flicker,
+}
+
+/// A wave from first touch on, g, at steps of 0.05 ms.
+#[derive(Debug)]
+pub struct Fine<'a> {
+    wave: &'a [f64],
+    /// When it first crosses the trigger, s.
+    pub crossing_s: f64,
+}
+
+impl<'a> Fine<'a> {
+    fn of(wave: &'a [f64]) -> Self {
+        Self { wave, crossing_s: crossing_s(wave).min(ONSET_S) }
+    }
+
+    /// Between its points; zero before first touch, g.
+    pub fn at(&self, t_s: f64) -> f64 {
+        if t_s <= 0.0 {
+            return 0.0;
+        }
+        let place = t_s / FINE_S;
+        let at = (place.floor() as usize).min(self.wave.len() - 2);
+        self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at])
+    }
+}
+
+/// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
+#[derive(Debug)]
+pub struct Ready {
+    systems: Vec<(f64, System)>,
+    limit_g: f64,
+}
+
+impl Expected {
+    /// Of records that differ by the phase of the clock alone.
+    pub fn plain(step_s: f64, samples: usize) -> Self {
+        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: Flicker::default() }
+    }
+
+    /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
+    /// stiffness or damping scatter, the mean is taken over them (Gauss and Hermite, three points each).
+    pub fn system(&self, model: &Model) -> Ready {
+        let ready = |model: &Model| {
+            let mut system = System::new(model);
+            if self.spread > 0.0 {
+                system.lift_limit();
+            }
+            system
+        };
+        let limit_g = model.arrangement().sensor.limit_g;
+        let mut systems = vec![(1.0, ready(model))];
+        for (at, varied) in self.varied.into_iter().enumerate().filter(|(_, varied)| *varied > SLIGHT) {
+            systems[0].0 -= 1.0 / 3.0;
+            for side in [-1.0, 1.0] {
+                let mut factors = [1.0; 2];
+                factors[at] += side * 3f64.sqrt() * varied.min(MOST_VARIED);
+                systems.push((1.0 / 6.0, ready(&model.scaled(factors))));
+            }
+        }
+        Ready { systems, limit_g }
+    }
+
+    /// The mean window from a height, g; `None` where the model does not hold the body.
+    pub fn window(&self, ready: &Ready, height_m: f64) -> Option<Vec<f64>> {
+        let mut mean = vec![0.0; self.samples];
+        for (weight, system) in &ready.systems {
+            let mut fine = self.fine(system, height_m)?;
+            if self.spread > 0.0 {
+                fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
+            }
+            mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
+            if self.flicker.moves() {
+                let shift = self.flicker.shift(&Fine::of(&fine), self.step_s, self.samples);
+                mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += weight * shift);
+            }
+        }
+        Some(mean)
+    }
+
+    /// From first touch to the trigger, s; `None` where the model does not hold the body.
+    pub fn onset_s(&self, ready: &Ready, height_m: f64) -> Option<f64> {
+        Some(crossing_s(&self.fine(&ready.systems.first()?.1, height_m)?).min(ONSET_S))
+    }
+
+    /// The wave itself, at steps of 0.05 ms; `None` where the model does not hold the body.
+    pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
+        let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
+        let mut fine = vec![0.0; (end_s / FINE_S) as usize + 2];
+        (wave(system, height_m, FINE_S, &Settings::FIT, &mut fine) == Stop::End).then_some(fine)
+    }
+
+    /// Covariance of records of a wave that differ by the phase of the clock alone, g².
+    pub fn over_phases(&self, fine: &[f64]) -> DMatrix<f64> {
+        let (mean, fine) = (self.mean_over_phases(fine), Fine::of(fine));
+        let mut sum = DMatrix::zeros(self.samples, self.samples);
+        for phase in 0..PHASES {
+            let part = (phase as f64 + 0.5) / PHASES as f64;
+            let off =
+                DVector::from_fn(self.samples, |i, _| fine.at(fine.crossing_s + self.step_s * (i as f64 + part - BEFORE as f64)) - mean[i]);
+            sum += &off * off.transpose() / PHASES as f64;
+        }
+        sum
+    }
+
+    /// The mean window of records of a wave that is given every 0.05 ms from first touch on.
+    pub fn mean_over_phases(&self, fine: &[f64]) -> Vec<f64> {
+        let crossing = crossing_s(fine).min(ONSET_S);
+        let integral = integral(fine);
+        let at = |t_s: f64| value(&integral, fine, t_s);
+        let bound = |i: usize| crossing + self.step_s * (i as f64 - BEFORE as f64);
+        (0..self.samples).map(|i| (at(bound(i + 1)) - at(bound(i))) / self.step_s).collect()
+    }
+}
+
+/// Mean of readings that scatter normally around `reading` by `spread` of it and are cut at the limit.
+fn limited_mean(reading: f64, spread: f64, limit_g: f64) -> f64 {
+    let sd = spread * reading.abs();
+    let over = reading - limit_g;
+    if sd <= 0.0 || over < -5.0 * sd {
+        return reading.min(limit_g);
+    }
+    let z = over / sd;
+    let density = libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
+    let share = 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
+    reading - (sd * density + over * share)
+}
+
+/// When the wave first crosses the trigger, s.
+fn crossing_s(fine: &[f64]) -> f64 {
+    let Some(at) = fine.iter().position(|reading| reading.abs() > TRIGGER_G) else { return 0.0 };
+    if at == 0 {
+        return 0.0;
+    }
+    let (left, right) = (fine[at - 1].abs(), fine[at].abs());
+    FINE_S * (at as f64 - 1.0 + (TRIGGER_G - left) / (right - left))
+}
+
+/// The wave's integral at its points, g s: cubic between four points, straight where the wave begins or ends.
+fn integral(fine: &[f64]) -> Vec<f64> {
+    let mut sums = vec![0.0; fine.len()];
+    for i in 1..fine.len() {
+        let inner = i >= 3 && i + 1 < fine.len();
+        let area = if inner { (13.0 * (fine[i - 1] + fine[i]) - fine[i - 2] - fine[i + 1]) / 24.0 } else { 0.5 * (fine[i - 1] + fine[i]) };
+        sums[i] = sums[i - 1] + FINE_S * area;
+    }
+    sums
+}
+
+/// The integral at any time, g s; zero before first touch.
+fn value(integral: &[f64], fine: &[f64], t_s: f64) -> f64 {
+    if t_s <= 0.0 {
+        return 0.0;
+    }
+    let place = t_s / FINE_S;
+    let at = (place.floor() as usize).min(fine.len() - 2);
+    let part = place - at as f64;
+    let middle = fine[at] + 0.5 * part * (fine[at + 1] - fine[at]);
+    integral[at] + FINE_S * part * middle
+}

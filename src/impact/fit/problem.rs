@@ -1,0 +1,122 @@
+//! Mean waves against a model, in units of their own scatter.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::expected::Expected;
+use super::free::Layout;
+use super::least_squares::{Minimum, minimise};
+use super::scatter::Whitening;
+use super::waves::Waves;
+use crate::impact::effects::Model;
+
+/// Mean waves of some heights and their scatter.
+#[derive(Clone, Debug)]
+pub struct Problem {
+    /// What a model has to predict.
+    pub expected: Expected,
+    /// Height, m, and mean wave, g.
+    pub means: Vec<(f64, Vec<f64>)>,
+    /// A height each.
+    pub whitening: Whitening,
+    /// Which heights are compared; the others are held out.
+    pub chosen: Vec<usize>,
+}
+
+/// A fit.
+#[derive(Clone, Debug)]
+pub struct Fitted {
+    /// The model at its best, and what was free.
+    pub layout: Layout,
+    /// Where and how well.
+    pub minimum: Minimum,
+}
+
+impl Fitted {
+    /// The fitted model.
+    pub fn model(&self) -> &Model {
+        &self.layout.model
+    }
+
+    /// Sum of squares of the whitened residual.
+    pub fn chi2(&self) -> f64 {
+        self.minimum.sum
+    }
+}
+
+impl Problem {
+    /// All heights of measured waves.
+    pub fn of(waves: &Waves, whitening: Whitening, spread: f64) -> Self {
+        let means = waves.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
+        let expected = Expected { spread, ..Expected::plain(waves.step_s, waves.samples) };
+        Self { expected, means, whitening, chosen: (0..waves.groups.len()).collect() }
+    }
+
+    /// The same with some heights alone.
+    #[must_use]
+    pub fn at(&self, chosen: &[usize]) -> Self {
+        Self { chosen: chosen.to_vec(), ..self.clone() }
+    }
+
+    /// Numbers compared.
+    pub fn len(&self) -> usize {
+        self.chosen.len() * self.expected.samples
+    }
+
+    /// Whether nothing is compared.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Predicted mean windows of the chosen heights, one below the other, g.
+    pub fn prediction(&self, model: &Model) -> Option<DVector<f64>> {
+        let system = self.expected.system(model);
+        let mut all = Vec::with_capacity(self.len());
+        for height in &self.chosen {
+            all.extend(self.expected.window(&system, self.means[*height].0)?);
+        }
+        Some(DVector::from_vec(all))
+    }
+
+    /// Measured mean windows of the chosen heights, one below the other, g.
+    pub fn measured(&self) -> DVector<f64> {
+        DVector::from_iterator(self.len(), self.chosen.iter().flat_map(|height| self.means[*height].1.iter().copied()))
+    }
+
+    /// Deviations in g to deviations in units of scatter.
+    pub fn whitened(&self, deviation: &DVector<f64>) -> DVector<f64> {
+        let samples = self.expected.samples;
+        let mut out = DVector::zeros(deviation.len());
+        for (at, height) in self.chosen.iter().enumerate() {
+            let part = self.whitening.height(*height) * deviation.rows(at * samples, samples);
+            out.rows_mut(at * samples, samples).copy_from(&part);
+        }
+        out
+    }
+
+    /// Measured less predicted, whitened.
+    pub fn residual(&self, model: &Model) -> Option<DVector<f64>> {
+        Some(self.whitened(&(self.measured() - self.prediction(model)?)))
+    }
+
+    /// Fits what the layout leaves free, from its values on.
+    pub fn fit(&self, layout: Layout, most_steps: usize) -> Option<Fitted> {
+        let residual = |scaled: &[f64]| self.residual(&layout.model_at(scaled));
+        let minimum = minimise(residual, &layout.values(), &layout.bounds(), &layout.steps(), most_steps)?;
+        let model = layout.model_at(&minimum.at);
+        Some(Fitted { layout: Layout { model, free: layout.free }, minimum })
+    }
+
+    /// Columns of predicted change, in g, for a unit of each free parameter on the fit's scale.
+    pub fn sensitivity(&self, fitted: &Fitted) -> Option<DMatrix<f64>> {
+        let (values, steps, bounds) = (fitted.layout.values(), fitted.layout.steps(), fitted.layout.bounds());
+        let here = self.prediction(fitted.model())?;
+        let mut columns = DMatrix::zeros(here.len(), values.len());
+        for i in 0..values.len() {
+            let mut moved = values.clone();
+            let step = if moved[i] + steps[i] > bounds[i][1] { -steps[i] } else { steps[i] };
+            moved[i] += step;
+            columns.set_column(i, &((self.prediction(&fitted.layout.model_at(&moved))? - &here) / step));
+        }
+        Some(columns)
+    }
+}

@@ -1,0 +1,265 @@
+//! A model made ready to run: its right-hand side.
+//!
+//! States in order: x, v, the low-pass's stages, the effects' own, the payload's lag and its rate; then, when energies
+//! are asked for, the work done on each term.
+
+use super::switch::Switch;
+use crate::impact::body::Body;
+use crate::impact::effects::{Arrangement, Effect, GRAVITY_M_S2, LinearDamper, LinearSpring, Model, Motion, Reach, Stage, Threshold};
+
+/// States without energies at the most: x, v, three stages, one of an effect, two of the payload.
+pub(super) const CORE: usize = 8;
+/// States with energies at the most: spring, damper, seven forces, stop, payload.
+pub(super) const ALL: usize = CORE + 11;
+
+/// Index of the low-pass's first stage.
+const FILTER: usize = 2;
+
+/// A force with its place among the states.
+#[derive(Debug)]
+pub(super) struct Term {
+    pub id: &'static str,
+    pub effect: Box<dyn Effect>,
+    at: usize,
+    states: usize,
+}
+
+impl Term {
+    pub fn motion<'y>(&self, y: &'y [f64]) -> Motion<'y> {
+        Motion { x_m: y[0], v_m_s: y[1], own: &y[self.at..self.at + self.states] }
+    }
+}
+
+/// What holds between two switches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Phase {
+    /// Whether the frame has left the ground (x < 0).
+    pub airborne: bool,
+    /// How many feet have touched.
+    pub touched: usize,
+    /// Whether works are summed.
+    pub works: bool,
+}
+
+/// What pushes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Push {
+    /// Sum of the forces before the tension factor, N.
+    pub sum_n: f64,
+    /// What that is multiplied by.
+    pub factor: f64,
+    /// The stop, N.
+    pub stop_n: f64,
+    /// All of it, N.
+    pub total_n: f64,
+}
+
+/// A model made ready to run.
+#[derive(Debug)]
+pub struct System {
+    pub(super) body: Body,
+    pub(super) spring: LinearSpring,
+    pub(super) damper: LinearDamper,
+    pub(super) arrangement: Arrangement,
+    pub(super) forces: Vec<Term>,
+    pub(super) stop: Option<Term>,
+    /// Effects that change fall, contact or sensor.
+    arranging: Vec<(&'static str, Box<dyn Effect>)>,
+    pub(super) core: usize,
+    lag: usize,
+    filter_rate_1_s: f64,
+    frame_share: f64,
+}
+
+impl System {
+    /// Makes a model ready; effects that are off are left out.
+    pub fn new(model: &Model) -> Self {
+        let [stiffness_n_m, damping_n_s_m] = model.stiffness_and_damping();
+        let arrangement = model.arrangement();
+        let mut core = FILTER + arrangement.sensor.order;
+        let (mut forces, mut stop, mut arranging) = (Vec::new(), None, Vec::new());
+        let on_top = model.effects.iter().filter(|listed| !crate::impact::effects::BASE.iter().any(|base| base.id == listed.spec.id));
+        for (listed, effect) in on_top.filter_map(|listed| listed.effect().map(|effect| (listed, effect))) {
+            if listed.spec.stage == Stage::Arrangement {
+                arranging.push((listed.spec.id, effect));
+                continue;
+            }
+            let states = effect.own_states();
+            let term = Term { id: listed.spec.id, effect, at: core, states };
+            match listed.spec.stage {
+                Stage::Stop => stop = Some(term),
+                _ => forces.push(term),
+            }
+            core += states;
+        }
+        let lag = core;
+        core += if arrangement.payload.is_some() { 2 } else { 0 };
+        Self {
+            body: model.body.clone(),
+            spring: LinearSpring { stiffness_n_m },
+            damper: LinearDamper { damping_n_s_m },
+            filter_rate_1_s: arrangement.sensor.rate_1_s(),
+            frame_share: 1.0 - arrangement.payload.map_or(0.0, |payload| payload.share),
+            arrangement,
+            forces,
+            stop,
+            arranging,
+            core,
+            lag,
+        }
+    }
+
+    /// The body.
+    pub fn body(&self) -> &Body {
+        &self.body
+    }
+
+    /// Force of a frame that is compressed so slowly that nothing depends on the rate, N: friction and relaxing branches
+    /// give none, every foot stands.
+    pub fn slow_force_n(&self, x_m: f64) -> f64 {
+        let feet = self.arrangement.feet.map_or(0, |feet| feet.at_m.iter().filter(|at| **at <= x_m).count());
+        let phase = Phase { airborne: false, touched: feet, works: false };
+        let mut y = [0.0; CORE];
+        y[0] = x_m;
+        self.push(phase, &y).total_n
+    }
+
+    /// Lets the sensor read without limit.
+    pub fn lift_limit(&mut self) {
+        self.arrangement.sensor.limit_g = f64::INFINITY;
+    }
+
+    /// Fall, contact and sensor.
+    pub fn arrangement(&self) -> &Arrangement {
+        &self.arrangement
+    }
+
+    /// Why effects do not hold in a drop that went so far.
+    pub(super) fn outside(&self, reach: &Reach) -> Vec<(&'static str, String)> {
+        let base: [(&'static str, &dyn Effect); 2] = [("linear_spring", &self.spring), ("linear_damper", &self.damper)];
+        let terms = self.forces.iter().chain(&self.stop).map(|term| (term.id, term.effect.as_ref()));
+        let arranging = self.arranging.iter().map(|(id, effect)| (*id, effect.as_ref()));
+        let all = base.into_iter().chain(terms).chain(arranging);
+        let mut found: Vec<(&'static str, String)> = all.filter_map(|(id, effect)| Some((id, effect.outside(reach)?))).collect();
+        let reaches = self.arrangement.softening.as_ref().map(|softening| softening.curve.reach_m());
+        if let Some(reach_m) = reaches.filter(|reach_m| reach.deepest_m > *reach_m) {
+            let [deep, known] = [reach.deepest_m, reach_m].map(|m| m * 1e3);
+            found.push(("frame_force_curve", format!("{deep:.1} mm is deeper than the {known:.1} mm to which the frame's curve goes")));
+        }
+        found
+    }
+
+    /// Index of the state that the sensor reads.
+    pub(super) fn sensed(&self) -> usize {
+        FILTER + self.arrangement.sensor.order - 1
+    }
+
+    /// The state at first touch.
+    pub(super) fn start<const N: usize>(&self, height_m: f64) -> [f64; N] {
+        let mut y = [0.0; N];
+        y[1] = self.arrangement.fall.impact_speed_m_s(height_m);
+        y
+    }
+
+    /// What ends a step.
+    pub(super) fn switches(&self) -> Vec<Switch> {
+        let terms = self.forces.iter().chain(&self.stop);
+        let mut found: Vec<Switch> = terms
+            .flat_map(|term| term.effect.thresholds())
+            .map(|threshold| match threshold {
+                Threshold::Compression(level) => Switch::Compression(level),
+                Threshold::Speed(level) => Switch::Speed(level),
+            })
+            .collect();
+        if let Some(feet) = self.arrangement.feet {
+            found.extend((1..feet.at_m.len()).map(|foot| Switch::Foot { foot, at_m: feet.at_m[foot] }));
+        }
+        if self.arrangement.tension_factor != 1.0 {
+            found.extend([Switch::Ground, Switch::Push]);
+        }
+        found
+    }
+
+    /// Spring's and damper's forces, N.
+    pub(super) fn base_n(&self, phase: Phase, y: &[f64]) -> [f64; 2] {
+        let at = Motion { x_m: y[0], v_m_s: y[1], own: &[] };
+        match &self.arrangement.feet {
+            None => [self.spring_n(&at), self.damper.force_n(&at)],
+            Some(feet) => [
+                self.spring.stiffness_n_m * self.mean_compression_m(feet, at.x_m, phase.touched),
+                0.25 * phase.touched as f64 * self.damper.force_n(&at),
+            ],
+        }
+    }
+
+    /// What pushes the body.
+    pub(super) fn push(&self, phase: Phase, y: &[f64]) -> Push {
+        let [spring, damper] = self.base_n(phase, y);
+        let mut sum_n = spring + damper;
+        for term in &self.forces {
+            sum_n += term.effect.force_n(&term.motion(y));
+        }
+        let factor = if phase.airborne || sum_n < 0.0 { self.arrangement.tension_factor } else { 1.0 };
+        let stop_n = self.stop.as_ref().map_or(0.0, |stop| stop.effect.force_n(&stop.motion(y)));
+        Push { sum_n, factor, stop_n, total_n: factor * sum_n + stop_n }
+    }
+
+    /// Proper acceleration of the frame and of the payload, m/s².
+    pub(super) fn proper_m_s2(&self, push: &Push, y: &[f64]) -> [f64; 2] {
+        match &self.arrangement.payload {
+            None => [push.total_n / self.body.mass_kg, 0.0],
+            Some(payload) => {
+                let of_payload = payload.proper_m_s2(y[self.lag], y[self.lag + 1]);
+                let on_frame_n = push.total_n - payload.share * self.body.mass_kg * of_payload;
+                [on_frame_n / (self.frame_share * self.body.mass_kg), of_payload]
+            }
+        }
+    }
+
+    /// Lag of the payload behind the frame, m, and its rate, m/s.
+    pub(super) fn lag(&self, y: &[f64]) -> [f64; 2] {
+        if self.arrangement.payload.is_some() { [y[self.lag], y[self.lag + 1]] } else { [0.0; 2] }
+    }
+
+    /// The right-hand side.
+    pub(super) fn rates<const N: usize>(&self, phase: Phase, y: &[f64; N]) -> [f64; N] {
+        let push = self.push(phase, y);
+        let [frame, payload] = self.proper_m_s2(&push, y);
+        let mut rates = [0.0; N];
+        rates[0] = y[1];
+        rates[1] = GRAVITY_M_S2 - frame;
+        let mut felt = if self.arrangement.sensor.on_payload { payload } else { frame };
+        for stage in FILTER..FILTER + self.arrangement.sensor.order {
+            rates[stage] = self.filter_rate_1_s * (felt - y[stage]);
+            felt = y[stage];
+        }
+        for term in self.forces.iter().filter(|term| term.states > 0) {
+            term.effect.rates(&term.motion(y), &mut rates[term.at..term.at + term.states]);
+        }
+        if self.arrangement.payload.is_some() {
+            rates[self.lag] = y[self.lag + 1];
+            rates[self.lag + 1] = GRAVITY_M_S2 - payload - rates[1];
+        }
+        if phase.works {
+            self.powers(phase, y, &push, &mut rates[self.core..]);
+        }
+        rates
+    }
+
+    /// Power into each term, W: spring, damper, forces, stop, payload's spring and damper.
+    fn powers(&self, phase: Phase, y: &[f64], push: &Push, powers: &mut [f64]) {
+        let v_m_s = y[1];
+        let [spring, damper] = self.base_n(phase, y);
+        powers[0] = push.factor * spring * v_m_s;
+        powers[1] = push.factor * damper * v_m_s;
+        for (term, power) in self.forces.iter().zip(&mut powers[2..]) {
+            *power = push.factor * term.effect.force_n(&term.motion(y)) * v_m_s;
+        }
+        let behind = 2 + self.forces.len();
+        powers[behind] = push.stop_n * v_m_s;
+        if let Some(payload) = &self.arrangement.payload {
+            let [lag, rate] = self.lag(y);
+            powers[behind + 1] = payload.share * self.body.mass_kg * payload.proper_m_s2(lag, rate) * rate;
+        }
+    }
+}

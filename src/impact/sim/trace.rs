@@ -1,0 +1,169 @@
+//! A drop in full: motion, events, peaks, energies.
+
+use super::balance::{Balance, Moment, Paper};
+use super::events::Events;
+use super::integrate::{Flow, Settings, Stop, integrate};
+use super::outside::Outside;
+use super::system::{ALL, System};
+use crate::impact::effects::{GRAVITY_M_S2, Reach};
+
+/// A run goes on for this long when the frame has not left the ground, s.
+const PATIENCE_S: f64 = 0.5;
+
+/// A drop from one height.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    /// Stated drop height, m.
+    pub height_m: f64,
+    /// Speed at first touch, m/s.
+    pub impact_speed_m_s: f64,
+    /// Length of the fall, s.
+    pub fall_s: f64,
+    /// Time from first touch, s, in steps of [`Trace::STEP_S`]; shorter than asked when the run stopped.
+    pub t_s: Vec<f64>,
+    /// Compression, m.
+    pub x_m: Vec<f64>,
+    /// Its rate, m/s.
+    pub v_m_s: Vec<f64>,
+    /// Proper acceleration of the frame, g.
+    pub proper_g: Vec<f64>,
+    /// The sensor's output before sampling, g.
+    pub sensor_g: Vec<f64>,
+    /// Largest |x''|, g.
+    pub peak_coordinate_g: f64,
+    /// Largest proper acceleration, g.
+    pub peak_proper_g: f64,
+    /// Largest reading, g.
+    pub peak_sensor_g: f64,
+    /// From first touch until the ground ceases to push, s; `None` when it does not within half a second.
+    pub contact_s: Option<f64>,
+    /// Largest compression, m; `None` when the run ended before.
+    pub max_displacement_m: Option<f64>,
+    /// Energies when the gap is used up or else at the largest compression.
+    pub compression: Option<Balance>,
+    /// Energies at the release.
+    pub release: Option<Balance>,
+    /// Shares by the paper's convention.
+    pub paper: Option<Paper>,
+    /// Why the run ended.
+    pub stop: Stop,
+    /// Where it leaves what the model can say.
+    pub outside: Vec<Outside>,
+}
+
+impl Trace {
+    /// Step of the series, s.
+    pub const STEP_S: f64 = 5e-5;
+
+    fn empty(system: &System, height_m: f64) -> Self {
+        let fall = system.arrangement.fall;
+        Self {
+            height_m,
+            impact_speed_m_s: fall.impact_speed_m_s(height_m),
+            fall_s: fall.duration_s(height_m),
+            t_s: Vec::new(),
+            x_m: Vec::new(),
+            v_m_s: Vec::new(),
+            proper_g: Vec::new(),
+            sensor_g: Vec::new(),
+            peak_coordinate_g: 0.0,
+            peak_proper_g: 0.0,
+            peak_sensor_g: 0.0,
+            contact_s: None,
+            max_displacement_m: None,
+            compression: None,
+            release: None,
+            paper: None,
+            stop: Stop::End,
+            outside: Vec::new(),
+        }
+    }
+
+    fn push(&mut self, system: &System, t_s: f64, y: &[f64; ALL], proper_m_s2: f64) {
+        self.t_s.push(t_s);
+        self.x_m.push(y[0]);
+        self.v_m_s.push(y[1]);
+        self.proper_g.push(proper_m_s2 / GRAVITY_M_S2);
+        self.sensor_g.push(system.arrangement.sensor.reading_g(y[system.sensed()]));
+    }
+}
+
+/// Drops a system from a height.
+pub fn simulate(system: &System, height_m: f64, settings: &Settings) -> Trace {
+    let mut trace = Trace::empty(system, height_m);
+    let mut events = Events::new(system);
+    let points = (settings.duration_s / Trace::STEP_S).round() as usize + 1;
+    let patient = Settings { duration_s: settings.duration_s.max(PATIENCE_S), ..*settings };
+    trace.stop = integrate::<ALL>(system, height_m, &patient, true, |dense, phase| {
+        events.look(dense, phase);
+        while trace.t_s.len() < points && trace.t_s.len() as f64 * Trace::STEP_S <= dense.time_s(1.0) {
+            let t_s = trace.t_s.len() as f64 * Trace::STEP_S;
+            let y = dense.at((t_s - dense.start_s) / dense.h_s);
+            trace.push(system, t_s, &y, system.proper_m_s2(&system.push(phase, &y), &y)[0]);
+        }
+        if trace.t_s.len() == points && events.release.is_some() { Flow::Enough } else { Flow::On }
+    });
+    conclude(system, &mut trace, &events);
+    trace
+}
+
+/// Fills in what the events say.
+fn conclude(system: &System, trace: &mut Trace, events: &Events) {
+    let height_m = trace.height_m;
+    trace.peak_coordinate_g = events.coordinate_m_s2 / GRAVITY_M_S2;
+    trace.peak_proper_g = events.proper_m_s2 / GRAVITY_M_S2;
+    trace.peak_sensor_g = events.reading_g;
+    trace.contact_s = events.release.map(|(t_s, ..)| t_s);
+    trace.max_displacement_m = events.deepest.map(|(_, y, _)| y[0]);
+    let balance = |moment, (t_s, y, phase): super::events::Moment| Balance::of(system, moment, height_m, (t_s, &y, phase));
+    trace.compression = match (events.gap, events.deepest) {
+        (Some(gap), _) => Some(balance(Moment::GapReached, gap)),
+        (None, deepest) => deepest.map(|deepest| balance(Moment::TurningPoint, deepest)),
+    };
+    trace.release = events.release.map(|release| balance(Moment::Release, release));
+    trace.paper = trace.compression.as_ref().map(|compression| Paper::of(system, height_m, compression));
+    trace.outside = marks(system, trace, events);
+}
+
+fn marks(system: &System, trace: &Trace, events: &Events) -> Vec<Outside> {
+    let mut marks = Vec::new();
+    if system.arrangement.fall.height_m(trace.height_m) == 0.0 {
+        marks.push(Outside::NoFall);
+    }
+    match trace.stop {
+        Stop::End => {}
+        Stop::RanAway { t_s } => marks.push(Outside::RanAway { t_ms: t_s * 1e3 }),
+        Stop::StepsExhausted { t_s } => marks.push(Outside::Chatters { t_ms: t_s * 1e3 }),
+    }
+    if let Some((t_s, y, _)) = events.gap {
+        marks.push(Outside::PastGap { gap_mm: system.body.gap_m * 1e3, t_ms: t_s * 1e3, speed_m_s: y[1] });
+    }
+    if let (Some(x_m), Some(travel_m)) = (trace.max_displacement_m, system.body.travel_m)
+        && x_m > travel_m
+    {
+        marks.push(Outside::PastTravel { x_mm: x_m * 1e3, travel_mm: travel_m * 1e3 });
+    }
+    match trace.contact_s {
+        Some(t_s) if system.arrangement.tension_factor > 0.0 => marks.push(Outside::Pulls { t_ms: t_s * 1e3 }),
+        None if trace.stop == Stop::End => marks.push(Outside::NoRelease { t_ms: PATIENCE_S * 1e3 }),
+        _ => {}
+    }
+    if trace.peak_sensor_g >= system.arrangement.sensor.limit_g {
+        marks.push(Outside::SensorLimit { limit_g: system.arrangement.sensor.limit_g });
+    }
+    marks.extend(effects_outside(system, trace, events));
+    marks
+}
+
+/// Effects that do not hold where the drop went.
+fn effects_outside(system: &System, trace: &Trace, events: &Events) -> Vec<Outside> {
+    let reach = Reach {
+        impact_speed_m_s: trace.impact_speed_m_s,
+        deepest_m: trace.max_displacement_m.unwrap_or(0.0),
+        above_ground: trace.x_m.iter().any(|x_m| *x_m < 0.0),
+        contact_s: trace.contact_s,
+        released_at_m: events.release.map(|(_, y, _)| y[0]),
+        stiffness_n_m: system.spring.stiffness_n_m,
+    };
+    system.outside(&reach).into_iter().map(|(effect, reason)| Outside::Effect { effect, reason }).collect()
+}

@@ -1,0 +1,151 @@
+//! What to plant, from a file.
+
+use super::Hidden;
+use crate::impact::effects::Model;
+use crate::params::refusal::{Reason, Refusal};
+use crate::params::{ImpactFile, LoadError};
+
+/// How drops of the same kind differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scatter {
+    /// Coloured scatter of the readings, part of the reading.
+    pub share: f64,
+    /// Time after which it has forgotten itself to 1/e, s.
+    pub correlation_s: f64,
+    /// Scatter of the spring from drop to drop, part of it.
+    pub stiffness: f64,
+    /// The same of the damper.
+    pub damping: f64,
+    /// Scatter of the sensor's tilt from drop to drop, deg.
+    pub tilt_deg: f64,
+}
+
+/// What to plant.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The truth as far as the catalogue holds it.
+    pub model: Model,
+    /// The truth beyond.
+    pub hidden: Option<Hidden>,
+    /// Heights, m.
+    pub heights_m: Vec<f64>,
+    /// Drops a height.
+    pub drops: usize,
+    /// How they differ.
+    pub scatter: Scatter,
+    /// White noise of a reading, g.
+    pub noise_g: f64,
+    /// Counts of the converter to one g.
+    pub counts_per_g: f64,
+    /// Samples a second.
+    pub rate_hz: f64,
+    /// Of all that is random.
+    pub seed: u64,
+}
+
+/// A plain number of a plant file: key, bounds, unit, and what holds when it is not stated.
+pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
+    ("drops.count", [2.0, 100_000.0], "1", 20.0),
+    ("drops.seed", [0.0, 9e15], "1", 1.0),
+    ("scatter.share", [0.0, 2.0], "1", 0.1),
+    ("scatter.correlation_ms", [0.01, 1000.0], "ms", 1.5),
+    ("scatter.stiffness", [0.0, 0.5], "1", 0.0),
+    ("scatter.damping", [0.0, 0.5], "1", 0.0),
+    ("scatter.tilt_deg", [0.0, 45.0], "deg", 0.0),
+    ("logger.noise_g", [0.0, 50.0], "g", 0.17),
+    ("logger.counts_per_g", [0.1, 1e6], "1/g", 8.877),
+    ("logger.rate_hz", [200.0, 100_000.0], "Hz", 1000.0),
+    ("hidden.loss", [0.0, 1.0], "1", 0.5),
+];
+/// What a hidden truth takes: key, bounds, unit.
+pub const HIDDEN_NUMBERS: [(&str, [f64; 2], &str); 7] = [
+    ("hidden.x1_mm", [0.1, 60.0], "mm"),
+    ("hidden.stiffness_n_m", [0.0, 1e6], "N/m"),
+    ("hidden.share_1", [0.0, 0.45], "1"),
+    ("hidden.share_2", [0.0, 0.45], "1"),
+    ("hidden.f_1_hz", [20.0, 1000.0], "Hz"),
+    ("hidden.f_2_hz", [20.0, 1000.0], "Hz"),
+    ("hidden.zeta", [0.005, 1.5], "1"),
+];
+/// Key of the heights.
+pub const HEIGHTS: &str = "drops.heights_m";
+/// Least and highest drop, m.
+pub const HEIGHT_BOUNDS_M: [f64; 2] = [0.01, 100.0];
+/// Key of what is hidden.
+pub const KIND: &str = "hidden.kind";
+const OWN: [&str; 4] = ["drops.", "scatter.", "logger.", "hidden."];
+
+impl Plan {
+    /// Reads a plan: a model file with the tables `drops`, `scatter`, `logger` and `hidden` beside it.
+    ///
+    /// # Errors
+    /// When it cannot be read, or is refused.
+    pub fn load(path: &str) -> Result<Self, LoadError> {
+        Ok(Self::resolve(&ImpactFile::load(path)?)?)
+    }
+
+    /// A plant file's meaning.
+    ///
+    /// # Errors
+    /// What it says that cannot be, with its place.
+    pub fn resolve(file: &ImpactFile) -> Result<Self, Refusal> {
+        let own = |key: &str| OWN.iter().any(|table| key.starts_with(table));
+        let known: Vec<String> = PLAN_NUMBERS
+            .iter()
+            .map(|number| number.0)
+            .chain(HIDDEN_NUMBERS.iter().map(|number| number.0))
+            .chain([HEIGHTS, KIND])
+            .map(String::from)
+            .collect();
+        file.part(own).only(&known, &[])?;
+        let model = Model::resolve(&file.part(|key| !own(key)))?;
+        let number = |key: &str| -> Result<f64, Refusal> {
+            let (_, bounds, unit, default) = PLAN_NUMBERS[PLAN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
+            Ok(file.number(key, bounds, unit)?.unwrap_or(default))
+        };
+        let whole = |key: &str| -> Result<u64, Refusal> {
+            let value = number(key)?;
+            let reason =
+                || Reason::Impossible { message: format!("`{key}` = {value} is no whole number"), remedy: "give a whole number".into() };
+            if value.fract() == 0.0 { Ok(value as u64) } else { Err(file.refuse(key, reason())) }
+        };
+        let scatter = Scatter {
+            share: number("scatter.share")?,
+            correlation_s: number("scatter.correlation_ms")? * 1e-3,
+            stiffness: number("scatter.stiffness")?,
+            damping: number("scatter.damping")?,
+            tilt_deg: number("scatter.tilt_deg")?,
+        };
+        Ok(Self {
+            model,
+            hidden: hidden(file, number("hidden.loss")?)?,
+            heights_m: file.numbers(HEIGHTS, HEIGHT_BOUNDS_M, "m")?,
+            drops: whole("drops.count")? as usize,
+            scatter,
+            noise_g: number("logger.noise_g")?,
+            counts_per_g: number("logger.counts_per_g")?,
+            rate_hz: number("logger.rate_hz")?,
+            seed: whole("drops.seed")?,
+        })
+    }
+}
+
+fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {
+    if !file.entries.contains_key(KIND) {
+        return Ok(None);
+    }
+    let stated = |key: &str| -> Result<f64, Refusal> {
+        let (_, bounds, unit) = HIDDEN_NUMBERS[HIDDEN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
+        file.stated(key, bounds, unit)
+    };
+    Ok(Some(match Hidden::NAMES[file.word(KIND, &Hidden::NAMES)?] {
+        "two_stage" => Hidden::TwoStage { x1_m: stated("hidden.x1_mm")? * 1e-3, stiffness_n_m: stated("hidden.stiffness_n_m")?, loss },
+        "two_modes" => Hidden::TwoModes {
+            shares: [stated("hidden.share_1")?, stated("hidden.share_2")?],
+            f_hz: [stated("hidden.f_1_hz")?, stated("hidden.f_2_hz")?],
+            zeta: stated("hidden.zeta")?,
+        },
+        "wear" => Hidden::Wear { loss },
+        _ => Hidden::Snap { x1_m: stated("hidden.x1_mm")? * 1e-3, loss },
+    }))
+}

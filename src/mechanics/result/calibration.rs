@@ -1,0 +1,105 @@
+//! One number from a static test: the flexible material's modulus, and how well it is known.
+
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::static_curve::{CurveError, StaticCurve};
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
+use crate::mechanics::model::frame_model::{Extent, FrameModel};
+use crate::mechanics::parts::parts_plan::PartModel;
+use crate::mechanics::settings::Settings;
+
+/// A measured point: displacement, mm, force, N.
+pub type Measured = [f64; 2];
+
+/// What a test says.
+#[derive(Clone, Debug)]
+pub struct Calibration {
+    /// Numbers with the modulus found, its band the interval.
+    pub settings: Settings,
+    /// Interval of 95 % from the scatter of the points about the curve, MPa.
+    pub interval_mpa: [f64; 2],
+    /// Root mean square of force misfits, N, over all points.
+    pub rms_n: f64,
+    /// Curve at that modulus.
+    pub curve: StaticCurve,
+}
+
+/// Why a test cannot be used.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CalibrationError {
+    /// Too few points.
+    #[error("a calibration takes at least 3 points with a displacement above 0, there are {points}")]
+    TooFew {
+        /// How many.
+        points: usize,
+    },
+    /// The model ends before the data.
+    #[error("the model finds no equilibrium at {displacement_mm} mm, which was measured")]
+    Short {
+        /// Where.
+        displacement_mm: f64,
+    },
+    /// The modulus left its bounds.
+    #[error("the points ask for a modulus of {young_mpa:.1} MPa, outside 10 to 400: is the force in N, the displacement in mm?")]
+    Outside {
+        /// The modulus.
+        young_mpa: f64,
+    },
+    /// No curve.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
+}
+
+/// Misfit of a curve to points, N: root mean square.
+pub fn rms_n(curve: &StaticCurve, measured: &[Measured]) -> Option<f64> {
+    let squares: Option<Vec<f64>> = measured.iter().map(|[x, f]| curve.force_n(*x).map(|model| (model - f) * (model - f))).collect();
+    squares.map(|squares| (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt())
+}
+
+/// The modulus with which the curve comes nearest to the points. Force goes with the modulus but for the rods' share, so that
+/// a ratio is applied until it is one.
+///
+/// # Errors
+/// When there are too few points, or the model cannot follow them.
+pub fn calibrate(
+    design: &Design,
+    parts: &[PartModel],
+    masses: &MassTable,
+    settings: &Settings,
+    measured: &[Measured],
+) -> Result<Calibration, CalibrationError> {
+    let points = measured.iter().filter(|[x, _]| *x > 0.0).count();
+    if points < 3 {
+        return Err(CalibrationError::TooFew { points });
+    }
+    let farthest = measured.iter().map(|[x, _]| *x).fold(0.0, f64::max);
+    let mut settings = settings.clone();
+    for _ in 0..8 {
+        let model = FrameModel::of_parts(design, parts, masses, &settings, Extent::Quarter).map_err(CurveError::from)?;
+        let curve = StaticCurve::new(&model, farthest, &[])?;
+        let (mut cross, mut square) = (0.0, 0.0);
+        for [x, f] in measured {
+            let own = curve.force_n(*x).ok_or(CalibrationError::Short { displacement_mm: *x })?;
+            cross += own * f;
+            square += own * own;
+        }
+        let ratio = cross / square;
+        if (ratio - 1.0).abs() < 1e-5 {
+            let rms_n = rms_n(&curve, measured).unwrap_or(f64::INFINITY);
+            let freedom = (measured.len() - 1) as f64;
+            let scatter = rms_n * (measured.len() as f64 / freedom).sqrt();
+            // Infinite where there is no such distribution: no freedom is left.
+            let student = StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |student| student.inverse_cdf(0.975));
+            let half = settings.young_mpa * student * scatter / square.sqrt();
+            let interval_mpa = [settings.young_mpa - half, settings.young_mpa + half];
+            settings.young_band_mpa = interval_mpa;
+            return Ok(Calibration { settings, interval_mpa, rms_n, curve });
+        }
+        settings.young_mpa *= ratio;
+        if !(10.0..=400.0).contains(&settings.young_mpa) {
+            return Err(CalibrationError::Outside { young_mpa: settings.young_mpa });
+        }
+    }
+    Err(CalibrationError::Outside { young_mpa: settings.young_mpa })
+}

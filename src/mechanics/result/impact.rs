@@ -1,0 +1,223 @@
+//! The frame dropped on level ground, feet first, all four at once: what its payload feels.
+
+use std::collections::BTreeMap;
+
+use super::landing::{GRAVITY, along_axis_g, falling, rising, touching};
+use super::strength::{RodForce, ZoneState, rod_forces, zones};
+use crate::mechanics::model::frame_model::{FrameModel, ModelError};
+use crate::mechanics::settings::Settings;
+use crate::mechanics::solve::dynamics::{DynamicsError, Motion};
+use crate::mechanics::solve::memory::Energies;
+use crate::mechanics::system::structure::State;
+use crate::units::Angle;
+
+/// Bandwidth of the logger in the measured drops, Hz, first order (ADXL377).
+pub const LOGGER_HZ: f64 = 500.0;
+
+/// How a drop is computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Run {
+    /// Step, ms.
+    pub step_ms: f64,
+    /// Longest time, ms.
+    pub longest_ms: f64,
+    /// How long the feet have to be in the air for the contact to have ended, ms.
+    pub apart_ms: f64,
+    /// How far the frame is turned about X, then about Y, when it touches. Other than none needs the whole frame.
+    pub tilt: [Angle; 2],
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self { step_ms: 0.1, longest_ms: 40.0, apart_ms: 1.0, tilt: [Angle::rad(0.0); 2] }
+    }
+}
+
+/// Why there is no impact.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ImpactError {
+    /// No model.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The motion was lost.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+}
+
+/// A moment of the impact.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Moment {
+    /// Since first touch, ms.
+    pub t_ms: f64,
+    /// The payload's way down, mm.
+    pub down_mm: f64,
+    /// Its speed upwards, m/s.
+    pub up_m_s: f64,
+    /// Its proper acceleration, g: 0 in free fall.
+    pub proper_g: f64,
+    /// Force of the ground on all feet, N.
+    pub ground_n: f64,
+}
+
+/// An impact.
+#[derive(Clone, Debug)]
+pub struct Impact {
+    /// Drop height, m.
+    pub height_m: f64,
+    /// Speed at first touch, m/s.
+    pub speed_m_s: f64,
+    /// Moments, a step apart.
+    pub moments: Vec<Moment>,
+    /// When the feet left the ground, ms; `None` when they had not.
+    pub contact_ms: Option<f64>,
+    /// Speed of the whole frame's centre of mass upwards at the end over that at the start.
+    pub restitution: f64,
+    /// Energies when the payload was lowest, and at the end.
+    pub energies: [Energies; 2],
+    /// Lost in each zone, mJ, the most first.
+    pub lost: Vec<(&'static str, f64)>,
+    /// When the payload was lowest: what the parts bear.
+    pub zones: Vec<ZoneState>,
+    /// The same of the rods: the most loaded of each role over the whole impact.
+    pub rods: Vec<RodForce>,
+    /// States for pictures: when, ms, and where everything was.
+    pub states: Vec<(f64, State)>,
+    /// Energy that is in no account at the end, over the energy of the fall: of the method.
+    pub unaccounted: f64,
+}
+
+impl Impact {
+    /// Drops a frame from a height.
+    ///
+    /// # Errors
+    /// When the motion is lost.
+    pub fn new(model: &FrameModel, settings: &Settings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
+        let speed_m_s = (2.0 * 9.81 * height_m).sqrt();
+        let touching = touching(&model.system, model.hub, run.tilt);
+        let rest = touching.places[model.hub].z;
+        let mut motion = Motion::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY);
+        let copies = model.extent.copies();
+        let hub = model.system.unknowns.of(model.hub)[2];
+        let start = motion.energies();
+        let mut impact = Self {
+            height_m,
+            speed_m_s,
+            moments: vec![Moment { t_ms: 0.0, down_mm: 0.0, up_m_s: -speed_m_s, proper_g: 0.0, ground_n: 0.0 }],
+            contact_ms: None,
+            restitution: 0.0,
+            energies: [start; 2],
+            lost: Vec::new(),
+            zones: Vec::new(),
+            rods: Vec::new(),
+            states: Vec::new(),
+            unaccounted: 0.0,
+        };
+        let mut lowest = 0.0;
+        let mut left_ms = None;
+        while motion.t_ms < run.longest_ms - 1e-9 {
+            motion.advance(run.step_ms)?;
+            let down_mm = rest - motion.state.places[model.hub].z;
+            let proper_g = along_axis_g(model, &motion);
+            let ground_n = motion.ground_n * copies;
+            impact.moments.push(Moment { t_ms: motion.t_ms, down_mm, up_m_s: motion.velocity[hub], proper_g, ground_n });
+            impact.watch_rods(model, &motion.state);
+            if impact.moments.len() % 10 == 1 {
+                impact.states.push((motion.t_ms, motion.state.clone()));
+            }
+            if down_mm > lowest {
+                lowest = down_mm;
+                impact.energies[0] = motion.energies();
+                impact.zones = zones(model, &motion.state);
+            }
+            left_ms = if ground_n > 0.0 { None } else { left_ms.or(Some(motion.t_ms)) };
+            // Feet hop while the frame still comes down; that is no end.
+            let apart = left_ms.is_some_and(|at| motion.t_ms - at >= run.apart_ms - 1e-9);
+            if apart && rising(model, &motion) > 0.0 {
+                impact.contact_ms = left_ms;
+                break;
+            }
+        }
+        impact.energies[1] = motion.energies();
+        impact.restitution = rising(model, &motion) / speed_m_s;
+        impact.lost = lost(model, &motion.lost_mj);
+        let end = impact.energies[1];
+        let held = end.kinetic_mj + end.stored_mj + end.relaxed_mj + end.friction_mj;
+        impact.unaccounted = (start.kinetic_mj + end.gravity_mj - held) / start.kinetic_mj;
+        let scale = |energies: &mut Energies| {
+            for value in [
+                &mut energies.kinetic_mj,
+                &mut energies.stored_mj,
+                &mut energies.relaxed_mj,
+                &mut energies.friction_mj,
+                &mut energies.gravity_mj,
+            ] {
+                *value *= copies;
+            }
+        };
+        impact.energies.iter_mut().for_each(scale);
+        Ok(impact)
+    }
+
+    fn watch_rods(&mut self, model: &FrameModel, state: &State) {
+        for rod in rod_forces(model, state) {
+            match self.rods.iter_mut().find(|known| known.role == rod.role) {
+                Some(known) if known.utilisation() >= rod.utilisation() => {}
+                Some(known) => *known = rod,
+                None => self.rods.push(rod),
+            }
+        }
+    }
+
+    /// Largest proper acceleration of the payload, g, and when, ms.
+    pub fn peak(&self) -> [f64; 2] {
+        let peak = self.moments.iter().max_by(|a, b| a.proper_g.total_cmp(&b.proper_g));
+        peak.map_or([0.0; 2], |moment| [moment.proper_g, moment.t_ms])
+    }
+
+    /// Largest way down of the payload, mm.
+    pub fn travel_mm(&self) -> f64 {
+        self.moments.iter().map(|moment| moment.down_mm).fold(0.0, f64::max)
+    }
+
+    /// When the payload had gone down by a distance first, ms, and how fast it then was, m/s; `None` when it never had.
+    pub fn passes(&self, down_mm: f64) -> Option<[f64; 2]> {
+        let at = self.moments.windows(2).find(|pair| pair[0].down_mm < down_mm && pair[1].down_mm >= down_mm)?;
+        let share = (down_mm - at[0].down_mm) / (at[1].down_mm - at[0].down_mm);
+        Some([at[0].t_ms + share * (at[1].t_ms - at[0].t_ms), -(at[0].up_m_s + share * (at[1].up_m_s - at[0].up_m_s))])
+    }
+
+    /// The proper acceleration behind a first-order low-pass, g, moment by moment.
+    pub fn through(&self, cutoff_hz: f64) -> Vec<f64> {
+        let mut last = 0.0;
+        let mut before = 0.0;
+        let mut passed = vec![0.0];
+        for pair in self.moments.windows(2) {
+            let x = std::f64::consts::TAU * cutoff_hz * 1e-3 * (pair[1].t_ms - pair[0].t_ms);
+            // Exact for an input that runs straight from moment to moment.
+            let (kept, now) = (libm::exp(-x), pair[1].proper_g);
+            let slope = (now - before) / x;
+            last = kept * last + (now - slope) - kept * (before - slope);
+            before = now;
+            passed.push(last);
+        }
+        passed
+    }
+}
+
+/// Largest of readings a millisecond apart, g, in the mean over the phases of the logger's clock: what a peak is by its records.
+/// Readings `step_ms` apart come in.
+pub fn sampled_peak_g(reading_g: &[f64], step_ms: f64) -> f64 {
+    let each = ((1.0 / step_ms).round() as usize).max(1);
+    let of_phase = |phase: usize| reading_g.iter().skip(phase).step_by(each).copied().fold(f64::NEG_INFINITY, f64::max);
+    (0..each).map(of_phase).sum::<f64>() / each as f64
+}
+
+fn lost(model: &FrameModel, lost_mj: &[f64]) -> Vec<(&'static str, f64)> {
+    let mut of: BTreeMap<&'static str, f64> = BTreeMap::new();
+    for (tag, lost) in model.tags.iter().zip(lost_mj) {
+        *of.entry(tag.zone).or_default() += lost * model.extent.copies();
+    }
+    let mut all: Vec<(&'static str, f64)> = of.into_iter().filter(|(_, lost)| *lost > 0.0).collect();
+    all.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(b.0)));
+    all
+}

@@ -1,0 +1,68 @@
+//! What a frame's own mechanics predict, in few numbers: one function for every command that compares frames.
+
+use super::impact::{Impact, ImpactError, Run};
+use super::static_curve::{CurveError, StaticCurve};
+use super::strength::RodForce;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
+use crate::mechanics::model::frame_model::{Extent, FrameModel};
+use crate::mechanics::parts::parts_plan::part_models;
+use crate::mechanics::settings::Settings;
+
+/// The numbers.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Prediction {
+    /// Stiffness at rest, N/mm.
+    pub initial_n_mm: f64,
+    /// Secant stiffness at 8 mm, N/mm.
+    pub secant_8_mm_n_mm: f64,
+    /// Height of the design drop, m.
+    pub drop_m: f64,
+    /// Largest proper acceleration of the payload in it, g.
+    pub payload_peak_g: f64,
+    /// Largest way down of the payload, mm.
+    pub travel_mm: f64,
+    /// The zone that is strained most when the payload is lowest, and its strain.
+    pub strain: (&'static str, f64),
+    /// The rod nearest to buckling.
+    pub rod: Option<RodForce>,
+    /// Factors between which stiffness lies: the band of the modulus. Between frames of one material it cancels.
+    pub stiffness_band: [f64; 2],
+}
+
+/// Why nothing can be predicted.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum PredictionError {
+    /// Statics.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
+    /// The drop.
+    #[error(transparent)]
+    Impact(#[from] ImpactError),
+}
+
+/// How far the frame is pressed for the stiffness, mm.
+const PRESSED_MM: f64 = 10.0;
+
+/// Predicts a design.
+///
+/// # Errors
+/// When it has no model, no equilibrium, or its motion is lost.
+pub fn predict(design: &Design, masses: &MassTable, settings: &Settings) -> Result<Prediction, PredictionError> {
+    let parts = part_models(design, settings).map_err(CurveError::from)?;
+    let model = FrameModel::of_parts(design, &parts, masses, settings, Extent::Quarter).map_err(CurveError::from)?;
+    let curve = StaticCurve::new(&model, PRESSED_MM, &[])?;
+    let drop_m = settings.limits.drop_m;
+    let impact = Impact::new(&model, settings, drop_m, &Run::default())?;
+    let strained = impact.zones.iter().filter(|zone| zone.zone != "links").max_by(|a, b| a.strain.total_cmp(&b.strain));
+    Ok(Prediction {
+        initial_n_mm: curve.initial_n_mm(),
+        secant_8_mm_n_mm: curve.secant_n_mm(8.0).unwrap_or(f64::NAN),
+        drop_m,
+        payload_peak_g: impact.peak()[0],
+        travel_mm: impact.travel_mm(),
+        strain: strained.map_or(("", 0.0), |zone| (zone.zone, zone.strain)),
+        rod: impact.rods.iter().max_by(|a, b| a.utilisation().total_cmp(&b.utilisation())).cloned(),
+        stiffness_band: settings.young_band_mpa.map(|young| young / settings.young_mpa),
+    })
+}

@@ -1,0 +1,146 @@
+//! Filling plates: rectangles around the parts, packed by a library (docs/decisions/0021-plates.md).
+
+use crunch::{Item as Box, PackedItem, Rect, Rotation};
+use rayon::prelude::*;
+
+use super::plate::{Item, Plate};
+use super::room::{GAP_MM, Room, alone};
+use crate::frame::assembly::{Design, Printed};
+use crate::params::PartName;
+use crate::params::catalogue::Printer;
+use crate::params::frame::NamedMaterial;
+use crate::printing::printability;
+use crate::printing::printability::Process;
+
+/// Steps a millimetre in which the library counts.
+const STEPS: f64 = 100.0;
+
+/// How many of a part are wanted.
+pub type Wanted = (PartName, usize);
+
+/// A part that lies on no bed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{part}, {} x {} x {} mm as printed, has no room on the printer {printer}", .size_mm[0].round(), .size_mm[1].round(), .size_mm[2].round())]
+pub struct NoRoom {
+    /// The part.
+    pub part: PartName,
+    /// Its size, mm.
+    pub size_mm: [f64; 3],
+    /// The printer.
+    pub printer: String,
+}
+
+/// All that the frame needs.
+pub fn all(design: &Design) -> Vec<Wanted> {
+    design.printed.iter().map(|part| (part.name, part.name.quantity() as usize)).collect()
+}
+
+/// As many plates as are needed, those of the flexible material first.
+///
+/// # Errors
+/// [`NoRoom`] for a part that does not lie on the bed even alone.
+pub fn arrange(design: &Design, wanted: &[Wanted]) -> Result<Vec<Plate>, NoRoom> {
+    let mut plates = Vec::new();
+    let supported = supported(design, wanted);
+    for material in materials(design) {
+        let parts: Vec<&Printed> = wanted
+            .iter()
+            .filter(|(name, _)| design.material_of(*name).name == material.name)
+            .flat_map(|(name, count)| design.part(*name).into_iter().flat_map(|part| std::iter::repeat_n(part, *count)))
+            .collect();
+        for (at, mut items) in filled(&parts, &design.frame.printer)?.into_iter().enumerate() {
+            items.sort_by(|a, b| a.part.cmp(&b.part).then(place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal)));
+            let supported = supported.iter().copied().filter(|name| items.iter().any(|item| item.part == *name)).collect();
+            plates.push(Plate { material: material.clone(), number: at + 1, items, supported });
+        }
+    }
+    Ok(plates)
+}
+
+/// The wanted parts that hang over air by more than their material prints.
+fn supported(design: &Design, wanted: &[Wanted]) -> Vec<PartName> {
+    let needs = |name: &PartName| {
+        let process = Process::of(&design.material_of(*name).material, &design.frame.printer);
+        design.part(*name).is_some_and(|part| printability::needs_support(part, &process))
+    };
+    wanted.par_iter().map(|(name, _)| *name).filter(needs).collect()
+}
+
+fn place(item: &Item) -> [f64; 2] {
+    [item.middle_mm[1], item.middle_mm[0]]
+}
+
+/// Materials of the frame, each once.
+fn materials(design: &Design) -> Vec<&NamedMaterial> {
+    let (flexible, rigid) = (&design.frame.flexible, &design.frame.rigid);
+    if flexible.name == rigid.name { vec![flexible] } else { vec![flexible, rigid] }
+}
+
+/// Plates of parts of one material.
+fn filled(parts: &[&Printed], printer: &Printer) -> Result<Vec<Vec<Item>>, NoRoom> {
+    let room = Room::of(printer);
+    let low_enough = |at: &usize| parts[*at].mesh.size_mm()[2] <= printer.height_mm;
+    let mut open: Vec<usize> = (0..parts.len()).collect();
+    let mut plates = Vec::new();
+    while let Some(&first) = open.first() {
+        let low: Vec<usize> = open.iter().copied().filter(low_enough).collect();
+        let packed = packed(parts, &low, &room);
+        open.retain(|at| packed.iter().all(|item| item.data != *at));
+        if !packed.is_empty() {
+            plates.push(centred(packed.iter().map(|item| placed(item, parts[item.data], &room)).collect(), parts, &packed, &room));
+            continue;
+        }
+        // The rectangles of none of those left go into the room; a bed is larger than it.
+        let part = parts[first];
+        let Some(turned) = alone(part, printer) else {
+            return Err(NoRoom { part: part.name, size_mm: part.mesh.size_mm(), printer: printer.name.clone() });
+        };
+        plates.push(vec![Item { part: part.name, turned, middle_mm: room.middle_mm() }]);
+        open.retain(|at| *at != first);
+    }
+    Ok(plates)
+}
+
+/// What goes onto one plate.
+fn packed(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<usize>> {
+    let [width, depth] = room.size_mm.map(|size| ((size + GAP_MM) * STEPS).floor() as usize);
+    let boxes: Vec<Box<usize>> = open
+        .iter()
+        .map(|at| (*at, parts[*at].mesh.size_mm()))
+        .map(|(at, [x, y, _])| Box::new(at, steps(x), steps(y), Rotation::Allowed))
+        .filter(|one| (one.w <= width && one.h <= depth) || (one.h <= width && one.w <= depth))
+        .collect();
+    match crunch::pack(Rect::new(0, 0, width, depth), boxes) {
+        Ok(packed) | Err(packed) => packed,
+    }
+}
+
+/// A part's side with the gap behind it.
+fn steps(side_mm: f64) -> usize {
+    ((side_mm + GAP_MM) * STEPS).ceil() as usize
+}
+
+fn placed(item: &PackedItem<usize>, part: &Printed, room: &Room) -> Item {
+    let [x, y, _] = part.mesh.size_mm();
+    let turned = item.rect.w != steps(x);
+    let side = if turned { [y, x] } else { [x, y] };
+    let corner = [item.rect.x, item.rect.y].map(|at| at as f64 / STEPS);
+    Item { part: part.name, turned, middle_mm: [0, 1].map(|axis| room.low_mm[axis] + corner[axis] + 0.5 * side[axis]) }
+}
+
+/// The items moved together so that they stand in the middle of the bed.
+fn centred(items: Vec<Item>, parts: &[&Printed], packed: &[PackedItem<usize>], room: &Room) -> Vec<Item> {
+    let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    for (item, packed) in items.iter().zip(packed) {
+        let [x, y, _] = parts[packed.data].mesh.size_mm();
+        let side = if item.turned { [y, x] } else { [x, y] };
+        for axis in 0..2 {
+            bounds[0][axis] = bounds[0][axis].min(item.middle_mm[axis] - 0.5 * side[axis]);
+            bounds[1][axis] = bounds[1][axis].max(item.middle_mm[axis] + 0.5 * side[axis]);
+        }
+    }
+    let middle = room.middle_mm();
+    let shift = [0, 1].map(|axis| middle[axis] - 0.5 * (bounds[0][axis] + bounds[1][axis]));
+    let moved = |item: Item| Item { middle_mm: [0, 1].map(|axis| item.middle_mm[axis] + shift[axis]), ..item };
+    items.into_iter().map(moved).collect()
+}

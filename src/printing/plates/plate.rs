@@ -1,0 +1,60 @@
+//! A plate: copies of parts of one material on the bed.
+
+use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
+
+use crate::frame::assembly::Printed;
+use crate::params::PartName;
+use crate::params::frame::NamedMaterial;
+
+/// A copy of a part on the bed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Item {
+    /// The part.
+    pub part: PartName,
+    /// Whether it is turned by a right angle.
+    pub turned: bool,
+    /// Middle of its box on the bed, mm.
+    pub middle_mm: [f64; 2],
+}
+
+impl Item {
+    /// From the axes of the part's printed mesh to those of the bed.
+    pub fn pose(&self, part: &Printed) -> Isometry3<f64> {
+        let [low, high] = part.mesh.bounds_mm();
+        let to_middle = Translation3::new(-0.5 * (low[0] + high[0]), -0.5 * (low[1] + high[1]), -low[2]);
+        let turn = if self.turned { std::f64::consts::FRAC_PI_2 } else { 0.0 };
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turn);
+        Isometry3::from_parts(Translation3::new(self.middle_mm[0], self.middle_mm[1], 0.0), turn) * Isometry3::from(to_middle)
+    }
+}
+
+/// A plate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plate {
+    /// What it is printed of.
+    pub material: NamedMaterial,
+    /// Number among the plates of its material, from 1.
+    pub number: usize,
+    /// What lies on it, in the order of [`PartName::ALL`].
+    pub items: Vec<Item>,
+    /// The parts of it that are printed with support.
+    pub supported: Vec<PartName>,
+}
+
+impl Plate {
+    /// Its name in files: `tpu_1` for the first of `tpu-95a`.
+    pub fn name(&self) -> String {
+        format!("{}_{}", short(&self.material.name), self.number)
+    }
+
+    /// Parts on it with their numbers, in the order of [`PartName::ALL`].
+    pub fn quantities(&self) -> Vec<(PartName, usize)> {
+        let of = |name: PartName| (name, self.items.iter().filter(|item| item.part == name).count());
+        PartName::ALL.into_iter().map(of).filter(|(_, count)| *count > 0).collect()
+    }
+}
+
+/// A material's name up to its grade.
+pub fn short(material: &str) -> &str {
+    material.split('-').next().unwrap_or(material)
+}

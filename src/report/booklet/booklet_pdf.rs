@@ -1,0 +1,142 @@
+//! The instructions as a PDF: A4, a title page and a page a step.
+
+use super::pdf_document::{PdfDocument, PdfSheet};
+use crate::report::booklet::content::{Booklet, Page};
+use crate::report::picture::fold_scene::Picture;
+use crate::report::picture::lettering::Lettering;
+
+/// A4, points.
+const PAPER: [f32; 2] = [595.28, 841.89];
+/// Empty at each side, points.
+const MARGIN: f32 = 45.0;
+/// Size of the letters of headings, points; below of text and of tables.
+const HEADING: f32 = 20.0;
+const TEXT: f32 = 11.0;
+const SMALL: f32 = 8.2;
+/// Distance of lines over the size of letters.
+const LEADING: f32 = 1.35;
+/// Width of a step's pictures and of the one on the title page, points.
+const WIDTHS: [f32; 2] = [420.0, 270.0];
+
+/// The typeface inside cannot be read, so there is no PDF.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot make the PDF: its typeface does not read")]
+pub struct PdfError;
+
+/// The file's bytes.
+///
+/// # Errors
+/// When the typeface cannot be read.
+pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
+    let lettering = Lettering::new().ok_or(PdfError)?;
+    let title = format!("{}: how to put it together", booklet.frame);
+    let mut document = PdfDocument::new(&lettering, PAPER, &title);
+    for number in 0..=booklet.pages.len() {
+        let width = PAPER[0] - 2.0 * MARGIN;
+        let page = document.sheet();
+        let mut sheet = Sheet { document: &mut document, page, lettering: &lettering, y: MARGIN, left: MARGIN, width };
+        match number.checked_sub(1).and_then(|index| booklet.pages.get(index)) {
+            Some(step) => sheet.step(step),
+            None => sheet.title(&title, booklet),
+        }
+        sheet.foot(&format!("{}, page {} of {}", booklet.frame, number + 1, booklet.pages.len() + 1));
+        let page = sheet.page;
+        document.add(page);
+    }
+    Ok(document.bytes())
+}
+
+/// A sheet that is written from the top.
+struct Sheet<'a, 'd> {
+    document: &'a mut PdfDocument<'d>,
+    page: PdfSheet,
+    lettering: &'a Lettering,
+    /// How far down, points.
+    y: f32,
+    left: f32,
+    width: f32,
+}
+
+impl Sheet<'_, '_> {
+    fn words(&mut self, text: &str, size: f32) {
+        for line in self.lettering.lines(text, f64::from(size), f64::from(self.width)) {
+            self.y += LEADING * size;
+            self.document.words(&mut self.page, &line, size, [self.left, self.y - 0.35 * size]);
+        }
+    }
+
+    fn gap(&mut self, points: f32) {
+        self.y += points;
+    }
+
+    fn picture(&mut self, picture: &Picture, width: f32) {
+        let height = width * picture.size[1] as f32 / picture.size[0] as f32;
+        let at = [self.left + 0.5 * (self.width - width), self.y];
+        self.document.picture(&mut self.page, picture, at, [width, height]);
+        self.document.frame(&mut self.page, at, [width, height]);
+        self.y += height;
+    }
+
+    fn title(&mut self, title: &str, booklet: &Booklet) {
+        self.words(title, HEADING);
+        self.gap(6.0);
+        self.picture(&booklet.apart, WIDTHS[1]);
+        self.gap(4.0);
+        for line in &booklet.preface {
+            self.gap(2.0);
+            self.words(line, SMALL + 1.0);
+        }
+        self.gap(8.0);
+        let (top, whole) = (self.y, self.width);
+        self.width = 0.56 * whole;
+        self.words("Parts", TEXT + 2.0);
+        for [count, name, material] in &booklet.parts {
+            let y = self.y;
+            self.words(count, SMALL);
+            self.column(28.0, y, name);
+            self.column(160.0, y, material);
+        }
+        (self.y, self.left, self.width) = (top, self.left + 0.6 * whole, 0.4 * whole);
+        self.words("Cut the rods, mm", TEXT + 2.0);
+        for line in &booklet.cuts {
+            self.words(line, SMALL);
+            self.gap(2.0);
+        }
+        (self.left, self.width) = (MARGIN, whole);
+    }
+
+    /// A cell in the line that begins here.
+    fn column(&mut self, x: f32, y: f32, text: &str) {
+        let (left, width) = (self.left, self.width);
+        (self.left, self.y, self.width) = (left + x, y, width - x);
+        self.words(text, SMALL);
+        (self.left, self.width) = (left, width);
+    }
+
+    fn step(&mut self, step: &Page) {
+        self.words(&step.heading, HEADING);
+        self.words(&step.facts, TEXT);
+        self.gap(5.0);
+        for (picture, caption) in step.pictures.iter().zip(["Before", "After"]) {
+            self.picture(picture, WIDTHS[0]);
+            self.words(caption, SMALL);
+            self.gap(3.0);
+        }
+        self.words(&step.text, TEXT);
+        for line in &step.measures {
+            self.gap(2.0);
+            self.words(line, TEXT - 1.0);
+        }
+        if let Some(caution) = &step.caution {
+            self.gap(10.0);
+            let top = self.y;
+            self.words(&format!("Caution. {caution}"), TEXT - 1.0);
+            self.document.frame(&mut self.page, [self.left - 6.0, top - 3.0], [self.width + 12.0, self.y - top + 8.0]);
+        }
+    }
+
+    fn foot(&mut self, text: &str) {
+        self.y = PAPER[1] - MARGIN + 4.0;
+        self.words(text, SMALL);
+    }
+}

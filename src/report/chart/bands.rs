@@ -1,0 +1,69 @@
+//! A chart of many waves laid upon each other: single ones pale, the band between quartiles, the median strong.
+
+use plotters::prelude::*;
+
+use super::plot::{Area, Chart, Drawn, FONT, colour};
+
+/// Waves over one axis.
+pub(in crate::report) struct Bands {
+    /// Over the chart.
+    pub title: String,
+    /// Under it.
+    pub across: &'static str,
+    /// Beside it.
+    pub up: &'static str,
+    /// Number of the colour.
+    pub colour: usize,
+    /// Single waves.
+    pub waves: Vec<Vec<(f64, f64)>>,
+    /// A line on top, with its name.
+    pub line: Option<(String, Vec<(f64, f64)>)>,
+    /// At each time the first quartile, median and third quartile.
+    pub quartiles: Vec<(f64, [f64; 3])>,
+}
+
+impl Chart for Bands {
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        let points = || self.waves.iter().flatten().chain(self.line.iter().flat_map(|(_, line)| line));
+        let (left, right) = points().fold((0.0_f64, 1e-9_f64), |(left, right), point| (left.min(point.0), right.max(point.0)));
+        let (low, high) = points().fold((0.0_f64, 1.0_f64), |(low, high), point| (low.min(point.1), high.max(point.1)));
+        let mut chart = ChartBuilder::on(area)
+            .caption(&self.title, (FONT, 24))
+            .margin(14)
+            .x_label_area_size(44)
+            .y_label_area_size(60)
+            .build_cartesian_2d(left..right, 1.05 * low..1.05 * high)?;
+        let mesh = &mut chart.configure_mesh();
+        mesh.x_desc(self.across)
+            .y_desc(self.up)
+            .label_style((FONT, 16))
+            .axis_desc_style((FONT, 18))
+            .light_line_style(TRANSPARENT)
+            .draw()?;
+        let tone = colour(self.colour);
+        for wave in &self.waves {
+            chart.draw_series(LineSeries::new(wave.iter().copied(), ShapeStyle::from(BLACK.mix(0.18)).stroke_width(1)))?;
+        }
+        let lower = self.quartiles.iter().map(|(t, [q1, ..])| (*t, *q1));
+        let upper = self.quartiles.iter().rev().map(|(t, [.., q3])| (*t, *q3));
+        let band = Polygon::new(lower.chain(upper).collect::<Vec<_>>(), tone.mix(0.35));
+        chart
+            .draw_series([band])?
+            .label("quartiles")
+            .legend(move |(x, y)| Rectangle::new([(x, y - 6), (x + 22, y + 6)], tone.mix(0.35).filled()));
+        let median = self.quartiles.iter().map(|(t, [_, median, _])| (*t, *median));
+        let style = ShapeStyle::from(tone).stroke_width(3);
+        chart
+            .draw_series(LineSeries::new(median, style))?
+            .label("median")
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+        if let Some((name, line)) = &self.line {
+            let style = ShapeStyle::from(BLACK).stroke_width(3);
+            let drawn = chart.draw_series(LineSeries::new(line.iter().copied(), style))?;
+            drawn.label(name).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+        }
+        let legend = &mut chart.configure_series_labels();
+        legend.position(SeriesLabelPosition::UpperRight).label_font((FONT, 16)).background_style(WHITE.mix(0.85));
+        legend.border_style(BLACK.mix(0.3)).draw()
+    }
+}

@@ -1,0 +1,73 @@
+//! A chart of stacked bars in percent, two to a height: side by side what two conventions say.
+
+use plotters::prelude::*;
+
+use super::plot::{Area, Chart, Drawn, FONT, colour};
+
+/// The bars of a height.
+pub(in crate::report) struct Group {
+    /// Under them.
+    pub label: String,
+    /// Shares in %, of the left bar and of the right; by number as in [`Bars::parts`].
+    pub shares: [Vec<f64>; 2],
+}
+
+/// Stacked bars.
+pub(in crate::report) struct Bars {
+    /// Over the chart.
+    pub title: String,
+    /// What the parts are, from below.
+    pub parts: Vec<&'static str>,
+    /// What the left and the right bar of a group are.
+    pub sides: [&'static str; 2],
+    /// The groups.
+    pub groups: Vec<Group>,
+}
+
+/// Where the legend begins, pixels.
+const LEGEND: (i32, i32) = (780, 60);
+
+/// Width of a bar, of a group's 1.
+const WIDTH: f64 = 0.38;
+
+impl Chart for Bars {
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        let count = self.groups.len() as f64;
+        let mut chart = ChartBuilder::on(area)
+            .caption(&self.title, (FONT, 24))
+            .margin(14)
+            .x_label_area_size(44)
+            .y_label_area_size(60)
+            .margin_right(200)
+            .build_cartesian_2d(0.0..count, 0.0..106.0_f64)?;
+        let across = format!("drop height, m; left bar: {}, right bar: {}", self.sides[0], self.sides[1]);
+        let name = |at: &f64| {
+            let group = self.groups.get(at.floor() as usize).filter(|_| (at - at.floor() - 0.5).abs() < 1e-6);
+            group.map_or(String::new(), |group| group.label.clone())
+        };
+        let mesh = &mut chart.configure_mesh();
+        mesh.disable_x_mesh().disable_x_axis().x_desc(across).y_desc("share, %").x_labels(0).x_label_formatter(&name);
+        mesh.label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
+        for (part, title) in self.parts.iter().enumerate() {
+            let style = colour(part).filled();
+            let bars = self.groups.iter().enumerate().flat_map(|(at, group)| {
+                group.shares.iter().enumerate().map(move |(side, shares)| {
+                    let left = at as f64 + 0.5 + (side as f64 - 1.0) * (WIDTH + 0.02) + 0.01;
+                    let below: f64 = shares[..part].iter().sum();
+                    Rectangle::new([(left, below), (left + WIDTH, below + shares[part])], style)
+                })
+            });
+            chart.draw_series(bars)?;
+            let (x, y) = (LEGEND.0, LEGEND.1 + 26 * part as i32);
+            area.draw(&Rectangle::new([(x, y), (x + 14, y + 14)], style))?;
+            area.draw(&Text::new(*title, (x + 22, y), TextStyle::from((FONT, 16))))?;
+        }
+        let centred = TextStyle::from((FONT, 18)).pos(plotters::style::text_anchor::Pos::new(
+            plotters::style::text_anchor::HPos::Center,
+            plotters::style::text_anchor::VPos::Bottom,
+        ));
+        let labels = self.groups.iter().enumerate();
+        chart.draw_series(labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, 101.0), centred.clone())))?;
+        Ok(())
+    }
+}

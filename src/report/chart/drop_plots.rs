@@ -1,0 +1,96 @@
+//! The plots of a drop: acceleration and displacement over time, energies, peaks over height.
+
+use plotters::chart::SeriesLabelPosition;
+
+use super::bars::{Bars, Group};
+use super::lines::{Lines, Series};
+use super::plot::{self, PlotError};
+use crate::impact::effects::Model;
+use crate::impact::sim::{Balance, Paper, Trace};
+
+/// Every plot, path and bytes.
+///
+/// # Errors
+/// When one cannot be drawn.
+pub fn plots(model: &Model, traces: &[Trace]) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
+    let mut files = Vec::new();
+    files.extend(plot::files("acceleration", &acceleration(model, traces))?);
+    files.extend(plot::files("displacement", &displacement(model, traces))?);
+    files.extend(plot::files("energy", &energy(model, traces))?);
+    files.extend(plot::files("peak", &peak(model, traces))?);
+    Ok(files)
+}
+
+fn series(trace: &Trace, values: &[f64], scale: f64, colour: usize, label: Option<String>) -> Series {
+    let points = trace.t_s.iter().zip(values).map(|(t_s, value)| (t_s * 1e3, value * scale)).collect();
+    Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
+}
+
+fn acceleration(model: &Model, traces: &[Trace]) -> Lines {
+    let mut all = Vec::new();
+    for (at, trace) in traces.iter().enumerate() {
+        all.push(series(trace, &trace.proper_g, 1.0, at, None));
+        all.push(series(trace, &trace.sensor_g, 1.0, at, Some(format!("{} m, sensor", trace.height_m))));
+    }
+    let title = format!("{}: proper acceleration, pale as it is, strong through the sensor", model.name);
+    Lines {
+        title,
+        across: "time from first touch, ms",
+        up: "acceleration, g",
+        series: all,
+        levels: Vec::new(),
+        legend: SeriesLabelPosition::UpperRight,
+    }
+}
+
+fn displacement(model: &Model, traces: &[Trace]) -> Lines {
+    let line = |(at, trace): (usize, &Trace)| series(trace, &trace.x_m, 1e3, at, Some(format!("{} m", trace.height_m)));
+    let gap_mm = model.body.gap_m * 1e3;
+    Lines {
+        title: format!("{}: compression of the frame", model.name),
+        across: "time from first touch, ms",
+        up: "compression, mm",
+        series: traces.iter().enumerate().map(line).collect(),
+        levels: vec![(format!("gap, {gap_mm:.1} mm"), gap_mm)],
+        legend: SeriesLabelPosition::UpperRight,
+    }
+}
+
+/// Lost, stored, left for or in motion, air: of the input.
+fn balance_shares(balance: &Balance) -> Vec<f64> {
+    let motion_j = balance.kinetic_j + balance.collision_j;
+    [balance.dissipated_j, balance.stored_j, motion_j, balance.air_j].iter().map(|part| 100.0 * part / balance.input_j).collect()
+}
+
+fn energy(model: &Model, traces: &[Trace]) -> Bars {
+    let group = |trace: &Trace| {
+        let paper = |Paper { damper_percent, spring_percent, rigid_percent }| vec![damper_percent, spring_percent, rigid_percent, 0.0];
+        Some(Group { label: format!("{} m", trace.height_m), shares: [balance_shares(trace.compression.as_ref()?), paper(trace.paper?)] })
+    };
+    Bars {
+        title: format!("{}: where the energy is when the gap is used up, or else at the turning point", model.name),
+        parts: vec!["lost in dampers", "stored in springs", "rigid collision", "air"],
+        sides: ["full balance, of m g (h + x)", "the paper's, of m g h"],
+        groups: traces.iter().filter_map(group).collect(),
+    }
+}
+
+fn peak(model: &Model, traces: &[Trace]) -> Lines {
+    let line = |colour, label: &str, value: fn(&Trace) -> f64| {
+        let mut points: Vec<(f64, f64)> = traces.iter().map(|trace| (trace.height_m, value(trace))).collect();
+        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Series { label: Some(label.into()), colour, width: 2, marked: true, points }
+    };
+    Lines {
+        title: format!("{}: peak over drop height", model.name),
+        across: "drop height, m",
+        up: "peak, g",
+        series: vec![
+            line(0, "coordinate, |x''|", |trace| trace.peak_coordinate_g),
+            line(1, "proper", |trace| trace.peak_proper_g),
+            line(2, "through the sensor", |trace| trace.peak_sensor_g),
+        ],
+        levels: Vec::new(),
+        legend: SeriesLabelPosition::UpperLeft,
+    }
+}

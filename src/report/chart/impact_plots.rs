@@ -1,0 +1,58 @@
+//! Plots of the frame's own impact: acceleration, way and ground force over time.
+
+use plotters::chart::SeriesLabelPosition;
+
+use super::lines::{Lines, Series};
+use super::plot::{self, PlotError};
+use crate::mechanics::result::impact::{Impact, LOGGER_HZ, Moment};
+use crate::report::data::impact_data::Impacts;
+
+/// Every plot, path and bytes.
+///
+/// # Errors
+/// When one cannot be drawn.
+pub fn plots(found: &Impacts) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
+    let mut files = Vec::new();
+    files.extend(plot::files("acceleration", &acceleration(found))?);
+    files.extend(plot::files("displacement", &of(found, "way of the payload", "compression, mm", |m| m.down_mm, gap(found)))?);
+    files.extend(plot::files("ground", &of(found, "force of the ground", "force, N", |m| m.ground_n, Vec::new()))?);
+    Ok(files)
+}
+
+fn gap(found: &Impacts) -> Vec<(String, f64)> {
+    found.gap_mm.map(|gap| (format!("gap, {gap:.1} mm"), gap)).into_iter().collect()
+}
+
+fn series(impact: &Impact, values: impl Iterator<Item = f64>, colour: usize, label: Option<String>) -> Series {
+    let points = impact.moments.iter().map(|m| m.t_ms).zip(values).collect();
+    Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
+}
+
+fn acceleration(found: &Impacts) -> Lines {
+    let mut all = Vec::new();
+    for (at, impact) in found.impacts.iter().enumerate() {
+        all.push(series(impact, impact.moments.iter().map(|m| m.proper_g), at, None));
+        all.push(series(impact, impact.through(LOGGER_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
+    }
+    Lines {
+        title: format!("{}: payload, pale as it is, strong through the sensor", found.frame),
+        across: "time from first touch, ms",
+        up: "acceleration, g",
+        series: all,
+        levels: Vec::new(),
+        legend: SeriesLabelPosition::UpperRight,
+    }
+}
+
+fn of(found: &Impacts, what: &str, up: &'static str, value: fn(&Moment) -> f64, levels: Vec<(String, f64)>) -> Lines {
+    let line =
+        |(at, impact): (usize, &Impact)| series(impact, impact.moments.iter().map(value), at, Some(format!("{} m", impact.height_m)));
+    Lines {
+        title: format!("{}: {what}", found.frame),
+        across: "time from first touch, ms",
+        up,
+        series: found.impacts.iter().enumerate().map(line).collect(),
+        levels,
+        legend: SeriesLabelPosition::UpperRight,
+    }
+}

@@ -1,0 +1,80 @@
+//! A chart of lines over one axis, with level lines and a legend.
+
+use plotters::prelude::*;
+
+use super::plot::{Area, Chart, Drawn, FONT, colour};
+
+/// A line.
+pub(in crate::report) struct Series {
+    /// Its name in the legend; none for a line that only accompanies another.
+    pub label: Option<String>,
+    /// Number of its colour.
+    pub colour: usize,
+    /// Width, pixels.
+    pub width: u32,
+    /// Whether its points are marked.
+    pub marked: bool,
+    /// Its points.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// Lines.
+pub(in crate::report) struct Lines {
+    /// Over the chart.
+    pub title: String,
+    /// Under it.
+    pub across: &'static str,
+    /// Beside it.
+    pub up: &'static str,
+    /// The lines.
+    pub series: Vec<Series>,
+    /// Level lines, with what they mean.
+    pub levels: Vec<(String, f64)>,
+    /// Where no line is: the legend goes there.
+    pub legend: SeriesLabelPosition,
+}
+
+/// Least and largest, with a little room above and below, and never nothing between.
+fn range(values: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
+    let (low, high) = values.filter(|v| v.is_finite()).fold((0.0_f64, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
+    let room = 0.04 * (high - low).max(1e-9);
+    (if low < 0.0 { low - room } else { 0.0 })..high + room
+}
+
+impl Chart for Lines {
+    fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+        let points = || self.series.iter().flat_map(|series| &series.points);
+        let (across, up) = (range(points().map(|p| p.0)), range(points().map(|p| p.1).chain(self.levels.iter().map(|level| level.1))));
+        let mut chart = ChartBuilder::on(area)
+            .caption(&self.title, (FONT, 24))
+            .margin(14)
+            .x_label_area_size(44)
+            .y_label_area_size(60)
+            .build_cartesian_2d(across.clone(), up)?;
+        let mesh = &mut chart.configure_mesh();
+        mesh.x_desc(self.across)
+            .y_desc(self.up)
+            .label_style((FONT, 16))
+            .axis_desc_style((FONT, 18))
+            .light_line_style(TRANSPARENT)
+            .draw()?;
+        for (name, level) in &self.levels {
+            let line = LineSeries::new([(across.start, *level), (across.end, *level)], BLACK.mix(0.6));
+            chart.draw_series(line)?.label(name).legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLACK.mix(0.6)));
+        }
+        for series in &self.series {
+            let colour = colour(series.colour);
+            let style = ShapeStyle::from(colour.mix(if series.label.is_some() { 1.0 } else { 0.45 })).stroke_width(series.width);
+            let line = chart.draw_series(LineSeries::new(series.points.iter().copied(), style))?;
+            if let Some(label) = &series.label {
+                line.label(label).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+            }
+            if series.marked {
+                chart.draw_series(series.points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
+            }
+        }
+        let legend = &mut chart.configure_series_labels();
+        legend.position(self.legend.clone()).label_font((FONT, 16)).background_style(WHITE.mix(0.85)).border_style(BLACK.mix(0.3));
+        legend.draw()
+    }
+}

@@ -1,0 +1,224 @@
+//! A diagnosis as data.
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::drop_data;
+use super::own_mode::OwnMode;
+use crate::impact::diagnose::{Candidate, Diagnosis, Estimate, Gaps, Ranked, joined};
+use crate::impact::measured::{Fall, StaticTest};
+use crate::impact::sim::System;
+
+/// What was compared, for the record.
+#[derive(Clone, Debug)]
+pub struct Compared {
+    /// Channel that was used.
+    pub channel: &'static str,
+    /// Channel that the model states.
+    pub stated_channel: &'static str,
+    /// Why another was used.
+    pub channel_reason: Option<String>,
+    /// Drops used, by height, m.
+    pub drops: Vec<(f64, usize)>,
+    /// Drops left out, with the reason.
+    pub left_out: Vec<(String, String)>,
+    /// Heights that no fit saw, m.
+    pub held_out_heights_m: Vec<f64>,
+    /// Seed.
+    pub seed: u64,
+    /// How long drops fell, a height each.
+    pub falls: Vec<Fall>,
+    /// A static test beside the models.
+    pub static_test: Option<Pressed>,
+    /// A frame's own mode beside the one found.
+    pub own_mode: Option<OwnMode>,
+}
+
+impl Compared {
+    /// What falls and static test say, in sentences.
+    pub fn observed(&self) -> Vec<String> {
+        let falls = self.falls.iter().map(|fall| {
+            format!(
+                "the fall from {} m lasted {:.0} ± {:.0} ms, {:.0} ms are expected: {}",
+                fall.height_m,
+                1e3 * fall.fall_s,
+                1e3 * fall.error_s,
+                1e3 * fall.expected_s,
+                if fall.agrees() { "it agrees with the height" } else { "the height is not what was stated, or the release was not free" }
+            )
+        });
+        let pressed = self.static_test.iter().flat_map(Pressed::sentences);
+        falls.chain(pressed).chain(self.own_mode.iter().map(OwnMode::sentence)).collect()
+    }
+}
+
+/// A static test beside the models of a diagnosis. It is compared, not fitted.
+#[derive(Clone, Debug, Serialize)]
+pub struct Pressed {
+    /// Points.
+    pub points: usize,
+    /// Straight line through the origin, N/m.
+    pub line_n_m: f64,
+    /// What that leaves, rms, N.
+    pub line_off_n: f64,
+    /// What the base model leaves, its spring fitted to the drops, rms, N.
+    pub base_off_n: f64,
+    /// What the sets of effects leave, the chosen one first, rms, N.
+    pub sets_off_n: Vec<(String, f64)>,
+}
+
+impl Pressed {
+    /// Compares.
+    pub fn of(test: &StaticTest, diagnosis: &Diagnosis) -> Self {
+        let off_n = |candidate: &Candidate| {
+            let system = System::new(candidate.model());
+            test.off_n(|x_m| system.slow_force_n(x_m))
+        };
+        let (line_n_m, line_off_n) = test.line_through_origin();
+        let sets = diagnosis.alternatives.iter().map(|set| &set.candidate).filter(|set| !set.ids().is_empty());
+        let sets_off_n = sets.map(|set| (joined(set), off_n(set))).collect();
+        Self { points: test.points.len(), line_n_m, line_off_n, base_off_n: off_n(&diagnosis.base), sets_off_n }
+    }
+
+    fn sentences(&self) -> Vec<String> {
+        let line = format!(
+            "static test, {} points: its own straight line, {:.0} N/m, leaves {:.1} N, the base model {:.1} N",
+            self.points, self.line_n_m, self.line_off_n, self.base_off_n
+        );
+        let sets = self.sets_off_n.iter().map(|(ids, off_n)| format!("static test: {ids} leaves {off_n:.1} N"));
+        std::iter::once(line).chain(sets).collect()
+    }
+}
+
+/// Rounded to what a reader can use, so that the same input gives the same digits.
+fn rounded(value: f64) -> Value {
+    if value.is_finite() { json!(format!("{value:.6e}").parse::<f64>().unwrap_or(value)) } else { Value::Null }
+}
+
+/// Everything as JSON.
+pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
+    let effects: Vec<Value> = diagnosis
+        .contributions
+        .iter()
+        .map(|(id, taken)| {
+            let own: Map<String, Value> = diagnosis.estimates.iter().filter(|estimate| estimate.effect == *id).map(parameter).collect();
+            json!({ "id": id, "parameters": own, "contribution": rounded(*taken) })
+        })
+        .collect();
+    let effects = if diagnosis.verdict == crate::impact::diagnose::Verdict::NothingMissing { Vec::new() } else { effects };
+    let base: Map<String, Value> = diagnosis
+        .estimates
+        .iter()
+        .filter(|estimate| ["linear_spring", "linear_damper"].contains(&estimate.effect))
+        .map(parameter)
+        .collect();
+    let [k, c] = diagnosis.base.model().stiffness_and_damping();
+    let before = json!({ "k": rounded(k), "c": rounded(c) });
+    let alternatives: Vec<Value> = diagnosis
+        .alternatives
+        .iter()
+        .skip(1)
+        .map(|other| json!({ "effects": other.candidate.ids(), "weight": rounded(other.weight), "score": rounded(other.candidate.score) }))
+        .collect();
+    let keys: Vec<String> = diagnosis.estimates.iter().map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
+    let correlations: Vec<Vec<Value>> =
+        (0..keys.len()).map(|i| (0..keys.len()).map(|j| rounded(diagnosis.correlations[(i, j)])).collect()).collect();
+    let mut all = json!({
+        "schema_version": 1,
+        "verdict": diagnosis.verdict.id(),
+        "reasons": diagnosis.reasons,
+        "effects": effects,
+        "base": { "before": before, "after": base, "body": { "mass_kg": diagnosis.base.model().body.mass_kg, "gap_mm": diagnosis.base.model().body.gap_m * 1e3, "from": drop_data::origin(&diagnosis.base.model().body) } },
+        "weight": diagnosis.alternatives.first().map(|best| rounded(best.weight)),
+        "alternatives": alternatives,
+        "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
+        "correlations": { "of": keys, "matrix": correlations },
+        "gap": gaps(diagnosis),
+        "where": place(diagnosis),
+        "lack_of_fit_p": rounded(diagnosis.adequacy.p),
+        "base_lack_of_fit": adequacy(&diagnosis.base_adequacy),
+        "lack_of_fit": adequacy(&diagnosis.adequacy),
+        "trend_over_trials_p": rounded(diagnosis.trend_p),
+        "observables": diagnosis.observables,
+        "falls": compared.falls,
+        "static_test": compared.static_test,
+        "flat_top": diagnosis.flat_top.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
+        "restoring_force_left": diagnosis.surface,
+        "next_experiment": diagnosis.experiments.first(),
+        "experiments": diagnosis.experiments,
+        "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
+        "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
+        "left_out": compared.left_out.iter().map(|(trial, reason)| json!({ "trial": trial, "reason": reason })).collect::<Vec<_>>(),
+        "held_out_heights_m": compared.held_out_heights_m,
+        "seed": compared.seed,
+    });
+    if let Some(mode) = &compared.own_mode {
+        all["frame_mode"] = json!(mode);
+    }
+    all
+}
+
+fn parameter(estimate: &Estimate) -> (String, Value) {
+    let ci95 = estimate.ci95.map(rounded);
+    (
+        estimate.key.to_string(),
+        json!({ "value": rounded(estimate.value), "unit": estimate.unit, "ci95": ci95, "at_bound": estimate.at_bound }),
+    )
+}
+
+fn ranked(ranked: &Ranked) -> Value {
+    let by_height = ranked.constancy.as_ref().map(|constancy| {
+        let parameters: Map<String, Value> = constancy
+            .parameters
+            .iter()
+            .map(|by| {
+                let values: Vec<Value> =
+                    by.values.iter().map(|(height_m, value, _)| json!({ "height_m": height_m, "value": rounded(*value) })).collect();
+                (format!("{}.{}", by.effect, by.key), json!({ "values": values, "slope_over_impact_speed": by.slope.map(rounded) }))
+            })
+            .collect();
+        json!({ "p": rounded(constancy.p), "parameters": parameters })
+    });
+    json!({
+        "id": ranked.id,
+        "score": rounded(ranked.score),
+        "left_out_g": ranked.left_out_g.map(rounded),
+        "constancy": by_height,
+        "reason_rejected": ranked.reason_rejected,
+    })
+}
+
+fn gaps(diagnosis: &Diagnosis) -> Value {
+    let raw = |gaps: &Gaps| json!({ "fitted": rounded(gaps.fitted.raw_g), "held_out": rounded(gaps.held_out.raw_g), "trials": rounded(gaps.trials.raw_g) });
+    let (before, after) = (&diagnosis.before, &diagnosis.after);
+    json!({
+        "unit": "g",
+        "floor": rounded(before.fitted.floor_g),
+        "before": rounded(before.fitted.net_g),
+        "after": rounded(after.fitted.net_g),
+        "held_out_floor": rounded(before.held_out.floor_g),
+        "held_out_before": rounded(before.held_out.net_g),
+        "held_out_after": rounded(after.held_out.net_g),
+        "held_out": if diagnosis.heights_held_out { "heights that no fit saw" } else { "each height, fitted to the others" },
+        "trials_before": rounded(before.trials.net_g),
+        "trials_after": rounded(after.trials.net_g),
+        "records": { "template": rounded(before.fitted.template_g), "before": rounded(before.fitted.records_g), "after": rounded(after.fitted.records_g) },
+        "held_out_records": { "template": rounded(before.held_out.template_g), "before": rounded(before.held_out.records_g), "after": rounded(after.held_out.records_g) },
+        "raw_before": raw(before),
+        "raw_after": raw(after),
+    })
+}
+
+fn place(diagnosis: &Diagnosis) -> Value {
+    json!({ "cells": diagnosis.place.cells, "worst": diagnosis.place.worst, "same_in": diagnosis.place.same_in })
+}
+
+fn adequacy(adequacy: &crate::impact::diagnose::Adequacy) -> Value {
+    let [sum, effect, bump] = adequacy.single_p;
+    json!({
+        "p": rounded(adequacy.p),
+        "sum_of_squares": { "value": rounded(adequacy.statistics.sum), "p": rounded(sum) },
+        "largest_gain_by_an_effect": { "value": rounded(adequacy.statistics.effect), "p": rounded(effect) },
+        "largest_bump": { "value": rounded(adequacy.statistics.bump), "p": rounded(bump) },
+    })
+}

@@ -1,0 +1,129 @@
+//! A drop as data: JSON, and CSV files of results, traces and samples.
+
+use serde_json::{Value, json};
+
+use crate::impact::body::{Body, Origin};
+use crate::impact::effects::Model;
+use crate::impact::sim::{Sampler, Trace};
+
+/// How much of the fall stands before first touch in the samples, s.
+const FALL_S: f64 = 0.1;
+
+/// Where a body's mass and gap come from, in words.
+pub fn origin(body: &Body) -> String {
+    match &body.origin {
+        Origin::Model(name) => format!("model {name}"),
+        Origin::Frame(name) => format!("frame {name}"),
+    }
+}
+
+/// Everything as JSON; the traces' series only when asked for.
+pub fn json(model: &Model, traces: &[Trace], series: bool) -> Value {
+    let body = &model.body;
+    let sensor = &model.sensor;
+    let effects: serde_json::Map<String, Value> = model
+        .effects
+        .iter()
+        .map(|listed| {
+            let values = listed.spec.parameters.iter().zip(&listed.values).map(|(p, value)| (p.key.to_string(), json!(value)));
+            (listed.spec.id.to_string(), Value::Object(values.collect()))
+        })
+        .collect();
+    let outside: Vec<Value> = traces
+        .iter()
+        .flat_map(|trace| trace.outside.iter().map(|mark| json!({ "height_m": trace.height_m, "mark": mark.to_string() })))
+        .collect();
+    json!({
+        "schema_version": 1,
+        "model": model.name,
+        "body": { "mass_kg": body.mass_kg, "gap_mm": body.gap_m * 1e3, "from": origin(body) },
+        "sensor": { "cutoff_hz": sensor.cutoff_hz, "order": sensor.order, "limit_g": sensor.limit_g },
+        "effects": effects,
+        "heights": traces.iter().map(|trace| of_height(trace, series)).collect::<Vec<_>>(),
+        "outside": outside,
+    })
+}
+
+fn of_height(trace: &Trace, series: bool) -> Value {
+    let mut energy = json!(trace.compression);
+    if let Value::Object(energy) = &mut energy {
+        energy.insert("paper".into(), json!(trace.paper));
+        energy.insert("release".into(), json!(trace.release));
+    }
+    let mut value = json!({
+        "height_m": trace.height_m,
+        "peak_coordinate_g": trace.peak_coordinate_g,
+        "peak_proper_g": trace.peak_proper_g,
+        "peak_sensor_g": trace.peak_sensor_g,
+        "contact_time_ms": trace.contact_s.map(|t_s| t_s * 1e3),
+        "max_displacement_mm": trace.max_displacement_m.map(|x_m| x_m * 1e3),
+        "energy": energy,
+    });
+    if series {
+        value["t_s"] = json!(trace.t_s);
+        value["accel_g"] = json!(trace.sensor_g);
+    }
+    value
+}
+
+/// A number, or nothing.
+fn or_empty(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| format!("{value}"))
+}
+
+/// One line a height.
+pub fn results_csv(traces: &[Trace]) -> String {
+    let mut text = "height_m,impact_speed_m_s,peak_coordinate_g,peak_proper_g,peak_sensor_g,contact_time_ms,max_displacement_mm,\
+                    input_j,stored_j,dissipated_j,kinetic_j,collision_j,air_j,\
+                    paper_damper_percent,paper_spring_percent,paper_rigid_percent\n"
+        .to_string();
+    for trace in traces {
+        let (balance, paper) = (trace.compression.as_ref(), trace.paper.as_ref());
+        let numbers = [
+            Some(trace.height_m),
+            Some(trace.impact_speed_m_s),
+            Some(trace.peak_coordinate_g),
+            Some(trace.peak_proper_g),
+            Some(trace.peak_sensor_g),
+            trace.contact_s.map(|t_s| t_s * 1e3),
+            trace.max_displacement_m.map(|x_m| x_m * 1e3),
+            balance.map(|b| b.input_j),
+            balance.map(|b| b.stored_j),
+            balance.map(|b| b.dissipated_j),
+            balance.map(|b| b.kinetic_j),
+            balance.map(|b| b.collision_j),
+            balance.map(|b| b.air_j),
+            paper.map(|p| p.damper_percent),
+            paper.map(|p| p.spring_percent),
+            paper.map(|p| p.rigid_percent),
+        ];
+        text += &(numbers.map(or_empty).join(",") + "\n");
+    }
+    text
+}
+
+/// The series of every height.
+pub fn trace_csv(traces: &[Trace]) -> String {
+    let mut text = "height_m,t_s,x_m,v_m_s,proper_g,sensor_g\n".to_string();
+    for trace in traces {
+        for (at, t_s) in trace.t_s.iter().enumerate() {
+            let numbers = [trace.height_m, *t_s, trace.x_m[at], trace.v_m_s[at], trace.proper_g[at], trace.sensor_g[at]];
+            text += &(numbers.map(|number| format!("{number}")).join(",") + "\n");
+        }
+    }
+    text
+}
+
+/// What a logger would have written, in the form of measured records: one trial a height, the end of the fall before it.
+pub fn samples_csv(model: &Model, traces: &[Trace]) -> String {
+    let logger = Sampler { range_g: model.sensor.limit_g, ..Sampler::LOGGER };
+    let mut text = "trial,height_m,t_s,accel_g\n".to_string();
+    for (trial, trace) in traces.iter().enumerate() {
+        let before = (trace.fall_s.min(FALL_S) * logger.rate_hz).floor() as i32;
+        let fall = (-before..0).map(|sample| (logger.time_s(sample), 0.0));
+        for (t_s, accel_g) in fall.chain(logger.samples(&trace.sensor_g, Trace::STEP_S)) {
+            text += &format!("{},{},{t_s},{accel_g:.4}\n", trial + 1, trace.height_m);
+        }
+    }
+    text
+}

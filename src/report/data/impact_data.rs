@@ -1,0 +1,147 @@
+//! Impacts of the frame's own model as words, JSON and CSV.
+
+use serde_json::{Value, json};
+
+use crate::mechanics::result::impact::{Impact, LOGGER_HZ};
+use crate::mechanics::settings::Settings;
+
+/// What was computed.
+pub struct Impacts<'a> {
+    /// The frame's name.
+    pub frame: &'a str,
+    /// The numbers it was computed with.
+    pub settings: &'a Settings,
+    /// Mass of the whole frame, g.
+    pub mass_g: f64,
+    /// Room under what hangs lowest, mm; none of a frame that is turned.
+    pub gap_mm: Option<f64>,
+    /// How far the frame is turned about X and Y when it touches, degrees.
+    pub tilt_deg: [f64; 2],
+    /// Height by height.
+    pub impacts: &'a [Impact],
+}
+
+/// Peak behind the sensor, g.
+pub fn sensor_peak_g(impact: &Impact) -> f64 {
+    impact.through(LOGGER_HZ).into_iter().fold(0.0, f64::max)
+}
+
+fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
+    let [peak_g, peak_ms] = impact.peak();
+    let touch = found.gap_mm.map(|gap| impact.passes(gap));
+    let rods: Vec<Value> = impact
+        .rods
+        .iter()
+        .map(|rod| json!({ "rod": rod.rod, "role": rod.role, "compression_n": rod.compression_n, "buckling_n": rod.buckling_n }))
+        .collect();
+    let lost: serde_json::Map<String, Value> = impact.lost.iter().map(|(zone, mj)| (zone.to_string(), json!(mj))).collect();
+    let mut value = json!({
+        "height_m": impact.height_m,
+        "impact_speed_m_s": impact.speed_m_s,
+        "peak_proper_g": peak_g,
+        "peak_at_ms": peak_ms,
+        "peak_sensor_g": sensor_peak_g(impact),
+        "travel_mm": impact.travel_mm(),
+        "contact_ms": impact.contact_ms,
+        "restitution": impact.restitution,
+        "touches": touch.map(|touch| json!({
+            "gap_mm": found.gap_mm,
+            "touches": touch.is_some(),
+            "at_ms": touch.map(|t| t[0]),
+            "speed_m_s": touch.map(|t| t[1]),
+        })),
+        "energy_lowest": impact.energies[0],
+        "energy_end": impact.energies[1],
+        "lost_mj": lost,
+        "zones_lowest": impact.zones,
+        "rods": rods,
+        "unaccounted": impact.unaccounted,
+    });
+    if series {
+        value["moments"] = json!(impact.moments);
+        value["sensor_g"] = json!(impact.through(LOGGER_HZ));
+    }
+    value
+}
+
+/// Everything as JSON; the series only when asked for.
+pub fn json(found: &Impacts, series: bool) -> Value {
+    json!({
+        "schema_version": 1,
+        "frame": found.frame,
+        "model": "frame",
+        "mass_g": found.mass_g,
+        "young_mpa": found.settings.young_mpa,
+        "young_band_mpa": found.settings.young_band_mpa,
+        "relaxation_exponent": found.settings.relaxation_exponent,
+        "impact_modulus": found.settings.impact_modulus,
+        "impact_loss": found.settings.impact_loss,
+        "tilt_deg": found.tilt_deg,
+        "heights": found.impacts.iter().map(|impact| of_height(found, impact, series)).collect::<Vec<_>>(),
+    })
+}
+
+/// The series of every height.
+pub fn trace_csv(found: &Impacts) -> String {
+    let mut text = "height_m,t_ms,down_mm,up_m_s,proper_g,sensor_g,ground_n\n".to_string();
+    for impact in found.impacts {
+        for (m, sensor) in impact.moments.iter().zip(impact.through(LOGGER_HZ)) {
+            text += &format!("{},{:.3},{},{},{},{sensor},{}\n", impact.height_m, m.t_ms, m.down_mm, m.up_m_s, m.proper_g, m.ground_n);
+        }
+    }
+    text
+}
+
+/// What a person reads.
+pub fn table(found: &Impacts) -> String {
+    let mut text = format!(
+        "{}: {:.1} g, E {:.1} MPa at rest (known from {:.1} to {:.1}), relaxation exponent {}, modulus and loss in an impact {} and {}\n",
+        found.frame,
+        found.mass_g,
+        found.settings.young_mpa,
+        found.settings.young_band_mpa[0],
+        found.settings.young_band_mpa[1],
+        found.settings.relaxation_exponent,
+        found.settings.impact_modulus,
+        found.settings.impact_loss
+    );
+    if found.tilt_deg != [0.0; 2] {
+        text += &format!(
+            "turned by {} and {} degrees about X and Y at first touch; peaks are along the frame's own axis\n",
+            found.tilt_deg[0], found.tilt_deg[1]
+        );
+    }
+    text.push('\n');
+    text += "height  impact  --- peak, g ---     at  travel  contact  rebound   -- lost, % --\n";
+    text += "     m     m/s  proper   sensor     ms      mm       ms    speed   TPU   ground\n";
+    for impact in found.impacts {
+        let [peak, at] = impact.peak();
+        let end = &impact.energies[1];
+        let input = 0.5 * found.mass_g * impact.speed_m_s * impact.speed_m_s;
+        let contact = impact.contact_ms.map_or("     -".into(), |ms| format!("{ms:>6.1}"));
+        text += &format!(
+            "{:>6} {:>7.3} {peak:>7.1} {:>8.1} {at:>6.1} {:>7.1}   {contact} {:>8.2} {:>5.1} {:>8.1}\n",
+            impact.height_m,
+            impact.speed_m_s,
+            sensor_peak_g(impact),
+            impact.travel_mm(),
+            impact.restitution,
+            100.0 * end.relaxed_mj / input,
+            100.0 * end.friction_mj / input,
+        );
+    }
+    if let Some(gap) = found.gap_mm {
+        text.push('\n');
+        for impact in found.impacts {
+            text += &match impact.passes(gap) {
+                Some([ms, speed]) => format!(
+                    "{} m: what hangs lowest reaches the ground after {ms:.1} ms at {speed:.2} m/s (gap {gap:.1} mm); its blow is not in the peak\n",
+                    impact.height_m
+                ),
+                None => format!("{} m: the gap of {gap:.1} mm is not used up\n", impact.height_m),
+            };
+        }
+    }
+    text.push('\n');
+    text
+}

@@ -1,0 +1,124 @@
+//! The frame's own model fitted to drops, as words, JSON and CSV.
+
+use serde_json::{Value, json};
+
+use crate::impact::frame_fit::{FrameFit, Height, Predicted};
+
+/// What was fitted.
+pub struct Fitted<'a> {
+    /// The frame's name.
+    pub frame: &'a str,
+    /// What the drops say.
+    pub heights: &'a [Height],
+    /// The fit.
+    pub fit: &'a FrameFit,
+}
+
+impl Fitted<'_> {
+    fn measured(&self, height_m: f64) -> Option<&Height> {
+        self.heights.iter().find(|height| height.height_m == height_m)
+    }
+
+    /// Each prediction with the word for how it came about.
+    fn rows(&self) -> impl Iterator<Item = (&'static str, &Predicted)> {
+        let fit = self.fit;
+        let fitted = fit.fitted.iter().map(|row| ("fitted", row));
+        let left_out = fit.left_out.iter().map(|row| ("from the others", row));
+        fitted.chain(left_out).chain(fit.from_one.iter().map(|row| ("from one", row)))
+    }
+}
+
+/// Everything as JSON.
+pub fn json(found: &Fitted) -> Value {
+    json!({
+        "schema_version": 1,
+        "frame": found.frame,
+        "heights": found.heights,
+        "estimates": found.fit.estimates,
+        "young_mpa": found.fit.settings.young_mpa,
+        "relaxation_exponent": found.fit.settings.relaxation_exponent,
+        "fitted": found.fit.fitted,
+        "left_out": found.fit.left_out,
+        "from_one": found.fit.from_one,
+        "interpolation": found.fit.interpolation,
+    })
+}
+
+/// Predictions, a line each.
+pub fn predictions_csv(found: &Fitted) -> String {
+    let mut text =
+        "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse\n".to_string();
+    for (how, row) in found.rows() {
+        let Some(height) = found.measured(row.height_m) else { continue };
+        let from: Vec<String> = row.from_m.iter().map(f64::to_string).collect();
+        text += &format!(
+            "{how},{},{},{},{},{},{},{},{},{}\n",
+            from.join(" "),
+            row.height_m,
+            row.impact_modulus,
+            row.impact_loss,
+            row.peak_g,
+            height.peak_g.value,
+            row.peak_off_percent,
+            row.impulse,
+            height.impulse.value
+        );
+    }
+    text
+}
+
+/// Head of the file of numbers.
+pub fn remark(found: &Fitted) -> String {
+    let [modulus, loss] = &found.fit.estimates;
+    let heights: Vec<String> = found.heights.iter().map(|height| height.height_m.to_string()).collect();
+    format!(
+        "impact_modulus {:.3} ({:.3} to {:.3}) and impact_loss {:.3} ({:.3} to {:.3}) from drops of {} from {} m:\n\
+         median peaks and impulses along the axis. They stand for all that a level landing lacks, and hold for this print and ground.",
+        modulus.value,
+        modulus.ci95[0],
+        modulus.ci95[1],
+        loss.value,
+        loss.ci95[0],
+        loss.ci95[1],
+        found.frame,
+        heights.join(", ")
+    )
+}
+
+/// What a person reads.
+pub fn table(found: &Fitted) -> String {
+    let settings = &found.fit.settings;
+    let mut text = format!(
+        "{}: E {:.1} MPa at rest, relaxation exponent {}; fitted to median peaks and impulses of {} heights\n\n",
+        found.frame,
+        settings.young_mpa,
+        settings.relaxation_exponent,
+        found.heights.len()
+    );
+    text += "number              value   95 % of the medians' scatter\n";
+    for estimate in &found.fit.estimates {
+        let bound = if estimate.at_bound { "   at its bound" } else { "" };
+        let [low, high] = estimate.ci95;
+        text += &format!("{:<16} {:>8.3}   {low:.3} to {high:.3}{bound}\n", estimate.key, estimate.value);
+    }
+    text += "\n                              ---- peak along the axis, g ----   -- impulse / v0 --\n";
+    text += "how               from, m  height   measured   model   off, %   measured   model   modulus   loss\n";
+    for (how, row) in found.rows() {
+        let Some(height) = found.measured(row.height_m) else { continue };
+        let from: Vec<String> = row.from_m.iter().map(f64::to_string).collect();
+        text += &format!(
+            "{how:<15} {:>9} {:>7} {:>10.1} {:>7.1} {:>+8.1} {:>10.2} {:>7.2} {:>9.3} {:>6.3}\n",
+            from.join(" "),
+            row.height_m,
+            height.peak_g.value,
+            row.peak_g,
+            row.peak_off_percent,
+            height.impulse.value,
+            row.impulse,
+            row.impact_modulus,
+            row.impact_loss
+        );
+    }
+    text.push('\n');
+    text
+}

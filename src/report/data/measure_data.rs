@@ -1,0 +1,126 @@
+//! Measured drops as data: JSON and CSV of heights and of single drops.
+
+use serde_json::{Value, json};
+
+use crate::impact::measured::{Drop, DropSet, Group, Spread, Summary};
+
+/// What a group is called.
+pub fn name(group: &Group) -> String {
+    match &group.frame {
+        Some(frame) => format!("{frame} {} m", group.height_m),
+        None => format!("{} m", group.height_m),
+    }
+}
+
+/// Everything as JSON.
+pub fn json(set: &DropSet, groups: &[(&Group, Vec<Drop>)]) -> Value {
+    let heights: Vec<Value> = groups
+        .iter()
+        .map(|(group, drops)| {
+            let mut value = json!(Summary::of(group, drops));
+            let mut flags = serde_json::Map::new();
+            for flag in drops.iter().flat_map(|drop| &drop.flags) {
+                let count = flags.get(flag.name()).and_then(Value::as_u64).unwrap_or(0);
+                flags.insert(flag.name().into(), json!(count + 1));
+            }
+            value["flags"] = Value::Object(flags);
+            value
+        })
+        .collect();
+    json!({
+        "schema_version": 1,
+        "heights": heights,
+        "drops": groups.iter().flat_map(|(_, drops)| drops).map(of_drop).collect::<Vec<_>>(),
+        "notes": set.notes,
+    })
+}
+
+fn of_drop(drop: &Drop) -> Value {
+    let record = drop.record;
+    let flags: Vec<Value> = drop.flags.iter().map(|flag| json!({ "flag": flag.name(), "reason": flag.to_string() })).collect();
+    let mut value = json!({
+        "trial": record.trial,
+        "frame": record.frame,
+        "height_m": record.height_m,
+        "source": record.source,
+        "samples": record.len(),
+        "flags": flags,
+    });
+    if let Some(impact) = &drop.impact {
+        value["trigger_s"] = json!(record.t_s[impact.trigger]);
+        value["peak_g"] = json!(record.magnitude_g.as_ref().map(|_| impact.peak_g));
+        value["peak_axial_g"] = json!(impact.peak_axial_g);
+        value["to_peak_ms"] = json!(impact.to_peak_s * 1e3);
+        value["impulse_over_v0"] = json!(impact.impulse_over_v0(record.height_m));
+        value["restitution"] = json!(impact.restitution(record.height_m));
+        value["restitution_by_flight"] = json!(impact.restitution_by_flight(record.height_m));
+        value["second_hit_s"] = json!(impact.second_hit.map(|hit| record.t_s[hit]));
+        value["fall_s"] = json!(impact.fall_s);
+        value["noise_g"] = json!(impact.noise_g);
+    }
+    value
+}
+
+/// A number, or nothing.
+fn or_empty(value: Option<f64>) -> String {
+    value.map_or(String::new(), |value| format!("{value}"))
+}
+
+/// A text as a field.
+fn quoted(text: &str) -> String {
+    if text.contains(['"', ',', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
+}
+
+/// One line a height.
+pub fn heights_csv(groups: &[(&Group, Vec<Drop>)]) -> String {
+    let kinds =
+        ["peak_g", "peak_axial_g", "clean_peak_axial_g", "impulse_over_v0", "restitution", "restitution_by_flight", "fall_s", "noise_g"];
+    let mut text = "frame,height_m,drops,clean".to_string();
+    for kind in kinds {
+        text += &format!(",{kind}_q1,{kind}_median,{kind}_q3");
+    }
+    text.push('\n');
+    for (group, drops) in groups {
+        let sum = Summary::of(group, drops);
+        text += &format!("{},{},{},{}", quoted(sum.frame.as_deref().unwrap_or_default()), sum.height_m, sum.drops, sum.clean);
+        let spreads = [
+            sum.peak_g,
+            sum.peak_axial_g,
+            sum.clean_peak_axial_g,
+            sum.impulse_over_v0,
+            sum.restitution,
+            sum.restitution_by_flight,
+            sum.fall_s,
+            sum.noise_g,
+        ];
+        for spread in spreads {
+            let three = |spread: Spread| [spread.q1, spread.median, spread.q3].map(Some);
+            text += &format!(",{}", spread.map_or([None; 3], three).map(or_empty).join(","));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// One line a drop.
+pub fn drops_csv(groups: &[(&Group, Vec<Drop>)]) -> String {
+    let mut text =
+        "frame,height_m,trial,source,peak_g,peak_axial_g,to_peak_ms,impulse_over_v0,restitution,fall_s,noise_g,flags\n".to_string();
+    for drop in groups.iter().flat_map(|(_, drops)| drops) {
+        let (record, impact) = (drop.record, drop.impact.as_ref());
+        let numbers = [
+            impact.filter(|_| record.magnitude_g.is_some()).map(|impact| impact.peak_g),
+            impact.map(|impact| impact.peak_axial_g),
+            impact.map(|impact| impact.to_peak_s * 1e3),
+            impact.map(|impact| impact.impulse_over_v0(record.height_m)),
+            impact.map(|impact| impact.restitution(record.height_m)),
+            impact.and_then(|impact| impact.fall_s),
+            impact.and_then(|impact| impact.noise_g),
+        ];
+        let flags: Vec<&str> = drop.flags.iter().map(|flag| flag.name()).collect();
+        let frame = record.frame.as_deref().unwrap_or_default();
+        let named = [quoted(frame), record.height_m.to_string(), quoted(&record.trial), quoted(&record.source)].join(",");
+        text += &format!("{named},{},{}\n", numbers.map(or_empty).join(","), flags.join(" "));
+    }
+    text
+}

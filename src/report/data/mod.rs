@@ -1,0 +1,10 @@
+//! Results as data: JSON and CSV.
+
+pub mod diagnosis_data;
+pub mod drop_data;
+pub mod fit_data;
+pub mod impact_data;
+pub mod impact_fit_data;
+pub mod measure_data;
+pub mod own_mode;
+pub mod stiffness_data;

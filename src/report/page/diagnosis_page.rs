@@ -1,0 +1,287 @@
+//! A diagnosis as a page to read.
+
+use crate::impact::diagnose::{Diagnosis, Point, Verdict, joined};
+use crate::report::chart::lines::{Lines, Series};
+use crate::report::chart::plot::{PlotError, files};
+use crate::report::data::diagnosis_data::Compared;
+use crate::report::page::document::Block;
+
+/// Title of the page.
+pub fn title(diagnosis: &Diagnosis) -> String {
+    let chosen = joined(&diagnosis.chosen);
+    match diagnosis.verdict {
+        Verdict::NothingMissing => "Nothing is missing".into(),
+        Verdict::Named => format!("Missing: {chosen}"),
+        Verdict::Ambiguous => format!("Missing: {chosen}, or another that these drops cannot tell from it"),
+        Verdict::NoneSuffices => "No effect of the catalogue suffices".into(),
+    }
+}
+
+/// Everything, in the order of the work.
+///
+/// # Errors
+/// When a figure cannot be drawn.
+pub fn blocks(diagnosis: &Diagnosis, compared: &Compared) -> Result<Vec<Block>, PlotError> {
+    let mut blocks = vec![Block::List(diagnosis.reasons.clone())];
+    blocks.extend(drops(diagnosis, compared));
+    blocks.extend(gaps(diagnosis));
+    blocks.extend(waves(diagnosis)?);
+    blocks.extend(place(diagnosis));
+    blocks.extend(ranking(diagnosis));
+    blocks.extend(estimates(diagnosis));
+    blocks.extend(left(diagnosis));
+    blocks.extend(next(diagnosis));
+    Ok(blocks)
+}
+
+fn cells<const N: usize>(cells: [&str; N]) -> Vec<String> {
+    cells.map(String::from).to_vec()
+}
+
+fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
+    let rows = diagnosis
+        .observables
+        .iter()
+        .map(|one| {
+            let possible = if one.impossible { "impossible for a vertical impact" } else { "possible" };
+            vec![
+                format!("{}", one.height_m),
+                one.drops.to_string(),
+                format!("{:.1}", one.median_peak_g),
+                format!("{:.2} ± {:.2}", one.impulse_over_v0, one.error),
+                format!("{:.2}: {possible}", one.most),
+            ]
+        })
+        .collect();
+    let head = cells(["height, m", "drops", "median peak, g", "impulse / v0", "at most"]);
+    let mut blocks = vec![Block::Heading("What the drops say before any model".into()), Block::Table(head, rows)];
+    let mut lines = vec![format!("Channel: {} (the model was fitted to: {}).", compared.channel, compared.stated_channel)];
+    lines.extend(compared.channel_reason.clone());
+    lines.extend(compared.observed());
+    if let Some(flat) = diagnosis.flat_top {
+        lines.push(format!("{} readings pile up at {:.1} g with nothing above: a limit.", flat.readings, flat.level_g));
+    }
+    lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
+    lines.extend(compared.left_out.iter().map(|(trial, reason)| format!("Left out: {trial}, {reason}.")));
+    blocks.push(Block::List(lines));
+    blocks
+}
+
+fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
+    let held = if diagnosis.heights_held_out { "heights that no fit saw" } else { "each height, fitted to the others" };
+    let (before, after) = (&diagnosis.before, &diagnosis.after);
+    let row = |what: &str, before: crate::impact::diagnose::Gap, after: crate::impact::diagnose::Gap| {
+        vec![
+            what.to_string(),
+            format!("{:.2}", before.net_g),
+            format!("{:.2}", after.net_g),
+            format!("{:.2}", after.net_g / before.net_g.max(1e-9)),
+            format!("{:.2}", before.floor_g),
+            format!("{:.2} → {:.2}", before.raw_g, after.raw_g),
+        ]
+    };
+    let rows = vec![
+        row("fitted heights", before.fitted, after.fitted),
+        row(held, before.held_out, after.held_out),
+        row("every second drop, fitted to the others", before.trials, after.trials),
+    ];
+    let head = cells(["mean wave against model", "before, g", "after, g", "ratio", "floor, g", "raw, g"]);
+    vec![
+        Block::Heading("The gap, before and after".into()),
+        Block::Text(
+            "Root of the mean over samples of (mean wave − model)² − SE², in g; the floor is the standard error of the mean wave itself, and nothing below it can be seen."
+                .into(),
+        ),
+        Block::Table(head, rows),
+    ]
+}
+
+fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
+    let mut blocks = vec![Block::Heading("Waves and what is left of them".into())];
+    let mut heights: Vec<f64> = diagnosis.base_points.iter().map(|point| point.height_m).collect();
+    heights.dedup();
+    for height_m in &heights {
+        let of = |points: &[Point], value: &dyn Fn(&Point) -> f64| -> Vec<(f64, f64)> {
+            points.iter().filter(|point| point.height_m == *height_m).map(|point| (point.t_ms, value(point))).collect()
+        };
+        let line = |label: &str, colour: usize, width: u32, marked: bool, points: Vec<(f64, f64)>| Series {
+            label: Some(label.into()),
+            colour,
+            width,
+            marked,
+            points,
+        };
+        let chart = Lines {
+            title: format!("Mean wave from {height_m} m"),
+            across: "time from first touch, ms",
+            up: "acceleration, g",
+            series: vec![
+                line("measured", 6, 1, true, of(&diagnosis.base_points, &|point| point.measured_g)),
+                line("before", 1, 2, false, of(&diagnosis.base_points, &|point| point.model_g)),
+                line("after", 0, 2, false, of(&diagnosis.chosen_points, &|point| point.model_g)),
+            ],
+            levels: Vec::new(),
+            legend: plotters::prelude::SeriesLabelPosition::UpperRight,
+        };
+        blocks.push(figure(
+            &format!("wave-{:03.0}cm", height_m * 100.0),
+            &chart,
+            format!("Mean wave from {height_m} m with the model before and after."),
+        )?);
+    }
+    for (name, points, when) in [("left-before", &diagnosis.base_points, "before"), ("left-after", &diagnosis.chosen_points, "after")] {
+        let series = heights
+            .iter()
+            .enumerate()
+            .map(|(colour, height_m)| Series {
+                label: Some(format!("{height_m} m")),
+                colour,
+                width: 2,
+                marked: true,
+                points: points
+                    .iter()
+                    .filter(|point| point.height_m == *height_m)
+                    .map(|point| (point.t_ms, (point.measured_g - point.model_g) / point.error_g.max(1e-3)))
+                    .collect(),
+            })
+            .collect();
+        let chart = Lines {
+            title: format!("Left {when}"),
+            across: "time from first touch, ms",
+            up: "measured less model, standard errors",
+            series,
+            levels: vec![("2 standard errors".into(), 2.0), ("−2".into(), -2.0)],
+            legend: plotters::prelude::SeriesLabelPosition::UpperRight,
+        };
+        blocks.push(figure(name, &chart, format!("What the model leaves {when}, in standard errors of the mean wave."))?);
+    }
+    Ok(blocks)
+}
+
+fn figure(name: &str, chart: &Lines, caption: String) -> Result<Block, PlotError> {
+    let [(_, svg), _] = files(name, chart)?;
+    Ok(Block::Figure { name: name.into(), svg: String::from_utf8_lossy(&svg).into_owned(), caption })
+}
+
+fn place(diagnosis: &Diagnosis) -> Vec<Block> {
+    let rows = diagnosis
+        .place
+        .cells
+        .iter()
+        .map(|cell| {
+            vec![format!("{}", cell.height_m), format!("{:?}", cell.phase), format!("{:.2}", cell.apart_g), format!("{:.2}", cell.error_g)]
+        })
+        .collect();
+    let (worst, same) = (&diagnosis.place.worst, &diagnosis.place.same_in);
+    vec![
+        Block::Heading("Where the base model is apart".into()),
+        Block::Table(cells(["height, m", "phase", "apart, g", "standard error, g"]), rows),
+        Block::Text(format!(
+            "Furthest apart in standard errors: from {} m, {:.1} ms after first touch, at {:.1} mm and {:.2} m/s, {:.1} g measured and {:.1} g in the model. \
+             Shapes of neighbouring heights lie on each other (correlation) {:.2} by time, {:.2} by displacement, {:.2} by speed.",
+            worst.height_m, worst.t_ms, worst.x_mm, worst.v_m_s, worst.measured_g, worst.model_g, same.t, same.x, same.v
+        )),
+    ]
+}
+
+fn ranking(diagnosis: &Diagnosis) -> Vec<Block> {
+    let rows = diagnosis
+        .ranking
+        .iter()
+        .map(|one| {
+            let score = if one.score.is_finite() { format!("{:.1}", one.score) } else { "-".into() };
+            let steady = one.constancy.as_ref().map_or("-".into(), |constancy| format!("{:.2e}", constancy.p));
+            vec![
+                one.id.clone(),
+                score,
+                one.left_out_g.map_or("-".into(), |gap| format!("{gap:.2}")),
+                steady,
+                one.reason_rejected.clone().unwrap_or_else(|| "chosen".into()),
+            ]
+        })
+        .collect();
+    vec![
+        Block::Heading("Every candidate".into()),
+        Block::Text(format!(
+            "Score: whitened sum of squares and 5 for each parameter; the base model has {:.1}, of {} numbers compared. Left out: gap of each height when fitted to the others. Steady: chance of the parameters' differences between heights.",
+            diagnosis.base.fitted.chi2(),
+            diagnosis.base_points.len()
+        )),
+        Block::Table(cells(["effects", "score", "left out, g", "steady, p", "why not"]), rows),
+    ]
+}
+
+fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
+    let rows = diagnosis
+        .estimates
+        .iter()
+        .map(|one| {
+            let [low, high] = one.ci95;
+            let bound = if one.at_bound { " (at its bound)" } else { "" };
+            vec![
+                format!("{}.{}", one.effect, one.key),
+                format!("{:.4}{bound}", one.value),
+                one.unit.into(),
+                format!("{low:.4} to {high:.4}"),
+            ]
+        })
+        .collect();
+    let mut lines = Vec::new();
+    for i in 0..diagnosis.estimates.len() {
+        for j in 0..i {
+            let r = diagnosis.correlations[(i, j)];
+            if r.abs() > 0.8 {
+                lines.push(format!("{} and {} go together: correlation {r:.2}.", diagnosis.estimates[i].key, diagnosis.estimates[j].key));
+            }
+        }
+    }
+    let mut blocks = vec![Block::Heading("The model after".into()), Block::Table(cells(["parameter", "value", "unit", "95 %"]), rows)];
+    if !lines.is_empty() {
+        blocks.push(Block::List(lines));
+    }
+    blocks
+}
+
+fn left(diagnosis: &Diagnosis) -> Vec<Block> {
+    let [sum, effect, bump] = diagnosis.adequacy.single_p;
+    let mut blocks = vec![
+        Block::Heading("Is the rest only scatter?".into()),
+        Block::Text(format!(
+            "Chance of what the model after leaves, from data simulated with it: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a bump {bump:.3}). Before: p = {:.3}.",
+            diagnosis.adequacy.p, diagnosis.base_adequacy.p
+        )),
+    ];
+    if !diagnosis.surface.is_empty() {
+        let rows = diagnosis
+            .surface
+            .iter()
+            .filter(|patch| patch.force_n.abs() > 2.0 * patch.error_n)
+            .map(|patch| {
+                vec![
+                    format!("{:.1}", patch.x_mm),
+                    format!("{:.2}", patch.v_m_s),
+                    format!("{:.1} ± {:.1}", patch.force_n, patch.error_n),
+                    patch.samples.to_string(),
+                ]
+            })
+            .collect();
+        blocks.push(Block::Text(
+            "What is left, as a force over displacement and speed; cells of less than two standard errors are not shown.".into(),
+        ));
+        blocks.push(Block::Table(cells(["x, mm", "v, m/s", "force, N", "samples"]), rows));
+    }
+    blocks
+}
+
+fn next(diagnosis: &Diagnosis) -> Vec<Block> {
+    let Some(first) = diagnosis.experiments.first() else { return Vec::new() };
+    let rows = diagnosis.experiments.iter().take(6).map(|one| vec![one.what.clone(), format!("{:.1}", one.discrimination)]).collect();
+    vec![
+        Block::Heading("The next experiment".into()),
+        Block::Text(format!(
+            "To tell {} from {}: {}. Expected squared distance in units of the scatter {:.1}; 10 and more decides.",
+            first.between[0], first.between[1], first.what, first.discrimination
+        )),
+        Block::Table(cells(["experiment", "discrimination"]), rows),
+    ]
+}

@@ -1,0 +1,9 @@
+//! Pages to read: Markdown and HTML.
+
+pub mod coupon_page;
+pub mod diagnosis_page;
+pub mod diff_page;
+pub mod document;
+pub mod print_settings;
+pub mod summary;
+pub mod weighing_page;

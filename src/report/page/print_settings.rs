@@ -1,0 +1,85 @@
+//! `print-settings.md`: what a person sets on the slicer, and what has come along with the plates.
+
+use std::fmt::Write;
+
+use crate::frame::assembly::Design;
+use crate::params::catalogue::{Bed, Printer};
+use crate::printing::plates::{Plate, Setting, Settings};
+
+/// The page.
+pub fn markdown(design: &Design, plates: &[Plate]) -> String {
+    let printer = &design.frame.printer;
+    let [x, y] = printer.size_mm;
+    let bed = match printer.bed {
+        Bed::Rectangular => format!("{x} x {y} mm"),
+        Bed::Round => format!("{x} mm across"),
+    };
+    let mut text = format!(
+        "# Printing {}\n\nLaid out for {} (bed {bed}, nozzle {} mm). Open a plate's `.3mf`, choose your own printer, print. Layers, walls, infill, \
+         speeds, brim and support travel with every object as far as PrusaSlicer reads them; heat, flow and fan belong to the spool and are yours to \
+         choose. Orca Slicer and Bambu Studio take parts, names, colours and places from the plates and leave the settings of others: set them by the \
+         names in the last column. A slicer that asks whether to load the project may load it: no printer and no start code is in it.\n",
+        design.frame.name, printer.name, printer.nozzle_mm
+    );
+    compensation(&mut text, printer);
+    let mut seen: Vec<&str> = Vec::new();
+    for plate in plates {
+        let name = plate.material.name.as_str();
+        if !seen.contains(&name) {
+            seen.push(name);
+            material(&mut text, design, plates, name);
+        }
+    }
+    text
+}
+
+/// What the files differ in from the design: what a slicer must not do again.
+fn compensation(text: &mut String, printer: &Printer) {
+    let [hole_mm, foot_mm] = [printer.hole_undersize_mm, printer.elephant_foot_mm].map(|mm| mm.unwrap_or(0.0));
+    if hole_mm > 0.0 {
+        let _ = write!(
+            text,
+            "\nRound holes of the STL and 3MF files are drawn {hole_mm} mm wider, as the printer's profile says: leave the slicer's own hole compensation off.\n"
+        );
+    }
+    if foot_mm > 0.0 {
+        let _ = write!(
+            text,
+            "\nTheir first layer is drawn in by {foot_mm} mm: leave the slicer's own elephant foot compensation off; the plates tell PrusaSlicer so.\n"
+        );
+    }
+}
+
+fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
+    let own: Vec<&Plate> = plates.iter().filter(|plate| plate.material.name == name).collect();
+    let Some(first) = own.first() else { return };
+    let Some((part, _)) = first.quantities().first().copied() else { return };
+    let material = &first.material.material;
+    let common = Settings::of_part(first.supported.contains(&part), material, &design.frame.printer);
+    // Writing to a string does not fail.
+    let _ = write!(text, "\n## {name}\n\n| plate | parts |\n|---|---|\n");
+    for plate in &own {
+        let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
+        let _ = writeln!(text, "| `plates/{}.3mf` | {} |", plate.name(), parts.join(", "));
+    }
+    let _ = write!(text, "\n| of the spool | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
+    rows(text, &Settings::of_filament(material).0);
+    let _ = write!(text, "\n| of the object | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
+    rows(text, &common.0);
+    for (plate, part) in own.iter().flat_map(|plate| plate.quantities().into_iter().map(move |(part, _)| (plate, part))) {
+        let other = Settings::of_part(plate.supported.contains(&part), material, &design.frame.printer);
+        let differs: Vec<String> = other.beside(&common).iter().map(|one| format!("{} {}", one.words, one.value)).collect();
+        if !differs.is_empty() {
+            let _ = write!(text, "\n`{part}` differs: {}.\n", differs.join(", "));
+        }
+    }
+    if let Some(source) = &material.print_source {
+        let _ = write!(text, "\nSource: {source}.\n");
+    }
+}
+
+fn rows(text: &mut String, settings: &[Setting]) {
+    for one in settings {
+        let _ = writeln!(text, "| {} | {} | `{}` | `{}` |", one.words, one.value, one.key, one.orca().unwrap_or("-"));
+    }
+}

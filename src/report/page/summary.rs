@@ -1,0 +1,134 @@
+//! `report.md`: what a person wants to know about a frame, on one page.
+
+use std::fmt::Write;
+
+use crate::checks::{Finding, Tightest, Verdict, tightest};
+use crate::export::bom;
+use crate::figures::decimals;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::skeleton::RodRole;
+
+/// The report of a design, with its findings; `pictures` says whether the pictures lie beside it.
+pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bool) -> String {
+    let mut page = String::new();
+    let frame = &design.frame;
+    // Writing to a String cannot fail.
+    let _ = writeln!(page, "# {}\n\n{}\n", frame.name, frame.description);
+    if pictures {
+        page.push_str("![assembled](pictures/assembled_perspective.png)\n\n");
+    }
+    verdict(&mut page, findings);
+    geometry(&mut page, design, masses);
+    printed(&mut page, design, masses, pictures);
+    rods(&mut page, design);
+    weights(&mut page, masses);
+    limits(&mut page, findings);
+    if pictures {
+        page.push_str("## Pictures\n\n| front | right | top |\n|---|---|---|\n");
+        page.push_str(
+            "| ![front](pictures/assembled_front.png) | ![right](pictures/assembled_right.png) | ![top](pictures/assembled_top.png) |\n\n",
+        );
+        page.push_str("All parts as they are printed:\n\n![flat](pictures/flat_on_bed.png)\n");
+    }
+    page
+}
+
+fn verdict(page: &mut String, findings: &[Finding]) {
+    let broken: Vec<&Finding> = findings.iter().filter(|f| f.verdict == Verdict::Violated).collect();
+    if broken.is_empty() {
+        let _ = writeln!(page, "Every limit holds.\n");
+        return;
+    }
+    let _ = writeln!(page, "**{} limits are violated:**\n", broken.len());
+    for finding in broken {
+        let _ = writeln!(page, "- {}", finding.message);
+    }
+    page.push('\n');
+}
+
+fn geometry(page: &mut String, design: &Design, masses: &MassTable) {
+    let c = &design.skeleton.closure;
+    let [x, y, z] = masses.centre_of_mass_mm.map(|mm| decimals(mm, 1));
+    let _ = writeln!(page, "| | |\n|---|---|");
+    let _ = writeln!(page, "| total mass | {:.1} g, of which {:.1} g are estimates |", masses.total_g, masses.estimated_g);
+    let _ = writeln!(page, "| centre of mass (X right, Y front, Z up from the arms) | {x}, {y}, {z} mm |");
+    let i = masses.inertia_g_mm2;
+    let _ = writeln!(page, "| inertia about it, Ixx, Iyy, Izz | {:.0}, {:.0}, {:.0} g mm² |", i[0][0], i[1][1], i[2][2]);
+    let _ = writeln!(page, "| strut tilt, leg slope | {:.1}°, {:.1}° |", c.strut_tilt.to_deg(), c.leg_tilt.to_deg());
+    let _ = writeln!(
+        page,
+        "| folds: struts at the corners, legs at both ends | {:.1}°, {:.1}° |",
+        90.0 + c.strut_tilt.to_deg(),
+        c.leg_tilt.to_deg()
+    );
+    page.push('\n');
+}
+
+fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: bool) {
+    page.push_str("## Print\n\n| part | pieces | material | size mm | volume mm³ | g each | file |\n|---|---|---|---|---|---|---|\n");
+    for part in &design.printed {
+        let [x, y, z] = part.mesh.size_mm();
+        let line = masses.lines.iter().find(|line| line.name == part.name.slug());
+        let (material, each) = line.map_or(("", 0.0), |line| (line.material.as_str(), line.each_g));
+        let picture = if pictures { format!(" [picture](pictures/part_{}.png)", part.name) } else { String::new() };
+        let _ = writeln!(
+            page,
+            "| {} | {} | {material} | {x:.1} x {y:.1} x {z:.1} | {:.0} | {each:.2} | [stl](parts/{}.stl){picture} |",
+            part.name,
+            part.name.quantity(),
+            part.volume_mm3,
+            part.name
+        );
+    }
+    page.push('\n');
+}
+
+fn rods(page: &mut String, design: &Design) {
+    let _ = writeln!(page, "## Cut\n\nRods of {} mm, {}:\n", design.frame.rods.rod_diameter_mm, design.frame.rod_material.name);
+    for role in RodRole::ALL {
+        let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
+    }
+    let rod = design.frame.bought.get("rod");
+    let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
+    match bom::cutting_plan(design, stock_mm) {
+        Ok(plan) => {
+            let _ = writeln!(page, "\n{} stock lengths of {stock_mm:.0} mm; which piece from which stands in `bom.csv`.\n", plan.len());
+        }
+        Err(error) => {
+            let _ = writeln!(page, "\n**{error}**\n");
+        }
+    }
+}
+
+fn weights(page: &mut String, masses: &MassTable) {
+    page.push_str("## Mass\n\n| what | pieces | g each | g | how it is known |\n|---|---|---|---|---|\n");
+    for line in &masses.lines {
+        let _ = writeln!(
+            page,
+            "| {} {} | {} | {:.2} | {:.2} | {} |",
+            line.name, line.material, line.quantity, line.each_g, line.total_g, line.basis
+        );
+    }
+    let _ = writeln!(page, "| **total** | | | **{:.1}** | |\n", masses.total_g);
+}
+
+fn limits(page: &mut String, findings: &[Finding]) {
+    let count = findings.len();
+    let _ = writeln!(page, "## Limits\n\nThe tightest of each kind; `flexframe check --all` prints all {count}.\n");
+    page.push_str("| rule | of | value | limit | margin | |\n|---|---|---|---|---|---|\n");
+    for Tightest { finding: f, .. } in tightest(findings) {
+        let verdict = match f.verdict {
+            Verdict::Holds => "holds",
+            Verdict::Violated => "**violated**",
+            Verdict::Note => "note",
+        };
+        let [value, limit, margin] = f.figures();
+        let _ = writeln!(page, "| {} | {} | {value} {unit} | {limit} {unit} | {margin} | {verdict} |", f.rule, f.subject, unit = f.unit);
+    }
+    page.push('\n');
+    for note in findings.iter().filter(|f| f.verdict == Verdict::Note && f.margin < 0.0) {
+        let _ = writeln!(page, "- {}", note.message);
+    }
+    page.push('\n');
+}

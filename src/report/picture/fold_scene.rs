@@ -1,0 +1,246 @@
+//! Pictures of the fold: each step before and after, and the frame taken apart.
+//!
+//! They are read without colours, too: what moves is dark, what it is joined to or turned by is of middle brightness, the rest is
+//! pale; arrows are black with a white rim.
+
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+
+use super::arrow::Arrow;
+use super::camera::{Camera, View};
+use super::lettering::Lettering;
+use super::raster;
+use crate::frame::assembly::Design;
+use crate::frame::fold::{Done, FoldSequence, Member, Moment, Motion, Step, Task, exploded, mesh_at, module_turn, moment};
+use crate::frame::skeleton::MODULE_NAMES;
+use crate::report::picture::image::{Item, corners, encoded, fills_of};
+use crate::solid::Mesh;
+
+/// Width and height of a step's picture, pixels.
+pub const STEP_SIZE: [u32; 2] = [960, 600];
+/// Width and height of the picture of the frame taken apart, pixels.
+const EXPLODED_SIZE: [u32; 2] = [1600, 1200];
+/// Height of the letters in a picture, pixels.
+const LETTERS: f64 = 26.0;
+/// Linear colours of what moves, of what it meets, and of the rest.
+const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
+/// Places along an arrow.
+const ARROW_PLACES: usize = 16;
+/// Room between layers of the centre when it is taken apart, mm.
+const LAYER_MM: f64 = 45.0;
+
+/// A picture: red, green, blue bytes, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// Its bytes.
+    pub rgb: Vec<u8>,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+}
+
+impl Picture {
+    /// As a PNG file.
+    pub fn png(&self) -> Vec<u8> {
+        encoded(&self.rgb, self.size[0], self.size[1])
+    }
+}
+
+/// A body in a picture, with a mesh of its own.
+struct Shown {
+    mesh: Mesh,
+    pose: Isometry3<f64>,
+    colour: [f32; 4],
+}
+
+/// Everything about a step that its pictures need.
+struct Stage<'a> {
+    design: &'a Design,
+    fold: &'a FoldSequence,
+    order: Vec<Task>,
+    at: usize,
+}
+
+/// A step before and after; with arrows in the first.
+pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> [Picture; 2] {
+    let stage = Stage { design, fold, order: fold.order(), at };
+    let [before, after] = [stage.moment(0.0), stage.moment(1.0)];
+    let [from, to] = [stage.shown(&before), stage.shown(&after)];
+    let arrows = stage.arrows();
+    let mut points: Vec<Point3<f64>> = [&from, &to].into_iter().flat_map(|shown| corners(&items(shown))).collect();
+    points.extend(arrows.iter().flat_map(|(arrow, _)| &arrow.way));
+    let camera = Camera::fit(View::Perspective, false, &points, STEP_SIZE);
+    [draw(&from, &arrows, &camera, STEP_SIZE), draw(&to, &[], &camera, STEP_SIZE)]
+}
+
+/// The frame taken apart.
+pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
+    let rules = fold.rules(&design.frame, &design.skeleton);
+    let places = exploded(&rules, &fold.order());
+    let mut layers: Vec<(f64, usize)> = Vec::new();
+    for (index, body) in design.bodies.iter().enumerate().filter(|(_, body)| body.module.is_none()) {
+        let [low, high] = design.placed(body).bounds_mm();
+        layers.push((0.5 * (low[2] + high[2]), index));
+    }
+    layers.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let hub = layers.iter().position(|(_, index)| design.bodies[*index].name == Member::Hub.body(0)).unwrap_or(0) as f64;
+    let mut shown = Vec::new();
+    for (index, body) in design.bodies.iter().enumerate() {
+        let shape = design.shape(body);
+        let layer = layers.iter().position(|(_, i)| *i == index).map_or(0.0, |layer| layer as f64 - hub);
+        let member = Member::ALL.into_iter().find(|m| body.module.is_some_and(|module| m.body(module) == body.name));
+        let pose = match (member.and_then(|m| places.iter().find(|(p, _)| *p == m)), body.module) {
+            (Some((_, pose)), Some(module)) => module_turn(module) * pose,
+            _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
+        };
+        shown.push(Shown { mesh: shape.mesh.clone(), pose, colour: shape.colour });
+    }
+    let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), EXPLODED_SIZE);
+    draw(&shown, &[], &camera, EXPLODED_SIZE)
+}
+
+fn items(shown: &[Shown]) -> Vec<Item<'_>> {
+    shown.iter().map(|s| Item { mesh: &s.mesh, pose: s.pose, colour: s.colour }).collect()
+}
+
+fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
+    let mut fills = fills_of(&items(shown), camera);
+    fills.extend(arrows.iter().flat_map(|(arrow, _)| arrow.fills(camera)));
+    let [width, height] = size.map(|s| s as usize);
+    let mut rgb = raster::rgb(&fills, width, height);
+    let Some(lettering) = Lettering::new() else { return Picture { rgb, size } };
+    for (arrow, label) in arrows.iter().filter(|(_, label)| !label.is_empty()) {
+        let [a, b] = [0.35, 0.5].map(|share| camera.project(&arrow.way[(share * (arrow.way.len() - 1) as f64) as usize]));
+        // Beside the arrow, on its left.
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        let length = libm::hypot(dx, dy).max(1e-9);
+        let off = 16.0 + 0.5 * (lettering.width(label, LETTERS) * (dy / length).abs() + LETTERS * (dx / length).abs());
+        lettering.write(&mut rgb, width, label, LETTERS, [b[0] + dy / length * off, b[1] - dx / length * off]);
+    }
+    Picture { rgb, size }
+}
+
+impl Stage<'_> {
+    fn step(&self) -> &Step {
+        &self.fold.steps[self.at]
+    }
+
+    fn done(&self) -> Done {
+        self.order[..self.at].iter().copied().collect()
+    }
+
+    fn moment(&self, way: f64) -> Moment {
+        let rules = self.fold.rules(&self.design.frame, &self.design.skeleton);
+        moment(&rules, &self.order, &self.done(), (self.order[self.at], way))
+    }
+
+    /// Whether the step is about the whole frame.
+    fn is_whole(&self) -> bool {
+        self.order[..=self.at].contains(&Task::CloseRing)
+    }
+
+    /// What moves, and what it meets.
+    fn actors(&self) -> [Vec<Member>; 2] {
+        let task = self.step().task;
+        let mut moving: Vec<Member> = task.contacts().into_iter().map(|(mover, _)| mover).collect();
+        let mut meets: Vec<Member> = task.contacts().into_iter().map(|(_, onto)| onto).collect();
+        if let Some((part, lever)) = task.lever() {
+            moving.push(part);
+            meets.push(lever);
+        }
+        if task == Task::CloseRing {
+            moving.extend([Member::Cage(true), Member::Cage(false)]);
+        }
+        [moving, meets]
+    }
+
+    fn shown(&self, moment: &Moment) -> Vec<Shown> {
+        let rules = self.fold.rules(&self.design.frame, &self.design.skeleton);
+        let done: Done = self.order[..=self.at].iter().copied().collect();
+        let [moving, meets] = self.actors();
+        let anchors = moving.iter().chain(&meets);
+        let members: Vec<Member> = anchors.flat_map(|m| rules.component(*m, &done)).collect();
+        let modules = if self.is_whole() { MODULE_NAMES.len() } else { 1 };
+        let mut shown = Vec::new();
+        for member in Member::ALL.into_iter().filter(|m| members.contains(m) && *m != Member::Hub) {
+            let folds = moment.folds.iter().find(|(m, _)| *m == member).map_or(&[][..], |(_, folds)| folds);
+            let Some(mesh) = mesh_at(self.design, &self.fold.module, member, folds) else { continue };
+            let colour = COLOURS[if moving.contains(&member) {
+                0
+            } else if meets.contains(&member) {
+                1
+            } else {
+                2
+            }];
+            let turned = (0..modules).map(|module| module_turn(module) * moment.pose(member));
+            shown.extend(turned.map(|pose| Shown { mesh: mesh.clone(), pose, colour }));
+        }
+        for body in self.design.bodies.iter().filter(|body| self.is_whole() && body.module.is_none()) {
+            let colour = COLOURS[if meets.contains(&Member::Hub) && body.name == Member::Hub.body(0) { 1 } else { 2 }];
+            shown.push(Shown { mesh: self.design.shape(body).mesh.clone(), pose: body.pose, colour });
+        }
+        shown
+    }
+
+    /// Arrows of the step's moves, with the angles of its bends.
+    fn arrows(&self) -> Vec<(Arrow, String)> {
+        let task = self.step().task;
+        let tracers: Vec<(Member, Point3<f64>)> = match (task, task.lever()) {
+            (Task::BendLeg, _) => vec![(Member::Leg, Point3::new(0.0, 0.0, 0.6 * self.rod_mm(Member::Leg)))],
+            (_, Some((part, _))) => vec![(part, corner_tip())],
+            (Task::CloseTriangle, _) => vec![(Member::Corner(false), corner_tip()), (Member::Fork, Point3::origin())],
+            _ => self.actors()[0]
+                .iter()
+                .filter(|m| task != Task::CloseRing || **m == Member::HubJoint)
+                .map(|m| (*m, self.middle(*m)))
+                .collect(),
+        };
+        let modules = if self.is_whole() { MODULE_NAMES.len() } else { 1 };
+        let mut arrows = Vec::new();
+        for (member, point) in tracers {
+            let way: Vec<Point3<f64>> =
+                (0..=ARROW_PLACES).map(|i| self.moment(i as f64 / ARROW_PLACES as f64).pose(member) * point).collect();
+            let way = if task.motion() == Motion::Bend || matches!(member, Member::Corner(_)) { way } else { along(&way) };
+            let label = self.label(member);
+            for module in 0..modules {
+                let turn: UnitQuaternion<f64> = module_turn(module);
+                arrows.push((Arrow { way: way.iter().map(|p| turn * p).collect() }, label.clone()));
+            }
+        }
+        arrows
+    }
+
+    /// The angle of the largest bend of a member that turns.
+    fn label(&self, member: Member) -> String {
+        let turned = if member == Member::Leg { Member::HubJoint } else { member };
+        let bends = self.step().bends.iter().filter(|bend| bend.body == turned.body(0));
+        let most = bends.map(|bend| bend.to_deg - bend.from_deg).fold(0.0, f64::max);
+        if most > 0.0 { format!("{most:.0}°") } else { String::new() }
+    }
+
+    fn rod_mm(&self, member: Member) -> f64 {
+        member.rod().map_or(0.0, |role| self.design.skeleton.length_mm(role))
+    }
+
+    /// Middle of a member in its own axes.
+    fn middle(&self, member: Member) -> Point3<f64> {
+        let body = self.design.bodies.iter().find(|body| body.name == member.body(0));
+        let [low, high] = body.map_or([[0.0; 3]; 2], |body| self.design.shape(body).mesh.bounds_mm());
+        Point3::from((Vector3::from(low) + Vector3::from(high)) * 0.5)
+    }
+}
+
+/// A place of a corner that shows how it turns.
+fn corner_tip() -> Point3<f64> {
+    Point3::new(20.0, 20.0, 0.0)
+}
+
+/// Shortest arrow, mm.
+const SHORTEST_MM: f64 = 30.0;
+
+/// The middle half of a straight way; a very short one longer, around its middle.
+fn along(way: &[Point3<f64>]) -> Vec<Point3<f64>> {
+    let (Some(first), Some(last)) = (way.first(), way.last()) else { return Vec::new() };
+    let whole = last - first;
+    let grown = (SHORTEST_MM / whole.norm().max(1e-9)).max(0.6);
+    let middle = nalgebra::center(first, last);
+    (0..=ARROW_PLACES).map(|i| middle + whole * (grown * (i as f64 / ARROW_PLACES as f64 - 0.5))).collect()
+}

@@ -1,0 +1,14 @@
+//! Pictures of meshes: camera, rasteriser, and the scenes that are drawn.
+
+pub(in crate::report) mod arrow;
+pub mod bent_scene;
+pub(in crate::report) mod camera;
+pub mod fold_scene;
+pub mod image;
+pub(in crate::report) mod lettering;
+pub mod plate_picture;
+pub mod printing_picture;
+pub(in crate::report) mod raster;
+pub mod scene;
+pub mod side_by_side;
+pub(in crate::report) mod surface;

@@ -1,0 +1,27 @@
+//! A plate as it lies on the bed.
+
+use nalgebra::{Isometry3, Translation3};
+
+use crate::frame::assembly::Design;
+use crate::params::catalogue;
+use crate::printing::plates::Plate;
+use crate::report::picture::image as picture;
+use crate::report::picture::image::{Bed, Item, View};
+
+/// The picture as the bytes of a PNG file; size in pixels.
+pub fn png(design: &Design, plate: &Plate, [width, height]: [u32; 2]) -> Vec<u8> {
+    let printer = &design.frame.printer;
+    // The picture's bed begins at its corner, a round one's coordinates in its middle.
+    let shift = match printer.bed {
+        catalogue::Bed::Rectangular => [0.0; 2],
+        catalogue::Bed::Round => printer.size_mm.map(|size| 0.5 * size),
+    };
+    let moved = Isometry3::from(Translation3::new(shift[0], shift[1], 0.0));
+    let colour = plate.material.material.colour;
+    let item = |item: &crate::printing::plates::Item| {
+        let part = design.part(item.part)?;
+        Some(Item { mesh: &part.mesh, pose: moved * item.pose(part), colour })
+    };
+    let items: Vec<Item> = plate.items.iter().filter_map(item).collect();
+    picture::png_on_bed(&items, &Bed { size_mm: printer.size_mm }, View::Perspective, width, height)
+}
