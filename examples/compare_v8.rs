@@ -164,20 +164,20 @@ fn sheet(rows: &[[Vec<u8>; 2]; 2]) -> Vec<u8> {
 }
 
 const INTRODUCTION: &str = "\
-# The preset `cognifly-v8` beside the real frame
+# The preset `cognifly-v8` and the real frame
 
-Written by `examples/compare_v8.rs`; run it again after a change to a part:
+This page is written by `examples/compare_v8.rs`. Run it again after a change to a part:
 
     FLEXFRAME_DATA=../shared/data cargo run --release --example compare_v8
 
-The STL files of the real CogniFly, version 8, carry no licence. They are not part of this repository: the program reads them
-where `FLEXFRAME_DATA` says, and only figures and renderings are kept. The pictures show the real part on the left and ours on
-the right, as they lie on the print bed and, below that, turned over.
+The STL files of the real CogniFly, version 8, carry no licence. They are not part of this repository. The program reads them from
+the folder that `FLEXFRAME_DATA` names, and only figures and renderings are stored here. The pictures show the real part on the left
+and ours on the right: in the upper row in print orientation, in the lower row turned over.
 
-Box: edges of the bounding box in the real file's axes. Overlap: volume that both share over the volume of both together, with
-the two parts laid upon each other by their known axes, without fitting; a fitted position could only raise it. Functional
-dimensions are measured with the same probes (`tests/real/probe.rs`) on both STL files; the figures in the middle come from
-cylinder and plane fits on the real frame's STEP files. `tests/measured_parts.rs`, `tests/measured_overlap.rs` and
-`tests/measured_skeleton.rs` hold them: boxes to 1 mm, volumes to 10 %, dimensions to 0.05 mm, overlap to at least 0.85.
+The box gives the edges of the bounding box in the axes of the real file. The overlap is the volume of the intersection over that of the
+union. For it, the two parts are superimposed by their known axes, without fitting. A fitted position could only increase it.
+Functional dimensions are measured with the same probes (`tests/frame/real/probe.rs`) on both STL files. The column `figure` comes from
+cylinder and plane fits on the real frame's STEP files. `tests/frame/measured_parts.rs`, `tests/frame/measured_overlap.rs` and
+`tests/frame/measured_skeleton.rs` check these limits: boxes 1 mm, volumes 10 %, dimensions 0.05 mm, overlap at least 0.85.
 
 ";

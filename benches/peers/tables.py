@@ -21,14 +21,14 @@ def rule(columns):
 
 
 def name_table(cases):
-    """How often the first name is the planted one."""
+    """How often the first name is the true one."""
     whos = list(cases[0]["names"])
 
     def right(some):
         return [f"{sum(one['names'][who] == one['effect'] for one in some)}/{len(some)}" for who in whos]
 
     print()
-    row("effect planted", "excess of the linear fit, weak / plain", *whos)
+    row("hidden effect", "excess of the linear fit, weak / plain", *whos)
     rule(2 + len(whos))
     for effect in dict.fromkeys(one["effect"] for one in cases):
         some = [one for one in cases if one["effect"] == effect]
@@ -64,8 +64,8 @@ def parts(cases):
 def time_table(rows):
     """Milliseconds and ratios."""
     print()
-    waves = ("waves apart, g", "SciPy, ms a wave: RK45 (LSODA)", "over the tool's published")
-    row("model", *waves, "SciPy, ms a refit", "tool, ms a refit", "ratio")
+    waves = ("difference of waves, g", "SciPy, ms a wave: RK45 (LSODA)", "over flexframe's published time")
+    row("model", *waves, "SciPy, ms a refit", "flexframe, ms a refit", "ratio")
     rule(7)
     for one in rows:
         over = f"{one.rk45_s / TOOL_WAVE_S:.0f} ({one.lsoda_s / TOOL_WAVE_S:.0f})" if one.id == "linear" else "-"

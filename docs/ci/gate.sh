@@ -1,19 +1,19 @@
 #!/usr/bin/env bash
-# gate.sh: holds frames against their limits, as a job of a build server. It needs bash 4.4 or later. All of it is told by variables:
+# gate.sh: checks frames against their limits, as a job of a build server. It needs bash 4.4 or later. Variables configure it:
 #
-#   FLEXFRAME         the program; "flexframe" unless set
-#   FRAMES            presets, files or patterns, separated by spaces; "frames/*.toml" unless set
+#   FLEXFRAME         the program; default "flexframe"
+#   FRAMES            presets, files or patterns, separated by spaces; default "frames/*.toml"
 #   FORMAT            github (annotations) or text
-#   STRICT            true: notes beyond their figure fail
+#   STRICT            true: a note whose value exceeds its limit fails
 #   BASELINE          a list of accepted findings
-#   BASE              a revision; each frame that was there is compared with what it was
-#   FAIL_ON_INCREASE  what may not grow against BASE, as mass=2g, separated by spaces
-#   SUMMARY           a file that takes the page in Markdown, appended
-#   JUNIT, SARIF      files that take the reports
+#   BASE              a revision; each frame that exists there is compared with it
+#   FAIL_ON_INCREASE  largest allowed increases against BASE, such as mass=2g, separated by spaces
+#   SUMMARY           a file to which the Markdown page is appended
+#   JUNIT, SARIF      files for the reports
 #
-# Exit code: 0 good, 1 a limit is violated or something grew too much, 2 an input is wrong, 3 the machine failed.
+# Exit code: 0 all limits are kept, 1 a limit is violated or an increase is too large, 2 an input is wrong, 3 a disk or permission error.
 set -uo pipefail
-# As the program reads patterns: ** is any number of folders, and what begins with a dot is a file, too.
+# The same patterns as in the program: ** is any number of folders, and names that begin with a dot are included.
 shopt -s globstar nullglob dotglob || exit 3
 flexframe=${FLEXFRAME:-flexframe}
 read -rd '' -a frames <<<"${FRAMES:-frames/*.toml}"
@@ -24,29 +24,29 @@ options=()
 
 check() { "$flexframe" check "${options[@]}" "$@" -- "${frames[@]}"; }
 
-# The first call measures and keeps what it found; the others only say it in another form.
+# The first call computes the findings and caches them; the others only convert them to another format.
 check --format "${FORMAT:-text}"
 code=$?
 [[ -n ${JUNIT:-} ]] && check --format junit >"$JUNIT" 2>/dev/null
 [[ -n ${SARIF:-} ]] && check --format sarif >"$SARIF" 2>/dev/null
 [[ -n ${SUMMARY:-} ]] && check --format markdown >>"$SUMMARY" 2>/dev/null
 
-# fails CODE: the worst code is that of the job.
+# fails CODE: the job ends with the highest code.
 fails() { (($1 > code)) && code=$1; }
 
-# A frame is made of its bases, too: it may be another one although its own file is the same.
+# A frame also depends on its bases: it may change although its own file does not.
 some_file_changed() {
     ! git diff --quiet "$BASE" -- ':/*.toml' || [[ -n $(git ls-files --others --exclude-standard -- ':/*.toml') ]]
 }
 
 compare() {
     local page grown
-    # What is new has no former self.
+    # A new file has no earlier revision.
     [[ $1 == *.toml && -f $1 ]] && git cat-file -e "$BASE:./$1" 2>/dev/null || return
     page=$("$flexframe" diff --git "$BASE" --format markdown "${limits[@]}" -- "$1")
     grown=$?
     fails "$grown"
-    # One that is what it was has nothing to tell.
+    # A frame without differences is not reported.
     [[ -z $page || $page == *$'\nNo difference.'* ]] || printf '%s\n' "$page" >>"${SUMMARY:-/dev/stdout}"
 }
 
@@ -55,12 +55,12 @@ if [[ -n ${BASE:-} ]]; then
     read -rd '' -a increases <<<"${FAIL_ON_INCREASE:-}"
     for increase in "${increases[@]}"; do limits+=(--fail-on-increase "$increase"); done
     if ! git rev-parse --verify --quiet "$BASE^{commit}" >/dev/null; then
-        echo "gate.sh: there is no revision $BASE to compare with; a shallow clone lacks it" >&2
+        echo "gate.sh: there is no revision $BASE to compare with; a shallow clone does not contain it" >&2
         fails 2
     elif some_file_changed; then
         declare -A seen=()
         for pattern in "${frames[@]}"; do
-            # A file may have brackets in its name; then it is no pattern.
+            # The name of an existing file may contain brackets; it is then not a pattern.
             # shellcheck disable=SC2206
             if [[ -e $pattern ]]; then found=("$pattern"); else found=($pattern); fi
             for frame in "${found[@]}"; do

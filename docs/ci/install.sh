@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# install.sh FOLDER: puts the program of this source tree into FOLDER/bin, unless it is there already.
-# FOLDER is what a job keeps from run to run; key.sh says when to begin a new one.
+# install.sh FOLDER: builds the program of this source tree into FOLDER/bin, unless it is there already.
+# FOLDER is the folder that a job caches between runs; key.sh prints its cache key.
 set -euo pipefail
 folder=$1
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

@@ -1,7 +1,7 @@
 //! A folder of `tests/frames/` is a test: a frame file, and beside it a snapshot of every stage that it reaches.
 //!
 //! A frame that is refused pins its message; the others pin skeleton, parts, masses and findings. After a change that is
-//! meant, `INSTA_UPDATE=always cargo test --release --test frames` writes them anew; look at what it wrote.
+//! meant, `INSTA_UPDATE=always cargo test --release --test frame frames` writes them anew; look at what it wrote.
 
 use std::collections::BTreeSet;
 use std::fmt::Write;

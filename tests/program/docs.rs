@@ -1,4 +1,4 @@
-//! The documentation says what the program does: the generated page, the examples, the figures, the links.
+//! The documentation says what the program does: the generated page, the examples, the figures, the links, the index pages.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -51,6 +51,19 @@ fn regress_links_lead_somewhere() {
         }
     }
     assert!(astray.is_empty(), "{astray:#?}");
+}
+
+#[test]
+fn regress_index_pages_name_every_page() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (index, folder, prefix) in [("README.md", "docs", "docs/"), ("docs/decisions/README.md", "docs/decisions", "")] {
+        let text = fs::read_to_string(root.join(index)).expect("UTF-8");
+        for entry in fs::read_dir(root.join(folder)).expect("a folder") {
+            let name = entry.expect("is there").file_name().into_string().expect("UTF-8");
+            let unnamed = name.ends_with(".md") && name != "README.md" && !text.contains(&format!("]({prefix}{name})"));
+            assert!(!unnamed, "{index} does not name {name}");
+        }
+    }
 }
 
 #[test]

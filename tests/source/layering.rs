@@ -243,7 +243,7 @@ fn wing(layer: &str) -> &str {
 fn faults(line: &Line) -> Vec<String> {
     let Line { layer, place, code, .. } = line;
     let Some((_, allowed)) = LAYERS.iter().find(|(name, _)| name == layer) else {
-        return vec![format!("{place}: `{layer}` is no layer: add it to tests/layering.rs")];
+        return vec![format!("{place}: `{layer}` is no layer: add it to tests/source/layering.rs")];
     };
     let mut faults = Vec::new();
     for name in imported(line).into_iter().filter(|name| name != layer && !allowed.contains(name)) {

@@ -111,13 +111,13 @@ impl Study {
     pub fn page(&self) -> String {
         let mut page = String::from(
             "# Case study: the real drops\n\n\
-             The paper's model against the records of 50, 100 and 150 cm of arXiv 2103.04423's data set (about 70 % of them; they carry no\n\
-             licence and are read where they lie). Written by\n\n\
+             This page compares the paper's model with the records of 50, 100 and 150 cm of arXiv 2103.04423's data set (about 70 % of them).\n\
+             The records carry no licence. They are read from a local folder. The page is written by\n\n\
              ```console\n\
              FLEXFRAME_DATA=../shared/data cargo run --release --example case_study\n\
              ```\n\n\
-             and held by `tests/case_study.rs`. The same by hand: `flexframe diagnose --model paper ../shared/data/crash_landing/soft_*`, and with\n\
-             `--hold-out-heights 1.5`. [The method](diagnosis.md) says what the words mean.\n\n",
+             and checked by `tests/impact/case_study.rs`. To repeat it by hand, run `flexframe diagnose --model paper ../shared/data/crash_landing/soft_*`,\n\
+             and the same with `--hold-out-heights 1.5`. [diagnosis.md](diagnosis.md) explains the terms.\n\n",
         );
         self.channel(&mut page);
         self.cutoff(&mut page);
@@ -130,7 +130,10 @@ impl Study {
     }
 
     fn channel(&self, page: &mut String) {
-        page.push_str("## The magnitude is impossible, so the axis is taken\n\nImpulse of the mean wave over the impact speed; a vertical impact cannot exceed 2 and what gravity adds in the window.\n\n| height, m | drops | magnitude | axis | at most |\n|---|---|---|---|---|\n");
+        page.push_str("## The magnitude is physically impossible, so the axial component is used\n\n\
+             The table gives the impulse of the mean wave over the impact speed. In a vertical impact it cannot exceed 2 plus gravity's part in the\n\
+             window.\n\n\
+             | height, m | drops | magnitude | axis | upper bound |\n|---|---|---|---|---|\n");
         for (magnitude, axial) in self.magnitude.iter().zip(&self.axial) {
             let word = if magnitude.impossible { "impossible" } else { "possible" };
             let _ = writeln!(
@@ -140,22 +143,24 @@ impl Study {
             );
         }
         page.push_str(
-            "\nThe magnitude, to which the paper fits, holds sideways motion. `diagnose` compares the axis instead, and says so. No drop is left\n\
-             out for its impulse; only those that hit twice are.\n\n",
+            "\nThe magnitude, which the paper fits, contains sideways motion. `diagnose` compares the axial component instead, and reports this. No\n\
+             drop is left out because of its impulse. Only drops that hit twice are left out.\n\n",
         );
     }
 
     fn cutoff(&self, page: &mut String) {
-        page.push_str("## The paper's damper hangs on its filter\n\nThe paper's own objective (magnitude, all drops, k = 7040 N/m), with other cutoffs of the first-order filter:\n\n| cutoff, Hz | c, N s/m | objective |\n|---|---|---|\n");
+        page.push_str("## The paper's damping depends on its filter\n\n\
+             The table gives the minimum of the paper's own objective (magnitude, all drops, k = 7040 N/m) for other cutoff frequencies of the\n\
+             first-order filter:\n\n| cutoff, Hz | c, N s/m | objective |\n|---|---|---|\n");
         for (cutoff, c, objective) in &self.damper_at {
             let _ = writeln!(page, "| {cutoff:.1} | {c:.1} | {objective:.4} |");
         }
         let (cutoff, c, objective) = self.free_cutoff;
         let _ = write!(
             page,
-            "\nThe notebook's 500 rad/s is 79.6 Hz and gives c = {:.1}; the text's 500 Hz gives {:.1}: half of the published damper is the filter's\n\
-             work. With the cutoff free the objective falls all the way to {cutoff:.0} Hz (c = {c:.1}, {objective:.4}) and hardly changes above 500 Hz. So the\n\
-             drops ask for no filter below the sensor's declared 500 Hz, and the notebook's 79.6 Hz is in conflict with both.\n\n",
+            "\nThe notebook's 500 rad/s is 79.6 Hz and gives c = {:.1}. The text's 500 Hz gives {:.1}. Half of the published damping is therefore an\n\
+             effect of the filter. With a free cutoff, the objective decreases up to {cutoff:.0} Hz (c = {c:.1}, {objective:.4}) and hardly changes above\n\
+             500 Hz. The drops do not support a filter below the sensor's declared 500 Hz. The notebook's 79.6 Hz contradicts both.\n\n",
             self.damper_at[1].1, self.damper_at[4].1
         );
     }
@@ -164,16 +169,20 @@ impl Study {
         let (same, worst) = (&self.all.place.same_in, &self.all.place.worst);
         let _ = write!(
             page,
-            "## Where the base model is apart\n\n\
-             Spring and damper refitted to the axis leave p = {:.4}. The difference of neighbouring heights lies upon itself {:.2} by time, {:.2} by\n\
-             displacement, {:.2} by speed (correlation): it keeps its *time*. Furthest apart: from {} m, {:.1} ms after first touch,\n\
+            "## The residual of the base model\n\n\
+             With spring and damper refitted to the axial component, p = {:.4}. The residuals of neighbouring heights have a correlation of {:.2} by\n\
+             time, {:.2} by displacement and {:.2} by speed: the residual keeps its *time*. It is largest from {} m, {:.1} ms after first touch:\n\
              {:.1} g measured, {:.1} g in the model.\n\n",
             self.all.base_adequacy.p, same.t, same.x, same.v, worst.height_m, worst.t_ms, worst.measured_g, worst.model_g
         );
     }
 
     fn trap(&self, page: &mut String) {
-        page.push_str("## The trap: a stop at the gap\n\nOne effect on top of the base, lower is better, and its parameters when each height is fitted alone. A true parameter is the same at every\nheight: slope 0 of its logarithm over that of the impact speed. A length that stands for a fixed time has slope 1.\n\n| effect | score | left-out gap, g | by height (50 / 100 / 150 cm) | slope | chance of the difference |\n|---|---|---|---|---|---|\n");
+        page.push_str("## An artefact: a stop near the gap\n\n\
+             Each row adds one effect to the base model. A lower score is better. The parameters are those of fits to each height alone. A true\n\
+             parameter is the same at every height: the slope of its logarithm over that of the impact speed is 0. A length that stands for a\n\
+             fixed time has slope 1.\n\n\
+             | effect and parameter | score | left-out gap, g | by height (50 / 100 / 150 cm) | slope | p-value of the difference |\n|---|---|---|---|---|---|\n");
         for one in self.all.ranking.iter().filter(|one| !one.id.contains('+')) {
             let Some(constancy) = &one.constancy else { continue };
             for by in &constancy.parameters {
@@ -192,16 +201,20 @@ impl Study {
             }
         }
         page.push_str(
-            "\nA stop (`bottoming`, `bilinear_stiffness`) lowers the score by much and its kink lies near the gap of 16 mm when the heights are\n\
-             pooled. Height by height the kink moves with the impact speed: it is a time, not a length, and no gap. The gate on constancy refuses it.\n\n",
+            "\nA stop (`bottoming`, `bilinear_stiffness`) lowers the score considerably, and its kink lies near the gap of 16 mm when the heights are\n\
+             pooled. Fitted height by height, the kink moves with the impact speed. It is a fixed time, not a fixed length, so it is not the gap\n\
+             under the battery. The constancy gate refuses it.\n\n",
         );
     }
 
     fn gaps(&self, page: &mut String) {
-        page.push_str("## The gap\n\n| | before, g | after, g | floor, g |\n|---|---|---|---|\n");
+        page.push_str(
+            "## The gap between model and drops\n\n\
+             | | before, g | after, g | floor, g |\n|---|---|---|---|\n",
+        );
         for (what, found) in [("all heights", &self.all), ("50 and 100 cm", &self.judged)] {
             let (before, after) = (&found.before, &found.after);
-            let held = if found.heights_held_out { "150 cm, seen by no fit" } else { "each height, fitted to the others" };
+            let held = if found.heights_held_out { "150 cm, held out" } else { "each height, predicted from the others" };
             let _ = writeln!(
                 page,
                 "| {what}: {} | {:.2} | {:.2} | {:.2} |",
@@ -216,8 +229,8 @@ impl Study {
         let (before, after) = (&self.judged.before.held_out, &self.judged.after.held_out);
         let _ = write!(
             page,
-            "\nSingle records of 150 cm against a model that was fitted to 50 and 100 cm: {:.1} g after, {:.1} g before, {:.1} g for the mean wave of\n\
-             150 cm itself, which no curve of height alone can beat. After over that floor: {:.3}.\n\n",
+            "\nSingle records of 150 cm, compared with a model that was fitted to 50 and 100 cm: {:.1} g after, {:.1} g before, {:.1} g for the mean wave\n\
+             of 150 cm itself. The last number is the lower bound for every curve that depends on the height alone. After over this bound: {:.3}.\n\n",
             after.records_g,
             before.records_g,
             after.template_g,
@@ -228,8 +241,8 @@ impl Study {
     fn frame(&self, page: &mut String) {
         page.push_str(
             "## The frame's own curve\n\n\
-             The same with `frame_force_curve`, the static curve that [mechanics](mechanics.md) computes from the real frame's geometry, among the\n\
-             effects (`diagnose --frame cognifly-v8`).\n\n\
+             The same diagnosis with `frame_force_curve` as a further candidate: the static curve that [mechanics](mechanics.md) computes from the real\n\
+             frame's geometry (`diagnose --frame cognifly-v8`).\n\n\
              | | chosen | share of the curve | 150 cm or left out: before, g | after, g | single records, g |\n|---|---|---|---|---|---|\n",
         );
         for (what, found) in [
@@ -255,7 +268,7 @@ impl Study {
             let Some((alone, best)) = alone.zip(best) else { continue };
             let _ = write!(
                 page,
-                "\nOf the {} sets of {what}, the curve alone is number {} (score {:.0}: {}); the best with it is number {}, {} (score {:.0}).\n",
+                "\nOf the {} sets of {what}, the curve alone has rank {} (score {:.0}: {}). The best set with the curve has rank {}: {} (score {:.0}).\n",
                 found.ranking.len(),
                 alone + 1,
                 found.ranking[alone].score,
@@ -275,17 +288,17 @@ impl Study {
         };
         let _ = write!(
             page,
-            "\nTrained on 50 and 100 cm, the gap at 150 cm {word} with the curve: {:.2} g against {:.2} g without it, single records {:.1} g against {:.1} g.\n",
+            "\nAfter a fit to 50 and 100 cm, the gap at 150 cm {word} with the curve: {:.2} g with it, {:.2} g without it; single records {:.1} g and {:.1} g.\n",
             with.net_g, without.net_g, with.records_g, without.records_g
         );
         if let Some([share, f_hz]) = self.rider {
             let of = |key: &str| self.all.chosen.model().value("payload_mode", key);
             let fitted = of("mu")
                 .zip(of("f_hz"))
-                .map_or("no payload mode is chosen".into(), |(mu, f)| format!("the fit asks for mu = {mu:.2} at {f:.0} Hz"));
+                .map_or("no payload mode is chosen".into(), |(mu, f)| format!("the fit gives mu = {mu:.2} at {f:.0} Hz"));
             let _ = writeln!(
                 page,
-                "The frame's own symmetric modes stand for a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}."
+                "The frame's own symmetric modes are equivalent to a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}."
             );
         }
         page.push('\n');
@@ -297,24 +310,26 @@ impl Study {
             let _ = writeln!(page, "- {what}: `{}`. {}.", found.verdict.id(), found.reasons.join("; "));
         }
         let with_payload = self.all.ranking.iter().filter(|one| one.id.contains('+')).take(8);
-        page.push_str("\nThe best sets of all heights:\n\n| set | score | left-out gap, g | why not |\n|---|---|---|---|\n");
+        page.push_str("\nThe best sets of all heights:\n\n| set | score | left-out gap, g | reason for rejection |\n|---|---|---|---|\n");
         for one in with_payload {
             let left = one.left_out_g.map_or("-".into(), |gap| format!("{gap:.1}"));
             let _ = writeln!(page, "| {} | {:.0} | {left} | {} |", one.id, one.score, one.reason_rejected.as_deref().unwrap_or("best"));
         }
         page.push_str(
-            "\nSupported: the linear spring and damper are not enough; what is missing is delayed and keeps its time over the heights. Not decided:\n\
-             whether that is a payload on a spring of its own or feet that touch one after the other, and what comes with it; no set leaves only\n\
-             scatter at all heights, and the parameters of the best lie at bounds or move. No name is given.\n\n",
+            "\nSupported: a linear spring and damper do not suffice. The missing effect is delayed and keeps its time over the heights.\n\n\
+             Not decided: whether the effect is a payload on a spring of its own or feet that touch one after the other, and which further effects\n\
+             there are. No set leaves only trial variation at all heights. The parameters of the best sets are at their bounds or change with the\n\
+             height. No effect is named.\n\n",
         );
         if let Some(next) = self.all.experiments.first() {
             let _ = writeln!(
                 page,
-                "The experiment that would tell the two best sets apart: {} (expected squared distance {:.0}).",
+                "The experiment that would best distinguish the two best sets: {} (expected squared distance {:.0}).",
                 next.what, next.discrimination
             );
         }
-        page.push_str("A second accelerometer, one on the frame and one on the payload, would show a payload mode at once; a switch under each foot, stagger.\n");
+        page.push_str("Two accelerometers, one on the frame and one on the payload, would show a payload mode directly. A switch under each foot would show\n\
+             foot stagger.\n");
     }
 }
 

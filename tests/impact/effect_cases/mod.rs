@@ -5,7 +5,7 @@ pub struct Case {
     /// Its id.
     pub id: &'static str,
     /// What a plan of synthetic drops states of it, for the recovery tests; `None` where a diagnosis needs a frame's curve
-    /// (tests/frame_curve.rs).
+    /// (tests/impact/frame_curve.rs).
     pub planned: Option<&'static str>,
     /// Values and index of the word at which generator and simulation are compared.
     pub compared: &'static [(&'static [f64], usize)],

@@ -57,7 +57,7 @@ pub fn objective(page: &mut String, drops: &Drops) {
     let (c, [k_both, c_both]) = (&one.estimates[0], [&both.estimates[0], &both.estimates[1]]);
     let _ = write!(
         page,
-        "## Their objective\n\n\
+        "## The paper's objective\n\n\
          log(1 + sum over 50, 100, 150 cm of the mean over the drops of the mean squared difference in (m/s²)²), magnitude, from each\n\
          drop's trigger up to, not including, its peak; first-order filter of 500 rad/s. All {} drops here, 287 published.\n\
          `flexframe fit --model paper --objective paper --free c`; intervals by {SAMPLES} bootstrap samples of the drops.\n\n\
@@ -68,7 +68,7 @@ pub fn objective(page: &mut String, drops: &Drops) {
          | minimum over c and k | {:.4} | - | - |\n\
          | c there, N s/m (95 %) | {:.1} ({}) | {DAMPING_N_S_M} | {} |\n\
          | k there, N/m (95 %) | {:.0} ({}) | {STIFFNESS_N_M} | {} |\n\n\
-         The drops alone would have a softer spring than the static test's 7040 N/m, which the paper holds fixed; the objective is flat in k.\n\n",
+         Fitted to the drops alone, the spring is softer than the static test's 7040 N/m, which the paper keeps fixed. The objective is flat in k.\n\n",
         chosen.drops.len(),
         ratio(at, OBJECTIVE),
         one.objective[1],
@@ -100,7 +100,7 @@ pub fn filter(page: &mut String, drops: &Drops) {
          | c, N s/m (95 %) | {:.1} ({}) | {published} ({low} to {high}) | {} |\n\
          | objective there | {:.4} | - | - |\n\
          | rigid collision at 150 cm, % of m g h | {:.1} | {RIGID_500_HZ} | {} |\n\n\
-         **The damping that the paper publishes, 46 N s/m, is twice what its own stated filter gives, and with it the energy split changes.**\n\
+         **The damping that the paper publishes, 46 N s/m, is twice the value that its own stated filter gives. The energy split changes with it.**\n\
          In the paper's convention, % of m g h:\n\n\
          | height, m | damper at 46 | spring | rigid | damper at {:.1} | spring | rigid | 16 mm passed | \\|x''\\|, g |\n|---|---|---|---|---|---|---|---|---|\n",
         c.value,
@@ -151,9 +151,9 @@ pub fn axial(page: &mut String, drops: &Drops) {
         "## Along the axis\n\n\
          Fitted to a_z instead of the magnitude, with the text's filter (`paper-corrected`), the paper's objective gives c = {:.1} N s/m\n\
          ({}) at k = 7040 N/m. Maximum likelihood on the {} clean drops, `flexframe fit --model paper-corrected`, gives k = {:.0} N/m ({})\n\
-         and c = {:.1} N s/m ({}), and says that this is no description of the drops: the whitened distance of the mean waves is {:.0} at\n\
-         {} degrees of freedom. A linear spring and damper do not fit these drops with any k and c; intervals of k and c are those of\n\
-         resampling, not of truth.",
+         and c = {:.1} N s/m ({}), and reports that this model does not describe the drops: the whitened distance of the mean waves is {:.0} at\n\
+         {} degrees of freedom. A linear spring and damper do not fit these drops with any k and c. The intervals of k and c describe the\n\
+         resampling only.",
         c.value,
         interval(c),
         chosen.drops.len(),

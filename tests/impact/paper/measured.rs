@@ -52,8 +52,8 @@ pub fn peaks(page: &mut String) {
     let (ours, theirs) = (median(3) / median(0), MEASURED[3].quartiles_g[1] / MEASURED[0].quartiles_g[1]);
     let _ = writeln!(
         page,
-        "\n**Five-fold.** From 150 cm, 150/30 = five times the height and the energy, the soft frame's median peak is {ours:.3} of the rigid\n\
-         centre's from 30 cm (published {theirs:.3}, ratio {}): what it feels is still less.\n",
+        "\n**Five times the energy.** 150 cm is five times the height of 30 cm. The soft frame's median peak from 150 cm is {ours:.3} of the rigid\n\
+         centre's from 30 cm (published {theirs:.3}, ratio {}). It is still lower.\n",
         ratio(ours, theirs)
     );
 }
@@ -82,7 +82,7 @@ pub fn impulses(page: &mut String) {
         );
     }
     page.push_str(
-        "\nA vertical drop that bounces without any loss takes 2 v0. The magnitude, which the paper fits, takes more at 50 and 100 cm: it holds\n\
-         sideways motion that no one-dimensional model can explain. Along the axis the impulse is possible.\n\n",
+        "\nA vertical drop that rebounds without loss has an impulse of 2 v0. The magnitude, which the paper fits, has more at 50 and 100 cm. It\n\
+         contains sideways motion, which no one-dimensional model can explain. The impulse along the axis is physically possible.\n\n",
     );
 }

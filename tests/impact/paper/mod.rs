@@ -22,14 +22,14 @@ fn ratio(ours: f64, theirs: f64) -> String {
 /// The whole page.
 pub fn page() -> String {
     let mut page = String::from(
-        "# The paper again\n\n\
-         Figures of R. de Azambuja, H. Fouad, G. Beltrame, arXiv 2103.04423, and of the notebook that made them\n\
-         (github.com/thecognifly/CrashLandingExperiments), beside ours, with the ratio ours / published. Written by\n\n\
+        "# Reproduction of the paper\n\n\
+         This page compares the figures of R. de Azambuja, H. Fouad, G. Beltrame, arXiv 2103.04423, and of the notebook that made them\n\
+         (github.com/thecognifly/CrashLandingExperiments), with ours. The ratio is ours / published. The page is written by\n\n\
          ```console\n\
          FLEXFRAME_DATA=../shared/data cargo run --release --example reproduction\n\
          ```\n\n\
-         and held by `tests/reproduction.rs`. The records carry no licence: they are read where they lie. About 70 % of them are there,\n\
-         so what is measured is of that part, while the published figures are of all drops. g = 9.81 m/s².\n\n",
+         and checked by `tests/impact/reproduction.rs`. The records carry no licence. They are read from a local folder, which holds about 70 % of\n\
+         them. Our measured figures are those of this part. The published figures are those of all drops. g = 9.81 m/s².\n\n",
     );
     model::peaks(&mut page);
     model::energies(&mut page);

@@ -28,7 +28,7 @@ pub fn peaks(page: &mut String) {
     page.push_str(
         "## Peaks of the model\n\n\
          `flexframe drop --model paper`: m x'' + c x' + k x = m g with 0.241 kg, 46 N s/m, 7040 N/m. The paper gives |x''|, which is\n\
-         largest at first touch; a sensor feels F/m, 1 g more.\n\n\
+         largest at first touch. A sensor measures F/m, which is 1 g more.\n\n\
          | height, m | \\|x''\\|, g | published | ratio | F/m, g |\n|---|---|---|---|---|\n",
     );
     for (trace, published) in traces(&paper()).iter().zip(PEAKS_G) {
@@ -42,7 +42,7 @@ pub fn energies(page: &mut String) {
     page.push_str(
         "## Where the energy goes\n\n\
          The paper's convention: shares of m g h at the turning point, or when the gap of 16 mm is used up; spring k x²/2, rigid collision\n\
-         m x'²/2 at the gap, and the damper is what remains. Each cell: ours, published, ratio.\n\n\
+         m x'²/2 at the gap, and the damper as the remainder. Each cell: ours, published, ratio.\n\n\
          | height, m | damper, % | spring, % | rigid, % |\n|---|---|---|---|\n",
     );
     let traces = traces(&paper());
@@ -55,8 +55,8 @@ pub fn energies(page: &mut String) {
     let damper = 100.0 * balance.dissipated_j / (0.241 * GRAVITY_M_S2 * 0.3);
     let _ = writeln!(
         page,
-        "\nGravity's work over the stroke is left out there. What the damper takes from 30 cm is {damper:.1} % of m g h (74.6 published\n\
-         beside it, ratio {}); `flexframe drop` prints the full balance, of m g (h + x), beside the paper's.\n",
+        "\nThis convention leaves out the work of gravity over the stroke. The damper's work from 30 cm is {damper:.1} % of m g h (74.6 published\n\
+         beside it, ratio {}). `flexframe drop` prints the full balance, of m g (h + x), beside the paper's.\n",
         ratio(damper, 74.6)
     );
 }
@@ -111,5 +111,5 @@ pub fn static_test(page: &mut String) {
     ] {
         let _ = writeln!(page, "| {name} | {ours:.places$} | {theirs} | {} |", ratio(ours, theirs));
     }
-    page.push_str("\nThe free line has the better BIC: 7040 N/m owes 10 % to a line that was made to begin at the frame's weight.\n\n");
+    page.push_str("\nThe line with a free intercept has the better BIC. 7040 N/m is 10 % larger, because that line is forced to start at the frame's weight.\n\n");
 }
