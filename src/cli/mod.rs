@@ -15,7 +15,6 @@ mod drop_frame;
 mod explain;
 mod fit;
 mod fold;
-mod frame_reduction;
 mod frame_text;
 mod frames;
 mod measure;

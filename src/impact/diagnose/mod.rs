@@ -7,11 +7,13 @@
 mod adequacy;
 mod bootstrap;
 mod candidate;
+mod channel_choice;
 mod clipping;
 mod constancy;
 mod diagnosis;
 mod dictionary;
 mod experiment;
+mod frame_mode;
 mod gap;
 mod observable;
 mod prepared_drops;
@@ -19,17 +21,20 @@ mod residual_force;
 mod residual_map;
 mod search;
 mod stage;
+mod static_comparison;
 mod trend;
 
 pub use adequacy::{Adequacy, Statistics};
 pub use bootstrap::{Bootstrap, Replicate};
 pub use candidate::Candidate;
+pub use channel_choice::ChannelChoice;
 pub use clipping::{Clipping, clipping};
 pub use constancy::{ByHeight, Constancy, constancy};
 pub use diagnosis::{
     Alternative, Diagnosis, DiagnosisError, DiagnosisOptions, EffectEstimate, Gaps, Ranked, Verdict, diagnose, joined, watched,
 };
 pub use experiment::Experiment;
+pub use frame_mode::FrameMode;
 pub use gap::{Gap, gap};
 pub use observable::{Observable, observables};
 pub use prepared_drops::PreparedDrops;
@@ -37,4 +42,5 @@ pub use residual_force::ForceCell;
 pub use residual_map::{Cell, Phase, Point, ResidualMap, SameIn};
 pub use search::{Level, RARE, Search, SearchContext};
 pub use stage::Stage;
+pub use static_comparison::StaticComparison;
 pub use trend::trend_p;

@@ -9,9 +9,11 @@
 //! those of this print, this ground and this way of letting go, and no constants of the material.
 
 mod fitting;
+mod frame_reduction;
 mod height;
 mod response_surface;
 
 pub use fitting::{FrameFit, FrameFitError, MaterialEstimate, Predicted, fit};
+pub use frame_reduction::{CURVE_MM, ReductionError, reduced_model};
 pub use height::{Height, MedianEstimate};
 pub use response_surface::{Response, ResponseSurface, Subject};
