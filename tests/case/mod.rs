@@ -161,7 +161,7 @@ impl Study {
     }
 
     fn place(&self, page: &mut String) {
-        let (same, worst) = (&self.all.place.same_in, &self.all.place.worst);
+        let (same, worst) = (&self.all.residual_map.same_in, &self.all.residual_map.worst);
         let _ = write!(
             page,
             "## Where the base model is apart\n\n\

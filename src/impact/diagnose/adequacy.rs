@@ -57,33 +57,33 @@ pub struct Adequacy {
 }
 
 /// Judges measured mean waves less a model's.
-pub fn judge(deviation: &DVector<f64>, seen: &LinearisedFit, nulls: &Bootstrap) -> Option<Adequacy> {
-    let (statistics, _) = statistics(deviation, seen, &nulls.whitening)?;
-    let nulls: Vec<(Statistics, Vec<f64>)> =
-        nulls.each.par_iter().filter_map(|null| self::statistics(&null.deviation, seen, &null.whitening)).collect();
-    if nulls.len() < REPLICATES / 2 {
+pub fn judge(deviation: &DVector<f64>, fit: &LinearisedFit, bootstrap: &Bootstrap) -> Option<Adequacy> {
+    let (statistics, _) = statistics(deviation, fit, &bootstrap.whitening)?;
+    let replicates: Vec<(Statistics, Vec<f64>)> =
+        bootstrap.each.par_iter().filter_map(|one| self::statistics(&one.deviation, fit, &one.whitening)).collect();
+    if replicates.len() < REPLICATES / 2 {
         return None;
     }
-    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(nulls.iter().map(|(null, _)| null.parts()[part])));
-    let chances = |found: Statistics| -> [f64; 3] { std::array::from_fn(|part| chance(&columns[part], found.parts()[part])) };
-    let least = |found: Statistics| chances(found).into_iter().fold(1.0, f64::min);
-    let single_p = chances(statistics);
+    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(replicates.iter().map(|(one, _)| one.parts()[part])));
+    let p_values = |found: Statistics| -> [f64; 3] { std::array::from_fn(|part| p_value(&columns[part], found.parts()[part])) };
+    let least = |found: Statistics| p_values(found).into_iter().fold(1.0, f64::min);
+    let single_p = p_values(statistics);
     let found = least(statistics);
-    let as_rare = nulls.iter().filter(|(null, _)| least(*null) <= found).count();
-    let ratio95 = (0..seen.jacobian.ncols()).map(|i| quantile(&sorted(nulls.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
-    Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (nulls.len() as f64 + 1.0), ratio95 })
+    let as_rare = replicates.iter().filter(|(one, _)| least(*one) <= found).count();
+    let ratio95 = (0..fit.jacobian.ncols()).map(|i| quantile(&sorted(replicates.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
+    Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (replicates.len() as f64 + 1.0), ratio95 })
 }
 
 /// The statistics, and each free parameter's error over its stated standard error.
-fn statistics(deviation: &DVector<f64>, seen: &LinearisedFit, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
-    let jacobian = whitening.stacked(&seen.jacobian);
+fn statistics(deviation: &DVector<f64>, fit: &LinearisedFit, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
+    let jacobian = whitening.stacked(&fit.jacobian);
     let white = whitening.stacked(&DMatrix::from_column_slice(deviation.len(), 1, deviation.as_slice()));
     let normal = jacobian.transpose() * &jacobian;
     let inverse = inverse(&normal)?;
     let moved = &inverse * (jacobian.transpose() * &white);
     let ratios = (0..moved.nrows()).map(|i| moved[(i, 0)].abs() / inverse[(i, i)].max(1e-300).sqrt()).collect();
     let left = &white - &jacobian * moved;
-    let effects = whitening.stacked(&seen.effects);
+    let effects = whitening.stacked(&fit.effects);
     let shared = jacobian.transpose() * &effects;
     let along = effects.transpose() * &left;
     let taken = &inverse * &shared;
@@ -95,7 +95,7 @@ fn statistics(deviation: &DVector<f64>, seen: &LinearisedFit, whitening: &Whiten
             effect = effect.max(along[(i, 0)] * along[(i, 0)] / rest);
         }
     }
-    Some((Statistics { sum: left.norm_squared(), effect, bump: largest_bump(&left, seen.samples) }, ratios))
+    Some((Statistics { sum: left.norm_squared(), effect, bump: largest_bump(&left, fit.samples) }, ratios))
 }
 
 /// Largest gain by a bump in the whitened residual; what the fit can do itself is small in it and is left in.
@@ -126,7 +126,7 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 /// Part of the sorted values that are at least as large.
-fn chance(sorted: &[f64], value: f64) -> f64 {
+fn p_value(sorted: &[f64], value: f64) -> f64 {
     let below = sorted.partition_point(|other| *other < value);
     (sorted.len() - below + 1) as f64 / (sorted.len() + 1) as f64
 }

@@ -19,11 +19,11 @@ pub struct Replicate {
     pub whitening: Whitening,
 }
 
-/// Simulated data sets of one measured scatter. They hold for every model, as a model moves only the expectation: one
+/// Simulated data sets of one measured trial_covariance. They hold for every model, as a model moves only the expectation: one
 /// diagnosis draws them once.
 #[derive(Clone, Debug)]
 pub struct Bootstrap {
-    /// From the measured scatter.
+    /// From the measured trial_covariance.
     pub whitening: Whitening,
     /// The data sets.
     pub each: Vec<Replicate>,
@@ -32,20 +32,20 @@ pub struct Bootstrap {
 impl Bootstrap {
     /// Draws mean waves with the measured scatter, and that scatter drawn and estimated anew each time, since a covariance
     /// of as many numbers as there are samples is itself uncertain. `None` where the scatter is degenerate.
-    pub fn of(scatter: &TrialCovariance, family: &CovarianceModel, seed: u64) -> Option<Self> {
-        let covariances = scatter.covariances(family)?;
+    pub fn of(trial_covariance: &TrialCovariance, covariance_model: &CovarianceModel, seed: u64) -> Option<Self> {
+        let covariances = trial_covariance.covariances(covariance_model)?;
         let of_mean = |(covariance, count): (&DMatrix<f64>, &usize)| Some((covariance / *count as f64).cholesky()?.unpack());
-        let roots: Vec<DMatrix<f64>> = covariances.iter().zip(scatter.counts()).map(of_mean).collect::<Option<_>>()?;
-        let drawn = |null: usize| {
-            let mut rng = Pcg64::new(u128::from(seed), 2 * null as u128 + 1);
-            let drawn = TrialCovariance::drawn(&covariances, scatter.counts(), &mut rng)?;
+        let roots: Vec<DMatrix<f64>> = covariances.iter().zip(trial_covariance.counts()).map(of_mean).collect::<Option<_>>()?;
+        let drawn = |number: usize| {
+            let mut rng = Pcg64::new(u128::from(seed), 2 * number as u128 + 1);
+            let drawn = TrialCovariance::drawn(&covariances, trial_covariance.counts(), &mut rng)?;
             let parts: Vec<DVector<f64>> =
                 roots.iter().map(|root| root * DVector::from_fn(root.nrows(), |_, _| StandardNormal.sample(&mut rng))).collect();
             let deviation =
                 DVector::from_iterator(parts.iter().map(DVector::len).sum(), parts.iter().flat_map(|part| part.iter().copied()));
-            Some(Replicate { deviation, whitening: Whitening::of(&drawn.covariances(family)?, scatter.counts())? })
+            Some(Replicate { deviation, whitening: Whitening::of(&drawn.covariances(covariance_model)?, trial_covariance.counts())? })
         };
         let each: Vec<Replicate> = (0..REPLICATES).into_par_iter().filter_map(drawn).collect();
-        (each.len() >= REPLICATES / 2).then_some(Self { whitening: Whitening::of(&covariances, scatter.counts())?, each })
+        (each.len() >= REPLICATES / 2).then_some(Self { whitening: Whitening::of(&covariances, trial_covariance.counts())?, each })
     }
 }

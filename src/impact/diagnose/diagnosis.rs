@@ -12,8 +12,8 @@ use super::experiment::{Experiment, experiments};
 use super::gap::{Gap, gap, left_out_heights, left_out_trials};
 use super::observable::{Observable, observables};
 use super::prepared_drops::PreparedDrops;
-use super::residual_force::{ForceCell, surface};
-use super::residual_map::{Point, ResidualMap, place, points};
+use super::residual_force::{ForceCell, residual_force};
+use super::residual_map::{Point, ResidualMap, points, residual_map};
 use super::search::{RARE, Search, SearchContext};
 use super::stage::Stage;
 use super::trend::trend_p;
@@ -125,7 +125,7 @@ pub struct Diagnosis {
     /// Whether the held-out gaps are those of heights named for it.
     pub heights_held_out: bool,
     /// Where the base is apart.
-    pub place: ResidualMap,
+    pub residual_map: ResidualMap,
     /// Samples with the base's prediction.
     pub base_points: Vec<Point>,
     /// Samples with the chosen model's prediction.
@@ -141,7 +141,7 @@ pub struct Diagnosis {
     /// A limit that shows in the readings.
     pub clipping: Option<Clipping>,
     /// What is left over displacement and speed, when no effect suffices.
-    pub surface: Vec<ForceCell>,
+    pub residual_force: Vec<ForceCell>,
     /// Most telling first.
     pub experiments: Vec<Experiment>,
 }
@@ -209,12 +209,13 @@ pub fn watched(
 
 fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
     stage(Stage::TrialCovariance);
-    let ground = PreparedDrops::of(fitted, model)?;
-    let problem = &ground.problem;
-    let limit_seen = ground.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
+    let prepared = PreparedDrops::of(fitted, model)?;
+    let problem = &prepared.problem;
+    let limit_seen = prepared.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
     stage(Stage::Bootstrap);
-    let nulls = Bootstrap::of(&ground.scatter, &ground.family, settings.seed)?;
-    let setting = SearchContext { problem, nulls: &nulls, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
+    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
+    let setting =
+        SearchContext { problem, bootstrap: &bootstrap, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
     let search = Search::run(&setting, model)?;
     stage(Stage::Acceptance);
     let base = search.levels[0].candidates[0].clone();
@@ -249,8 +250,8 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
     let (before, after) = (gaps(&base)?, gaps(&chosen)?);
     let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
     let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or(search.levels.get(1)?.candidates.first());
-    let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &ground.scatter, &chosen, rival));
-    let surface = if verdict == Verdict::NoneSuffices { surface(&chosen_points, model.body.mass_kg) } else { Vec::new() };
+    let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &prepared.trial_covariance, &chosen, rival));
+    let residual_force = if verdict == Verdict::NoneSuffices { residual_force(&chosen_points, model.body.mass_kg) } else { Vec::new() };
     Some(Diagnosis {
         verdict,
         reasons,
@@ -262,15 +263,15 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
         before,
         after,
         heights_held_out: held_out.is_some(),
-        place: place(&base_points)?,
+        residual_map: residual_map(&base_points)?,
         base_points,
         chosen_points,
         base_adequacy: search.levels[0].adequacy.clone(),
         adequacy: level.adequacy.clone(),
         trend_p: trend,
         observables: observables(fitted, model),
-        clipping: ground.clipping,
-        surface,
+        clipping: prepared.clipping,
+        residual_force,
         experiments,
         base,
         chosen,

@@ -37,15 +37,15 @@ const FAST: (f64, f64) = (1e-4, 0.02);
 const FAST_CUTOFF_HZ: f64 = 5000.0;
 
 /// Every experiment, most telling first.
-pub fn experiments(problem: &FitProblem, scatter: &TrialCovariance, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
+pub fn experiments(problem: &FitProblem, trial_covariance: &TrialCovariance, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
     let between =
         [first.ids().join(" + "), second.ids().join(" + ")].map(|ids| if ids.is_empty() { "nothing missing".into() } else { ids });
     let (a, b) = (first.model(), second.model());
-    let relative = relative_error(problem, scatter);
+    let relative = relative_error(problem, trial_covariance);
     let mut all = Vec::new();
     for height_m in HEIGHTS_M {
         let known = problem.means.iter().any(|(known, _)| (known - height_m).abs() < 0.05 * height_m);
-        if let (false, Some(discrimination)) = (known, waves_apart(a, b, height_m, problem.expected.step_s, None, relative)) {
+        if let (false, Some(discrimination)) = (known, squared_distance(a, b, height_m, problem.expected.step_s, None, relative)) {
             all.push(Experiment {
                 what: format!("drop the frame {DROPS} times from {height_m} m with the same sensor"),
                 kind: "drop",
@@ -56,7 +56,7 @@ pub fn experiments(problem: &FitProblem, scatter: &TrialCovariance, first: &Cand
         }
     }
     let tallest = problem.means.iter().map(|(height_m, _)| *height_m).fold(0.0, f64::max);
-    if let Some(discrimination) = waves_apart(a, b, tallest, FAST.0, Some(FAST_CUTOFF_HZ), relative) {
+    if let Some(discrimination) = squared_distance(a, b, tallest, FAST.0, Some(FAST_CUTOFF_HZ), relative) {
         all.push(Experiment {
             what: format!("drop it {DROPS} times from {tallest} m with a sensor of {FAST_CUTOFF_HZ} Hz read 10,000 times a second"),
             kind: "fast_sensor",
@@ -81,19 +81,19 @@ fn squared(value: f64) -> f64 {
 }
 
 /// Standard error of one drop's reading over the peak, in mean over what was measured.
-fn relative_error(problem: &FitProblem, scatter: &TrialCovariance) -> f64 {
-    let counts = scatter.counts();
+fn relative_error(problem: &FitProblem, trial_covariance: &TrialCovariance) -> f64 {
+    let counts = trial_covariance.counts();
     let of = |(at, errors): (usize, Vec<f64>)| {
         let peak = problem.means[at].1.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
         let square = errors.iter().map(|error| error * error * counts[at] as f64).sum::<f64>() / errors.len() as f64;
         square.sqrt() / peak.max(1e-9)
     };
-    let each: Vec<f64> = scatter.standard_errors().into_iter().enumerate().map(of).collect();
+    let each: Vec<f64> = trial_covariance.standard_errors().into_iter().enumerate().map(of).collect();
     each.iter().sum::<f64>() / each.len() as f64
 }
 
 /// Squared distance of two models' waves, scatter taken as the same part of the peak as in the drops at hand.
-fn waves_apart(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
+fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
     let points = (FAST.1 / step_s) as usize;
     let run = |model: &Model| {
         let mut system = System::new(model);

@@ -124,7 +124,7 @@ fn phase(trace: &Trace, t_s: f64) -> Phase {
 }
 
 /// Sums points up; `None` when there is none.
-pub fn place(points: &[Point]) -> Option<ResidualMap> {
+pub fn residual_map(points: &[Point]) -> Option<ResidualMap> {
     let mut heights: Vec<f64> = points.iter().map(|point| point.height_m).collect();
     heights.dedup();
     let mut cells = Vec::new();

@@ -47,7 +47,7 @@ pub struct SearchContext<'a> {
     /// Mean waves.
     pub problem: &'a FitProblem,
     /// What could have been measured if nothing were missing.
-    pub nulls: &'a Bootstrap,
+    pub bootstrap: &'a Bootstrap,
     /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
     pub limit_seen: bool,
     /// The effects that are tried.
@@ -99,7 +99,7 @@ impl SearchContext<'_> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
         let seen = LinearisedFit { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
-        judge(&deviation, &seen, self.nulls)
+        judge(&deviation, &seen, self.bootstrap)
     }
 
     /// Frees defaults of the best sets.

@@ -33,7 +33,7 @@ pub struct Expected {
     /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
     pub varied: [f64; 2],
     /// TrialCovariance of single readings, where it moves the trigger.
-    pub flicker: TriggerJitter,
+    pub trigger_jitter: TriggerJitter,
 }
 
 /// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
@@ -46,7 +46,7 @@ pub struct Ready {
 impl Expected {
     /// Of records that differ by the phase of the clock alone.
     pub fn plain(step_s: f64, samples: usize) -> Self {
-        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: TriggerJitter::default() }
+        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], trigger_jitter: TriggerJitter::default() }
     }
 
     /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
@@ -81,8 +81,8 @@ impl Expected {
                 fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
             }
             mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
-            if self.flicker.moves() {
-                let shift = self.flicker.shift(&FineWave::of(&fine), self.step_s, self.samples);
+            if self.trigger_jitter.moves() {
+                let shift = self.trigger_jitter.shift(&FineWave::of(&fine), self.step_s, self.samples);
                 mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += weight * shift);
             }
         }

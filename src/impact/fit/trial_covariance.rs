@@ -49,35 +49,35 @@ impl TrialCovariance {
     /// The nearest sum of the kinds, and on top of it, in that sum's own units, the part of the mean difference from the
     /// records which its uncertainty does not explain (after J. Schäfer, K. Strimmer, Stat. Appl. Genet. Mol. Biol. 4 (2005)
     /// 32, with this target). Wrong where heights scatter for different reasons that no kind describes.
-    pub fn covariances(&self, family: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
+    pub fn covariances(&self, model: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
         let free = |count: &usize| (count - 1) as f64;
-        let (sampled, nearest) = (self.sampled(), self.nearest(family));
+        let (sampled, nearest) = (self.sampled(), self.nearest(model));
         let freedom: f64 = self.counts.iter().map(free).sum();
         let samples = self.sums[0].nrows();
-        let mut apart = DMatrix::zeros(samples, samples);
+        let mut excess = DMatrix::zeros(samples, samples);
         for ((nearest, sampled), count) in nearest.iter().zip(&sampled).zip(&self.counts) {
             let inverse = inverse_root(nearest)?;
-            apart += (&inverse * sampled * inverse.transpose() - DMatrix::identity(samples, samples)) * (free(count) / freedom);
+            excess += (&inverse * sampled * inverse.transpose() - DMatrix::identity(samples, samples)) * (free(count) / freedom);
         }
         let uncertain = (samples * (samples + 1)) as f64 / freedom;
-        let kept = (1.0 - uncertain / apart.norm_squared().max(1e-300)).max(0.0);
-        let inner = DMatrix::identity(samples, samples) + apart * kept;
+        let kept = (1.0 - uncertain / excess.norm_squared().max(1e-300)).max(0.0);
+        let inner = DMatrix::identity(samples, samples) + excess * kept;
         nearest.into_iter().map(|nearest| nearest.cholesky().map(|root| root.l() * &inner * root.l().transpose())).collect()
     }
 
     /// Standard deviations between records of the family's parameters of change, on their own scales.
-    pub fn changing(&self, family: &CovarianceModel) -> Vec<f64> {
-        family.changing(&self.sampled())
+    pub fn changing(&self, model: &CovarianceModel) -> Vec<f64> {
+        model.changing(&self.sampled())
     }
 
     /// TrialCovariance of readings in proportion to the wave.
-    pub fn flicker(&self, family: &CovarianceModel) -> TriggerJitter {
-        family.flicker(&self.sampled())
+    pub fn trigger_jitter(&self, model: &CovarianceModel) -> TriggerJitter {
+        model.trigger_jitter(&self.sampled())
     }
 
     /// The family's nearest sum alone.
-    pub fn nearest(&self, family: &CovarianceModel) -> Vec<DMatrix<f64>> {
-        let mut nearest = family.nearest(&self.sampled());
+    pub fn nearest(&self, model: &CovarianceModel) -> Vec<DMatrix<f64>> {
+        let mut nearest = model.nearest(&self.sampled());
         for covariance in &mut nearest {
             *covariance += DMatrix::from_diagonal_element(covariance.nrows(), covariance.nrows(), LEAST_G * LEAST_G);
         }
@@ -133,15 +133,15 @@ fn shrunk(correlation: &DMatrix<f64>, freedom: f64) -> DMatrix<f64> {
         (0..samples).map(|lag| (lag..samples).map(|i| correlation[(i, i - lag)]).sum::<f64>() / samples as f64).collect();
     // A sample that hardly scatters goes together with none.
     let target = |i: usize, j: usize| by_lag[i.abs_diff(j)] * (correlation[(i, i)] * correlation[(j, j)]).sqrt();
-    let (mut uncertain, mut apart) = (0.0, 0.0);
+    let (mut uncertain, mut excess) = (0.0, 0.0);
     for i in 0..samples {
         for j in 0..i {
             let r = correlation[(i, j)];
             uncertain += (1.0 - r * r) * (1.0 - r * r) / freedom;
-            apart += (r - target(i, j)) * (r - target(i, j));
+            excess += (r - target(i, j)) * (r - target(i, j));
         }
     }
-    let weight = if apart > 0.0 { (uncertain / apart).clamp(0.02, 1.0) } else { 1.0 };
+    let weight = if excess > 0.0 { (uncertain / excess).clamp(0.02, 1.0) } else { 1.0 };
     DMatrix::from_fn(samples, samples, |i, j| if i == j { 1.0 } else { (1.0 - weight) * correlation[(i, j)] + weight * target(i, j) })
 }
 

@@ -54,7 +54,7 @@ impl TriggerJitter {
             let part = (phase as f64 + 0.5) / PHASES as f64;
             let wave: Vec<f64> =
                 (0..first + LATEST + samples).map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64))).collect();
-            Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.laid(first, &mut sum);
+            Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.aligned(first, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
         }
         sum.iter_mut().for_each(|sum| *sum /= PHASES as f64);
@@ -71,7 +71,7 @@ struct Record<'a> {
 
 impl Record<'_> {
     /// Adds the mean window over the scatter; `crossing` is the first sample that is beyond the trigger without it.
-    fn laid(&self, crossing: usize, sum: &mut [f64]) {
+    fn aligned(&self, crossing: usize, sum: &mut [f64]) {
         let (mut open, mut mean, mut variance, mut before) = (1.0, 0.0, 1.0, 0.0);
         for at in BEFORE..=crossing + LATEST {
             mean *= self.kept[1];
@@ -79,9 +79,9 @@ impl Record<'_> {
             let along = self.sd * self.wave[at].abs() * variance.sqrt();
             let missed = Missed::of(self.wave[at].abs() * (1.0 + self.sd * mean), along);
             let last = at == crossing + LATEST;
-            let hit = if last { open } else { open * (1.0 - missed.chance) };
+            let hit = if last { open } else { open * (1.0 - missed.probability) };
             if hit > NEVER {
-                let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.chance) };
+                let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.probability) };
                 for (i, sum) in sum.iter_mut().enumerate() {
                     let kept = i.checked_sub(BEFORE).map_or(0.0, |lag| self.kept[lag]);
                     let reading = if i + 1 == BEFORE { before } else { self.wave[at + i - BEFORE] };
@@ -92,17 +92,17 @@ impl Record<'_> {
             if open < NEVER {
                 break;
             }
-            let moved = missed.first / missed.chance;
+            let moved = missed.first / missed.probability;
             before = self.wave[at] * (1.0 + self.sd * (mean + variance.sqrt() * moved));
             mean += variance.sqrt() * moved;
-            variance *= (1.0 + missed.second / missed.chance - moved * moved).clamp(0.0, 1.0);
+            variance *= (1.0 + missed.second / missed.probability - moved * moved).clamp(0.0, 1.0);
         }
     }
 }
 
-/// A reading that stays within the trigger: its chance, and moments of its deviation over the part where it does.
+/// A reading that stays within the trigger: its probability, and moments of its deviation over the part where it does.
 struct Missed {
-    chance: f64,
+    probability: f64,
     first: f64,
     second: f64,
 }
@@ -110,12 +110,12 @@ struct Missed {
 impl Missed {
     fn of(mean_g: f64, sd_g: f64) -> Self {
         if sd_g <= 1e-9 {
-            return Self { chance: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
+            return Self { probability: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
         }
         let (low, high) = ((-TRIGGER_G - mean_g) / sd_g, (TRIGGER_G - mean_g) / sd_g);
         let density = |z: f64| libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
         let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
         let ends = |z: f64| if z.is_finite() { z * density(z) } else { 0.0 };
-        Self { chance: below(high) - below(low), first: density(low) - density(high), second: ends(low) - ends(high) }
+        Self { probability: below(high) - below(low), first: density(low) - density(high), second: ends(low) - ends(high) }
     }
 }

@@ -11,5 +11,5 @@ mod trajectory;
 
 pub use hidden::Hidden;
 pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, TrialVariation};
-pub use records::{SyntheticRecord, clean, records};
+pub use records::{SyntheticRecord, records};
 pub use trajectory::ReferenceTrajectory;

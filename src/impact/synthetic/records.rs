@@ -43,12 +43,6 @@ pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
     all
 }
 
-/// The wave of one drop without anything random, at steps of 0.05 ms from first touch, within the sensor's limit.
-pub fn clean(plan: &Plan, height_m: f64) -> Vec<f64> {
-    let trajectory = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
-    wave(&trajectory, height_m).into_iter().map(|reading| reading.clamp(-trajectory.limit_g(), trajectory.limit_g())).collect()
-}
-
 fn wave(trajectory: &ReferenceTrajectory, height_m: f64) -> Vec<f64> {
     trajectory.wave_g(height_m, FINE_S, (AFTER_S / FINE_S) as usize + 2)
 }

@@ -112,7 +112,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
         "correlations": { "of": keys, "matrix": correlations },
         "gap": gaps(diagnosis),
-        "where": place(diagnosis),
+        "where": residual_map(diagnosis),
         "lack_of_fit_p": rounded(diagnosis.adequacy.p),
         "base_lack_of_fit": adequacy(&diagnosis.base_adequacy),
         "lack_of_fit": adequacy(&diagnosis.adequacy),
@@ -120,8 +120,8 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "observables": diagnosis.observables,
         "falls": compared.falls,
         "static_test": compared.static_test,
-        "clipping": diagnosis.clipping.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
-        "restoring_force_left": diagnosis.surface,
+        "clipping": diagnosis.clipping.map(|clipping| json!({ "level_g": rounded(clipping.level_g), "readings": clipping.readings })),
+        "restoring_force_left": diagnosis.residual_force,
         "next_experiment": diagnosis.experiments.first(),
         "experiments": diagnosis.experiments,
         "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
@@ -187,8 +187,8 @@ fn gaps(diagnosis: &Diagnosis) -> Value {
     })
 }
 
-fn place(diagnosis: &Diagnosis) -> Value {
-    json!({ "cells": diagnosis.place.cells, "worst": diagnosis.place.worst, "same_in": diagnosis.place.same_in })
+fn residual_map(diagnosis: &Diagnosis) -> Value {
+    json!({ "cells": diagnosis.residual_map.cells, "worst": diagnosis.residual_map.worst, "same_in": diagnosis.residual_map.same_in })
 }
 
 fn adequacy(adequacy: &crate::impact::diagnose::Adequacy) -> Value {
