@@ -1,8 +1,8 @@
-//! Whether what a model leaves can be chance.
+//! Whether the residual of a model is within trial variation.
 //!
-//! Three statistics of the whitened residual: its sum of squares, the largest part of it that one effect of the
-//! catalogue would take away, and the largest that a bump at one time of one height would take away. Their chance is
-//! read off simulated data sets ([`Bootstrap`]).
+//! Three statistics of the whitened residual are tested: its sum of squares, the largest part of it that one effect of the
+//! catalogue would remove, and the largest part that a local deviation at one time of one height would remove. Their p-values come
+//! from parametric-bootstrap replicates ([`Bootstrap`]).
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -10,9 +10,9 @@ use rayon::prelude::*;
 use super::bootstrap::{Bootstrap, REPLICATES};
 use crate::impact::fit::{Whitening, inverse};
 
-/// Widths of a bump, samples.
+/// Widths of a local deviation, samples.
 const WIDTHS: [f64; 3] = [0.6, 1.5, 3.5];
-/// Part of a column that must be left when what the fit can do itself is taken out of it.
+/// Part of a column that must be left when the part that the fit can do itself is removed.
 const LEAST_LEFT: f64 = 1e-8;
 
 /// The three statistics.
@@ -22,7 +22,7 @@ pub struct Statistics {
     pub sum: f64,
     /// Largest gain by an effect.
     pub effect: f64,
-    /// Largest gain by a bump.
+    /// Largest gain by a local deviation.
     pub bump: f64,
 }
 
@@ -32,7 +32,7 @@ impl Statistics {
     }
 }
 
-/// A model's fit as the statistics see it: everything in g, all heights one below the other.
+/// A fit, linearised: everything in g, all heights one below the other.
 #[derive(Clone, Debug)]
 pub struct LinearisedFit {
     /// Change with each free parameter.
@@ -43,14 +43,14 @@ pub struct LinearisedFit {
     pub samples: usize,
 }
 
-/// Chances, and what they were read off.
+/// p-values, and the statistics they belong to.
 #[derive(Clone, Debug)]
 pub struct Adequacy {
     /// Of the data.
     pub statistics: Statistics,
-    /// Chance of each statistic alone.
+    /// p-value of each statistic alone.
     pub single_p: [f64; 3],
-    /// Chance of the least of the three.
+    /// p-value of the least of the three.
     pub p: f64,
     /// For each free parameter: the ratio that 95 % of the simulated errors do not exceed, error over stated standard error.
     pub ratio95: Vec<f64>,
@@ -98,7 +98,7 @@ fn statistics(deviation: &DVector<f64>, fit: &LinearisedFit, whitening: &Whiteni
     Some((Statistics { sum: left.norm_squared(), effect, bump: largest_bump(&left, fit.samples) }, ratios))
 }
 
-/// Largest gain by a bump in the whitened residual; what the fit can do itself is small in it and is left in.
+/// Largest gain by a local deviation in the whitened residual; the part that the fit can do itself is small and is left in.
 fn largest_bump(left: &DMatrix<f64>, samples: usize) -> f64 {
     let mut largest = 0.0_f64;
     for from in (0..left.nrows()).step_by(samples) {

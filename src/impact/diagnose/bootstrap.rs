@@ -1,4 +1,4 @@
-//! Mean waves and scatters that could have been measured if nothing were missing.
+//! Parametric-bootstrap replicates: mean waves and trial covariances as they could have been measured if nothing were missing.
 
 use nalgebra::{DMatrix, DVector};
 use rand_distr::{Distribution, StandardNormal};
@@ -7,15 +7,15 @@ use rayon::prelude::*;
 
 use crate::impact::fit::{CovarianceModel, TrialCovariance, Whitening};
 
-/// Simulated data sets.
+/// Number of replicates.
 pub const REPLICATES: usize = 400;
 
-/// One simulated data set.
+/// One replicate.
 #[derive(Clone, Debug)]
 pub struct Replicate {
     /// Mean waves less their expectation, g, all heights one below the other.
     pub deviation: DVector<f64>,
-    /// From the scatter of its own records.
+    /// From the trial covariance of its own records.
     pub whitening: Whitening,
 }
 
@@ -25,13 +25,13 @@ pub struct Replicate {
 pub struct Bootstrap {
     /// From the measured trial_covariance.
     pub whitening: Whitening,
-    /// The data sets.
+    /// The replicates.
     pub each: Vec<Replicate>,
 }
 
 impl Bootstrap {
-    /// Draws mean waves with the measured scatter, and that scatter drawn and estimated anew each time, since a covariance
-    /// of as many numbers as there are samples is itself uncertain. `None` where the scatter is degenerate.
+    /// Draws mean waves with the measured trial covariance. The covariance is drawn and estimated anew each time, since a covariance
+    /// of as many numbers as there are samples is itself uncertain. `None` where it is degenerate.
     pub fn of(trial_covariance: &TrialCovariance, covariance_model: &CovarianceModel, seed: u64) -> Option<Self> {
         let covariances = trial_covariance.covariances(covariance_model)?;
         let of_mean = |(covariance, count): (&DMatrix<f64>, &usize)| Some((covariance / *count as f64).cholesky()?.unpack());

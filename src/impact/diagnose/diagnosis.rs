@@ -25,7 +25,7 @@ use crate::impact::fit::{Waves, inverse};
 pub enum Verdict {
     /// One set of effects is supported, and enough.
     Named,
-    /// Several sets are enough, and the drops cannot tell them apart.
+    /// Several sets are enough, and the drops cannot distinguish them.
     Ambiguous,
     /// No set of effects explains the drops.
     NoneSuffices,
@@ -124,25 +124,25 @@ pub struct Diagnosis {
     pub after: Gaps,
     /// Whether the held-out gaps are those of heights named for it.
     pub heights_held_out: bool,
-    /// Where the base is apart.
+    /// The residual of the base.
     pub residual_map: ResidualMap,
     /// Samples with the base's prediction.
     pub base_points: Vec<Point>,
     /// Samples with the chosen model's prediction.
     pub chosen_points: Vec<Point>,
-    /// Chances of the base's residual.
+    /// p-values of the base's residual.
     pub base_adequacy: Adequacy,
-    /// Chances of the chosen model's residual.
+    /// p-values of the chosen model's residual.
     pub adequacy: Adequacy,
-    /// Chance of the trend over trials.
+    /// p-value of the trend over trials.
     pub trend_p: f64,
-    /// Before any model.
+    /// Observations without a model.
     pub observables: Vec<Observable>,
-    /// A limit that shows in the readings.
+    /// Clipping of the readings.
     pub clipping: Option<Clipping>,
-    /// What is left over displacement and speed, when no effect suffices.
+    /// The residual over displacement and speed, when no effect suffices.
     pub residual_force: Vec<ForceCell>,
-    /// Most telling first.
+    /// Most decisive first.
     pub experiments: Vec<Experiment>,
 }
 
@@ -167,20 +167,20 @@ impl DiagnosisOptions {
 /// Why there is no diagnosis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DiagnosisError {
-    /// The base model does not hold the body at the start values, or the scatter is degenerate.
+    /// The simulation of the base model diverges at the start values, or the trial covariance is degenerate.
     #[error("the base model cannot be fitted to these drops: the fits diverge, or the readings do not vary between drops")]
     NoFit,
 }
 
-/// Readings that pile up this near to the model's own limit are that limit, g.
+/// Clipping this near to the model's own limit is that limit, g.
 const NEAR_LIMIT_G: f64 = 3.0;
 /// Weight below which a set is not worth a mention.
 const SLIGHT: f64 = 0.02;
 /// Weight that a set needs for its name, by its number of effects.
 const SUPPORT: [f64; 3] = [0.7, 0.7, 0.95];
-/// Chance below which a trend over trials is one.
+/// p-value below which a trend over trials is significant.
 const TREND: f64 = 0.002;
-/// Chance below which parameters are not the same at all heights.
+/// p-value below which parameters are not the same at all heights.
 const UNSTEADY: f64 = 1e-4;
 /// Sets whose parameters are looked at height by height.
 const LOOKED_AT: usize = 6;
@@ -193,7 +193,7 @@ pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, setting
     watched(fitted, held_out, model, settings, &|_| ())
 }
 
-/// The same, telling `stage` what is being done.
+/// The same; `stage` is called with each stage that begins.
 ///
 /// # Errors
 /// [`DiagnosisError`] when no fit is possible.

@@ -1,4 +1,4 @@
-//! Which experiment would tell the remaining candidates apart best.
+//! The experiment that would distinguish the remaining candidates best.
 
 use serde::Serialize;
 
@@ -17,9 +17,9 @@ pub struct Experiment {
     pub kind: &'static str,
     /// Its height, m, where it is a drop.
     pub height_m: Option<f64>,
-    /// Expected squared distance between the two best candidates in units of the scatter: 10 and more decides.
+    /// Expected squared distance between the two best candidates in units of the trial covariance: 10 or more is decisive.
     pub discrimination: f64,
-    /// The two that it would tell apart.
+    /// The two that it would distinguish.
     pub between: [String; 2],
 }
 
@@ -36,7 +36,7 @@ const FAST: (f64, f64) = (1e-4, 0.02);
 /// Cutoff of a faster sensor, Hz.
 const FAST_CUTOFF_HZ: f64 = 5000.0;
 
-/// Every experiment, most telling first.
+/// Every experiment, most decisive first.
 pub fn experiments(problem: &FitProblem, trial_covariance: &TrialCovariance, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
     let between =
         [first.ids().join(" + "), second.ids().join(" + ")].map(|ids| if ids.is_empty() { "nothing missing".into() } else { ids });
@@ -92,7 +92,7 @@ fn relative_error(problem: &FitProblem, trial_covariance: &TrialCovariance) -> f
     each.iter().sum::<f64>() / each.len() as f64
 }
 
-/// Squared distance of two models' waves, scatter taken as the same part of the peak as in the drops at hand.
+/// Squared distance of two models' waves, with the same relative standard error as in the drops at hand.
 fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
     let points = (FAST.1 / step_s) as usize;
     let run = |model: &Model| {
@@ -106,7 +106,7 @@ fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz:
     let (a, b) = (run(a)?, run(b)?);
     let peak = a.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
     let error = (relative * peak).max(0.17) / DROPS.sqrt();
-    // Neighbouring readings of a fast logger scatter together: as many count as a slow one gives.
+    // Neighbouring readings of a fast logger are correlated: as many count as a slow one gives.
     let independent = (step_s / 1e-3).min(1.0);
     Some(independent * a.iter().zip(&b).map(|(a, b)| squared((a - b) / error)).sum::<f64>())
 }

@@ -1,8 +1,8 @@
 //! Where simulation and measurement disagree, which named effect is missing, and what is left when it is added.
 //!
-//! [`diagnose`] is the whole way: mean waves laid at their trigger and their scatter ([`PreparedDrops`]), the base model refitted,
-//! whether what it leaves can be chance ([`Adequacy`]), every effect on top of it and sets of them ([`Search`]), and the
-//! gates before a name is given. docs/diagnosis.md explains the method.
+//! [`diagnose`] does all of it. It aligns the drops at their triggers and estimates their trial covariance ([`PreparedDrops`]). It
+//! refits the base model and tests its residual ([`Adequacy`]). It tries every effect on top of the base, then sets of effects
+//! ([`Search`]), and applies the acceptance tests before it names one. docs/diagnosis.md explains the method.
 
 mod adequacy;
 mod bootstrap;

@@ -1,4 +1,4 @@
-//! From drops to mean waves with their scatter: what every question is put to.
+//! Mean waves with their trial covariance, prepared for the diagnosis.
 
 use nalgebra::DMatrix;
 
@@ -8,7 +8,7 @@ use crate::impact::effects::Model;
 use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
 use crate::impact::sim::System;
 
-/// How often scatter is compared in units of what it was found to be.
+/// How often the covariance model is refined in units of its own result.
 const REFINEMENTS: usize = 3;
 
 /// Mean waves and how they trial_covariance.
@@ -16,16 +16,16 @@ const REFINEMENTS: usize = 3;
 pub struct PreparedDrops {
     /// Mean waves, whitened by the trial_covariance.
     pub problem: FitProblem,
-    /// How records differ.
+    /// How records vary between trials.
     pub trial_covariance: TrialCovariance,
-    /// What that can look like.
+    /// Its model.
     pub covariance_model: CovarianceModel,
-    /// A limit that shows in the readings.
+    /// Clipping of the readings.
     pub clipping: Option<Clipping>,
 }
 
 impl PreparedDrops {
-    /// Of measured waves. A first fit of the base model, with a scatter of which nothing is known, says what phase and
+    /// Of measured waves. A first fit of the base model, with a plain covariance, says what phase and
     /// parameters of a drop would do to it.
     pub fn of(waves: &Waves, model: &Model) -> Option<Self> {
         let trial_covariance = TrialCovariance::of(waves);
@@ -45,8 +45,8 @@ impl PreparedDrops {
             covariance_model = covariance_model.near(&near);
         }
         let whitening = Whitening::of(&trial_covariance.covariances(&covariance_model)?, trial_covariance.counts())?;
-        // Stiffness is fitted as its logarithm, damping as it is. Where readings are cut, the base model says nothing of how a
-        // parameter moves them, and the scatter beyond the cut is counted already.
+        // Stiffness is fitted as its logarithm, damping as it is. Where readings are clipped, the base model does not show how a
+        // parameter moves them, and the variation beyond the limit is counted already.
         let varied = match trial_covariance.changing(&covariance_model)[..] {
             [stiffness, damping, ..] if spread == 0.0 => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
             _ => [0.0; 2],

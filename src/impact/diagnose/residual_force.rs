@@ -1,4 +1,4 @@
-//! What is left when no effect suffices, as a force over displacement and speed that assumes no model of it.
+//! The residual when no effect suffices, as a force over displacement and speed, without any model of it.
 
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ pub struct ForceCell {
     pub v_m_s: f64,
     /// Mean of measured less model, as a force on the body, N.
     pub force_n: f64,
-    /// Its standard error from the scatter between drops, N.
+    /// Its standard error from the variation between drops, N.
     pub error_n: f64,
     /// Samples.
     pub samples: usize,

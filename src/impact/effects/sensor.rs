@@ -21,7 +21,7 @@ pub struct Sensor {
     pub cutoff_hz: f64,
     /// Number of stages.
     pub order: usize,
-    /// Reading over what it should be.
+    /// Reading over true value.
     pub gain: f64,
     /// Largest reading, g.
     pub limit_g: f64,

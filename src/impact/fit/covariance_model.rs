@@ -1,4 +1,4 @@
-//! What scatter between records can look like: components whose amounts the records then tell.
+//! The model of a trial covariance: a sum of variance components whose amounts are estimated from the records.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,10 +12,10 @@ const ROUNDS: usize = 60;
 const FIXED: usize = 5;
 /// Which of them is one factor a record.
 const COMMON: usize = 3;
-/// Keeps components apart that are nearly the same.
+/// Regularises components that are nearly the same.
 const RIDGE: f64 = 1e-9;
 
-/// Components of scatter: covariances of one record, a height each.
+/// A sum of variance components, each a covariance of one record at every height.
 #[derive(Clone, Debug)]
 pub struct CovarianceModel {
     /// Kind by component, height by height, g².
@@ -60,7 +60,7 @@ fn flat(inverse_roots: &[DMatrix<f64>], covariances: &[DMatrix<f64>]) -> DVector
 }
 
 impl CovarianceModel {
-    /// Components for measured waves: the clock's phase (from predicted fine waves), coloured scatter in proportion to the wave
+    /// Components for measured waves: the clock's phase (from predicted fine waves), coloured noise in proportion to the wave
     /// and to its peak, white noise, and records that differ by a factor or by a parameter (columns of change, a height each).
     ///
     /// `near` are covariances to begin with; `None` when one is not positive definite.
@@ -103,7 +103,7 @@ impl CovarianceModel {
         (0..self.changes).map(|change| amounts[FIXED + change].max(0.0).sqrt()).collect()
     }
 
-    /// TrialCovariance in proportion to the wave in the sum that is nearest to covariances.
+    /// Variation in proportion to the wave in the sum that is nearest to covariances.
     pub fn trigger_jitter(&self, covariances: &[DMatrix<f64>]) -> TriggerJitter {
         let amounts = self.amounts(covariances);
         let coloured = FIXED + self.changes;
@@ -115,7 +115,7 @@ impl CovarianceModel {
         not_negative(&self.metric.gram, &right)
     }
 
-    /// The sum of the components that is nearest to covariances, no component less than nothing.
+    /// The sum of the components that is nearest to covariances, no amount below zero.
     pub fn nearest(&self, covariances: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
         let amounts = self.amounts(covariances);
         let sum = |height: usize| self.components.iter().zip(amounts.iter()).map(|(component, amount)| &component[height] * *amount).sum();
@@ -127,12 +127,12 @@ fn outer(column: &DVector<f64>) -> DMatrix<f64> {
     column * column.transpose()
 }
 
-/// The sample at the trigger alone: scatter lets single records cross it sooner or later.
+/// The sample at the trigger alone: noise lets single records cross it sooner or later.
 fn first(mean: &[f64]) -> DVector<f64> {
     DVector::from_fn(mean.len(), |i, _| if i == BEFORE { mean[i] } else { 0.0 })
 }
 
-/// TrialCovariance of the phase, evenly over one step, where a wave is smooth.
+/// Covariance of the phase, even over one step, where a wave is smooth.
 fn slope(mean: &[f64]) -> DMatrix<f64> {
     let last = mean.len() - 1;
     outer(&DVector::from_fn(mean.len(), |i, _| 0.5 * (mean[(i + 1).min(last)] - mean[i.saturating_sub(1)]) / 12f64.sqrt()))

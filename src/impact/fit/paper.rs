@@ -48,7 +48,7 @@ impl PaperObjective {
         Self { step_s, heights }
     }
 
-    /// The objective of a model; `None` where it does not hold the body.
+    /// The objective of a model; `None` where the simulation diverges.
     pub fn at(&self, model: &Model) -> Option<f64> {
         Some(self.value(self.residual(model)?.norm_squared()))
     }

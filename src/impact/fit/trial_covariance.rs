@@ -1,4 +1,4 @@
-//! How the records of one height differ from each other over time.
+//! How the records of one height vary between trials, as a covariance over time.
 
 use nalgebra::{DMatrix, DVector};
 use rand::Rng;
@@ -8,7 +8,7 @@ use super::covariance_model::{CovarianceModel, inverse_root};
 use super::trigger_jitter::TriggerJitter;
 use super::waves::Waves;
 
-/// Smallest scatter that is believed, g: a fraction of a count of the converter.
+/// Least standard deviation of a reading, g: a fraction of a count of the converter.
 const LEAST_G: f64 = 0.03;
 
 /// Sums of products of the records' deviations from their height's mean.
@@ -44,11 +44,11 @@ impl TrialCovariance {
         Some(Self { sums, counts: counts.to_vec() })
     }
 
-    /// Covariance of one record, g², a height each, from a family of kinds of scatter.
+    /// Covariance of one record, g², a height each, with a covariance model.
     ///
-    /// The nearest sum of the kinds, and on top of it, in that sum's own units, the part of the mean difference from the
+    /// The nearest sum of the components, and on top of it, in that sum's own units, the part of the mean difference from the
     /// records which its uncertainty does not explain (after J. Schäfer, K. Strimmer, Stat. Appl. Genet. Mol. Biol. 4 (2005)
-    /// 32, with this target). Wrong where heights scatter for different reasons that no kind describes.
+    /// 32, with this target). Wrong where heights vary for different reasons that no component describes.
     pub fn covariances(&self, model: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
         let free = |count: &usize| (count - 1) as f64;
         let (sampled, nearest) = (self.sampled(), self.nearest(model));
@@ -65,17 +65,17 @@ impl TrialCovariance {
         nearest.into_iter().map(|nearest| nearest.cholesky().map(|root| root.l() * &inner * root.l().transpose())).collect()
     }
 
-    /// Standard deviations between records of the family's parameters of change, on their own scales.
+    /// Standard deviations between records of the model's parameters of change, on their own scales.
     pub fn changing(&self, model: &CovarianceModel) -> Vec<f64> {
         model.changing(&self.sampled())
     }
 
-    /// TrialCovariance of readings in proportion to the wave.
+    /// Variation of readings in proportion to the wave.
     pub fn trigger_jitter(&self, model: &CovarianceModel) -> TriggerJitter {
         model.trigger_jitter(&self.sampled())
     }
 
-    /// The family's nearest sum alone.
+    /// The nearest sum of the components alone.
     pub fn nearest(&self, model: &CovarianceModel) -> Vec<DMatrix<f64>> {
         let mut nearest = model.nearest(&self.sampled());
         for covariance in &mut nearest {
@@ -88,7 +88,7 @@ impl TrialCovariance {
         self.sums.iter().zip(&self.counts).map(|(sum, count)| sum / (count - 1) as f64).collect()
     }
 
-    /// Covariance of one record, g², a height each, when nothing is known of its kinds yet: variances of each height,
+    /// Covariance of one record, g², a height each, before its components are known: variances of each height,
     /// correlations of all heights together, drawn towards correlations that depend on the lag alone.
     pub fn plain_covariances(&self) -> Vec<DMatrix<f64>> {
         let samples = self.sums[0].nrows();
@@ -131,7 +131,7 @@ fn shrunk(correlation: &DMatrix<f64>, freedom: f64) -> DMatrix<f64> {
     // Sums over a diagonal divided by the whole length keep the target positive definite.
     let by_lag: Vec<f64> =
         (0..samples).map(|lag| (lag..samples).map(|i| correlation[(i, i - lag)]).sum::<f64>() / samples as f64).collect();
-    // A sample that hardly scatters goes together with none.
+    // A sample that hardly varies is correlated with none.
     let target = |i: usize, j: usize| by_lag[i.abs_diff(j)] * (correlation[(i, i)] * correlation[(j, j)]).sqrt();
     let (mut uncertain, mut excess) = (0.0, 0.0);
     for i in 0..samples {
@@ -162,7 +162,7 @@ fn bartlett(rows: usize, free: usize, rng: &mut impl Rng) -> Option<DMatrix<f64>
     Some(triangle)
 }
 
-/// Turns deviations of mean waves into numbers that scatter independently with variance 1.
+/// Turns deviations of mean waves into independent numbers of variance 1.
 #[derive(Clone, Debug)]
 pub struct Whitening {
     inverse_roots: Vec<DMatrix<f64>>,

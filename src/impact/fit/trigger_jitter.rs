@@ -1,26 +1,29 @@
-//! What scatter of single readings does to a mean of records that were laid at their trigger.
+//! Trigger jitter: the variation of single readings moves the sample at which a record crosses the trigger, and so the mean of
+//! trigger-aligned records.
 //!
-//! Where readings scatter by half of themselves, one in fifty of the first large ones falls below the trigger, and its
-//! record is laid a step too late; just below the crossing some are early. Followed here is the chance that no sample was
-//! beyond the trigger yet, with mean and variance that the scatter then has, sample by sample: an assumed normal density
-//! (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger a tenth of the shift
-//! is left, a third behind it. Wrong where the scatter is not in proportion to the wave, and where white noise comes near the trigger.
+//! Where readings vary by half of themselves, one in fifty of the first large ones falls below the trigger, and its record is
+//! aligned a step too late. Just below the crossing, some records are early. The computation follows the probability that no
+//! sample was beyond the trigger yet, with the mean and variance of the readings under that condition, sample by sample: an
+//! assumed normal density (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger
+//! a tenth of the shift is left, behind it a third.
+//!
+//! *When it is wrong:* where the variation is not in proportion to the wave, and where white noise comes near the trigger.
 
 use super::fine_wave::FineWave;
 use super::waves::{BEFORE, TRIGGER_G};
 
-/// Correlation times of coloured scatter, s.
+/// Correlation times of coloured noise, s.
 pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
-/// TrialCovariance of readings as part of the wave that changes no mean by as much as can be seen.
+/// Relative variation of readings below which the change of a mean cannot be seen.
 const SLIGHT: f64 = 0.15;
 /// Phases of the clock.
 const PHASES: usize = 20;
 /// Samples from the crossing on of which one is beyond the trigger.
 const LATEST: usize = 6;
-/// Chance that is not followed.
+/// Probability that is not followed.
 const NEVER: f64 = 1e-7;
 
-/// TrialCovariance of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
+/// Variation of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
 /// one factor a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TriggerJitter {
@@ -45,7 +48,7 @@ impl TriggerJitter {
         (sum + long) / self.variance()
     }
 
-    /// What is to be added to a mean window without scatter, g.
+    /// The correction of a mean window without variation, g.
     pub fn shift(&self, fine: &FineWave, step_s: f64, samples: usize) -> Vec<f64> {
         let kept: Vec<f64> = (0..samples).map(|lag| self.kept(lag as f64 * step_s)).collect();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
@@ -70,7 +73,7 @@ struct Record<'a> {
 }
 
 impl Record<'_> {
-    /// Adds the mean window over the scatter; `crossing` is the first sample that is beyond the trigger without it.
+    /// Adds the mean window over the variation; `crossing` is the first sample that is beyond the trigger without it.
     fn aligned(&self, crossing: usize, sum: &mut [f64]) {
         let (mut open, mut mean, mut variance, mut before) = (1.0, 0.0, 1.0, 0.0);
         for at in BEFORE..=crossing + LATEST {

@@ -17,7 +17,7 @@ pub struct MaterialEstimate {
     pub key: &'static str,
     /// Its value.
     pub value: f64,
-    /// 95 % interval, from the medians' scatter or the misfit, whichever is more; what the model lacks is not in it.
+    /// 95 % interval, from the medians' standard errors or the misfit, whichever is larger; an effect that the model lacks is not in it.
     pub ci95: [f64; 2],
     /// Whether the search ended at its bound.
     pub at_bound: bool,

@@ -1,4 +1,4 @@
-//! The model's answers over the two numbers: runs on a grid, interpolated between.
+//! The response surface: the model's results over the two numbers, from runs on a grid, interpolated.
 
 use rayon::prelude::*;
 

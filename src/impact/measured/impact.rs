@@ -10,9 +10,9 @@ pub(super) const TRIGGER_G: f64 = 3.0;
 pub(super) const WINDOW_S: f64 = 0.025;
 /// Below this mean magnitude over [`FALL_SAMPLES`] a frame falls, g: held it feels 1 g, in free fall 0.3 g of noise.
 const FALL_G: f64 = 0.6;
-/// Samples that a fall is told by.
+/// Samples by which a fall is recognised.
 const FALL_SAMPLES: usize = 5;
-/// Samples of the fall, its last, that the noise is told by: the first may hold the release.
+/// Samples of the fall, its last, from which the noise is estimated: the first may hold the release.
 const NOISE_SAMPLES: usize = 200;
 /// The ground has let go when so long nothing above [`TRIGGER_G`] is felt, s.
 const QUIET_S: f64 = 0.005;

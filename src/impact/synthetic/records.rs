@@ -1,4 +1,4 @@
-//! Records of planted drops, as a logger would have written them.
+//! Records of synthetic drops, as a logger would have written them.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
@@ -13,7 +13,7 @@ const BEFORE_S: f64 = 0.012;
 /// Logged from first touch on, s.
 const AFTER_S: f64 = 0.040;
 
-/// One planted drop.
+/// One synthetic drop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SyntheticRecord {
     /// Its name.

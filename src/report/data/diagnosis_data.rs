@@ -20,11 +20,11 @@ pub struct Compared {
     pub drops: Vec<(f64, usize)>,
     /// Drops left out, with the reason.
     pub left_out: Vec<(String, String)>,
-    /// Heights that no fit saw, m.
+    /// Held-out heights, m.
     pub held_out_heights_m: Vec<f64>,
     /// Seed.
     pub seed: u64,
-    /// How long drops fell, a height each.
+    /// Duration of the fall, for each height.
     pub falls: Vec<Fall>,
     /// A static test beside the models.
     pub static_test: Option<StaticComparison>,
@@ -33,7 +33,7 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// What falls and static test say, in sentences.
+    /// Falls, static test and frame mode, in sentences.
     pub fn observed(&self) -> Vec<String> {
         let falls = self.falls.iter().map(|fall| {
             format!(
