@@ -35,7 +35,7 @@ fn waves(plan: &Plan) -> Waves {
 }
 
 #[test]
-fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
+fn analytic_mean_over_phases_is_the_mean_of_trigger_aligned_records() {
     let fine = clean(&plan(1), 1.0);
     let expected = Expected::plain(1e-3, 31);
     let at = |t_s: f64| {
@@ -58,8 +58,8 @@ fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
 }
 
 #[test]
-fn planted_half_scatter_moves_the_trigger_as_predicted() {
-    // Coloured scatter of half the reading lets one in fifty records be laid a step too late.
+fn planted_half_noise_moves_the_trigger_as_predicted() {
+    // Coloured noise of half the reading lets one in fifty records be aligned a step too late.
     let scatter = TrialVariation { share: 0.5, ..plan(1).scatter };
     let planted = Plan { scatter, ..plan(3) };
     let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..planted.clone() });

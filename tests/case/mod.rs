@@ -43,7 +43,7 @@ pub struct Study {
     pub judged: Diagnosis,
     /// Both again with the real frame's own static curve among the effects.
     pub with_curve: [Diagnosis; 2],
-    /// The rider that the frame's symmetric modes stand for: share, and frequency, Hz.
+    /// The rider that the frame's symmetric modes are equivalent to: share, and frequency, Hz.
     pub rider: Option<[f64; 2]>,
 }
 
@@ -130,7 +130,7 @@ impl Study {
     }
 
     fn channel(&self, page: &mut String) {
-        page.push_str("## The magnitude is impossible, so the axis is taken\n\nImpulse of the mean wave over the impact speed; a vertical impact cannot exceed 2 and what gravity adds in the window.\n\n| height, m | drops | magnitude | axis | at most |\n|---|---|---|---|---|\n");
+        page.push_str("## The magnitude is impossible, so the axial component is compared\n\nImpulse of the mean wave over the impact speed; a vertical impact cannot exceed 2 and what gravity adds in the window.\n\n| height, m | drops | magnitude | axis | at most |\n|---|---|---|---|---|\n");
         for (magnitude, axial) in self.magnitude.iter().zip(&self.axial) {
             let word = if magnitude.impossible { "impossible" } else { "possible" };
             let _ = writeln!(
@@ -140,13 +140,13 @@ impl Study {
             );
         }
         page.push_str(
-            "\nThe magnitude, to which the paper fits, holds sideways motion. `diagnose` compares the axis instead, and says so. No drop is left\n\
+            "\nThe magnitude, to which the paper fits, contains sideways motion. `diagnose` compares the axial component instead, and reports it. No drop is left\n\
              out for its impulse; only those that hit twice are.\n\n",
         );
     }
 
     fn cutoff(&self, page: &mut String) {
-        page.push_str("## The paper's damper hangs on its filter\n\nThe paper's own objective (magnitude, all drops, k = 7040 N/m), with other cutoffs of the first-order filter:\n\n| cutoff, Hz | c, N s/m | objective |\n|---|---|---|\n");
+        page.push_str("## The paper's damper depends on its filter\n\nThe paper's own objective (magnitude, all drops, k = 7040 N/m), with other cutoffs of the first-order filter:\n\n| cutoff, Hz | c, N s/m | objective |\n|---|---|---|\n");
         for (cutoff, c, objective) in &self.damper_at {
             let _ = writeln!(page, "| {cutoff:.1} | {c:.1} | {objective:.4} |");
         }
@@ -164,16 +164,16 @@ impl Study {
         let (same, worst) = (&self.all.residual_map.same_in, &self.all.residual_map.worst);
         let _ = write!(
             page,
-            "## Where the base model is apart\n\n\
-             Spring and damper refitted to the axis leave p = {:.4}. The difference of neighbouring heights lies upon itself {:.2} by time, {:.2} by\n\
-             displacement, {:.2} by speed (correlation): it keeps its *time*. Furthest apart: from {} m, {:.1} ms after first touch,\n\
+            "## Residual of the base model\n\n\
+             Spring and damper refitted to the axis leave p = {:.4}. The residuals of neighbouring heights are correlated: {:.2} by time, {:.2} by\n\
+             displacement, {:.2} by speed. The residual keeps its *time*. Largest residual: from {} m, {:.1} ms after first touch,\n\
              {:.1} g measured, {:.1} g in the model.\n\n",
             self.all.base_adequacy.p, same.t, same.x, same.v, worst.height_m, worst.t_ms, worst.measured_g, worst.model_g
         );
     }
 
     fn trap(&self, page: &mut String) {
-        page.push_str("## The trap: a stop at the gap\n\nOne effect on top of the base, lower is better, and its parameters when each height is fitted alone. A true parameter is the same at every\nheight: slope 0 of its logarithm over that of the impact speed. A length that stands for a fixed time has slope 1.\n\n| effect | score | left-out gap, g | by height (50 / 100 / 150 cm) | slope | chance of the difference |\n|---|---|---|---|---|---|\n");
+        page.push_str("## The trap: a stop at the gap\n\nOne effect on top of the base, lower is better, and its parameters when each height is fitted alone. A true parameter is the same at every\nheight: slope 0 of its logarithm over that of the impact speed. A length that stands for a fixed time has slope 1.\n\n| effect | score | left-out gap, g | by height (50 / 100 / 150 cm) | slope | p-value of the difference |\n|---|---|---|---|---|---|\n");
         for one in self.all.ranking.iter().filter(|one| !one.id.contains('+')) {
             let Some(constancy) = &one.constancy else { continue };
             for by in &constancy.parameters {
@@ -193,7 +193,7 @@ impl Study {
         }
         page.push_str(
             "\nA stop (`bottoming`, `bilinear_stiffness`) lowers the score by much and its kink lies near the gap of 16 mm when the heights are\n\
-             pooled. Height by height the kink moves with the impact speed: it is a time, not a length, and no gap. The gate on constancy refuses it.\n\n",
+             pooled. Height by height the kink moves with the impact speed: it is a time, not a length, and not a gap. The constancy gate rejects it.\n\n",
         );
     }
 
@@ -201,7 +201,7 @@ impl Study {
         page.push_str("## The gap\n\n| | before, g | after, g | floor, g |\n|---|---|---|---|\n");
         for (what, found) in [("all heights", &self.all), ("50 and 100 cm", &self.judged)] {
             let (before, after) = (&found.before, &found.after);
-            let held = if found.heights_held_out { "150 cm, seen by no fit" } else { "each height, fitted to the others" };
+            let held = if found.heights_held_out { "150 cm, held out" } else { "each height, predicted from the others" };
             let _ = writeln!(
                 page,
                 "| {what}: {} | {:.2} | {:.2} | {:.2} |",
@@ -285,7 +285,7 @@ impl Study {
                 .map_or("no payload mode is chosen".into(), |(mu, f)| format!("the fit asks for mu = {mu:.2} at {f:.0} Hz"));
             let _ = writeln!(
                 page,
-                "The frame's own symmetric modes stand for a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}."
+                "The frame's own symmetric modes are equivalent to a payload mode of mu = {share:.2} at {f_hz:.0} Hz (motors and ring against the centre); {fitted}."
             );
         }
         page.push('\n');
@@ -310,7 +310,7 @@ impl Study {
         if let Some(next) = self.all.experiments.first() {
             let _ = writeln!(
                 page,
-                "The experiment that would tell the two best sets apart: {} (expected squared distance {:.0}).",
+                "The experiment that would distinguish the two best sets: {} (expected squared distance {:.0}).",
                 next.what, next.discrimination
             );
         }

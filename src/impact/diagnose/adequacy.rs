@@ -23,12 +23,12 @@ pub struct Statistics {
     /// Largest gain by an effect.
     pub effect: f64,
     /// Largest gain by a local deviation.
-    pub bump: f64,
+    pub local: f64,
 }
 
 impl Statistics {
     fn parts(self) -> [f64; 3] {
-        [self.sum, self.effect, self.bump]
+        [self.sum, self.effect, self.local]
     }
 }
 
@@ -95,11 +95,11 @@ fn statistics(deviation: &DVector<f64>, fit: &LinearisedFit, whitening: &Whiteni
             effect = effect.max(along[(i, 0)] * along[(i, 0)] / rest);
         }
     }
-    Some((Statistics { sum: left.norm_squared(), effect, bump: largest_bump(&left, fit.samples) }, ratios))
+    Some((Statistics { sum: left.norm_squared(), effect, local: largest_local(&left, fit.samples) }, ratios))
 }
 
 /// Largest gain by a local deviation in the whitened residual; the part that the fit can do itself is small and is left in.
-fn largest_bump(left: &DMatrix<f64>, samples: usize) -> f64 {
+fn largest_local(left: &DMatrix<f64>, samples: usize) -> f64 {
     let mut largest = 0.0_f64;
     for from in (0..left.nrows()).step_by(samples) {
         for width in WIDTHS {

@@ -19,11 +19,11 @@ pub struct Replicate {
     pub whitening: Whitening,
 }
 
-/// Simulated data sets of one measured trial_covariance. They hold for every model, as a model moves only the expectation: one
+/// Replicates of one measured trial covariance. They hold for every model, as a model moves only the expectation: one
 /// diagnosis draws them once.
 #[derive(Clone, Debug)]
 pub struct Bootstrap {
-    /// From the measured trial_covariance.
+    /// From the measured trial covariance.
     pub whitening: Whitening,
     /// The replicates.
     pub each: Vec<Replicate>,

@@ -11,10 +11,10 @@ use crate::impact::sim::System;
 /// How often the covariance model is refined in units of its own result.
 const REFINEMENTS: usize = 3;
 
-/// Mean waves and how they trial_covariance.
+/// Mean waves and their trial covariance.
 #[derive(Clone, Debug)]
 pub struct PreparedDrops {
-    /// Mean waves, whitened by the trial_covariance.
+    /// Mean waves, whitened by their covariance.
     pub problem: FitProblem,
     /// How records vary between trials.
     pub trial_covariance: TrialCovariance,

@@ -10,7 +10,7 @@ use crate::units::GRAVITY_M_S2;
 pub enum Channel {
     /// Acceleration along the axis.
     Axial,
-    /// The magnitude of all three axes, as the paper did; it holds sideways motion.
+    /// The magnitude of all three axes, as the paper did; it contains sideways motion.
     Magnitude,
 }
 

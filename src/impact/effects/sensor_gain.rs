@@ -2,7 +2,7 @@
 //!
 //! Source: calibration, or an axis tilted by θ (gain = cos θ).
 //!
-//! *When it is wrong:* tilt also lets sideways motion in, which no gain holds.
+//! *When it is wrong:* tilt also lets sideways motion in, which no gain describes.
 
 use super::arrangement::Arrangement;
 use super::effect::{Effect, Reach};

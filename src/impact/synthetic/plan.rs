@@ -43,7 +43,7 @@ pub struct Plan {
     pub seed: u64,
 }
 
-/// A plain number of a plan: key, bounds, unit, and what holds when it is not stated.
+/// A plain number of a plan: key, bounds, unit, and default.
 pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
     ("drops.seed", [0.0, 9e15], "1", 1.0),

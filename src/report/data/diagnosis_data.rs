@@ -192,11 +192,11 @@ fn residual_map(diagnosis: &Diagnosis) -> Value {
 }
 
 fn adequacy(adequacy: &crate::impact::diagnose::Adequacy) -> Value {
-    let [sum, effect, bump] = adequacy.single_p;
+    let [sum, effect, local] = adequacy.single_p;
     json!({
         "p": rounded(adequacy.p),
         "sum_of_squares": { "value": rounded(adequacy.statistics.sum), "p": rounded(sum) },
         "largest_gain_by_an_effect": { "value": rounded(adequacy.statistics.effect), "p": rounded(effect) },
-        "largest_bump": { "value": rounded(adequacy.statistics.bump), "p": rounded(bump) },
+        "largest_bump": { "value": rounded(adequacy.statistics.local), "p": rounded(local) },
     })
 }

@@ -250,11 +250,11 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
 }
 
 fn residual(diagnosis: &Diagnosis) -> Vec<Block> {
-    let [sum, effect, bump] = diagnosis.adequacy.single_p;
+    let [sum, effect, local] = diagnosis.adequacy.single_p;
     let mut blocks = vec![
         Block::Heading("Is the residual within trial variation?".into()),
         Block::Text(format!(
-            "p-value of the residual after, from bootstrap replicates: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a local deviation {bump:.3}). Before: p = {:.3}.",
+            "p-value of the residual after, from bootstrap replicates: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a local deviation {local:.3}). Before: p = {:.3}.",
             diagnosis.adequacy.p, diagnosis.base_adequacy.p
         )),
     ];
