@@ -1,4 +1,4 @@
-"""The same planted drops diagnosed by flexframe and by what PyPI offers. README.md says how to run it and what is fair.
+"""The same synthetic drops diagnosed by flexframe and by what PyPI offers. README.md says how to run it and what is fair.
 
     python benches/peers/run.py target/release/flexframe [--seeds 1,2,3,4] [--work DIR] [--effects ID,...] [--only names|times]
 
@@ -97,12 +97,12 @@ def line(one):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The same planted drops diagnosed by flexframe and by what PyPI offers.")
+    parser = argparse.ArgumentParser(description="The same synthetic drops diagnosed by flexframe and by what PyPI offers.")
     parser.add_argument("binary", help="the flexframe program")
     parser.add_argument("--seeds", default="1,2,3,4", help="seeds, separated by commas (default 1,2,3,4)")
     parser.add_argument("--effects", default=",".join(CASES), help="effects that are planted (default: all seven)")
     parser.add_argument("--only", choices=["names", "times"], help="one half of the work")
-    parser.add_argument("--work", help="folder for planted drops and results (default: a temporary one)")
+    parser.add_argument("--work", help="folder for synthetic drops and results (default: a temporary one)")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(options.work or temporary)

@@ -1,4 +1,4 @@
-"""Mean waves of drops, laid at their trigger as the tool lays them. SI units, readings in g."""
+"""Mean waves of drops, trigger-aligned as by the tool. SI units, readings in g."""
 
 import csv
 from collections import defaultdict

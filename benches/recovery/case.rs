@@ -5,9 +5,9 @@ use std::time::Instant;
 use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, EffectEstimate, Verdict, diagnose};
 use flexframe::impact::effects::Model;
 use flexframe::impact::fit::Expected;
-use flexframe::impact::synthetic::{Plan, clean};
+use flexframe::impact::synthetic::Plan;
 
-use crate::truth::{base, waves};
+use crate::truth::{base, clean, waves};
 
 const HELD_OUT_M: f64 = 2.0;
 

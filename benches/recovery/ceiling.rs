@@ -22,7 +22,7 @@ use crate::covariance::{covariances, exact};
 use crate::strength::recorded;
 use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, plan};
 
-/// Bootstrap that alarm.
+/// Replicates that alarm.
 const ALARMS: f64 = 0.05;
 /// Draws of the scatter a truth.
 const DRAWS: usize = 400;

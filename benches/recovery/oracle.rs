@@ -13,15 +13,15 @@ use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, noise_free, noncent
 fn told_the_scatter(plan: &Plan) -> Option<&'static str> {
     let few = waves(plan);
     let whitening = noise_free(plan)?.whitening;
-    let ground = PreparedDrops::of(&few, &base())?;
-    let mut problem = FitProblem::of(&few, whitening, ground.problem.expected.spread);
-    problem.expected = ground.problem.expected;
-    let nulls = Bootstrap::of(&ground.scatter, &ground.family, 1)?;
+    let prepared = PreparedDrops::of(&few, &base())?;
+    let mut problem = FitProblem::of(&few, whitening, prepared.problem.expected.spread);
+    problem.expected = prepared.problem.expected;
+    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, 1)?;
     let setting = SearchContext {
         problem: &problem,
-        nulls: &nulls,
+        bootstrap: &bootstrap,
         catalogue: &CATALOGUE,
-        limit_seen: ground.clipping.is_some(),
+        limit_seen: prepared.clipping.is_some(),
         most: 1,
         stage: &|_| (),
     };

@@ -3,7 +3,7 @@
 use flexframe::impact::diagnose::{Bootstrap, Candidate, PreparedDrops, Search, SearchContext};
 use flexframe::impact::effects::{CATALOGUE, Model, by_id};
 use flexframe::impact::fit::{Expected, FitProblem, FittedDrop, Layout, TrialCovariance, Waves, Whitening};
-use flexframe::impact::synthetic::{Plan, TrialVariation, clean, records};
+use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, TrialVariation, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -41,6 +41,13 @@ fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Mode
     let inside = (id != "bottoming" || values[1] >= 1e4)
         && spec.parameters.iter().zip(&values).all(|(parameter, value)| (parameter.min..=parameter.max).contains(value));
     inside.then(|| model.clone().with(spec, &values, 0))
+}
+
+/// The wave of one synthetic drop without anything random, at steps of 0.05 ms from first touch, within the sensor's limit, g.
+pub fn clean(plan: &Plan, height_m: f64) -> Vec<f64> {
+    let trajectory = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
+    let limit_g = trajectory.limit_g();
+    trajectory.wave_g(height_m, 5e-5, 802).into_iter().map(|reading| reading.clamp(-limit_g, limit_g)).collect()
 }
 
 pub fn waves(plan: &Plan) -> Waves {
@@ -82,9 +89,10 @@ pub fn noncentrality(plan: &Plan) -> Option<f64> {
 pub fn catalogue(plan: &Plan) -> Option<Search> {
     let problem = noise_free(plan)?;
     let few = waves(plan);
-    let ground = PreparedDrops::of(&few, &base())?;
-    let nulls = Bootstrap::of(&ground.scatter, &ground.family, 1)?;
-    let setting = SearchContext { problem: &problem, nulls: &nulls, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
+    let prepared = PreparedDrops::of(&few, &base())?;
+    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, 1)?;
+    let setting =
+        SearchContext { problem: &problem, bootstrap: &bootstrap, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
     Search::run(&setting, &base())
 }
 

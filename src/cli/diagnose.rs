@@ -6,7 +6,6 @@ use std::process::ExitCode;
 use super::failure::Failure;
 use super::failure::mechanics_refused;
 use super::fit::frame_and_paths;
-use super::frame_reduction::{self, PRESSED_MM};
 use super::measure::calibration;
 use super::options::{CalibrationOptions, Common, FrameOption};
 use super::output;
@@ -16,18 +15,18 @@ use super::terminal;
 use crate::frame::assembly::mass;
 use crate::impact::body::DropBody;
 use crate::impact::diagnose;
-use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Stage, Verdict, observables};
+use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisOptions, FrameMode, Stage, StaticComparison, Verdict};
 use crate::impact::effects::{Channel, Model, PAYLOAD_MODE};
-use crate::impact::fit::{Chosen, FitError, Keep, Waves};
+use crate::impact::fit::FitError;
+use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured;
 use crate::impact::measured::{Fall, StaticTest};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::Settings as Mechanics;
 use crate::report::data::diagnosis_data;
-use crate::report::data::diagnosis_data::{Compared, Pressed};
+use crate::report::data::diagnosis_data::Compared;
 use crate::report::data::drop_data;
-use crate::report::data::own_mode::OwnMode;
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
@@ -88,8 +87,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         model.frame_curve = own.frame_curve;
     }
     let set = measured::read(&paths, &calibration(&args.calibration)?)?;
-    let pressed = args.static_test.as_deref().map(StaticTest::read).transpose()?;
-    let (waves, mut compared) = compared(&set, &mut model, args).map_err(usage)?;
+    let static_test = args.static_test.as_deref().map(StaticTest::read).transpose()?;
+    let choice = ChannelChoice::of(&set, &model).map_err(usage)?;
+    model.sensor.channel = choice.chosen.channel;
+    let mut compared = compared(&choice, &set, args);
+    let waves = &choice.waves;
     let held = |height_m: f64| args.hold_out_heights.iter().any(|out| (out - height_m).abs() < 1e-6);
     if let Some(unknown) = args.hold_out_heights.iter().find(|out| waves.groups.iter().all(|group| (group.height_m - **out).abs() >= 1e-6))
     {
@@ -107,8 +109,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
     let found =
         diagnose::watched(&fitted, held_out, &model, &settings, &stage).map_err(|error| Failure::Usage { message: error.to_string() })?;
-    compared.own_mode = model.frame_mode.map(|mode| OwnMode::of(mode, &found));
-    compared.static_test = pressed.map(|test| Pressed::of(&test, &found));
+    compared.frame_mode = model.frame_mode.map(|mode| FrameMode::of(mode, &found));
+    compared.static_test = static_test.map(|test| StaticComparison::of(&test, &found));
     let json = diagnosis_data::json(&found, &compared);
     let files = files(&found, &compared, &json)?;
     drop(working);
@@ -127,8 +129,8 @@ fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
     let design = session::design(&FrameOption { frame: frame.into(), rigid: None })?;
     let masses = mass::table(&design);
     let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
-    let curve = StaticCurve::new(&quarter, PRESSED_MM, &[]).map_err(mechanics_refused)?;
-    frame_reduction::model(&design, &masses, &quarter, &curve, &settings)
+    let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).map_err(mechanics_refused)?;
+    reduced_model(&design, &masses, &quarter, &curve, &settings).map_err(mechanics_refused)
 }
 
 fn usage(error: FitError) -> Failure {
@@ -142,44 +144,21 @@ fn word(channel: Channel) -> &'static str {
     }
 }
 
-/// The drops in the channel that can be compared, and how it was chosen: a magnitude whose impulse no vertical impact has
-/// holds sideways motion, so the axis is taken where it was measured.
-fn compared(set: &measured::DropSet, model: &mut Model, args: &Args) -> Result<(Waves, Compared), FitError> {
-    let stated = model.sensor.channel;
-    let mut chosen = Chosen::of(set, stated, Keep::Evidence)?;
-    let mut reason = None;
-    if stated == Channel::Magnitude && chosen.lacks_axes() {
-        reason = Some("the drops have one axis only, so that is compared".to_string());
-        chosen.channel = Channel::Axial;
-    } else if stated == Channel::Magnitude {
-        let impossible: Vec<String> = observables(&chosen.waves()?, model)
-            .iter()
-            .filter(|one| one.impossible)
-            .map(|one| format!("{:.2} ± {:.2} v0 at {} m, at most {:.2}", one.impulse_over_v0, one.error, one.height_m, one.most))
-            .collect();
-        if !impossible.is_empty() {
-            reason = Some(format!(
-                "the magnitude's impulse is impossible for a vertical impact ({}): it contains sideways motion, so the axial component is compared",
-                impossible.join("; ")
-            ));
-            chosen.channel = Channel::Axial;
-        }
-    }
-    model.sensor.channel = chosen.channel;
-    let waves = chosen.waves()?;
-    let compared = Compared {
+/// The record of what was compared.
+fn compared(choice: &ChannelChoice, set: &measured::DropSet, args: &Args) -> Compared {
+    let chosen = &choice.chosen;
+    Compared {
         channel: word(chosen.channel),
-        stated_channel: word(stated),
-        channel_reason: reason,
-        drops: waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
+        stated_channel: word(choice.stated),
+        channel_reason: choice.reason.clone(),
+        drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
         left_out: chosen.left_out.iter().map(|left| (left.trial.clone(), left.reason.clone())).collect(),
         held_out_heights_m: args.hold_out_heights.clone(),
         seed: args.seed,
         falls: Fall::of(set),
         static_test: None,
-        own_mode: None,
-    };
-    Ok((waves, compared))
+        frame_mode: None,
+    }
 }
 
 fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Result<Vec<(String, Vec<u8>)>, Failure> {

@@ -1,4 +1,4 @@
-//! `flexframe measure`: what measured drops say.
+//! `flexframe measure`: peaks, impulse and restitution of measured drops.
 
 use std::path::PathBuf;
 use std::process::ExitCode;

@@ -16,7 +16,6 @@ mod explain;
 mod failure;
 mod fit;
 mod fold;
-mod frame_reduction;
 mod frame_text;
 mod frames;
 mod man;

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::{Failure, mechanics_refused};
-use super::frame_reduction;
 use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
@@ -13,6 +12,7 @@ use super::terminal;
 use crate::export::bent_glb;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, mass};
+use crate::impact::frame_fit::reduced_model;
 use crate::impact::measured::read_static_test;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::part_models;
@@ -183,7 +183,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if let Some(bound) = Bound::new(&design, &whole).filter(|_| !args.no_pictures) {
         files.extend(bent_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
     }
-    let reduced = frame_reduction::model(&design, &masses, &quarter, &curve, &settings)?;
+    let reduced = reduced_model(&design, &masses, &quarter, &curve, &settings).map_err(mechanics_refused)?;
     files.push(("model.toml".into(), reduced.to_toml().into_bytes()));
     files.push(("mechanics.toml".into(), settings.to_toml(&remark).into_bytes()));
     drop(working);

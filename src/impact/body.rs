@@ -18,7 +18,7 @@ pub enum Origin {
 pub struct DropBody {
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Room under what hangs lowest, m. Book-keeping: it adds no force.
+    /// Clearance of the lowest body above the ground, m. Book-keeping: it adds no force.
     pub gap_m: f64,
     /// How far the frame can be compressed before the arms are down at the lower ring, m; unknown without a frame.
     pub travel_m: Option<f64>,

@@ -18,7 +18,7 @@ pub(super) fn plan() -> Value {
     for (key, bounds, unit) in HIDDEN_NUMBERS {
         put(&mut root, key, number("", unit, bounds, None));
     }
-    put(&mut root, KIND, json!({ "enum": Hidden::NAMES, "description": "What the catalogue of effects does not hold." }));
+    put(&mut root, KIND, json!({ "enum": Hidden::NAMES, "description": "Effect outside the catalogue." }));
     let heights =
         json!({ "type": "array", "minItems": 1, "items": number("", "m", HEIGHT_BOUNDS_M, None), "description": "Heights of the drops." });
     put(&mut root, HEIGHTS, heights);

@@ -32,7 +32,7 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
         let slope = steady.parameters[0].slope.expect("a slope");
         assert!((0.6..1.3).contains(&slope), "{id}: {slope}");
     }
-    let same = &study.all.place.same_in;
+    let same = &study.all.residual_map.same_in;
     assert!(same.t > same.x && same.t > same.v, "{same:?}");
     assert_eq!(study.all.verdict, Verdict::NoneSuffices);
     // Judged on 150 cm: within a tenth of what the mean wave of 150 cm itself leaves.

@@ -3,7 +3,7 @@
 use flexframe::impact::diagnose::{DiagnosisOptions, PreparedDrops, Verdict, clipping, diagnose, trend_p};
 use flexframe::impact::effects::{Model, by_id};
 use flexframe::impact::fit::{Expected, FittedDrop, TrialCovariance, Waves, Whitening, minimise};
-use flexframe::impact::synthetic::{Hidden, Plan, TrialVariation, clean, records};
+use flexframe::impact::synthetic::{Hidden, Plan, ReferenceTrajectory, TrialVariation, records};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
@@ -19,6 +19,13 @@ fn plan(seed: u64) -> Plan {
     Plan { model: base(), hidden: None, heights_m, drops: 20, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
 }
 
+/// The wave of one synthetic drop without anything random, at steps of 0.05 ms from first touch, within the sensor's limit, g.
+fn clean(plan: &Plan, height_m: f64) -> Vec<f64> {
+    let trajectory = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
+    let limit_g = trajectory.limit_g();
+    trajectory.wave_g(height_m, 5e-5, 802).into_iter().map(|reading| reading.clamp(-limit_g, limit_g)).collect()
+}
+
 fn waves(plan: &Plan) -> Waves {
     let drops: Vec<FittedDrop> = records(plan)
         .into_iter()
@@ -28,7 +35,7 @@ fn waves(plan: &Plan) -> Waves {
 }
 
 #[test]
-fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
+fn analytic_mean_over_phases_is_the_mean_of_trigger_aligned_records() {
     let fine = clean(&plan(1), 1.0);
     let expected = Expected::plain(1e-3, 31);
     let at = |t_s: f64| {
@@ -51,19 +58,19 @@ fn analytic_mean_over_phases_is_the_mean_of_records_laid_at_their_trigger() {
 }
 
 #[test]
-fn planted_half_scatter_moves_the_trigger_as_predicted() {
-    // Coloured scatter of half the reading lets one in fifty records be laid a step too late.
+fn planted_half_noise_moves_the_trigger_as_predicted() {
+    // Coloured noise of half the reading lets one in fifty records be aligned a step too late.
     let scatter = TrialVariation { share: 0.5, ..plan(1).scatter };
     let planted = Plan { scatter, ..plan(3) };
     let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..planted.clone() });
-    let ground = PreparedDrops::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
+    let prepared = PreparedDrops::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
     let apart = |expected: Expected| {
         let predicted = expected.window(&expected.system(&base()), 1.0).expect("it holds the body");
         // In units of the standard error of a mean of 80 drops, at the trigger and the sample behind it.
         let mean = &many.groups[0].mean;
         [1, 2].map(|i| (mean[i] - predicted[i]) / (0.5 * mean[i] / 80f64.sqrt()))
     };
-    let (without, with) = (apart(Expected::plain(1e-3, 31)), apart(ground.problem.expected));
+    let (without, with) = (apart(Expected::plain(1e-3, 31)), apart(prepared.problem.expected));
     assert!(without[0] > 0.6 && without[1] > 0.3, "{without:?}");
     // The mean of 12,000 is itself known to 0.1 of that.
     assert!(with.iter().all(|apart| apart.abs() < 0.25), "{with:?}");
@@ -82,12 +89,12 @@ fn analytic_bounds_and_units_do_not_stop_a_minimum() {
 #[test]
 fn analytic_whitened_means_scatter_with_variance_one() {
     // One estimate of the scatter from 20 drops a height, judged by the means of many other sets of the same truth.
-    let ground = PreparedDrops::of(&waves(&plan(5)), &base()).expect("a fit");
+    let prepared = PreparedDrops::of(&waves(&plan(5)), &base()).expect("a fit");
     let sums: Vec<f64> = (0..24_u64)
         .into_par_iter()
         .map(|seed| {
             let others = waves(&plan(100 + seed));
-            let mut problem = ground.problem.clone();
+            let mut problem = prepared.problem.clone();
             problem.means = others.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
             problem.residual(&base()).expect("it holds the body").norm_squared() / problem.len() as f64
         })
@@ -146,9 +153,9 @@ fn analytic_chances_are_even_and_intervals_cover_where_nothing_is_missing() {
 fn planted_wear_is_a_trend_and_scatter_is_none() {
     let changes = |plan: &Plan| {
         let waves = waves(plan);
-        let ground = PreparedDrops::of(&waves, &base()).expect("a fit");
-        let fitted = ground.problem.fit(flexframe::impact::fit::Layout::of(base()), 20).expect("a fit");
-        let changes = ground.problem.sensitivity(&fitted).expect("it holds the body");
+        let prepared = PreparedDrops::of(&waves, &base()).expect("a fit");
+        let fitted = prepared.problem.fit(flexframe::impact::fit::Layout::of(base()), 20).expect("a fit");
+        let changes = prepared.problem.sensitivity(&fitted).expect("it holds the body");
         trend_p(&waves, &changes, 1).expect("a chance")
     };
     let wearing = Plan { hidden: Some(Hidden::Wear { loss: 0.4 }), ..plan(7) };

@@ -147,8 +147,8 @@ fn analytic_a_frame_that_is_let_go_flies_at_exactly_0_g() {
         flown += 1;
     }
     assert!(flown > 400, "{flown}");
-    // What single effects cannot say has marks of its own; the drop itself has none.
-    assert!(trace.warnings.iter().all(|mark| matches!(mark, ValidityWarning::Effect { .. })), "{:?}", trace.warnings);
+    // Single effects have validity warnings of their own; the drop itself has none.
+    assert!(trace.warnings.iter().all(|warning| matches!(warning, ValidityWarning::Effect { .. })), "{:?}", trace.warnings);
 }
 
 #[test]

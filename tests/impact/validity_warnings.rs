@@ -1,4 +1,4 @@
-//! Every effect that can be used where it does not hold says so, and only there.
+//! Every effect that is used outside its range of validity gives a warning, and only there.
 
 use crate::bodies;
 use flexframe::impact::effects::Model;
@@ -7,7 +7,7 @@ use flexframe::impact::sim::{SolverOptions, System, ValidityWarning, simulate};
 /// The reasons that an effect gives.
 fn reasons(model: &Model, effect: &str, height_m: f64) -> Vec<String> {
     let trace = simulate(&System::new(model), height_m, &SolverOptions::REPORT);
-    let of = |mark: ValidityWarning| match mark {
+    let of = |warning: ValidityWarning| match warning {
         ValidityWarning::Effect { effect: of, reason } if of == effect => Some(reason),
         _ => None,
     };
@@ -15,7 +15,7 @@ fn reasons(model: &Model, effect: &str, height_m: f64) -> Vec<String> {
 }
 
 #[test]
-fn planted_effects_beyond_their_validity_are_marked() {
+fn planted_effects_beyond_their_validity_warn() {
     let cases: [(&str, &[f64], f64, &str); 14] = [
         ("linear_spring", &[], 3.0, "deeper than the 16 mm"),
         ("linear_damper", &[], 0.3, "at first touch"),
@@ -44,7 +44,7 @@ fn planted_effects_beyond_their_validity_are_marked() {
 }
 
 #[test]
-fn analytic_effects_within_their_validity_are_not_marked() {
+fn analytic_effects_within_their_validity_do_not_warn() {
     let within: [(&str, &[f64]); 11] = [
         ("linear_spring", &[]),
         ("bottoming", &[25.0, 3e5, 0.3]),

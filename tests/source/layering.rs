@@ -60,8 +60,8 @@ const LAYERS: [(&str, &[&str]); 28] = [
     ("impact/measured", &["units"]),
     ("impact/fit", &["units", "impact/effects", "impact/sim", "impact/measured"]),
     ("impact/synthetic", &["units", "params", "impact/effects"]),
-    ("impact/frame_fit", &["units", "mechanics", "impact/measured", "impact/fit"]),
-    ("impact/diagnose", &["units", "impact/effects", "impact/sim", "impact/fit"]),
+    ("impact/frame_fit", &["units", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
+    ("impact/diagnose", &["units", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
     (
         "variant",
         &["figures", "params", "frame/skeleton", "frame/assembly", "mechanics", "checks", "impact/body", "impact/effects", "impact/sim"],

@@ -1,4 +1,4 @@
-//! `flexframe drop --model frame --fit`: what drops say of the flexible material, and how well one height tells another.
+//! `flexframe drop --model frame --fit`: the flexible material from drops, and how well one height predicts another.
 
 use std::process::ExitCode;
 
@@ -50,7 +50,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// What each height says.
+/// The figures of each height.
 fn heights(set: &DropSet) -> Result<Vec<Height>, Failure> {
     if set.frames().len() > 1 {
         let names: Vec<&str> = set.frames().into_iter().map(|frame| frame.unwrap_or("unnamed")).collect();

@@ -21,7 +21,7 @@ use crate::report::picture::bent_scene;
 use crate::report::picture::image::View;
 use crate::units::Angle;
 
-/// Largest turn at first touch, degrees: beyond it more than the feet would touch.
+/// Largest tilt at first touch, degrees: beyond it more than the feet would touch.
 const MOST_TILT_DEG: f64 = 30.0;
 
 /// The frame that is dropped.

@@ -1,8 +1,8 @@
-//! Whether what a model leaves can be chance.
+//! Whether the residual of a model is within trial variation.
 //!
-//! Three statistics of the whitened residual: its sum of squares, the largest part of it that one effect of the
-//! catalogue would take away, and the largest that a bump at one time of one height would take away. Their chance is
-//! read off simulated data sets ([`Bootstrap`]).
+//! Three statistics of the whitened residual are tested: its sum of squares, the largest part of it that one effect of the
+//! catalogue would remove, and the largest part that a local deviation at one time of one height would remove. Their p-values come
+//! from parametric-bootstrap replicates ([`Bootstrap`]).
 
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -10,9 +10,9 @@ use rayon::prelude::*;
 use super::bootstrap::{Bootstrap, REPLICATES};
 use crate::impact::fit::{Whitening, inverse};
 
-/// Widths of a bump, samples.
+/// Widths of a local deviation, samples.
 const WIDTHS: [f64; 3] = [0.6, 1.5, 3.5];
-/// Part of a column that must be left when what the fit can do itself is taken out of it.
+/// Part of a column that must be left when the part that the fit can do itself is removed.
 const LEAST_LEFT: f64 = 1e-8;
 
 /// The three statistics.
@@ -22,17 +22,17 @@ pub struct Statistics {
     pub sum: f64,
     /// Largest gain by an effect.
     pub effect: f64,
-    /// Largest gain by a bump.
-    pub bump: f64,
+    /// Largest gain by a local deviation.
+    pub local: f64,
 }
 
 impl Statistics {
     fn parts(self) -> [f64; 3] {
-        [self.sum, self.effect, self.bump]
+        [self.sum, self.effect, self.local]
     }
 }
 
-/// A model's fit as the statistics see it: everything in g, all heights one below the other.
+/// A fit, linearised: everything in g, all heights one below the other.
 #[derive(Clone, Debug)]
 pub struct LinearisedFit {
     /// Change with each free parameter.
@@ -43,47 +43,47 @@ pub struct LinearisedFit {
     pub samples: usize,
 }
 
-/// Chances, and what they were read off.
+/// p-values, and the statistics they belong to.
 #[derive(Clone, Debug)]
 pub struct Adequacy {
     /// Of the data.
     pub statistics: Statistics,
-    /// Chance of each statistic alone.
+    /// p-value of each statistic alone.
     pub single_p: [f64; 3],
-    /// Chance of the least of the three.
+    /// p-value of the least of the three.
     pub p: f64,
     /// For each free parameter: the ratio that 95 % of the simulated errors do not exceed, error over stated standard error.
     pub ratio95: Vec<f64>,
 }
 
 /// Judges measured mean waves less a model's.
-pub fn judge(deviation: &DVector<f64>, seen: &LinearisedFit, nulls: &Bootstrap) -> Option<Adequacy> {
-    let (statistics, _) = statistics(deviation, seen, &nulls.whitening)?;
-    let nulls: Vec<(Statistics, Vec<f64>)> =
-        nulls.each.par_iter().filter_map(|null| self::statistics(&null.deviation, seen, &null.whitening)).collect();
-    if nulls.len() < REPLICATES / 2 {
+pub fn judge(deviation: &DVector<f64>, fit: &LinearisedFit, bootstrap: &Bootstrap) -> Option<Adequacy> {
+    let (statistics, _) = statistics(deviation, fit, &bootstrap.whitening)?;
+    let replicates: Vec<(Statistics, Vec<f64>)> =
+        bootstrap.each.par_iter().filter_map(|one| self::statistics(&one.deviation, fit, &one.whitening)).collect();
+    if replicates.len() < REPLICATES / 2 {
         return None;
     }
-    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(nulls.iter().map(|(null, _)| null.parts()[part])));
-    let chances = |found: Statistics| -> [f64; 3] { std::array::from_fn(|part| chance(&columns[part], found.parts()[part])) };
-    let least = |found: Statistics| chances(found).into_iter().fold(1.0, f64::min);
-    let single_p = chances(statistics);
+    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(replicates.iter().map(|(one, _)| one.parts()[part])));
+    let p_values = |found: Statistics| -> [f64; 3] { std::array::from_fn(|part| p_value(&columns[part], found.parts()[part])) };
+    let least = |found: Statistics| p_values(found).into_iter().fold(1.0, f64::min);
+    let single_p = p_values(statistics);
     let found = least(statistics);
-    let as_rare = nulls.iter().filter(|(null, _)| least(*null) <= found).count();
-    let ratio95 = (0..seen.jacobian.ncols()).map(|i| quantile(&sorted(nulls.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
-    Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (nulls.len() as f64 + 1.0), ratio95 })
+    let as_rare = replicates.iter().filter(|(one, _)| least(*one) <= found).count();
+    let ratio95 = (0..fit.jacobian.ncols()).map(|i| quantile(&sorted(replicates.iter().map(|(_, ratios)| ratios[i])), 0.95)).collect();
+    Some(Adequacy { statistics, single_p, p: (as_rare as f64 + 1.0) / (replicates.len() as f64 + 1.0), ratio95 })
 }
 
 /// The statistics, and each free parameter's error over its stated standard error.
-fn statistics(deviation: &DVector<f64>, seen: &LinearisedFit, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
-    let jacobian = whitening.stacked(&seen.jacobian);
+fn statistics(deviation: &DVector<f64>, fit: &LinearisedFit, whitening: &Whitening) -> Option<(Statistics, Vec<f64>)> {
+    let jacobian = whitening.stacked(&fit.jacobian);
     let white = whitening.stacked(&DMatrix::from_column_slice(deviation.len(), 1, deviation.as_slice()));
     let normal = jacobian.transpose() * &jacobian;
     let inverse = inverse(&normal)?;
     let moved = &inverse * (jacobian.transpose() * &white);
     let ratios = (0..moved.nrows()).map(|i| moved[(i, 0)].abs() / inverse[(i, i)].max(1e-300).sqrt()).collect();
     let left = &white - &jacobian * moved;
-    let effects = whitening.stacked(&seen.effects);
+    let effects = whitening.stacked(&fit.effects);
     let shared = jacobian.transpose() * &effects;
     let along = effects.transpose() * &left;
     let taken = &inverse * &shared;
@@ -95,11 +95,11 @@ fn statistics(deviation: &DVector<f64>, seen: &LinearisedFit, whitening: &Whiten
             effect = effect.max(along[(i, 0)] * along[(i, 0)] / rest);
         }
     }
-    Some((Statistics { sum: left.norm_squared(), effect, bump: largest_bump(&left, seen.samples) }, ratios))
+    Some((Statistics { sum: left.norm_squared(), effect, local: largest_local(&left, fit.samples) }, ratios))
 }
 
-/// Largest gain by a bump in the whitened residual; what the fit can do itself is small in it and is left in.
-fn largest_bump(left: &DMatrix<f64>, samples: usize) -> f64 {
+/// Largest gain by a local deviation in the whitened residual; the part that the fit can do itself is small and is left in.
+fn largest_local(left: &DMatrix<f64>, samples: usize) -> f64 {
     let mut largest = 0.0_f64;
     for from in (0..left.nrows()).step_by(samples) {
         for width in WIDTHS {
@@ -126,7 +126,7 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 /// Part of the sorted values that are at least as large.
-fn chance(sorted: &[f64], value: f64) -> f64 {
+fn p_value(sorted: &[f64], value: f64) -> f64 {
     let below = sorted.partition_point(|other| *other < value);
     (sorted.len() - below + 1) as f64 / (sorted.len() + 1) as f64
 }

@@ -1,15 +1,15 @@
-//! Readings that pile up at one level: a limit that can be seen, not only fitted.
+//! Clipping: readings that pile up at one level, a limit that can be seen without a fit.
 
 use crate::impact::fit::Waves;
 
-/// A limit and how single readings scatter below it.
+/// A limit, and the variation of single readings below it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clipping {
     /// The level, g.
     pub level_g: f64,
     /// Readings at it.
     pub readings: usize,
-    /// TrialCovariance of single readings over their mean, where nothing is cut.
+    /// Standard deviation of single readings over their mean, where nothing is clipped.
     pub spread: f64,
 }
 
@@ -23,7 +23,7 @@ const FEWEST: usize = 8;
 const DENSER: f64 = 4.0;
 
 /// Finds the level at which readings pile up, when there is one: nothing lies above it, and it is far denser than what
-/// lies below. Wrong where a wave has a flat top of its own without scatter between drops.
+/// lies below. Wrong where a wave itself is flat at its top and the drops do not vary.
 pub fn clipping(waves: &Waves) -> Option<Clipping> {
     let mut all: Vec<f64> = waves.groups.iter().flat_map(|group| group.windows.iter().flatten().copied()).collect();
     all.sort_by(f64::total_cmp);

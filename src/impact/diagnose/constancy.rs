@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use crate::impact::fit::{FitProblem, Layout};
 use crate::units::GRAVITY_M_S2;
 
-/// What each height alone says of one parameter.
+/// One parameter, estimated at each height alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ByHeight {
     /// Effect's id.
@@ -24,7 +24,7 @@ pub struct Constancy {
     pub gain: f64,
     /// How many numbers that costs.
     pub freedom: usize,
-    /// Chance of such a gain.
+    /// p-value of such a gain.
     pub p: f64,
     /// The values.
     pub parameters: Vec<ByHeight>,
@@ -32,7 +32,7 @@ pub struct Constancy {
 
 /// Steps of a fit at one height.
 const STEPS: usize = 10;
-/// Smallest chance told apart from zero.
+/// Smallest p-value that is distinguished from zero.
 const LEAST_P: f64 = 1e-12;
 
 /// Refits a candidate at each height alone; `None` for a single height.
@@ -80,7 +80,7 @@ fn slope(values: &[(f64, f64, f64)]) -> Option<f64> {
     (sxx > 0.0).then(|| sxy / sxx)
 }
 
-/// Chance that a sum of squares of `freedom` normal numbers exceeds a value: by the recurrence of the incomplete gamma function.
+/// Probability that a sum of squares of `freedom` normal numbers exceeds a value: by the recurrence of the incomplete gamma function.
 pub(super) fn upper_tail(value: f64, freedom: usize) -> f64 {
     let half = 0.5 * value;
     let (mut sum, mut term, mut at) = if freedom.is_multiple_of(2) {

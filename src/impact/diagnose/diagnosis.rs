@@ -12,8 +12,8 @@ use super::experiment::{Experiment, experiments};
 use super::gap::{Gap, gap, left_out_heights, left_out_trials};
 use super::observable::{Observable, observables};
 use super::prepared_drops::PreparedDrops;
-use super::residual_force::{ForceCell, surface};
-use super::residual_map::{Point, ResidualMap, place, points};
+use super::residual_force::{ForceCell, residual_force};
+use super::residual_map::{Point, ResidualMap, points, residual_map};
 use super::search::{RARE, Search, SearchContext};
 use super::stage::Stage;
 use super::trend::trend_p;
@@ -25,7 +25,7 @@ use crate::impact::fit::{Waves, inverse};
 pub enum Verdict {
     /// One set of effects is supported, and enough.
     Named,
-    /// Several sets are enough, and the drops cannot tell them apart.
+    /// Several sets are enough, and the drops cannot distinguish them.
     Ambiguous,
     /// No set of effects explains the drops.
     NoneSuffices,
@@ -124,25 +124,25 @@ pub struct Diagnosis {
     pub after: Gaps,
     /// Whether the held-out gaps are those of heights named for it.
     pub heights_held_out: bool,
-    /// Where the base is apart.
-    pub place: ResidualMap,
+    /// The residual of the base.
+    pub residual_map: ResidualMap,
     /// Samples with the base's prediction.
     pub base_points: Vec<Point>,
     /// Samples with the chosen model's prediction.
     pub chosen_points: Vec<Point>,
-    /// Chances of the base's residual.
+    /// p-values of the base's residual.
     pub base_adequacy: Adequacy,
-    /// Chances of the chosen model's residual.
+    /// p-values of the chosen model's residual.
     pub adequacy: Adequacy,
-    /// Chance of the trend over trials.
+    /// p-value of the trend over trials.
     pub trend_p: f64,
-    /// Before any model.
+    /// Observations without a model.
     pub observables: Vec<Observable>,
-    /// A limit that shows in the readings.
+    /// Clipping of the readings.
     pub clipping: Option<Clipping>,
-    /// What is left over displacement and speed, when no effect suffices.
-    pub surface: Vec<ForceCell>,
-    /// Most telling first.
+    /// The residual over displacement and speed, when no effect suffices.
+    pub residual_force: Vec<ForceCell>,
+    /// Most decisive first.
     pub experiments: Vec<Experiment>,
 }
 
@@ -167,20 +167,20 @@ impl DiagnosisOptions {
 /// Why there is no diagnosis.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DiagnosisError {
-    /// The base model does not hold the body at the start values, or the scatter is degenerate.
+    /// The simulation of the base model diverges at the start values, or the trial covariance is degenerate.
     #[error("the base model cannot be fitted to these drops: the fits diverge, or the readings do not vary between drops")]
     NoFit,
 }
 
-/// Readings that pile up this near to the model's own limit are that limit, g.
+/// Clipping this near to the model's own limit is that limit, g.
 const NEAR_LIMIT_G: f64 = 3.0;
 /// Weight below which a set is not worth a mention.
 const SLIGHT: f64 = 0.02;
 /// Weight that a set needs for its name, by its number of effects.
 const SUPPORT: [f64; 3] = [0.7, 0.7, 0.95];
-/// Chance below which a trend over trials is one.
+/// p-value below which a trend over trials is significant.
 const TREND: f64 = 0.002;
-/// Chance below which parameters are not the same at all heights.
+/// p-value below which parameters are not the same at all heights.
 const UNSTEADY: f64 = 1e-4;
 /// Sets whose parameters are looked at height by height.
 const LOOKED_AT: usize = 6;
@@ -193,7 +193,7 @@ pub fn diagnose(fitted: &Waves, held_out: Option<&Waves>, model: &Model, setting
     watched(fitted, held_out, model, settings, &|_| ())
 }
 
-/// The same, telling `stage` what is being done.
+/// The same; `stage` is called with each stage that begins.
 ///
 /// # Errors
 /// [`DiagnosisError`] when no fit is possible.
@@ -209,12 +209,13 @@ pub fn watched(
 
 fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
     stage(Stage::TrialCovariance);
-    let ground = PreparedDrops::of(fitted, model)?;
-    let problem = &ground.problem;
-    let limit_seen = ground.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
+    let prepared = PreparedDrops::of(fitted, model)?;
+    let problem = &prepared.problem;
+    let limit_seen = prepared.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
     stage(Stage::Bootstrap);
-    let nulls = Bootstrap::of(&ground.scatter, &ground.family, settings.seed)?;
-    let setting = SearchContext { problem, nulls: &nulls, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
+    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
+    let setting =
+        SearchContext { problem, bootstrap: &bootstrap, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
     let search = Search::run(&setting, model)?;
     stage(Stage::Acceptance);
     let base = search.levels[0].candidates[0].clone();
@@ -249,8 +250,8 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
     let (before, after) = (gaps(&base)?, gaps(&chosen)?);
     let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
     let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or(search.levels.get(1)?.candidates.first());
-    let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &ground.scatter, &chosen, rival));
-    let surface = if verdict == Verdict::NoneSuffices { surface(&chosen_points, model.body.mass_kg) } else { Vec::new() };
+    let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &prepared.trial_covariance, &chosen, rival));
+    let residual_force = if verdict == Verdict::NoneSuffices { residual_force(&chosen_points, model.body.mass_kg) } else { Vec::new() };
     Some(Diagnosis {
         verdict,
         reasons,
@@ -262,15 +263,15 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
         before,
         after,
         heights_held_out: held_out.is_some(),
-        place: place(&base_points)?,
+        residual_map: residual_map(&base_points)?,
         base_points,
         chosen_points,
         base_adequacy: search.levels[0].adequacy.clone(),
         adequacy: level.adequacy.clone(),
         trend_p: trend,
         observables: observables(fitted, model),
-        clipping: ground.clipping,
-        surface,
+        clipping: prepared.clipping,
+        residual_force,
         experiments,
         base,
         chosen,

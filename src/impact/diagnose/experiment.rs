@@ -1,4 +1,4 @@
-//! Which experiment would tell the remaining candidates apart best.
+//! The experiment that would distinguish the remaining candidates best.
 
 use serde::Serialize;
 
@@ -17,9 +17,9 @@ pub struct Experiment {
     pub kind: &'static str,
     /// Its height, m, where it is a drop.
     pub height_m: Option<f64>,
-    /// Expected squared distance between the two best candidates in units of the scatter: 10 and more decides.
+    /// Expected squared distance between the two best candidates in units of the trial covariance: 10 or more is decisive.
     pub discrimination: f64,
-    /// The two that it would tell apart.
+    /// The two that it would distinguish.
     pub between: [String; 2],
 }
 
@@ -36,16 +36,16 @@ const FAST: (f64, f64) = (1e-4, 0.02);
 /// Cutoff of a faster sensor, Hz.
 const FAST_CUTOFF_HZ: f64 = 5000.0;
 
-/// Every experiment, most telling first.
-pub fn experiments(problem: &FitProblem, scatter: &TrialCovariance, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
+/// Every experiment, most decisive first.
+pub fn experiments(problem: &FitProblem, trial_covariance: &TrialCovariance, first: &Candidate, second: &Candidate) -> Vec<Experiment> {
     let between =
         [first.ids().join(" + "), second.ids().join(" + ")].map(|ids| if ids.is_empty() { "nothing missing".into() } else { ids });
     let (a, b) = (first.model(), second.model());
-    let relative = relative_error(problem, scatter);
+    let relative = relative_error(problem, trial_covariance);
     let mut all = Vec::new();
     for height_m in HEIGHTS_M {
         let known = problem.means.iter().any(|(known, _)| (known - height_m).abs() < 0.05 * height_m);
-        if let (false, Some(discrimination)) = (known, waves_apart(a, b, height_m, problem.expected.step_s, None, relative)) {
+        if let (false, Some(discrimination)) = (known, squared_distance(a, b, height_m, problem.expected.step_s, None, relative)) {
             all.push(Experiment {
                 what: format!("drop the frame {DROPS} times from {height_m} m with the same sensor"),
                 kind: "drop",
@@ -56,7 +56,7 @@ pub fn experiments(problem: &FitProblem, scatter: &TrialCovariance, first: &Cand
         }
     }
     let tallest = problem.means.iter().map(|(height_m, _)| *height_m).fold(0.0, f64::max);
-    if let Some(discrimination) = waves_apart(a, b, tallest, FAST.0, Some(FAST_CUTOFF_HZ), relative) {
+    if let Some(discrimination) = squared_distance(a, b, tallest, FAST.0, Some(FAST_CUTOFF_HZ), relative) {
         all.push(Experiment {
             what: format!("drop it {DROPS} times from {tallest} m with a sensor of {FAST_CUTOFF_HZ} Hz read 10,000 times a second"),
             kind: "fast_sensor",
@@ -81,19 +81,19 @@ fn squared(value: f64) -> f64 {
 }
 
 /// Standard error of one drop's reading over the peak, in mean over what was measured.
-fn relative_error(problem: &FitProblem, scatter: &TrialCovariance) -> f64 {
-    let counts = scatter.counts();
+fn relative_error(problem: &FitProblem, trial_covariance: &TrialCovariance) -> f64 {
+    let counts = trial_covariance.counts();
     let of = |(at, errors): (usize, Vec<f64>)| {
         let peak = problem.means[at].1.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
         let square = errors.iter().map(|error| error * error * counts[at] as f64).sum::<f64>() / errors.len() as f64;
         square.sqrt() / peak.max(1e-9)
     };
-    let each: Vec<f64> = scatter.standard_errors().into_iter().enumerate().map(of).collect();
+    let each: Vec<f64> = trial_covariance.standard_errors().into_iter().enumerate().map(of).collect();
     each.iter().sum::<f64>() / each.len() as f64
 }
 
-/// Squared distance of two models' waves, scatter taken as the same part of the peak as in the drops at hand.
-fn waves_apart(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
+/// Squared distance of two models' waves, with the same relative standard error as in the drops at hand.
+fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Option<f64>, relative: f64) -> Option<f64> {
     let points = (FAST.1 / step_s) as usize;
     let run = |model: &Model| {
         let mut system = System::new(model);
@@ -106,7 +106,7 @@ fn waves_apart(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz: Opti
     let (a, b) = (run(a)?, run(b)?);
     let peak = a.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
     let error = (relative * peak).max(0.17) / DROPS.sqrt();
-    // Neighbouring readings of a fast logger scatter together: as many count as a slow one gives.
+    // Neighbouring readings of a fast logger are correlated: as many count as a slow one gives.
     let independent = (step_s / 1e-3).min(1.0);
     Some(independent * a.iter().zip(&b).map(|(a, b)| squared((a - b) / error)).sum::<f64>())
 }

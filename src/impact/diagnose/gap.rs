@@ -1,4 +1,4 @@
-//! How far a model's mean wave lies from the measured one, with the part that is only scatter taken out.
+//! How far a model's mean wave lies from the measured one, without the part that is trial variation.
 
 use nalgebra::DVector;
 

@@ -1,17 +1,19 @@
 //! Where simulation and measurement disagree, which named effect is missing, and what is left when it is added.
 //!
-//! [`diagnose`] is the whole way: mean waves laid at their trigger and their scatter ([`PreparedDrops`]), the base model refitted,
-//! whether what it leaves can be chance ([`Adequacy`]), every effect on top of it and sets of them ([`Search`]), and the
-//! gates before a name is given. docs/diagnosis.md explains the method.
+//! [`diagnose`] does all of it. It aligns the drops at their triggers and estimates their trial covariance ([`PreparedDrops`]). It
+//! refits the base model and tests its residual ([`Adequacy`]). It tries every effect on top of the base, then sets of effects
+//! ([`Search`]), and applies the acceptance tests before it names one. docs/diagnosis.md explains the method.
 
 mod adequacy;
 mod bootstrap;
 mod candidate;
+mod channel_choice;
 mod clipping;
 mod constancy;
 mod diagnosis;
 mod dictionary;
 mod experiment;
+mod frame_mode;
 mod gap;
 mod observable;
 mod prepared_drops;
@@ -19,17 +21,20 @@ mod residual_force;
 mod residual_map;
 mod search;
 mod stage;
+mod static_comparison;
 mod trend;
 
 pub use adequacy::{Adequacy, Statistics};
 pub use bootstrap::{Bootstrap, Replicate};
 pub use candidate::Candidate;
+pub use channel_choice::ChannelChoice;
 pub use clipping::{Clipping, clipping};
 pub use constancy::{ByHeight, Constancy, constancy};
 pub use diagnosis::{
     Alternative, Diagnosis, DiagnosisError, DiagnosisOptions, EffectEstimate, Gaps, Ranked, Verdict, diagnose, joined, watched,
 };
 pub use experiment::Experiment;
+pub use frame_mode::FrameMode;
 pub use gap::{Gap, gap};
 pub use observable::{Observable, observables};
 pub use prepared_drops::PreparedDrops;
@@ -37,4 +42,5 @@ pub use residual_force::ForceCell;
 pub use residual_map::{Cell, Phase, Point, ResidualMap, SameIn};
 pub use search::{Level, RARE, Search, SearchContext};
 pub use stage::Stage;
+pub use static_comparison::StaticComparison;
 pub use trend::trend_p;

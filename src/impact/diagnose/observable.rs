@@ -1,4 +1,4 @@
-//! What the drops say before any model is fitted.
+//! Observations without a model.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! From drops to mean waves with their scatter: what every question is put to.
+//! Mean waves with their trial covariance, prepared for the diagnosis.
 
 use nalgebra::DMatrix;
 
@@ -8,50 +8,50 @@ use crate::impact::effects::Model;
 use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
 use crate::impact::sim::System;
 
-/// How often scatter is compared in units of what it was found to be.
+/// How often the covariance model is refined in units of its own result.
 const REFINEMENTS: usize = 3;
 
-/// Mean waves and how they scatter.
+/// Mean waves and their trial covariance.
 #[derive(Clone, Debug)]
 pub struct PreparedDrops {
-    /// Mean waves, whitened by the scatter.
+    /// Mean waves, whitened by their covariance.
     pub problem: FitProblem,
-    /// How records differ.
-    pub scatter: TrialCovariance,
-    /// What that can look like.
-    pub family: CovarianceModel,
-    /// A limit that shows in the readings.
+    /// How records vary between trials.
+    pub trial_covariance: TrialCovariance,
+    /// Its model.
+    pub covariance_model: CovarianceModel,
+    /// Clipping of the readings.
     pub clipping: Option<Clipping>,
 }
 
 impl PreparedDrops {
-    /// Of measured waves. A first fit of the base model, with a scatter of which nothing is known, says what phase and
+    /// Of measured waves. A first fit of the base model, with a plain covariance, says what phase and
     /// parameters of a drop would do to it.
     pub fn of(waves: &Waves, model: &Model) -> Option<Self> {
-        let scatter = TrialCovariance::of(waves);
-        let plain = scatter.plain_covariances();
+        let trial_covariance = TrialCovariance::of(waves);
+        let plain = trial_covariance.plain_covariances();
         let clipping = clipping(waves);
         let spread = clipping.map_or(0.0, |found| found.spread);
-        let problem = FitProblem::of(waves, Whitening::of(&plain, scatter.counts())?, spread);
+        let problem = FitProblem::of(waves, Whitening::of(&plain, trial_covariance.counts())?, spread);
         let base = Candidate::base(&problem, model)?;
         let system = System::new(base.model());
         let fine = waves.groups.iter().map(|group| problem.expected.fine(&system, group.height_m)).collect::<Option<Vec<_>>>()?;
         let change = problem.sensitivity(&base.fitted)?;
         let changes: Vec<DMatrix<f64>> =
             (0..waves.groups.len()).map(|height| change.rows(height * waves.samples, waves.samples).into_owned()).collect();
-        let mut family = CovarianceModel::of(waves, &problem.expected, &fine, &changes, &plain)?;
+        let mut covariance_model = CovarianceModel::of(waves, &problem.expected, &fine, &changes, &plain)?;
         for _ in 0..REFINEMENTS {
-            let near = scatter.nearest(&family);
-            family = family.near(&near);
+            let near = trial_covariance.nearest(&covariance_model);
+            covariance_model = covariance_model.near(&near);
         }
-        let whitening = Whitening::of(&scatter.covariances(&family)?, scatter.counts())?;
-        // Stiffness is fitted as its logarithm, damping as it is. Where readings are cut, the base model says nothing of how a
-        // parameter moves them, and the scatter beyond the cut is counted already.
-        let varied = match scatter.changing(&family)[..] {
+        let whitening = Whitening::of(&trial_covariance.covariances(&covariance_model)?, trial_covariance.counts())?;
+        // Stiffness is fitted as its logarithm, damping as it is. Where readings are clipped, the base model does not show how a
+        // parameter moves them, and the variation beyond the limit is counted already.
+        let varied = match trial_covariance.changing(&covariance_model)[..] {
             [stiffness, damping, ..] if spread == 0.0 => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
             _ => [0.0; 2],
         };
-        let expected = Expected { varied, flicker: scatter.flicker(&family), ..problem.expected };
-        Some(Self { problem: FitProblem { whitening, expected, ..problem }, scatter, family, clipping })
+        let expected = Expected { varied, trigger_jitter: trial_covariance.trigger_jitter(&covariance_model), ..problem.expected };
+        Some(Self { problem: FitProblem { whitening, expected, ..problem }, trial_covariance, covariance_model, clipping })
     }
 }

@@ -1,4 +1,4 @@
-//! What is left when no effect suffices, as a force over displacement and speed that assumes no model of it.
+//! The residual when no effect suffices, as a force over displacement and speed, without any model of it.
 
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ pub struct ForceCell {
     pub v_m_s: f64,
     /// Mean of measured less model, as a force on the body, N.
     pub force_n: f64,
-    /// Its standard error from the scatter between drops, N.
+    /// Its standard error from the variation between drops, N.
     pub error_n: f64,
     /// Samples.
     pub samples: usize,
@@ -24,7 +24,7 @@ pub struct ForceCell {
 const CELLS: usize = 8;
 
 /// Bins the residual of points in contact; the sensor's lag is not taken out, so a cell is late by it.
-pub fn surface(points: &[Point], mass_kg: f64) -> Vec<ForceCell> {
+pub fn residual_force(points: &[Point], mass_kg: f64) -> Vec<ForceCell> {
     let inside: Vec<&Point> = points.iter().filter(|point| point.phase != Phase::Flight && point.t_ms > 0.0).collect();
     let range = |of: &dyn Fn(&Point) -> f64| {
         inside.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| [low.min(of(point)), high.max(of(point))])

@@ -1,4 +1,4 @@
-//! Where a model's mean wave lies apart from the measured one.
+//! The residual of a model's mean waves by height and part of the impact.
 
 use serde::Serialize;
 
@@ -44,7 +44,7 @@ pub struct Point {
     pub error_g: f64,
 }
 
-/// Height and phase with what is apart there.
+/// The residual of one height and phase.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Cell {
     /// Height, m.
@@ -57,19 +57,19 @@ pub struct Cell {
     pub error_g: f64,
 }
 
-/// Where a gap is.
+/// The residual by height and phase.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResidualMap {
     /// By height and phase.
     pub cells: Vec<Cell>,
-    /// The sample that is furthest apart in units of its standard error.
+    /// The sample with the largest residual in units of its standard error.
     pub worst: Point,
-    /// Mean correlation of the difference's shape between heights, laid over each other by time, displacement while
-    /// loading, and speed while loading; the largest says what the missing effect hangs on.
+    /// Mean correlation of the residuals of neighbouring heights as functions of time, of displacement while
+    /// loading, and of speed while loading; the largest says on which of them the missing effect depends.
     pub same_in: SameIn,
 }
 
-/// How well shapes of different heights lie on each other.
+/// Correlation of the residuals of different heights.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct SameIn {
     /// By time.
@@ -124,7 +124,7 @@ fn phase(trace: &Trace, t_s: f64) -> Phase {
 }
 
 /// Sums points up; `None` when there is none.
-pub fn place(points: &[Point]) -> Option<ResidualMap> {
+pub fn residual_map(points: &[Point]) -> Option<ResidualMap> {
     let mut heights: Vec<f64> = points.iter().map(|point| point.height_m).collect();
     heights.dedup();
     let mut cells = Vec::new();

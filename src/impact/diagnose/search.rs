@@ -12,7 +12,7 @@ use super::stage::Stage;
 use crate::impact::effects::{Model, Spec, candidates};
 use crate::impact::fit::FitProblem;
 
-/// Chance below which something is missing.
+/// p-value below which something is missing.
 pub const RARE: f64 = 0.01;
 /// Sets of one size that are carried on to the next.
 const CARRIED: usize = 5;
@@ -46,15 +46,15 @@ pub struct Search {
 pub struct SearchContext<'a> {
     /// Mean waves.
     pub problem: &'a FitProblem,
-    /// What could have been measured if nothing were missing.
-    pub nulls: &'a Bootstrap,
-    /// Whether readings pile up below the model's own limit: a set without a lower limit is then no explanation.
+    /// Bootstrap replicates.
+    pub bootstrap: &'a Bootstrap,
+    /// Whether readings clip below the model's own limit: a set without a lower limit is then no explanation.
     pub limit_seen: bool,
     /// The effects that are tried.
     pub catalogue: &'a [&'static Spec],
     /// Most effects.
     pub most: usize,
-    /// Told what is being done.
+    /// Called with the stage that begins.
     pub stage: &'a dyn Fn(Stage),
 }
 
@@ -99,7 +99,7 @@ impl SearchContext<'_> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
         let seen = LinearisedFit { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
-        judge(&deviation, &seen, self.nulls)
+        judge(&deviation, &seen, self.bootstrap)
     }
 
     /// Frees defaults of the best sets.

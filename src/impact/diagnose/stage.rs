@@ -1,4 +1,4 @@
-//! How far a diagnosis is, for whoever waits for it.
+//! The stages of a diagnosis, for progress messages.
 
 /// What is being done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

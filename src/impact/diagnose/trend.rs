@@ -1,4 +1,4 @@
-//! Whether drops change with their number: wear, heating, a sensor that comes loose.
+//! Whether the drops show a trend over trials: wear, heating, a sensor that comes loose.
 
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
@@ -10,7 +10,7 @@ use crate::impact::fit::{Waves, inverse};
 /// Orders drawn.
 const DRAWN: usize = 1999;
 
-/// Chance that drops in random order follow their number as much as these do, along the changes that the model's own
+/// p-value of a trend: how often drops in random order follow their number as much as these do, along the changes that the model's own
 /// parameters would make (a height each, in g) and along the wave itself.
 pub fn trend_p(waves: &Waves, changes: &DMatrix<f64>, seed: u64) -> Option<f64> {
     let scores: Vec<DMatrix<f64>> = waves

@@ -1,6 +1,6 @@
 //! Bilinear stiffness: F = k_bl (x - x1) where x > x1. It stores k_bl (x - x1)²/2.
 //!
-//! Source: two springs, the second with play x1; negative where something gives way (a leg that buckles).
+//! Source: two springs, the second with play x1; negative where a leg buckles.
 //!
 //! *When it is wrong:* real stops have no kink. On the measured drops the fitted kink moves with the height (15, 23,
 //! 27 mm at 50, 100, 150 cm), which a stop at a gap cannot.

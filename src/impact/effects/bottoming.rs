@@ -1,4 +1,4 @@
-//! Bottoming: what hangs lowest meets the ground, F = k_b d^1.5 (1 + 1.5 λ v) with d = x - x_b where that is positive.
+//! Bottoming: the lowest body meets the ground, F = k_b d^1.5 (1 + 1.5 λ v) with d = x - x_b where that is positive.
 //!
 //! Hertz' contact with the damping of K. H. Hunt and F. R. E. Crossley, *Coefficient of Restitution Interpreted as
 //! Damping in Vibroimpact*, J. Appl. Mech. 42 (1975), as H. M. Lankarani and P. E. Nikravesh write it. It stores

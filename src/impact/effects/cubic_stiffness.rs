@@ -3,8 +3,8 @@
 //! Source: the first term that a symmetric spring has beyond the linear one (Duffing); legs at a slope stiffen or soften
 //! as they turn.
 //!
-//! *When it is wrong:* far beyond the compressions it was fitted on. A negative k3 gives way for good where
-//! k x + k3 x³ turns, at 18.8 mm for k = 7040 N/m and k3 = -2e7 N/m³; the simulation then says that the body ran away.
+//! *When it is wrong:* far beyond the compressions it was fitted on. With a negative k3 the total stiffness becomes negative where
+//! k x + k3 x³ turns, at 18.8 mm for k = 7040 N/m and k3 = -2e7 N/m³; the simulation then diverges.
 
 use super::effect::{Effect, MotionState, Reach};
 use super::generator::Generator;

@@ -2,7 +2,7 @@
 //!
 //! Source: a hand that lets go late, a ruler read from another point. A height that would be below zero is zero.
 //!
-//! *When it is wrong:* one dh for all drops is a bias; the scatter of single drops is no dh.
+//! *When it is wrong:* one dh for all drops is a bias; the variation of single drops is not.
 
 use super::arrangement::Arrangement;
 use super::effect::Effect;

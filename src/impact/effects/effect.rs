@@ -51,7 +51,7 @@ pub trait Effect: Debug + Send + Sync {
     /// Rates of its own states, in the order of its record's `states`.
     fn rates(&self, _at: &MotionState, _rates: &mut [f64]) {}
 
-    /// Energy that it holds and could give back, J.
+    /// Energy that it has stored and could give back, J.
     fn stored_j(&self, _at: &MotionState) -> f64 {
         0.0
     }

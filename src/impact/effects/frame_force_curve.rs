@@ -1,7 +1,7 @@
 //! A frame's own static curve: the base's spring k x becomes k [(1 - s) x + s φ(x)], φ with slope 1 at rest.
 //!
-//! φ is the force of a frame pressed down over its stiffness at rest, as `flexframe stiffness` computes it from the frame's geometry:
-//! legs at a slope give way as they turn. The points stand in the model file; between them runs the cubic whose slopes are
+//! φ is the force of a static load test over the stiffness at rest, as `flexframe stiffness` computes it from the frame's geometry:
+//! sloping legs soften as they turn. The points stand in the model file; between them runs the cubic whose slopes are
 //! those of the parabolas through three neighbours, beyond the last point the curve goes on straight, above the ground it
 //! is x. The share s says how much of it there is: 0 none, 1 as the frame says. It stores k [(1 - s) x²/2 + s Φ(x)], Φ the
 //! area under φ.

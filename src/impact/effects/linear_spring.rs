@@ -11,7 +11,7 @@ use super::generator::Generator;
 use super::parameter::{Parameter, Scale};
 use super::spec::{Availability, Spec, Stage};
 
-/// How far the frame was pressed in the static test, m.
+/// Largest compression of the static test, m.
 const TESTED_M: f64 = 0.016;
 
 /// Its record.

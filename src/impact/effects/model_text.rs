@@ -29,7 +29,7 @@ const LIMIT: Plain = Plain { key: "sensor.limit_g", bounds: [1.0, 100_000.0], un
 /// Numbers of a model file that belong to no effect: key, bounds, unit, and what each is.
 pub const PLAIN_NUMBERS: [(&str, [f64; 2], &str, &str); 5] = [
     (MASS.key, MASS.bounds, MASS.unit, "Mass that falls."),
-    (GAP.key, GAP.bounds, GAP.unit, "Room under what hangs lowest; it adds no force."),
+    (GAP.key, GAP.bounds, GAP.unit, "Clearance of the lowest body above the ground; it adds no force."),
     (CUTOFF.key, CUTOFF.bounds, CUTOFF.unit, "Corner of the sensor's low pass."),
     (ORDER.key, ORDER.bounds, ORDER.unit, "Order of the sensor's low pass."),
     (LIMIT.key, LIMIT.bounds, LIMIT.unit, "Full scale of the sensor."),

@@ -2,7 +2,7 @@
 //!
 //! Source: the drag of a flow, and the next term of a damper in v. All its work is lost.
 //!
-//! *When it is wrong:* there is no flow in a frame; with a negative c2 it feeds energy in, and the body runs away where it
+//! *When it is wrong:* there is no flow in a frame; with a negative c2 it feeds energy in, and the simulation diverges where it
 //! outweighs the damper.
 
 use super::effect::{Effect, MotionState, Reach, Threshold};

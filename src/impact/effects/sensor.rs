@@ -10,7 +10,7 @@ use crate::units::GRAVITY_M_S2;
 pub enum Channel {
     /// Acceleration along the axis.
     Axial,
-    /// The magnitude of all three axes, as the paper did; it holds sideways motion.
+    /// The magnitude of all three axes, as the paper did; it contains sideways motion.
     Magnitude,
 }
 
@@ -21,7 +21,7 @@ pub struct Sensor {
     pub cutoff_hz: f64,
     /// Number of stages.
     pub order: usize,
-    /// Reading over what it should be.
+    /// Reading over true value.
     pub gain: f64,
     /// Largest reading, g.
     pub limit_g: f64,

@@ -1,8 +1,8 @@
-//! Sensor gain: the reading is gain times what it should be.
+//! Sensor gain: the reading is gain times the true value.
 //!
 //! Source: calibration, or an axis tilted by θ (gain = cos θ).
 //!
-//! *When it is wrong:* tilt also lets sideways motion in, which no gain holds.
+//! *When it is wrong:* tilt also lets sideways motion in, which no gain describes.
 
 use super::arrangement::Arrangement;
 use super::effect::{Effect, Reach};
@@ -45,7 +45,7 @@ impl Effect for SensorGain {
     }
 
     fn outside(&self, reach: &Reach) -> Option<String> {
-        // A drop that was felt at all.
+        // A drop with an impact.
         (self.gain > 1.0 && reach.impact_speed_m_s > 0.0)
             .then(|| "tilt can only lower the gain; a value above 1 indicates a wrong scale".into())
     }

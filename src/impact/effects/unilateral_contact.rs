@@ -1,10 +1,10 @@
 //! Unilateral contact: where F < 0 or x < 0 the ground's force is tension_factor times F.
 //!
-//! 1 is the bilateral base, which pulls as it pushes; 0 is a ground that lets go: after release the body flies and a
+//! 1 is the bilateral base, which pulls as it pushes; 0 is a ground that never pulls: after release the body flies and a
 //! sensor reads exactly 0 g. Source: the ground cannot pull; the measured drops bounce.
 //!
-//! *When it is wrong:* legs without mass are let go at the moment when F = 0, still compressed, and spread in no time;
-//! real legs have mass and ring. Values between 0 and 1 are a measure for a fit, not a ground.
+//! *When it is wrong:* legs without mass are released at the moment when F = 0, still compressed, and spread in no time;
+//! real legs have mass and ring. Values between 0 and 1 are meaningful in a fit only.
 
 use super::arrangement::Arrangement;
 use super::effect::{Effect, Reach};

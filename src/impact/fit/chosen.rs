@@ -30,10 +30,10 @@ pub enum FitError {
         /// Those there are.
         known: String,
     },
-    /// TrialCovariance that cannot be inverted.
+    /// A trial covariance that cannot be inverted.
     #[error("the trial covariance is singular: give more drops a height")]
     Singular,
-    /// The starting values drop through the ground.
+    /// The simulation diverges at the starting values.
     #[error("the simulation diverges at the starting values: change k and c in the model file")]
     Diverges,
 }
@@ -67,7 +67,7 @@ pub struct Chosen<'a> {
     pub channel: Channel,
     /// The others.
     pub left_out: Vec<LeftOut>,
-    /// Whether impossible impulses were kept: where most drops have one it is no accident of single drops.
+    /// Whether impossible impulses were kept: where most drops have one, they are systematic.
     pub impulses_kept: bool,
 }
 
@@ -108,10 +108,10 @@ impl<'a> Chosen<'a> {
         Ok(Self { drops: kept, channel, left_out, impulses_kept })
     }
 
-    /// The drops laid at their trigger.
+    /// The trigger-aligned drops.
     ///
     /// # Errors
-    /// When they cannot be laid upon each other, or are too few to show their scatter.
+    /// When they cannot be aligned, or are too few to estimate the trial covariance.
     pub fn waves(&self) -> Result<Waves, Unusable> {
         let drop = |drop: &Drop| super::waves::FittedDrop {
             trial: drop.record.trial.clone(),

@@ -1,4 +1,4 @@
-//! What scatter between records can look like: kinds whose amounts the records then tell.
+//! The model of a trial covariance: a sum of variance components whose amounts are estimated from the records.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,18 +8,18 @@ use super::waves::{BEFORE, Waves};
 
 /// Most sets tried.
 const ROUNDS: usize = 60;
-/// Kinds before those of changing parameters.
+/// Components before those of changing parameters.
 const FIXED: usize = 5;
 /// Which of them is one factor a record.
 const COMMON: usize = 3;
-/// Keeps kinds apart that are nearly the same.
+/// Regularises components that are nearly the same.
 const RIDGE: f64 = 1e-9;
 
-/// Kinds of scatter: covariances of one record, a height each.
+/// A sum of variance components, each a covariance of one record at every height.
 #[derive(Clone, Debug)]
 pub struct CovarianceModel {
-    /// Kind by kind, height by height, g².
-    kinds: Vec<Vec<DMatrix<f64>>>,
+    /// Kind by component, height by height, g².
+    components: Vec<Vec<DMatrix<f64>>>,
     /// How many of them are changes of parameters.
     changes: usize,
     /// The metric in which covariances are compared.
@@ -30,15 +30,15 @@ pub struct CovarianceModel {
 #[derive(Clone, Debug)]
 struct Metric {
     inverse_roots: Vec<DMatrix<f64>>,
-    /// Kinds in it, each a column, and their inner products.
+    /// Components in it, each a column, and their inner products.
     columns: DMatrix<f64>,
     gram: DMatrix<f64>,
 }
 
 impl Metric {
-    fn of(kinds: &[Vec<DMatrix<f64>>], near: &[DMatrix<f64>]) -> Option<Self> {
+    fn of(components: &[Vec<DMatrix<f64>>], near: &[DMatrix<f64>]) -> Option<Self> {
         let inverse_roots: Vec<DMatrix<f64>> = near.iter().map(inverse_root).collect::<Option<_>>()?;
-        let columns: Vec<DVector<f64>> = kinds.iter().map(|kind| flat(&inverse_roots, kind)).collect();
+        let columns: Vec<DVector<f64>> = components.iter().map(|component| flat(&inverse_roots, component)).collect();
         let columns = DMatrix::from_columns(&columns);
         let gram = columns.transpose() * &columns;
         Some(Self { inverse_roots, columns, gram })
@@ -60,14 +60,14 @@ fn flat(inverse_roots: &[DMatrix<f64>], covariances: &[DMatrix<f64>]) -> DVector
 }
 
 impl CovarianceModel {
-    /// Kinds for measured waves: the clock's phase (from predicted fine waves), coloured scatter in proportion to the wave
+    /// Components for measured waves: the clock's phase (from predicted fine waves), coloured noise in proportion to the wave
     /// and to its peak, white noise, and records that differ by a factor or by a parameter (columns of change, a height each).
     ///
     /// `near` are covariances to begin with; `None` when one is not positive definite.
     pub fn of(waves: &Waves, expected: &Expected, fine: &[Vec<f64>], changes: &[DMatrix<f64>], near: &[DMatrix<f64>]) -> Option<Self> {
         let samples = waves.samples;
         let groups = || waves.groups.iter();
-        let mut kinds: Vec<Vec<DMatrix<f64>>> = vec![
+        let mut components: Vec<Vec<DMatrix<f64>>> = vec![
             fine.iter().map(|fine| expected.over_phases(fine)).collect(),
             groups().map(|group| slope(&group.mean)).collect(),
             groups().map(|_| DMatrix::identity(samples, samples)).collect(),
@@ -75,25 +75,25 @@ impl CovarianceModel {
             groups().map(|group| outer(&first(&group.mean))).collect(),
         ];
         for change in 0..changes.first().map_or(0, DMatrix::ncols) {
-            kinds.push(changes.iter().map(|columns| outer(&columns.column(change).into_owned())).collect());
+            components.push(changes.iter().map(|columns| outer(&columns.column(change).into_owned())).collect());
         }
         for time_s in TIMES_S {
             let kept = libm::exp(-waves.step_s / time_s);
             let coloured = |size: &dyn Fn(usize) -> f64| {
                 DMatrix::from_fn(samples, samples, |i, j| size(i) * size(j) * libm::pow(kept, i.abs_diff(j) as f64))
             };
-            kinds.push(groups().map(|group| coloured(&|i| group.mean[i])).collect());
+            components.push(groups().map(|group| coloured(&|i| group.mean[i])).collect());
             let peak = |group: &super::WaveGroup| group.mean.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
-            kinds.push(groups().map(|group| coloured(&|_| peak(group))).collect());
+            components.push(groups().map(|group| coloured(&|_| peak(group))).collect());
         }
-        let metric = Metric::of(&kinds, near)?;
-        Some(Self { kinds, changes: changes.first().map_or(0, DMatrix::ncols), metric })
+        let metric = Metric::of(&components, near)?;
+        Some(Self { components, changes: changes.first().map_or(0, DMatrix::ncols), metric })
     }
 
     /// The same, comparing in units of other covariances.
     #[must_use]
     pub fn near(self, near: &[DMatrix<f64>]) -> Self {
-        let metric = Metric::of(&self.kinds, near);
+        let metric = Metric::of(&self.components, near);
         Self { metric: metric.unwrap_or(self.metric), ..self }
     }
 
@@ -103,8 +103,8 @@ impl CovarianceModel {
         (0..self.changes).map(|change| amounts[FIXED + change].max(0.0).sqrt()).collect()
     }
 
-    /// TrialCovariance in proportion to the wave in the sum that is nearest to covariances.
-    pub fn flicker(&self, covariances: &[DMatrix<f64>]) -> TriggerJitter {
+    /// Variation in proportion to the wave in the sum that is nearest to covariances.
+    pub fn trigger_jitter(&self, covariances: &[DMatrix<f64>]) -> TriggerJitter {
         let amounts = self.amounts(covariances);
         let coloured = FIXED + self.changes;
         TriggerJitter { by_time: std::array::from_fn(|time| amounts[if time < TIMES_S.len() { coloured + 2 * time } else { COMMON }]) }
@@ -115,10 +115,10 @@ impl CovarianceModel {
         not_negative(&self.metric.gram, &right)
     }
 
-    /// The sum of the kinds that is nearest to covariances, no kind less than nothing.
+    /// The sum of the components that is nearest to covariances, no amount below zero.
     pub fn nearest(&self, covariances: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
         let amounts = self.amounts(covariances);
-        let sum = |height: usize| self.kinds.iter().zip(amounts.iter()).map(|(kind, amount)| &kind[height] * *amount).sum();
+        let sum = |height: usize| self.components.iter().zip(amounts.iter()).map(|(component, amount)| &component[height] * *amount).sum();
         (0..covariances.len()).map(sum).collect()
     }
 }
@@ -127,12 +127,12 @@ fn outer(column: &DVector<f64>) -> DMatrix<f64> {
     column * column.transpose()
 }
 
-/// The sample at the trigger alone: scatter lets single records cross it sooner or later.
+/// The sample at the trigger alone: noise lets single records cross it sooner or later.
 fn first(mean: &[f64]) -> DVector<f64> {
     DVector::from_fn(mean.len(), |i, _| if i == BEFORE { mean[i] } else { 0.0 })
 }
 
-/// TrialCovariance of the phase, evenly over one step, where a wave is smooth.
+/// Covariance of the phase, even over one step, where a wave is smooth.
 fn slope(mean: &[f64]) -> DMatrix<f64> {
     let last = mean.len() - 1;
     outer(&DVector::from_fn(mean.len(), |i, _| 0.5 * (mean[(i + 1).min(last)] - mean[i.saturating_sub(1)]) / 12f64.sqrt()))

@@ -1,4 +1,4 @@
-//! What a model predicts for the mean of records that were laid at their trigger.
+//! A model's prediction for the mean of trigger-aligned records.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,9 +8,9 @@ use super::waves::BEFORE;
 use crate::impact::effects::Model;
 use crate::impact::sim::{SolverOptions, Stop, System, wave};
 
-/// TrialCovariance of stiffness or damping that changes a mean by less than anybody can see.
+/// Relative variation of stiffness or damping below which the change of a mean cannot be seen.
 const SLIGHT: f64 = 0.04;
-/// Most scatter of stiffness or damping that is believed: beyond it the three points leave what a frame can be.
+/// Largest relative variation of stiffness or damping: beyond it the three points leave what a frame can be.
 const MOST_VARIED: f64 = 0.25;
 /// Phases over which a covariance is averaged.
 const PHASES: usize = 20;
@@ -27,13 +27,13 @@ pub struct Expected {
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
-    /// TrialCovariance of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
+    /// Standard deviation of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
     pub spread: f64,
-    /// TrialCovariance of stiffness and damping between drops, as part of them: the mean of waves is not the wave of the mean. Where a
+    /// Relative variation of stiffness and damping between drops: the mean of waves is not the wave of the mean. Where a
     /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
     pub varied: [f64; 2],
-    /// TrialCovariance of single readings, where it moves the trigger.
-    pub flicker: TriggerJitter,
+    /// Jitter of the trigger by the variation of single readings.
+    pub trigger_jitter: TriggerJitter,
 }
 
 /// Models made ready, each with its weight in the mean, the undisturbed one first; and the sensor's limit, g.
@@ -46,11 +46,11 @@ pub struct Ready {
 impl Expected {
     /// Of records that differ by the phase of the clock alone.
     pub fn plain(step_s: f64, samples: usize) -> Self {
-        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], flicker: TriggerJitter::default() }
+        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], trigger_jitter: TriggerJitter::default() }
     }
 
-    /// A model made ready; where single readings scatter, the sensor's limit is applied to their mean instead, and where
-    /// stiffness or damping scatter, the mean is taken over them (Gauss and Hermite, three points each).
+    /// A model made ready; where single readings vary, the sensor's limit is applied to their mean instead, and where
+    /// stiffness or damping vary, the mean is taken over them (Gauss and Hermite, three points each).
     pub fn system(&self, model: &Model) -> Ready {
         let ready = |model: &Model| {
             let mut system = System::new(model);
@@ -72,7 +72,7 @@ impl Expected {
         Ready { systems, limit_g }
     }
 
-    /// The mean window from a height, g; `None` where the model does not hold the body.
+    /// The mean window from a height, g; `None` where the simulation diverges.
     pub fn window(&self, ready: &Ready, height_m: f64) -> Option<Vec<f64>> {
         let mut mean = vec![0.0; self.samples];
         for (weight, system) in &ready.systems {
@@ -81,20 +81,20 @@ impl Expected {
                 fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
             }
             mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
-            if self.flicker.moves() {
-                let shift = self.flicker.shift(&FineWave::of(&fine), self.step_s, self.samples);
+            if self.trigger_jitter.moves() {
+                let shift = self.trigger_jitter.shift(&FineWave::of(&fine), self.step_s, self.samples);
                 mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += weight * shift);
             }
         }
         Some(mean)
     }
 
-    /// From first touch to the trigger, s; `None` where the model does not hold the body.
+    /// From first touch to the trigger, s; `None` where the simulation diverges.
     pub fn onset_s(&self, ready: &Ready, height_m: f64) -> Option<f64> {
         Some(FineWave::of(&self.fine(&ready.systems.first()?.1, height_m)?).crossing_s)
     }
 
-    /// The wave itself, at steps of 0.05 ms; `None` where the model does not hold the body.
+    /// The wave itself, at steps of 0.05 ms; `None` where the simulation diverges.
     pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
         let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
         let mut fine = vec![0.0; (end_s / FINE_S) as usize + 2];
@@ -124,7 +124,7 @@ impl Expected {
     }
 }
 
-/// Mean of readings that scatter normally around `reading` by `spread` of it and are cut at the limit.
+/// Mean of readings that vary normally around `reading` by `spread` of it and are cut at the limit.
 fn limited_mean(reading: f64, spread: f64, limit_g: f64) -> f64 {
     let sd = spread * reading.abs();
     let over = reading - limit_g;

@@ -20,7 +20,7 @@ const STARTS: [f64; 2] = [0.4, 2.5];
 pub trait Objective: Sync + Sized {
     /// Drops a height.
     fn counts(&self) -> Vec<usize>;
-    /// Numbers whose squares are summed; `None` where the model does not hold the body.
+    /// Numbers whose squares are summed; `None` where the simulation diverges.
     fn residual(&self, model: &Model) -> Option<DVector<f64>>;
     /// Height, m, and what a model reads from it at each sample from the trigger on, g.
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)>;
@@ -67,7 +67,7 @@ pub struct Fit {
 /// Fits what a layout leaves free; intervals by so many bootstrap samples of the drops of each height.
 ///
 /// # Errors
-/// When the model does not hold the body at the starting values.
+/// When the simulation diverges at the starting values.
 pub fn fit(objective: &impl Objective, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, FitError> {
     let started = objective.residual(&layout.model).ok_or(FitError::Diverges)?.norm_squared();
     let best = starts(layout)

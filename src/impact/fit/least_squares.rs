@@ -1,4 +1,4 @@
-//! Least squares within bounds: the method of Levenberg and Marquardt on the parameters that no bound holds.
+//! Least squares within bounds: the method of Levenberg and Marquardt on the parameters that are not at a bound.
 //!
 //! D. W. Marquardt, J. Soc. Indust. Appl. Math. 11 (1963) 431. Why not a library: docs/decisions/0016-least-squares.md.
 
@@ -26,7 +26,7 @@ const DAMPING: f64 = 1e-3;
 /// Damping at which no step is left to try.
 const MOST_DAMPING: f64 = 1e8;
 
-/// Keeps parameters apart that change nearly the same.
+/// Regularises parameters that change nearly the same.
 const RIDGE: f64 = 1e-10;
 
 /// Minimises the sum of squares of `residual`; `None` where it has no value at the start.

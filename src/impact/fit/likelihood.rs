@@ -1,10 +1,11 @@
-//! Maximum likelihood: mean waves against what a model predicts for them, in units of their own scatter.
+//! Maximum likelihood: mean waves compared with a model's prediction, in units of their own covariance.
 //!
-//! Records of a height scatter normally around the model's wave with the covariance that the replicates show: variances of
-//! each height, correlations of all heights together, drawn towards those of the lag by as much as they are uncertain
-//! ([`TrialCovariance::plain_covariances`]). Then the likelihood is largest where the whitened distance of
-//! the mean waves is least. *When it is wrong:* drops that are not scatter around one wave, and a model that lacks an
-//! effect: its parameters then make up for that, and the distance over its degrees of freedom says so.
+//! The records of a height vary normally around the model's wave with the covariance that the trials show: variances of each
+//! height, correlations of all heights together, shrunk towards those of the lag by as much as they are uncertain
+//! ([`TrialCovariance::plain_covariances`]). The likelihood is then largest where the whitened distance of the mean waves is least.
+//!
+//! *When it is wrong:* for drops that do not vary around one wave, and for a model that lacks an effect. Its parameters then
+//! compensate for the effect, and the distance over its degrees of freedom is large.
 
 use nalgebra::DVector;
 
@@ -27,7 +28,7 @@ impl Likelihood {
     /// Of chosen drops.
     ///
     /// # Errors
-    /// When they cannot be laid upon each other, or are too few to show their scatter.
+    /// When they cannot be aligned, or are too few to estimate the trial covariance.
     pub fn of(chosen: &Chosen) -> Result<Self, FitError> {
         let waves = chosen.waves()?;
         let scatter = TrialCovariance::of(&waves);

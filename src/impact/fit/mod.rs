@@ -1,14 +1,13 @@
-//! Models against measured drops: what a drop's mean wave should read, how far it may lie from that by chance, and the
-//! parameters that bring both together. SI units, readings in g.
+//! Models compared with measured drops, and the parameters that bring both together. SI units, readings in g.
 //!
-//! A logger's clock knows nothing of the impact, so every record is laid at its first sample beyond the trigger. What a
-//! model predicts for the mean of such records is its wave averaged over all phases of the clock ([`Expected`]): no phase
-//! is fitted. [`TrialCovariance`] holds how the records of one height differ from each other, over time; distances between mean
-//! and model are measured in it.
+//! A logger's clock is not synchronised with the impact, so every record is trigger-aligned: its first sample beyond the trigger
+//! is sample zero. The model's prediction for the mean of such records is its wave, averaged over all phases of the clock
+//! ([`Expected`]). No phase is fitted. [`TrialCovariance`] holds how the records of one height vary between trials; the
+//! distance between mean and model is measured in its units.
 //!
-//! [`fit`] finds the parameters of one model: [`Likelihood`] compares mean waves in units of their own scatter, [`PaperObjective`] is
-//! what the notebook of arXiv 2103.04423 minimises; resampled drops give intervals. [`FitProblem`] is the same distance for
-//! many models one after the other, as a diagnosis needs it.
+//! [`fit`] finds the parameters of one model. [`Likelihood`] compares mean waves in units of their own covariance.
+//! [`PaperObjective`] is what the notebook of arXiv 2103.04423 minimises. Resampled drops give intervals. [`FitProblem`] is the
+//! same distance as [`Likelihood`]'s for many models one after the other, as a diagnosis needs it.
 
 mod chosen;
 mod covariance_model;

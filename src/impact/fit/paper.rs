@@ -2,7 +2,7 @@
 //! squared difference in (m/s²)²), from each drop's trigger up to its peak.
 //!
 //! The model begins at the trigger; the peak's own sample is not compared. *When it is wrong:* first touch lies up to one
-//! sample after the trigger, what follows the peak says nothing, and a drop with a late second hit weighs as much as one
+//! sample after the trigger, what follows the peak is not used, and a drop with a late second hit weighs as much as one
 //! without.
 
 use nalgebra::DVector;
@@ -48,7 +48,7 @@ impl PaperObjective {
         Self { step_s, heights }
     }
 
-    /// The objective of a model; `None` where it does not hold the body.
+    /// The objective of a model; `None` where the simulation diverges.
     pub fn at(&self, model: &Model) -> Option<f64> {
         Some(self.value(self.residual(model)?.norm_squared()))
     }

@@ -1,4 +1,4 @@
-//! Mean waves against a model, in units of their own scatter.
+//! Mean waves compared with a model, in units of their own covariance.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,7 +9,7 @@ use super::trial_covariance::Whitening;
 use super::waves::Waves;
 use crate::impact::effects::Model;
 
-/// Mean waves of some heights and their scatter.
+/// Mean waves of some heights and their covariance.
 #[derive(Clone, Debug)]
 pub struct FitProblem {
     /// What a model has to predict.
@@ -82,7 +82,7 @@ impl FitProblem {
         DVector::from_iterator(self.len(), self.chosen.iter().flat_map(|height| self.means[*height].1.iter().copied()))
     }
 
-    /// Deviations in g to deviations in units of scatter.
+    /// Deviations in g to whitened deviations.
     pub fn whitened(&self, deviation: &DVector<f64>) -> DVector<f64> {
         let samples = self.expected.samples;
         let mut out = DVector::zeros(deviation.len());

@@ -1,4 +1,4 @@
-//! How the records of one height differ from each other over time.
+//! How the records of one height vary between trials, as a covariance over time.
 
 use nalgebra::{DMatrix, DVector};
 use rand::Rng;
@@ -8,7 +8,7 @@ use super::covariance_model::{CovarianceModel, inverse_root};
 use super::trigger_jitter::TriggerJitter;
 use super::waves::Waves;
 
-/// Smallest scatter that is believed, g: a fraction of a count of the converter.
+/// Least standard deviation of a reading, g: a fraction of a count of the converter.
 const LEAST_G: f64 = 0.03;
 
 /// Sums of products of the records' deviations from their height's mean.
@@ -44,40 +44,40 @@ impl TrialCovariance {
         Some(Self { sums, counts: counts.to_vec() })
     }
 
-    /// Covariance of one record, g², a height each, from a family of kinds of scatter.
+    /// Covariance of one record, g², a height each, with a covariance model.
     ///
-    /// The nearest sum of the kinds, and on top of it, in that sum's own units, the part of the mean difference from the
+    /// The nearest sum of the components, and on top of it, in that sum's own units, the part of the mean difference from the
     /// records which its uncertainty does not explain (after J. Schäfer, K. Strimmer, Stat. Appl. Genet. Mol. Biol. 4 (2005)
-    /// 32, with this target). Wrong where heights scatter for different reasons that no kind describes.
-    pub fn covariances(&self, family: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
+    /// 32, with this target). Wrong where heights vary for different reasons that no component describes.
+    pub fn covariances(&self, model: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
         let free = |count: &usize| (count - 1) as f64;
-        let (sampled, nearest) = (self.sampled(), self.nearest(family));
+        let (sampled, nearest) = (self.sampled(), self.nearest(model));
         let freedom: f64 = self.counts.iter().map(free).sum();
         let samples = self.sums[0].nrows();
-        let mut apart = DMatrix::zeros(samples, samples);
+        let mut excess = DMatrix::zeros(samples, samples);
         for ((nearest, sampled), count) in nearest.iter().zip(&sampled).zip(&self.counts) {
             let inverse = inverse_root(nearest)?;
-            apart += (&inverse * sampled * inverse.transpose() - DMatrix::identity(samples, samples)) * (free(count) / freedom);
+            excess += (&inverse * sampled * inverse.transpose() - DMatrix::identity(samples, samples)) * (free(count) / freedom);
         }
         let uncertain = (samples * (samples + 1)) as f64 / freedom;
-        let kept = (1.0 - uncertain / apart.norm_squared().max(1e-300)).max(0.0);
-        let inner = DMatrix::identity(samples, samples) + apart * kept;
+        let kept = (1.0 - uncertain / excess.norm_squared().max(1e-300)).max(0.0);
+        let inner = DMatrix::identity(samples, samples) + excess * kept;
         nearest.into_iter().map(|nearest| nearest.cholesky().map(|root| root.l() * &inner * root.l().transpose())).collect()
     }
 
-    /// Standard deviations between records of the family's parameters of change, on their own scales.
-    pub fn changing(&self, family: &CovarianceModel) -> Vec<f64> {
-        family.changing(&self.sampled())
+    /// Standard deviations between records of the model's parameters of change, on their own scales.
+    pub fn changing(&self, model: &CovarianceModel) -> Vec<f64> {
+        model.changing(&self.sampled())
     }
 
-    /// TrialCovariance of readings in proportion to the wave.
-    pub fn flicker(&self, family: &CovarianceModel) -> TriggerJitter {
-        family.flicker(&self.sampled())
+    /// Variation of readings in proportion to the wave.
+    pub fn trigger_jitter(&self, model: &CovarianceModel) -> TriggerJitter {
+        model.trigger_jitter(&self.sampled())
     }
 
-    /// The family's nearest sum alone.
-    pub fn nearest(&self, family: &CovarianceModel) -> Vec<DMatrix<f64>> {
-        let mut nearest = family.nearest(&self.sampled());
+    /// The nearest sum of the components alone.
+    pub fn nearest(&self, model: &CovarianceModel) -> Vec<DMatrix<f64>> {
+        let mut nearest = model.nearest(&self.sampled());
         for covariance in &mut nearest {
             *covariance += DMatrix::from_diagonal_element(covariance.nrows(), covariance.nrows(), LEAST_G * LEAST_G);
         }
@@ -88,7 +88,7 @@ impl TrialCovariance {
         self.sums.iter().zip(&self.counts).map(|(sum, count)| sum / (count - 1) as f64).collect()
     }
 
-    /// Covariance of one record, g², a height each, when nothing is known of its kinds yet: variances of each height,
+    /// Covariance of one record, g², a height each, before its components are known: variances of each height,
     /// correlations of all heights together, drawn towards correlations that depend on the lag alone.
     pub fn plain_covariances(&self) -> Vec<DMatrix<f64>> {
         let samples = self.sums[0].nrows();
@@ -131,17 +131,17 @@ fn shrunk(correlation: &DMatrix<f64>, freedom: f64) -> DMatrix<f64> {
     // Sums over a diagonal divided by the whole length keep the target positive definite.
     let by_lag: Vec<f64> =
         (0..samples).map(|lag| (lag..samples).map(|i| correlation[(i, i - lag)]).sum::<f64>() / samples as f64).collect();
-    // A sample that hardly scatters goes together with none.
+    // A sample that hardly varies is correlated with none.
     let target = |i: usize, j: usize| by_lag[i.abs_diff(j)] * (correlation[(i, i)] * correlation[(j, j)]).sqrt();
-    let (mut uncertain, mut apart) = (0.0, 0.0);
+    let (mut uncertain, mut excess) = (0.0, 0.0);
     for i in 0..samples {
         for j in 0..i {
             let r = correlation[(i, j)];
             uncertain += (1.0 - r * r) * (1.0 - r * r) / freedom;
-            apart += (r - target(i, j)) * (r - target(i, j));
+            excess += (r - target(i, j)) * (r - target(i, j));
         }
     }
-    let weight = if apart > 0.0 { (uncertain / apart).clamp(0.02, 1.0) } else { 1.0 };
+    let weight = if excess > 0.0 { (uncertain / excess).clamp(0.02, 1.0) } else { 1.0 };
     DMatrix::from_fn(samples, samples, |i, j| if i == j { 1.0 } else { (1.0 - weight) * correlation[(i, j)] + weight * target(i, j) })
 }
 
@@ -162,7 +162,7 @@ fn bartlett(rows: usize, free: usize, rng: &mut impl Rng) -> Option<DMatrix<f64>
     Some(triangle)
 }
 
-/// Turns deviations of mean waves into numbers that scatter independently with variance 1.
+/// Turns deviations of mean waves into independent numbers of variance 1.
 #[derive(Clone, Debug)]
 pub struct Whitening {
     inverse_roots: Vec<DMatrix<f64>>,

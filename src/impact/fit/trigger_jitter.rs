@@ -1,26 +1,29 @@
-//! What scatter of single readings does to a mean of records that were laid at their trigger.
+//! Trigger jitter: the variation of single readings moves the sample at which a record crosses the trigger, and so the mean of
+//! trigger-aligned records.
 //!
-//! Where readings scatter by half of themselves, one in fifty of the first large ones falls below the trigger, and its
-//! record is laid a step too late; just below the crossing some are early. Followed here is the chance that no sample was
-//! beyond the trigger yet, with mean and variance that the scatter then has, sample by sample: an assumed normal density
-//! (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger a tenth of the shift
-//! is left, a third behind it. Wrong where the scatter is not in proportion to the wave, and where white noise comes near the trigger.
+//! Where readings vary by half of themselves, one in fifty of the first large ones falls below the trigger, and its record is
+//! aligned a step too late. Just below the crossing, some records are early. The computation follows the probability that no
+//! sample was beyond the trigger yet, with the mean and variance of the readings under that condition, sample by sample: an
+//! assumed normal density (P. S. Maybeck, *Stochastic Models, Estimation, and Control*, vol. 2 (1982), chapter 12). At the trigger
+//! a tenth of the shift is left, behind it a third.
+//!
+//! *When it is wrong:* where the variation is not in proportion to the wave, and where white noise comes near the trigger.
 
 use super::fine_wave::FineWave;
 use super::waves::{BEFORE, TRIGGER_G};
 
-/// Correlation times of coloured scatter, s.
+/// Correlation times of coloured noise, s.
 pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
-/// TrialCovariance of readings as part of the wave that changes no mean by as much as can be seen.
+/// Relative variation of readings below which the change of a mean cannot be seen.
 const SLIGHT: f64 = 0.15;
 /// Phases of the clock.
 const PHASES: usize = 20;
 /// Samples from the crossing on of which one is beyond the trigger.
 const LATEST: usize = 6;
-/// Chance that is not followed.
+/// Probability that is not followed.
 const NEVER: f64 = 1e-7;
 
-/// TrialCovariance of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
+/// Variation of single readings in proportion to the wave: variance of the factor, by its correlation time; the last part is
 /// one factor a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TriggerJitter {
@@ -45,7 +48,7 @@ impl TriggerJitter {
         (sum + long) / self.variance()
     }
 
-    /// What is to be added to a mean window without scatter, g.
+    /// The correction of a mean window without variation, g.
     pub fn shift(&self, fine: &FineWave, step_s: f64, samples: usize) -> Vec<f64> {
         let kept: Vec<f64> = (0..samples).map(|lag| self.kept(lag as f64 * step_s)).collect();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
@@ -54,7 +57,7 @@ impl TriggerJitter {
             let part = (phase as f64 + 0.5) / PHASES as f64;
             let wave: Vec<f64> =
                 (0..first + LATEST + samples).map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64))).collect();
-            Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.laid(first, &mut sum);
+            Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.aligned(first, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
         }
         sum.iter_mut().for_each(|sum| *sum /= PHASES as f64);
@@ -70,8 +73,8 @@ struct Record<'a> {
 }
 
 impl Record<'_> {
-    /// Adds the mean window over the scatter; `crossing` is the first sample that is beyond the trigger without it.
-    fn laid(&self, crossing: usize, sum: &mut [f64]) {
+    /// Adds the mean window over the variation; `crossing` is the first sample that is beyond the trigger without it.
+    fn aligned(&self, crossing: usize, sum: &mut [f64]) {
         let (mut open, mut mean, mut variance, mut before) = (1.0, 0.0, 1.0, 0.0);
         for at in BEFORE..=crossing + LATEST {
             mean *= self.kept[1];
@@ -79,9 +82,9 @@ impl Record<'_> {
             let along = self.sd * self.wave[at].abs() * variance.sqrt();
             let missed = Missed::of(self.wave[at].abs() * (1.0 + self.sd * mean), along);
             let last = at == crossing + LATEST;
-            let hit = if last { open } else { open * (1.0 - missed.chance) };
+            let hit = if last { open } else { open * (1.0 - missed.probability) };
             if hit > NEVER {
-                let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.chance) };
+                let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.probability) };
                 for (i, sum) in sum.iter_mut().enumerate() {
                     let kept = i.checked_sub(BEFORE).map_or(0.0, |lag| self.kept[lag]);
                     let reading = if i + 1 == BEFORE { before } else { self.wave[at + i - BEFORE] };
@@ -92,17 +95,17 @@ impl Record<'_> {
             if open < NEVER {
                 break;
             }
-            let moved = missed.first / missed.chance;
+            let moved = missed.first / missed.probability;
             before = self.wave[at] * (1.0 + self.sd * (mean + variance.sqrt() * moved));
             mean += variance.sqrt() * moved;
-            variance *= (1.0 + missed.second / missed.chance - moved * moved).clamp(0.0, 1.0);
+            variance *= (1.0 + missed.second / missed.probability - moved * moved).clamp(0.0, 1.0);
         }
     }
 }
 
-/// A reading that stays within the trigger: its chance, and moments of its deviation over the part where it does.
+/// A reading that stays within the trigger: its probability, and moments of its deviation over the part where it does.
 struct Missed {
-    chance: f64,
+    probability: f64,
     first: f64,
     second: f64,
 }
@@ -110,12 +113,12 @@ struct Missed {
 impl Missed {
     fn of(mean_g: f64, sd_g: f64) -> Self {
         if sd_g <= 1e-9 {
-            return Self { chance: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
+            return Self { probability: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
         }
         let (low, high) = ((-TRIGGER_G - mean_g) / sd_g, (TRIGGER_G - mean_g) / sd_g);
         let density = |z: f64| libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
         let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
         let ends = |z: f64| if z.is_finite() { z * density(z) } else { 0.0 };
-        Self { chance: below(high) - below(low), first: density(low) - density(high), second: ends(low) - ends(high) }
+        Self { probability: below(high) - below(low), first: density(low) - density(high), second: ends(low) - ends(high) }
     }
 }

@@ -1,4 +1,4 @@
-//! Records laid at their trigger and gathered by height.
+//! Trigger-aligned records, gathered by height.
 
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub struct Waves {
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
-    /// TrialCovariance of the readings before first touch, g.
+    /// Standard deviation of the readings before first touch, g.
     pub noise_g: f64,
 }
 
@@ -72,7 +72,7 @@ pub enum Unusable {
         /// The first drop's, ms.
         first_ms: f64,
     },
-    /// TrialCovariance between drops is what a gap is judged by.
+    /// The trial covariance, in whose units a gap is judged, cannot be estimated.
     #[error("{height_m} m has {count} usable drops; at least {FEWEST} a height are needed to estimate the trial covariance")]
     TooFew {
         /// Height, m.
@@ -99,7 +99,7 @@ const FEWEST: usize = 4;
 const GUARD: usize = 2;
 
 impl Waves {
-    /// Lays drops at their trigger.
+    /// Aligns drops at their trigger.
     ///
     /// # Errors
     /// [`Unusable`] with the drop that cannot be used.

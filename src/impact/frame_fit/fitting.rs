@@ -17,7 +17,7 @@ pub struct MaterialEstimate {
     pub key: &'static str,
     /// Its value.
     pub value: f64,
-    /// 95 % interval, from the medians' scatter or the misfit, whichever is more; what the model lacks is not in it.
+    /// 95 % interval, from the medians' standard errors or the misfit, whichever is larger; an effect that the model lacks is not in it.
     pub ci95: [f64; 2],
     /// Whether the search ended at its bound.
     pub at_bound: bool,
@@ -28,7 +28,7 @@ pub struct MaterialEstimate {
 pub struct Predicted {
     /// The heights that the numbers are from, m.
     pub from_m: Vec<f64>,
-    /// The height that is told, m.
+    /// The predicted height, m.
     pub height_m: f64,
     /// The modulus in an impact, over the law's, from those heights.
     pub impact_modulus: f64,
@@ -85,9 +85,12 @@ const ROUNDS: usize = 3;
 fn search(surface: &ResponseSurface, heights: &[Height], used: &[usize]) -> Result<Minimum, FrameFitError> {
     let residual = |at: &[f64]| {
         let of = |height: &usize| {
-            let (told, measured) = (surface.at([at[0], at[1]], *height), &heights[*height]);
+            let (answered, measured) = (surface.at([at[0], at[1]], *height), &heights[*height]);
             let relative = measured.peak_g.error / measured.peak_g.value;
-            [(libm::log(measured.peak_g.value) - told.ln_peak) / relative, (measured.impulse.value - told.impulse) / measured.impulse.error]
+            [
+                (libm::log(measured.peak_g.value) - answered.ln_peak) / relative,
+                (measured.impulse.value - answered.impulse) / measured.impulse.error,
+            ]
         };
         Some(DVector::from_iterator(2 * used.len(), used.iter().flat_map(of)))
     };
@@ -131,10 +134,10 @@ fn estimates(minimum: &Minimum) -> [MaterialEstimate; 2] {
 
 /// What the model itself, not its surface, says of heights at places.
 fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 2], usize)]) -> Result<Vec<Predicted>, FrameFitError> {
-    let told: Vec<Response> =
+    let answered: Vec<Response> =
         asked.par_iter().map(|(_, at, height)| subject.run(*at, heights[*height].height_m)).collect::<Result<_, _>>()?;
-    let row = |((from, at, height), told): (&(Vec<usize>, [f64; 2], usize), Response)| {
-        let (numbers, peak_g) = (subject.numbers(*at), libm::exp(told.ln_peak));
+    let row = |((from, at, height), answered): (&(Vec<usize>, [f64; 2], usize), Response)| {
+        let (numbers, peak_g) = (subject.numbers(*at), libm::exp(answered.ln_peak));
         Predicted {
             from_m: from.iter().map(|height| heights[*height].height_m).collect(),
             height_m: heights[*height].height_m,
@@ -142,10 +145,10 @@ fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 
             impact_loss: numbers.impact_loss,
             peak_g,
             peak_off_percent: 100.0 * (peak_g / heights[*height].peak_g.value - 1.0),
-            impulse: told.impulse,
+            impulse: answered.impulse,
         }
     };
-    Ok(asked.iter().zip(told).map(row).collect())
+    Ok(asked.iter().zip(answered).map(row).collect())
 }
 
 /// Fits the two numbers, with the model's answers for the same heights in the same order.

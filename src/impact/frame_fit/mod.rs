@@ -1,17 +1,19 @@
 //! The two numbers of the flexible material that no static test gives, from measured drops of a frame: its modulus in an
 //! impact and its loss there ([`crate::mechanics::settings::Settings`]).
 //!
-//! A drop height brings two figures that replicates show with their scatter ([`Height`]): the median peak and the median
+//! A drop height gives two figures with their standard errors ([`Height`]): the median peak and the median
 //! impulse along the axis. The frame's own model answers for both; [`ResponseSurface`] keeps its answers over the numbers' bounds, so
 //! that heights can be left out one after the other without a new run for every step of the search.
 //!
-//! *When it is wrong:* both numbers stand for all that a level landing of a linear material lacks: large strains, slip, tilt. They are
+//! *When it is wrong:* both numbers compensate for everything that the level landing of a linear material leaves out: large strains, slip, tilt. They are
 //! those of this print, this ground and this way of letting go, and no constants of the material.
 
 mod fitting;
+mod frame_reduction;
 mod height;
 mod response_surface;
 
 pub use fitting::{FrameFit, FrameFitError, MaterialEstimate, Predicted, fit};
+pub use frame_reduction::{CURVE_MM, ReductionError, reduced_model};
 pub use height::{Height, MedianEstimate};
 pub use response_surface::{Response, ResponseSurface, Subject};

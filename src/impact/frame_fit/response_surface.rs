@@ -1,4 +1,4 @@
-//! The model's answers over the two numbers: runs on a grid, interpolated between.
+//! The response surface: the model's results over the two numbers, from runs on a grid, interpolated.
 
 use rayon::prelude::*;
 
@@ -120,10 +120,10 @@ impl ResponseSurface {
     /// # Errors
     /// When a motion is lost.
     pub fn correct(&mut self, subject: &Subject, at: [f64; 2]) -> Result<f64, ImpactError> {
-        let told: Vec<Response> = self.heights_m.par_iter().map(|height_m| subject.run(at, *height_m)).collect::<Result<_, _>>()?;
+        let answered: Vec<Response> = self.heights_m.par_iter().map(|height_m| subject.run(at, *height_m)).collect::<Result<_, _>>()?;
         let mut most = 0.0_f64;
-        for (height, answer) in told.into_iter().enumerate() {
-            let by = answer.map(self.at(at, height), |told, here| told - here);
+        for (height, answer) in answered.into_iter().enumerate() {
+            let by = answer.map(self.at(at, height), |answered, here| answered - here);
             most = most.max(by.ln_peak.abs());
             self.offsets[height] = self.offsets[height].map(by, |offset, by| offset + by);
         }

@@ -8,7 +8,7 @@ use super::spread::Spread;
 use super::summary::{Drop, drops};
 use crate::units::GRAVITY_M_S2;
 
-/// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is told by a threshold.
+/// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is detected by a threshold.
 const RELEASE_S: f64 = 0.015;
 /// Fewest falls that say something.
 const FEWEST: usize = 4;
@@ -36,7 +36,7 @@ impl Fall {
 
     fn of_group(group: &DropGroup, all: &[Drop]) -> Option<Self> {
         let spread = Spread::of(all.iter().filter_map(Drop::clean).filter_map(|impact| impact.fall_s))?;
-        // A normal quantity's quartiles lie 1.349 standard deviations apart, its median scatters by 1.253 of the mean's error.
+        // A normal quantity's quartiles lie 1.349 standard deviations apart, the standard error of its median is 1.253 of the mean's.
         let error_s = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
         let expected_s = (2.0 * group.height_m / GRAVITY_M_S2).sqrt();
         let fall = Self { height_m: group.height_m, drops: spread.count, fall_s: spread.median, error_s, expected_s };

@@ -13,9 +13,9 @@ const GAP_STEPS: f64 = 1.5;
 const FEWEST_BEFORE: usize = 3;
 /// Least that a record goes on after the trigger, s.
 const LEAST_AFTER_S: f64 = 0.02;
-/// Equal samples in a row, at the top of the impact, that make it flat.
+/// Equal samples in a row, at the top of the impact, that count as clipping.
 const FLAT: usize = 3;
-/// Impulse over v0 that a vertical drop can have: 1 without, 2 with full restitution, and room for scatter.
+/// Impulse over v0 that a vertical drop can have: 1 without, 2 with full restitution, and room for variation.
 const IMPULSE_OVER_V0: [f64; 2] = [0.8, 1.8];
 
 /// A reason not to trust a record.
@@ -30,7 +30,7 @@ pub enum Flag {
         /// When.
         to_peak_ms: f64,
     },
-    /// The converter stood at its end, or the top is flat.
+    /// The converter was at its end, or the top is clipped.
     #[error("saturation: {samples} samples at {level_g:.1} g")]
     Saturated {
         /// How many.

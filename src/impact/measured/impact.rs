@@ -4,20 +4,20 @@ use super::impact_speed_m_s;
 use super::record::Record;
 use crate::units::GRAVITY_M_S2;
 
-/// The ground is felt from here on, g.
+/// A reading beyond this is the impact, g.
 pub(super) const TRIGGER_G: f64 = 3.0;
 /// Length of the impact, s: the paper's drops have their peak within it, or hit twice.
 pub(super) const WINDOW_S: f64 = 0.025;
 /// Below this mean magnitude over [`FALL_SAMPLES`] a frame falls, g: held it feels 1 g, in free fall 0.3 g of noise.
 const FALL_G: f64 = 0.6;
-/// Samples that a fall is told by.
+/// Samples by which a fall is recognised.
 const FALL_SAMPLES: usize = 5;
-/// Samples of the fall, its last, that the noise is told by: the first may hold the release.
+/// Samples of the fall, its last, from which the noise is estimated: the first may hold the release.
 const NOISE_SAMPLES: usize = 200;
-/// The ground has let go when so long nothing above [`TRIGGER_G`] is felt, s.
+/// The frame has left the ground when no reading is above [`TRIGGER_G`] for this long, s.
 const QUIET_S: f64 = 0.005;
 
-/// What a record holds.
+/// The impact in a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Impact {
     /// Sample before the first above 3 g; contact begins here or up to one step later.
@@ -36,7 +36,7 @@ pub struct Impact {
     pub impulse_m_s: f64,
     /// The same of the magnitude.
     pub impulse_magnitude_m_s: f64,
-    /// First sample after the window that is felt again after a rest: the frame has come down a second time.
+    /// First sample beyond the trigger after a pause behind the window: the frame has come down a second time.
     pub second_hit: Option<usize>,
     /// From release to second hit, s: how long the frame flew.
     pub flight_s: Option<f64>,
@@ -47,7 +47,7 @@ pub struct Impact {
 }
 
 impl Impact {
-    /// Finds the impact; `None` when nothing above 3 g is felt.
+    /// Finds the impact; `None` when no reading is above 3 g.
     pub fn of(record: &Record) -> Option<Self> {
         let size = |sample: usize| record.size_g(sample);
         let count = record.len();
@@ -97,13 +97,13 @@ impl Impact {
     }
 }
 
-/// The release, after which nothing is felt for a while, and the first sample that is felt then.
+/// The release, behind which no reading is beyond the trigger for a while, and the first one that is beyond it again.
 fn second_hit(record: &Record, trigger: usize, window_end: usize) -> (Option<usize>, Option<usize>) {
     let count = record.len();
-    let felt = |sample: &usize| record.size_g(*sample) > TRIGGER_G;
-    let mut last = (trigger..window_end.min(count)).rev().find(felt).unwrap_or(trigger);
+    let beyond_trigger = |sample: &usize| record.size_g(*sample) > TRIGGER_G;
+    let mut last = (trigger..window_end.min(count)).rev().find(beyond_trigger).unwrap_or(trigger);
     for sample in window_end..count {
-        if felt(&sample) {
+        if beyond_trigger(&sample) {
             if record.t_s[sample] - record.t_s[last] > QUIET_S {
                 return (Some(last), Some(sample));
             }

@@ -1,7 +1,7 @@
 //! Drops as they were measured: reading records, finding the impact in each, judging it, summing up a height.
 //!
 //! [`read`] takes files and folders: the logger's `.bin` files, calibrated by a [`Calibration`], and CSV tables. It gives a
-//! [`DropSet`], records grouped by frame and height. [`Impact`] is what a record holds, [`Flag`] what is wrong with it,
+//! [`DropSet`], records grouped by frame and height. [`Impact`] is the impact in a record, [`Flag`] what is wrong with it,
 //! [`Summary`] what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
 //! positive while the ground pushes, 0 in free fall. Static tests and readings of a scale are read here, too.
 

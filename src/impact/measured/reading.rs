@@ -65,7 +65,7 @@ pub fn read(paths: &[PathBuf], calibration: &Calibration) -> Result<DropSet, Mal
             }
         } else {
             let kind = Kind::of(path).ok_or_else(|| {
-                let what = "of no kind that is known by its ending".into();
+                let what = "of no kind that is identified by its ending".into();
                 malformed(path, SourcePosition::Whole, Fault::Foreign { what })
             })?;
             found.files.push((path.clone(), kind));

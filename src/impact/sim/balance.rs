@@ -1,4 +1,4 @@
-//! Where the energy is at a moment: what came in, what each term holds and has lost, what is left in the motion.
+//! Where the energy is at a moment: what came in, what each term has stored and lost, what is left in the motion.
 
 use serde::Serialize;
 

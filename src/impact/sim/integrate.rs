@@ -28,7 +28,7 @@ impl SolverOptions {
 pub enum Stop {
     /// It came to its end.
     End,
-    /// The body left every bound: the forces do not hold it.
+    /// The simulation diverges: the body leaves every bound.
     Diverges {
         /// When, s.
         t_s: f64,
@@ -55,7 +55,7 @@ const FIRST_S: f64 = 5e-5;
 const SHORTEST_S: f64 = 1e-13;
 /// Most steps tried.
 const MOST_STEPS: usize = 50_000;
-/// Compression, either way, beyond which the body has run away, m.
+/// Compression, either way, beyond which the simulation diverges, m.
 const FAR_M: f64 = 10.0;
 /// Sizes of the states to which the tolerance is added: x in m, v in m/s, all others.
 const SIZES: [f64; 3] = [1e-2, 1.0, 10.0];

@@ -222,10 +222,10 @@ impl System {
         let mut rates = [0.0; N];
         rates[0] = y[1];
         rates[1] = GRAVITY_M_S2 - frame;
-        let mut felt = if self.arrangement.sensor.on_payload { payload } else { frame };
+        let mut input = if self.arrangement.sensor.on_payload { payload } else { frame };
         for stage in FILTER..FILTER + self.arrangement.sensor.order {
-            rates[stage] = self.filter_rate_1_s * (felt - y[stage]);
-            felt = y[stage];
+            rates[stage] = self.filter_rate_1_s * (input - y[stage]);
+            input = y[stage];
         }
         for term in self.forces.iter().filter(|term| term.states > 0) {
             term.effect.rates(&term.motion(y), &mut rates[term.at..term.at + term.states]);

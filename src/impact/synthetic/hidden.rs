@@ -1,6 +1,6 @@
-//! Effects that the catalogue does not hold.
+//! Effects outside the catalogue.
 
-/// A truth beyond the catalogue.
+/// A truth outside the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hidden {
     /// A second spring from `x1_m` on that gives back a part of its force only on the way up.
@@ -36,7 +36,7 @@ pub enum Hidden {
 }
 
 impl Hidden {
-    /// Names in plant files.
+    /// Names in plans.
     pub const NAMES: [&str; 4] = ["two_stage", "two_modes", "wear", "snap"];
 
     /// Its name.

@@ -1,7 +1,8 @@
-//! Drops with a known truth: what `diagnose` is tested on. SI units, readings in g.
+//! Synthetic drops with a known truth, on which `diagnose` is tested. SI units, readings in g.
 //!
-//! Nothing here is shared with `sim` but the numbers of a model: the equations are written again, and integrated by the
-//! classical method of order 4 in steps of microseconds. [`Hidden`] holds what the catalogue of effects does not.
+//! Nothing here is shared with `sim` but the numbers of a model. The equations are written a second time, each effect's in its
+//! record (`effects::Generator` says why), and integrated by the classical Runge-Kutta method of order 4 in steps of microseconds.
+//! [`Hidden`] holds effects outside the catalogue.
 
 mod bezier;
 mod hidden;
@@ -11,5 +12,5 @@ mod trajectory;
 
 pub use hidden::Hidden;
 pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, TrialVariation};
-pub use records::{SyntheticRecord, clean, records};
+pub use records::{SyntheticRecord, records};
 pub use trajectory::ReferenceTrajectory;

@@ -1,37 +1,37 @@
-//! What to plant, from a file.
+//! A plan of synthetic drops, from a file.
 
 use super::Hidden;
 use crate::impact::effects::Model;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
 
-/// How drops of the same kind differ.
+/// How drops from the same height vary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrialVariation {
-    /// Coloured scatter of the readings, part of the reading.
+    /// Coloured noise of the readings: standard deviation over the reading.
     pub share: f64,
-    /// Time after which it has forgotten itself to 1/e, s.
+    /// Its correlation time, s.
     pub correlation_s: f64,
-    /// TrialVariation of the spring from drop to drop, part of it.
+    /// Relative standard deviation of the stiffness between drops.
     pub stiffness: f64,
-    /// The same of the damper.
+    /// The same of the damping.
     pub damping: f64,
-    /// TrialVariation of the sensor's tilt from drop to drop, deg.
+    /// Standard deviation of the sensor's tilt between drops, deg.
     pub tilt_deg: f64,
 }
 
-/// What to plant.
+/// A plan of synthetic drops.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The truth as far as the catalogue holds it.
+    /// The truth as far as it is in the catalogue.
     pub model: Model,
-    /// The truth beyond.
+    /// The truth outside the catalogue.
     pub hidden: Option<Hidden>,
     /// Heights, m.
     pub heights_m: Vec<f64>,
     /// Drops a height.
     pub drops: usize,
-    /// How they differ.
+    /// How they vary.
     pub scatter: TrialVariation,
     /// White noise of a reading, g.
     pub noise_g: f64,
@@ -43,7 +43,7 @@ pub struct Plan {
     pub seed: u64,
 }
 
-/// A plain number of a plant file: key, bounds, unit, and what holds when it is not stated.
+/// A plain number of a plan: key, bounds, unit, and default.
 pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
     ("drops.seed", [0.0, 9e15], "1", 1.0),
@@ -84,7 +84,7 @@ impl Plan {
         Ok(Self::resolve(&ImpactFile::load(path)?)?)
     }
 
-    /// A plant file's meaning.
+    /// A plan file's meaning.
     ///
     /// # Errors
     /// What it says that cannot be, with its place.

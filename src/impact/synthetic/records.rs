@@ -1,4 +1,4 @@
-//! Records of planted drops, as a logger would have written them.
+//! Records of synthetic drops, as a logger would have written them.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
@@ -13,7 +13,7 @@ const BEFORE_S: f64 = 0.012;
 /// Logged from first touch on, s.
 const AFTER_S: f64 = 0.040;
 
-/// One planted drop.
+/// One synthetic drop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SyntheticRecord {
     /// Its name.
@@ -41,12 +41,6 @@ pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
         }
     }
     all
-}
-
-/// The wave of one drop without anything random, at steps of 0.05 ms from first touch, within the sensor's limit.
-pub fn clean(plan: &Plan, height_m: f64) -> Vec<f64> {
-    let trajectory = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
-    wave(&trajectory, height_m).into_iter().map(|reading| reading.clamp(-trajectory.limit_g(), trajectory.limit_g())).collect()
 }
 
 fn wave(trajectory: &ReferenceTrajectory, height_m: f64) -> Vec<f64> {

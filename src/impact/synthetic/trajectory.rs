@@ -1,4 +1,4 @@
-//! The drop written once more, as plainly as it can be: one right-hand side, fixed steps.
+//! The drop with a known truth: one right-hand side, written as plainly as possible, and fixed steps.
 
 use super::Hidden;
 use super::bezier::Bezier;

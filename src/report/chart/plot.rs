@@ -18,7 +18,7 @@ pub(in crate::report) type Area<B> = DrawingArea<B, Shift>;
 /// How drawing went.
 pub(in crate::report) type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
 
-/// Colours that can be told apart by most eyes (M. Okabe, K. Ito), by number.
+/// Colours that most people can distinguish (M. Okabe, K. Ito), by number.
 pub(in crate::report) fn colour(number: usize) -> RGBColor {
     const COLOURS: [(u8, u8, u8); 7] =
         [(0, 114, 178), (213, 94, 0), (0, 158, 115), (204, 121, 167), (230, 159, 0), (86, 180, 233), (90, 90, 90)];

@@ -1,14 +1,11 @@
 //! A diagnosis as data.
 
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::drop_data;
-use super::own_mode::OwnMode;
-use crate::impact::diagnose::{Candidate, Diagnosis, EffectEstimate, Gaps, Ranked, joined};
+use crate::impact::diagnose::{Diagnosis, EffectEstimate, FrameMode, Gaps, Ranked, StaticComparison};
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
-use crate::impact::measured::{Fall, StaticTest};
-use crate::impact::sim::System;
+use crate::impact::measured::Fall;
 
 /// What was compared, for the record.
 #[derive(Clone, Debug)]
@@ -23,20 +20,20 @@ pub struct Compared {
     pub drops: Vec<(f64, usize)>,
     /// Drops left out, with the reason.
     pub left_out: Vec<(String, String)>,
-    /// Heights that no fit saw, m.
+    /// Held-out heights, m.
     pub held_out_heights_m: Vec<f64>,
     /// Seed.
     pub seed: u64,
-    /// How long drops fell, a height each.
+    /// Duration of the fall, for each height.
     pub falls: Vec<Fall>,
     /// A static test beside the models.
-    pub static_test: Option<Pressed>,
+    pub static_test: Option<StaticComparison>,
     /// A frame's own mode beside the one found.
-    pub own_mode: Option<OwnMode>,
+    pub frame_mode: Option<FrameMode>,
 }
 
 impl Compared {
-    /// What falls and static test say, in sentences.
+    /// Falls, static test and frame mode, in sentences.
     pub fn observed(&self) -> Vec<String> {
         let falls = self.falls.iter().map(|fall| {
             format!(
@@ -48,46 +45,26 @@ impl Compared {
                 if fall.agrees() { "it agrees with the height" } else { "the height is not what was stated, or the release was not free" }
             )
         });
-        let pressed = self.static_test.iter().flat_map(Pressed::sentences);
-        falls.chain(pressed).chain(self.own_mode.iter().map(OwnMode::sentence)).collect()
+        let static_test = self.static_test.iter().flat_map(static_sentences);
+        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).collect()
     }
 }
 
-/// A static test beside the models of a diagnosis. It is compared, not fitted.
-#[derive(Clone, Debug, Serialize)]
-pub struct Pressed {
-    /// Points.
-    pub points: usize,
-    /// Straight line through the origin, N/m.
-    pub line_n_m: f64,
-    /// What that leaves, rms, N.
-    pub line_off_n: f64,
-    /// What the base model leaves, its spring fitted to the drops, rms, N.
-    pub base_off_n: f64,
-    /// What the sets of effects leave, the chosen one first, rms, N.
-    pub sets_off_n: Vec<(String, f64)>,
+fn static_sentences(test: &StaticComparison) -> Vec<String> {
+    let line = format!(
+        "static test, {} points: its own straight line, {:.0} N/m, has a residual of {:.1} N, the base model one of {:.1} N",
+        test.points, test.line_n_m, test.line_off_n, test.base_off_n
+    );
+    let sets = test.sets_off_n.iter().map(|(ids, off_n)| format!("static test: {ids} has a residual of {off_n:.1} N"));
+    std::iter::once(line).chain(sets).collect()
 }
 
-impl Pressed {
-    /// Compares.
-    pub fn of(test: &StaticTest, diagnosis: &Diagnosis) -> Self {
-        let off_n = |candidate: &Candidate| {
-            let system = System::new(candidate.model());
-            test.off_n(|x_m| system.slow_force_n(x_m))
-        };
-        let (line_n_m, line_off_n) = test.line_through_origin();
-        let sets = diagnosis.alternatives.iter().map(|set| &set.candidate).filter(|set| !set.ids().is_empty());
-        let sets_off_n = sets.map(|set| (joined(set), off_n(set))).collect();
-        Self { points: test.points.len(), line_n_m, line_off_n, base_off_n: off_n(&diagnosis.base), sets_off_n }
-    }
-
-    fn sentences(&self) -> Vec<String> {
-        let line = format!(
-            "static test, {} points: its own straight line, {:.0} N/m, has a residual of {:.1} N, the base model one of {:.1} N",
-            self.points, self.line_n_m, self.line_off_n, self.base_off_n
-        );
-        let sets = self.sets_off_n.iter().map(|(ids, off_n)| format!("static test: {ids} has a residual of {off_n:.1} N"));
-        std::iter::once(line).chain(sets).collect()
+fn frame_mode_sentence(mode: &FrameMode) -> String {
+    let own = format!("the frame's own modes are equivalent to a payload mode of mu {:.3} at {:.0} Hz", mode.mu, mode.f_hz);
+    match (mode.fitted, mode.agrees) {
+        (None, _) => format!("{own}; none is chosen"),
+        (Some([mu, f_hz]), true) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, agrees"),
+        (Some([mu, f_hz]), false) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, differs"),
     }
 }
 
@@ -135,7 +112,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
         "correlations": { "of": keys, "matrix": correlations },
         "gap": gaps(diagnosis),
-        "where": place(diagnosis),
+        "where": residual_map(diagnosis),
         "lack_of_fit_p": rounded(diagnosis.adequacy.p),
         "base_lack_of_fit": adequacy(&diagnosis.base_adequacy),
         "lack_of_fit": adequacy(&diagnosis.adequacy),
@@ -143,8 +120,8 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "observables": diagnosis.observables,
         "falls": compared.falls,
         "static_test": compared.static_test,
-        "clipping": diagnosis.clipping.map(|flat| json!({ "level_g": rounded(flat.level_g), "readings": flat.readings })),
-        "restoring_force_left": diagnosis.surface,
+        "clipping": diagnosis.clipping.map(|clipping| json!({ "level_g": rounded(clipping.level_g), "readings": clipping.readings })),
+        "restoring_force_left": diagnosis.residual_force,
         "next_experiment": diagnosis.experiments.first(),
         "experiments": diagnosis.experiments,
         "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
@@ -153,7 +130,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "held_out_heights_m": compared.held_out_heights_m,
         "seed": compared.seed,
     });
-    if let Some(mode) = &compared.own_mode {
+    if let Some(mode) = &compared.frame_mode {
         all["frame_mode"] = json!(mode);
     }
     all
@@ -210,16 +187,16 @@ fn gaps(diagnosis: &Diagnosis) -> Value {
     })
 }
 
-fn place(diagnosis: &Diagnosis) -> Value {
-    json!({ "cells": diagnosis.place.cells, "worst": diagnosis.place.worst, "same_in": diagnosis.place.same_in })
+fn residual_map(diagnosis: &Diagnosis) -> Value {
+    json!({ "cells": diagnosis.residual_map.cells, "worst": diagnosis.residual_map.worst, "same_in": diagnosis.residual_map.same_in })
 }
 
 fn adequacy(adequacy: &crate::impact::diagnose::Adequacy) -> Value {
-    let [sum, effect, bump] = adequacy.single_p;
+    let [sum, effect, local] = adequacy.single_p;
     json!({
         "p": rounded(adequacy.p),
         "sum_of_squares": { "value": rounded(adequacy.statistics.sum), "p": rounded(sum) },
         "largest_gain_by_an_effect": { "value": rounded(adequacy.statistics.effect), "p": rounded(effect) },
-        "largest_bump": { "value": rounded(adequacy.statistics.bump), "p": rounded(bump) },
+        "largest_bump": { "value": rounded(adequacy.statistics.local), "p": rounded(local) },
     })
 }

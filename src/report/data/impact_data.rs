@@ -13,9 +13,9 @@ pub struct Impacts<'a> {
     pub settings: &'a Settings,
     /// Mass of the whole frame, g.
     pub mass_g: f64,
-    /// Room under what hangs lowest, mm; none of a frame that is turned.
+    /// Clearance of the lowest body above the ground, mm; none for a frame that is tilted.
     pub gap_mm: Option<f64>,
-    /// How far the frame is turned about X and Y when it touches, degrees.
+    /// Tilt of the frame about X and Y when it touches, degrees.
     pub tilt_deg: [f64; 2],
     /// Height by height.
     pub impacts: &'a [Impact],

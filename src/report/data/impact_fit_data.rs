@@ -8,7 +8,7 @@ use crate::impact::frame_fit::{FrameFit, Height, Predicted};
 pub struct Fitted<'a> {
     /// The frame's name.
     pub frame: &'a str,
-    /// What the drops say.
+    /// The figures of the drops.
     pub heights: &'a [Height],
     /// The fit.
     pub fit: &'a FrameFit,

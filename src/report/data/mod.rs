@@ -6,5 +6,4 @@ pub mod fit_data;
 pub mod impact_data;
 pub mod impact_fit_data;
 pub mod measure_data;
-pub mod own_mode;
 pub mod stiffness_data;

@@ -7,7 +7,7 @@ use crate::mechanics::result::static_curve::{Inside, StaticCurve};
 use crate::mechanics::settings::Settings;
 use crate::mechanics::solve::modes::Modes;
 
-/// What was computed and what it is held against.
+/// What was computed and what it is compared with.
 pub struct Stiffness<'a> {
     /// The frame's name.
     pub frame: &'a str,
@@ -27,7 +27,7 @@ pub struct Stiffness<'a> {
     pub ratios: Option<(&'a str, &'a [Ratio])>,
 }
 
-/// Displacements at which the secant is told, mm.
+/// Displacements at which the secant is reported, mm.
 const SECANTS_MM: [f64; 4] = [4.0, 8.0, 12.0, 16.0];
 
 impl Stiffness<'_> {

@@ -26,10 +26,10 @@ pub fn blocks(diagnosis: &Diagnosis, compared: &Compared) -> Result<Vec<Block>, 
     blocks.extend(drops(diagnosis, compared));
     blocks.extend(gaps(diagnosis));
     blocks.extend(waves(diagnosis)?);
-    blocks.extend(place(diagnosis));
+    blocks.extend(residual_map(diagnosis));
     blocks.extend(ranking(diagnosis));
     blocks.extend(estimates(diagnosis));
-    blocks.extend(left(diagnosis));
+    blocks.extend(residual(diagnosis));
     blocks.extend(next(diagnosis));
     Ok(blocks)
 }
@@ -58,8 +58,8 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     let mut lines = vec![format!("Channel: {} (the model states: {}).", compared.channel, compared.stated_channel)];
     lines.extend(compared.channel_reason.clone());
     lines.extend(compared.observed());
-    if let Some(flat) = diagnosis.clipping {
-        lines.push(format!("{} readings clip at {:.1} g.", flat.readings, flat.level_g));
+    if let Some(clipping) = diagnosis.clipping {
+        lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));
     }
     lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
     lines.extend(compared.left_out.iter().map(|(trial, reason)| format!("Left out: {trial}, {reason}.")));
@@ -165,9 +165,9 @@ fn figure(name: &str, chart: &Lines, caption: String) -> Result<Block, PlotError
     Ok(Block::Figure { name: name.into(), svg: String::from_utf8_lossy(&svg).into_owned(), caption })
 }
 
-fn place(diagnosis: &Diagnosis) -> Vec<Block> {
+fn residual_map(diagnosis: &Diagnosis) -> Vec<Block> {
     let rows = diagnosis
-        .place
+        .residual_map
         .cells
         .iter()
         .map(|cell| {
@@ -179,7 +179,7 @@ fn place(diagnosis: &Diagnosis) -> Vec<Block> {
             ]
         })
         .collect();
-    let (worst, same) = (&diagnosis.place.worst, &diagnosis.place.same_in);
+    let (worst, same) = (&diagnosis.residual_map.worst, &diagnosis.residual_map.same_in);
     vec![
         Block::Heading("Residual of the base model".into()),
         Block::Table(cells(["height, m", "phase", "residual, g", "standard error, g"]), rows),
@@ -249,26 +249,26 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
     blocks
 }
 
-fn left(diagnosis: &Diagnosis) -> Vec<Block> {
-    let [sum, effect, bump] = diagnosis.adequacy.single_p;
+fn residual(diagnosis: &Diagnosis) -> Vec<Block> {
+    let [sum, effect, local] = diagnosis.adequacy.single_p;
     let mut blocks = vec![
         Block::Heading("Is the residual within trial variation?".into()),
         Block::Text(format!(
-            "p-value of the residual after, from bootstrap replicates: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a local deviation {bump:.3}). Before: p = {:.3}.",
+            "p-value of the residual after, from bootstrap replicates: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a local deviation {local:.3}). Before: p = {:.3}.",
             diagnosis.adequacy.p, diagnosis.base_adequacy.p
         )),
     ];
-    if !diagnosis.surface.is_empty() {
+    if !diagnosis.residual_force.is_empty() {
         let rows = diagnosis
-            .surface
+            .residual_force
             .iter()
-            .filter(|patch| patch.force_n.abs() > 2.0 * patch.error_n)
-            .map(|patch| {
+            .filter(|cell| cell.force_n.abs() > 2.0 * cell.error_n)
+            .map(|cell| {
                 vec![
-                    format!("{:.1}", patch.x_mm),
-                    format!("{:.2}", patch.v_m_s),
-                    format!("{:.1} ± {:.1}", patch.force_n, patch.error_n),
-                    patch.samples.to_string(),
+                    format!("{:.1}", cell.x_mm),
+                    format!("{:.2}", cell.v_m_s),
+                    format!("{:.1} ± {:.1}", cell.force_n, cell.error_n),
+                    cell.samples.to_string(),
                 ]
             })
             .collect();

@@ -43,7 +43,7 @@ pub struct Study {
     pub judged: Diagnosis,
     /// Both again with the real frame's own static curve among the effects.
     pub with_curve: [Diagnosis; 2],
-    /// The rider that the frame's symmetric modes stand for: share, and frequency, Hz.
+    /// The rider that the frame's symmetric modes are equivalent to: share, and frequency, Hz.
     pub rider: Option<[f64; 2]>,
 }
 
@@ -166,7 +166,7 @@ impl Study {
     }
 
     fn place(&self, page: &mut String) {
-        let (same, worst) = (&self.all.place.same_in, &self.all.place.worst);
+        let (same, worst) = (&self.all.residual_map.same_in, &self.all.residual_map.worst);
         let _ = write!(
             page,
             "## The residual of the base model\n\n\

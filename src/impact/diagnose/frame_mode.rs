@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
-use crate::impact::diagnose::Diagnosis;
+use super::diagnosis::Diagnosis;
 use crate::impact::effects::PAYLOAD_MODE;
 
 /// The mode, and what the diagnosis found in its place.
 #[derive(Clone, Debug, Serialize)]
-pub struct OwnMode {
+pub struct FrameMode {
     /// Share of the mass that rides, by the frame's symmetric modes.
     pub mu: f64,
     /// Its frequency on a frame that is held, Hz.
@@ -18,7 +18,7 @@ pub struct OwnMode {
     pub agrees: bool,
 }
 
-impl OwnMode {
+impl FrameMode {
     /// Compares.
     pub fn of([mu, f_hz]: [f64; 2], diagnosis: &Diagnosis) -> Self {
         let of = |key: &str| diagnosis.estimates.iter().find(|one| one.effect == PAYLOAD_MODE.id && one.key == key);
@@ -26,15 +26,5 @@ impl OwnMode {
         let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
         let agrees = fitted.is_some_and(|(share, frequency)| within(mu, share.ci95) && within(f_hz, frequency.ci95));
         Self { mu, f_hz, fitted: fitted.map(|(share, frequency)| [share.value, frequency.value]), agrees }
-    }
-
-    /// In words.
-    pub fn sentence(&self) -> String {
-        let own = format!("the frame's own modes are equivalent to a payload mode of mu {:.3} at {:.0} Hz", self.mu, self.f_hz);
-        match (self.fitted, self.agrees) {
-            (None, _) => format!("{own}; none is chosen"),
-            (Some([mu, f_hz]), true) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, agrees"),
-            (Some([mu, f_hz]), false) => format!("{own}; the fitted mode, mu {mu:.3} at {f_hz:.0} Hz, differs"),
-        }
     }
 }

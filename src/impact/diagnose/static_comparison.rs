@@ -1,0 +1,37 @@
+//! A static test beside the models of a diagnosis.
+
+use serde::Serialize;
+
+use super::candidate::Candidate;
+use super::diagnosis::{Diagnosis, joined};
+use crate::impact::measured::StaticTest;
+use crate::impact::sim::System;
+
+/// A static test beside the models of a diagnosis. It is compared, not fitted.
+#[derive(Clone, Debug, Serialize)]
+pub struct StaticComparison {
+    /// Points.
+    pub points: usize,
+    /// Straight line through the origin, N/m.
+    pub line_n_m: f64,
+    /// What that leaves, rms, N.
+    pub line_off_n: f64,
+    /// What the base model leaves, its spring fitted to the drops, rms, N.
+    pub base_off_n: f64,
+    /// What the sets of effects leave, the chosen one first, rms, N.
+    pub sets_off_n: Vec<(String, f64)>,
+}
+
+impl StaticComparison {
+    /// Compares.
+    pub fn of(test: &StaticTest, diagnosis: &Diagnosis) -> Self {
+        let off_n = |candidate: &Candidate| {
+            let system = System::new(candidate.model());
+            test.off_n(|x_m| system.slow_force_n(x_m))
+        };
+        let (line_n_m, line_off_n) = test.line_through_origin();
+        let sets = diagnosis.alternatives.iter().map(|set| &set.candidate).filter(|set| !set.ids().is_empty());
+        let sets_off_n = sets.map(|set| (joined(set), off_n(set))).collect();
+        Self { points: test.points.len(), line_n_m, line_off_n, base_off_n: off_n(&diagnosis.base), sets_off_n }
+    }
+}
