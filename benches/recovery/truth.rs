@@ -57,7 +57,7 @@ pub fn waves(plan: &Plan) -> Waves {
         t_s: record.t_s,
         accel_g: record.accel_g,
     };
-    Waves::of(&records(plan).into_iter().map(drop).collect::<Vec<_>>()).expect("planted drops are usable")
+    Waves::of(&records(plan).into_iter().map(drop).collect::<Vec<_>>()).expect("synthetic drops are usable")
 }
 
 /// A truth's noise-free mean waves with the generator's own covariance of the mean: read off many drops, or by quadrature

@@ -18,7 +18,7 @@ use super::search::{RARE, Search, SearchContext};
 use super::stage::Stage;
 use super::trend::trend_p;
 use crate::impact::effects::{CATALOGUE, Model, Spec, candidates};
-use crate::impact::fit::{Waves, inverse};
+use crate::impact::fit::{FitProblem, Waves, inverse};
 
 /// What was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -236,17 +236,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
         trend,
     });
     let (estimates, correlations) = estimates(&chosen, &level.adequacy)?;
-    let gaps = |candidate: &Candidate| {
-        Some(Gaps {
-            fitted: gap(problem, fitted, candidate.model())?,
-            held_out: match held_out {
-                Some(waves) => gap(problem, waves, candidate.model())?,
-                None if fitted.groups.len() > 1 => left_out_heights(problem, fitted, candidate)?,
-                None => Gap::default(),
-            },
-            trials: left_out_trials(problem, fitted, candidate)?,
-        })
-    };
+    let gaps = |candidate: &Candidate| gaps(problem, fitted, held_out, candidate);
     let (before, after) = (gaps(&base)?, gaps(&chosen)?);
     let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
     let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or(search.levels.get(1)?.candidates.first());
@@ -275,6 +265,19 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
         experiments,
         base,
         chosen,
+    })
+}
+
+/// The gaps of a candidate at the fitted heights, the held-out ones and between trials.
+fn gaps(problem: &FitProblem, fitted: &Waves, held_out: Option<&Waves>, candidate: &Candidate) -> Option<Gaps> {
+    Some(Gaps {
+        fitted: gap(problem, fitted, candidate.model())?,
+        held_out: match held_out {
+            Some(waves) => gap(problem, waves, candidate.model())?,
+            None if fitted.groups.len() > 1 => left_out_heights(problem, fitted, candidate)?,
+            None => Gap::default(),
+        },
+        trials: left_out_trials(problem, fitted, candidate)?,
     })
 }
 
