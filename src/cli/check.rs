@@ -12,7 +12,7 @@ use crate::checks::gate::{Baseline, CheckedFrame, Outcome, Policy, Refused, Stan
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile, LoadError};
 
@@ -48,7 +48,8 @@ pub(super) fn check(options: &CheckOptions, common: &Common) -> Result<ExitCode,
     say(options, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &options.baseline) {
         for done in acceptance::no_longer_failing(list, &outcomes) {
-            let line = format!("note: {}: {} of {} is good now; strike it from {}", done.frame, done.rule, done.subject, path.display());
+            let line =
+                format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display());
             terminal::tell(&line);
         }
     }
@@ -76,7 +77,7 @@ fn hold(asked: &str, options: &CheckOptions, policy: Policy, cache: &Cache) -> R
 }
 
 /// What the design drop of the frame's own model does to it.
-fn strength(frame: Frame, file: &FrameFile, settings: &Settings) -> Result<Vec<Finding>, Failure> {
+fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file)?;
     let found = predict(&design, &mass::table(&design), settings).map_err(stiffness::refused)?;
     Ok(checks::strength(&design, &settings.limits, &found))

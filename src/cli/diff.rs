@@ -11,7 +11,7 @@ use super::session::{self, Failure};
 use super::stiffness;
 use super::terminal;
 use crate::checks;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
 use crate::report::page::diff_page;
@@ -61,7 +61,7 @@ pub(super) fn diff(options: &DiffOptions, common: &Common) -> Result<ExitCode, F
     Ok(if exceeded.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-fn sides(options: &DiffOptions, settings: Option<&Settings>) -> Result<[Side; 2], Failure> {
+fn sides(options: &DiffOptions, settings: Option<&MechanicsSettings>) -> Result<[Side; 2], Failure> {
     match (&options.git, options.frames.as_slice()) {
         (None, [a, b]) => Ok([side(a, &Disk, "", settings)?, side(b, &Disk, "", settings)?]),
         (Some(name), [frame]) => {
@@ -74,7 +74,7 @@ fn sides(options: &DiffOptions, settings: Option<&Settings>) -> Result<[Side; 2]
     }
 }
 
-fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&Settings>) -> Result<Side, Failure> {
+fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&MechanicsSettings>) -> Result<Side, Failure> {
     let (frame, file) = session::resolved(FrameFile::load_from(frame, files)?)?;
     let name = format!("{}{suffix}", frame.name);
     let mut evaluation = Evaluation::of(session::designed(frame, &file)?);
@@ -106,13 +106,13 @@ fn exceeded(increase: &Increase, sides: &[Side; 2]) -> Option<String> {
     let [before, after] = sides.each_ref().map(|side| increase.measure.of(&side.evaluation));
     let grown = increase.exceeded(before, after)?;
     let Increase { measure, most } = increase;
-    let (name, unit, told) = (measure.name, measure.unit, measure.told(Some(grown)));
+    let (name, unit, told) = (measure.name, measure.unit, measure.reported(Some(grown)));
     if told.parse::<f64>().is_ok_and(|told| told <= *most) {
         return None;
     }
     Some(format!(
         "{name} grew by {told} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
-        measure.told(before),
-        measure.told(after)
+        measure.reported(before),
+        measure.reported(after)
     ))
 }

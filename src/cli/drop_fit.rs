@@ -15,14 +15,14 @@ use crate::impact::frame_fit::{Height, Subject, Surface, fit};
 use crate::impact::measured;
 use crate::impact::measured::{DropSet, Summary};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::report::data::impact_fit_data;
 use crate::report::data::impact_fit_data::Fitted;
 
 /// Fits a frame's own model to drops and writes its folder.
 pub(super) fn drop_fit(options: &DropOptions, common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(options)?;
-    let settings = Settings::load(options.mechanics.as_deref())?;
+    let settings = MechanicsSettings::load(options.mechanics.as_deref())?;
     let set = measured::read(&options.fit, &calibration(&options.calibration)?)?;
     let heights = heights(&set)?;
     let working = Progress::of("fitting", common);

@@ -10,7 +10,7 @@ use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::LOGGER_HZ;
 use crate::mechanics::result::reduction::Reduction;
 use crate::mechanics::result::static_curve::StaticCurve;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use std::sync::Arc;
 
 /// How far the frame is pressed for its curve, mm.
@@ -24,7 +24,7 @@ pub(super) fn model(
     masses: &MassTable,
     quarter: &FrameModel,
     curve: &StaticCurve,
-    settings: &Settings,
+    settings: &MechanicsSettings,
 ) -> Result<Model, Failure> {
     let reduction = Reduction::of(quarter, curve, settings).map_err(refused)?;
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());

@@ -6,7 +6,7 @@ use super::arguments::{FrameOption, MechanicsOption};
 use super::choice;
 use crate::frame::assembly::{Design, DesignError};
 use crate::impact::measured::Malformed;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::{Reason, Refusal, nearest};
@@ -38,8 +38,8 @@ pub enum Failure {
 }
 
 /// Numbers of the mechanics, where they are to be asked.
-pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<Settings>, Failure> {
-    Ok(option.strength.then(|| Settings::load(option.mechanics.as_deref())).transpose()?)
+pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<MechanicsSettings>, Failure> {
+    Ok(option.strength.then(|| MechanicsSettings::load(option.mechanics.as_deref())).transpose()?)
 }
 
 impl Failure {

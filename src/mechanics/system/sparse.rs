@@ -130,7 +130,7 @@ impl Pattern {
         Work { factors: vec![0.0; self.symbolic.len_val()], memory: MemBuffer::new(need) }
     }
 
-    /// How many directions the factorised matrix gives way in: negative pivots (J. J. Sylvester's law of inertia).
+    /// How many directions the factorised matrix is unstable in: negative pivots (J. J. Sylvester's law of inertia).
     pub fn negative_pivots(&self, work: &Work) -> usize {
         match self.symbolic.raw() {
             SymbolicCholeskyRaw::Simplicial(factor) => {
