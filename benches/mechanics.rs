@@ -6,13 +6,13 @@ use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;
 use flexframe::mechanics::result::impact::{Impact, Run};
 use flexframe::mechanics::result::static_curve::StaticCurve;
-use flexframe::mechanics::settings::Settings;
+use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::mechanics::solve::modes::Modes;
 use flexframe::params::Frame;
 
 fn mechanics(criterion: &mut Criterion) {
     let design = Design::new(Frame::load("cognifly-v8").expect("is valid").0).expect("closes");
-    let (masses, settings) = (mass::table(&design), Settings::load(None).expect("is sound"));
+    let (masses, settings) = (mass::table(&design), MechanicsSettings::load(None).expect("is sound"));
     let parts = part_models(&design, &settings).expect("are cut");
     let model = |extent| FrameModel::of_parts(&design, &parts, &masses, &settings, extent).expect("has a model");
     let (quarter, whole) = (model(Extent::Quarter), model(Extent::Whole));

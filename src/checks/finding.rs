@@ -29,7 +29,7 @@ pub struct Finding {
     pub verdict: Verdict,
     /// What was measured.
     pub value: f64,
-    /// What it is held against.
+    /// What it is compared with.
     pub limit: f64,
     /// How far the value is on the good side of the limit; 0 when it misses by less than it may be mismeasured, negative
     /// when by more.

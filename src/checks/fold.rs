@@ -94,7 +94,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
         Err(error) => return vec![refused(&error), preload(scene)],
     };
     let pulled = measure(fold.entry.pulled, MOST_PULLED, "", HOLD);
-    let told = format!(
+    let text = format!(
         "{} steps; while the triangle closes its rods stand out by {:.0} % of their hold, {:.0} % are allowed",
         fold.steps.len(),
         100.0 * fold.entry.pulled,
@@ -103,7 +103,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let error_mm = fold.steps.iter().filter_map(|step| step.loop_error_mm).fold(0.0, f64::max);
     let closed = measure(error_mm, CLOSED_MM, "mm", &[]);
     let closes = format!("the triangle of arms, strut and leg closes within {error_mm:.3} mm, {CLOSED_MM} mm are allowed");
-    vec![pulled.at_most("fold: hold".into(), told), closed.at_most("fold: closure".into(), closes), preload(scene), flat(scene)]
+    vec![pulled.at_most("fold: hold".into(), text), closed.at_most("fold: closure".into(), closes), preload(scene), flat(scene)]
 }
 
 /// Nothing is in the way of a step; without a sequence there is nothing to say.

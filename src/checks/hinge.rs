@@ -94,7 +94,7 @@ impl NotchPreload {
         let measure = Measure { rule: &RULE, value, limit, unit: "deg", levers: NOTCH };
         let beyond = value - limit;
         let message = if beyond > 0.0 {
-            format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces press by {beyond:.1} deg")
+            format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces are preloaded by {beyond:.1} deg")
         } else {
             format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: {:.1} deg stay open", -beyond)
         };

@@ -1,4 +1,4 @@
-//! The design drop: what the payload feels, how far the flexible parts stretch, how near the rods come to buckling.
+//! The design drop: the acceleration of the payload, how far the flexible parts stretch, how near the rods come to buckling.
 //!
 //! The numbers are those of the frame's own mechanics, `docs/mechanics.md`; limits and drop height stand in
 //! `params/mechanics.toml`. Strain is that of the drop alone, on top of what folding leaves.
@@ -31,7 +31,7 @@ pub fn strength(design: &Design, limits: &DropLimits, found: &Prediction) -> Vec
     let drop_m = found.drop_m;
     let peak = Measure { rule: &RULE, value: found.payload_peak_g, limit: limits.payload_peak_g, unit: "g", levers: PAYLOAD };
     let [value, limit] = peak.figures(1);
-    let message = format!("dropped from {drop_m} m the payload feels {value} g, {limit} g are allowed");
+    let message = format!("dropped from {drop_m} m the payload's peak is {value} g, {limit} g are allowed");
     let mut findings = vec![peak.at_most("payload".into(), message)];
     let (zone, strain) = found.strain;
     let breaks = design.frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);
@@ -43,7 +43,7 @@ pub fn strength(design: &Design, limits: &DropLimits, found: &Prediction) -> Vec
         let buckling =
             Measure { rule: &RULE, value: rod.compression_n, limit: rod.buckling_n / limits.buckling_factor, unit: "N", levers: BUCKLING };
         let [value, limit] = buckling.figures(0);
-        let message = format!("dropped from {drop_m} m {} is pressed by {value} N, {limit} N are allowed against buckling", rod.rod);
+        let message = format!("dropped from {drop_m} m {} is compressed by {value} N, {limit} N are allowed against buckling", rod.rod);
         findings.push(buckling.at_most(rod.rod.clone(), message));
     }
     findings
@@ -55,13 +55,13 @@ mod tests {
     use crate::checks::Verdict;
     use crate::frame::skeleton::RodRole;
     use crate::mechanics::result::strength::RodForce;
-    use crate::mechanics::settings::Settings;
+    use crate::mechanics::settings::MechanicsSettings;
     use crate::params::Frame;
 
     #[test]
     fn planted_a_hard_a_stretched_and_a_slender_frame() {
         let design = Design::new(Frame::load("cognifly-v8").expect("is valid").0).expect("closes");
-        let limits = Settings::load(None).expect("is sound").limits;
+        let limits = MechanicsSettings::load(None).expect("is sound").limits;
         let rod = RodForce { rod: "arm".into(), role: RodRole::Arm, compression_n: 10.0, buckling_n: 400.0 };
         let good = Prediction {
             initial_n_mm: 10.0,

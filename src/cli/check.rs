@@ -14,7 +14,7 @@ use crate::checks::gate::{Baseline, CheckedFrame, Outcome, Policy, Refused, Stan
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile, LoadError};
 
@@ -102,7 +102,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     say(args, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
         for done in acceptance::no_longer_failing(list, &outcomes) {
-            let line = format!("note: {}: {} of {} is good now; strike it from {}", done.frame, done.rule, done.subject, path.display());
+            let line =
+                format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display());
             terminal::tell(&line);
         }
     }
@@ -130,7 +131,7 @@ fn hold(asked: &str, args: &Args, policy: Policy, cache: &Cache) -> Result<Check
 }
 
 /// What the design drop of the frame's own model does to it.
-fn strength(frame: Frame, file: &FrameFile, settings: &Settings) -> Result<Vec<Finding>, Failure> {
+fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file)?;
     let found = predict(&design, &mass::table(&design), settings).map_err(mechanics_refused)?;
     Ok(checks::strength(&design, &settings.limits, &found))

@@ -13,7 +13,7 @@ use crate::export::stl;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
 use crate::printing::coupon::{Coupon, Found};
-use crate::printing::plates::Settings;
+use crate::printing::plates::PrintSettings;
 use crate::report::page::coupon_page;
 
 /// Write a small print that tells a printer's clearances; read what was found on it into a frame file.
@@ -50,7 +50,7 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
             stl::binary(&piece.mesh).map_err(|error| Failure::Machine { what: format!("cannot make {}.stl", piece.name), error })?;
         files.push((format!("{}.stl", piece.name), bytes));
         let material = &piece.material.material;
-        let settings = Settings::of_part(false, material, &frame.printer).ini() + &Settings::of_filament(material).ini();
+        let settings = PrintSettings::of_part(false, material, &frame.printer).ini() + &PrintSettings::of_filament(material).ini();
         files.push((format!("{}.ini", piece.name), settings.into_bytes()));
     }
     files.push(("coupon.png".into(), coupon_page::picture(&coupon)));

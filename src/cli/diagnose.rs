@@ -23,7 +23,7 @@ use crate::impact::measured;
 use crate::impact::measured::{Fall, StaticTest};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
-use crate::mechanics::settings::Settings as Mechanics;
+use crate::mechanics::settings::MechanicsSettings as Mechanics;
 use crate::report::data::diagnosis_data;
 use crate::report::data::diagnosis_data::Compared;
 use crate::report::data::drop_data;

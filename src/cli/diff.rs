@@ -11,7 +11,7 @@ use super::revision::Revision;
 use super::session;
 use super::terminal;
 use crate::checks;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
 use crate::report::page::diff_page;
@@ -87,7 +87,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(if exceeded.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-fn sides(args: &Args, settings: Option<&Settings>) -> Result<[Side; 2], Failure> {
+fn sides(args: &Args, settings: Option<&MechanicsSettings>) -> Result<[Side; 2], Failure> {
     match (&args.git, args.frames.as_slice()) {
         (None, [a, b]) => Ok([side(a, &Disk, "", settings)?, side(b, &Disk, "", settings)?]),
         (Some(name), [frame]) => {
@@ -100,7 +100,7 @@ fn sides(args: &Args, settings: Option<&Settings>) -> Result<[Side; 2], Failure>
     }
 }
 
-fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&Settings>) -> Result<Side, Failure> {
+fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&MechanicsSettings>) -> Result<Side, Failure> {
     let (frame, file) = session::resolved(FrameFile::load_from(frame, files)?)?;
     let name = format!("{}{suffix}", frame.name);
     let mut evaluation = Evaluation::of(session::designed(frame, &file)?);
@@ -132,13 +132,13 @@ fn exceeded(increase: &Increase, sides: &[Side; 2]) -> Option<String> {
     let [before, after] = sides.each_ref().map(|side| increase.measure.of(&side.evaluation));
     let grown = increase.exceeded(before, after)?;
     let Increase { measure, most } = increase;
-    let (name, unit, told) = (measure.name, measure.unit, measure.told(Some(grown)));
+    let (name, unit, told) = (measure.name, measure.unit, measure.reported(Some(grown)));
     if told.parse::<f64>().is_ok_and(|told| told <= *most) {
         return None;
     }
     Some(format!(
         "{name} grew by {told} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
-        measure.told(before),
-        measure.told(after)
+        measure.reported(before),
+        measure.reported(after)
     ))
 }

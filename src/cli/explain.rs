@@ -143,7 +143,7 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
         for (column, response) in responses.iter().enumerate() {
             let told = match (of(response), middle) {
                 (Some(value), Some(middle)) if column != 1 => signed(value - middle, measure.places()),
-                (value, _) => measure.told(value),
+                (value, _) => measure.reported(value),
             };
             text += &format!(" {told:>12}");
         }

@@ -4,15 +4,15 @@ use super::choice;
 use super::failure::Failure;
 use super::options::{FrameOption, MechanicsOption};
 use crate::frame::assembly::{Design, DesignError};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::{Reason, Refusal, nearest};
 use crate::params::{Frame, FrameFile, LoadError, parameters, preset};
 
 /// Numbers of the mechanics, where they are to be asked.
-pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<Settings>, Failure> {
-    Ok(option.strength.then(|| Settings::load(option.mechanics.as_deref())).transpose()?)
+pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<MechanicsSettings>, Failure> {
+    Ok(option.strength.then(|| MechanicsSettings::load(option.mechanics.as_deref())).transpose()?)
 }
 
 /// Refuses a frame that is no file where one is needed, and says what it is.

@@ -14,7 +14,7 @@ use crate::export::stl;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
-use crate::printing::plates::Settings;
+use crate::printing::plates::PrintSettings;
 use crate::printing::weighing::Sliced;
 use crate::report::page::weighing_page::SLICER_RATIO;
 
@@ -116,7 +116,7 @@ fn ended(mut child: Child, log: &Path) -> io::Result<()> {
 
 /// The settings of a part as the slicer's own file.
 fn ini(material: &Material, printer: &Printer) -> String {
-    let mut own = Settings::of_part(false, material, printer);
+    let mut own = PrintSettings::of_part(false, material, printer);
     own.0.retain(|one| !["brim_width", "elefant_foot_compensation"].contains(&one.key));
     let mut text = own.ini();
     text += &format!(

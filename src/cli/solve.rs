@@ -9,12 +9,12 @@ use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::frame::assembly::Workshop;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
 use crate::variant::{
-    Aim, Evaluation, Goal, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Problem, Solution, SolveError, Vary, measure, measure_names,
-    solve,
+    Aim, Evaluation, Goal, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, SearchProblem, Solution, SolveError, Vary, measure,
+    measure_names, solve,
 };
 
 /// Search for the frame with the least of a measure that keeps every limit.
@@ -66,10 +66,10 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             "--mechanics: neither aim nor goal is one of the mechanics: stiffness, design_drop.peak, .travel, .strain".into(),
         ));
     }
-    let mechanics = asked.then(|| Settings::load(args.mechanics.as_deref())).transpose()?;
+    let mechanics = asked.then(|| MechanicsSettings::load(args.mechanics.as_deref())).transpose()?;
     let working = Progress::of("searching", common);
     let most = usize::from(args.frames);
-    let problem = Problem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most, mechanics };
+    let problem = SearchProblem { file: &file, aim: Aim::Measure(aim), goals, vary, start: Vec::new(), most, mechanics };
     let found = solve(&problem);
     drop(working);
     let solution = match found {
@@ -145,7 +145,7 @@ fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String
     }
     text.push('\n');
     for measure in known(&solution.evaluation) {
-        let [was, is] = [begun, Some(&solution.evaluation)].map(|evaluation| measure.told(evaluation.and_then(|e| measure.of(e))));
+        let [was, is] = [begun, Some(&solution.evaluation)].map(|evaluation| measure.reported(evaluation.and_then(|e| measure.of(e))));
         text += &format!("{:<34} {was:>10} {is:>10} {}\n", measure.name, measure.unit);
     }
     text += "\nwhat holds it back\n";

@@ -20,7 +20,7 @@ use crate::mechanics::result::calibration::{Calibration, calibrate, rms_n};
 use crate::mechanics::result::deformed::Bound;
 use crate::mechanics::result::ratio::{Ratio, ratios};
 use crate::mechanics::result::static_curve::StaticCurve;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::mechanics::solve::modes::Modes;
 use crate::report::chart::stiffness_plots;
 use crate::report::data::stiffness_data;
@@ -92,11 +92,11 @@ fn bent_files(
     modes: Option<&Modes>,
 ) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let failed = |error| Failure::Machine { what: "cannot write the animation".into(), error: std::io::Error::other(error) };
-    let rest = bound.bent(&whole.system.rest());
+    let rest = bound.deformed(&whole.system.rest());
     let mut files = Vec::new();
     let mut shapes = Vec::new();
     for (down_mm, state) in &curve.states {
-        let bodies = bound.bent(&whole.unfolded(quarter, state));
+        let bodies = bound.deformed(&whole.unfolded(quarter, state));
         files.push((format!("pictures/down_{down_mm:02.0}_mm.png"), bent_scene::picture(design, &bodies, View::Right)));
         shapes.push(bodies);
     }
@@ -109,7 +109,7 @@ fn bent_files(
     files.push(("pressed.glb".into(), bent_glb::bent(design, "the centre pressed down", &rest, &shapes, &keys).map_err(failed)?));
     let Some(modes) = modes else { return Ok(files) };
     for (at, mode) in modes.modes.iter().enumerate() {
-        let bodies = bound.bent(&modes.state(mode, SWING_MM));
+        let bodies = bound.deformed(&modes.state(mode, SWING_MM));
         let name = format!("mode_{}_{:.0}_hz", at + 1, mode.frequency_hz);
         files.push((format!("pictures/{name}.png"), bent_scene::picture(design, &bodies, View::Perspective)));
         let most = modes.modes.iter().all(|other| other.share_up <= mode.share_up);
@@ -123,7 +123,7 @@ fn bent_files(
 }
 
 /// A reference's name, and the frame's ratios to it.
-fn reference(name: &str, design: &Design, masses: &MassTable, settings: &Settings) -> Result<(String, Vec<Ratio>), Failure> {
+fn reference(name: &str, design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<(String, Vec<Ratio>), Failure> {
     let other = session::design(&FrameOption { frame: name.into(), rigid: None })?;
     let weighed = mass::table(&other);
     let found = ratios((design, masses), (&other, &weighed), settings).map_err(mechanics_refused)?;
@@ -132,7 +132,7 @@ fn reference(name: &str, design: &Design, masses: &MassTable, settings: &Setting
 
 /// Presses a frame down and writes its folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    let mut settings = Settings::load(args.mechanics.as_deref())?;
+    let mut settings = MechanicsSettings::load(args.mechanics.as_deref())?;
     let path = args.calibrate.as_ref().or(args.compare.as_ref());
     let measured = path.map(|path| read_static_test(path)).transpose()?;
     let working = Progress::of("pressing", common);

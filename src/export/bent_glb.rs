@@ -11,7 +11,7 @@ use serde_json::json;
 
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
 use crate::frame::assembly::Design;
-use crate::mechanics::result::deformed::BentBody;
+use crate::mechanics::result::deformed::DeformedBody;
 
 /// A moment of the animation: when, s, and how much of each bent shape.
 pub type Key = (f64, Vec<f64>);
@@ -20,7 +20,7 @@ pub type Key = (f64, Vec<f64>);
 ///
 /// # Errors
 /// When the header cannot be written as JSON.
-pub fn bent(design: &Design, title: &str, rest: &[BentBody], shapes: &[Vec<BentBody>], keys: &[Key]) -> Result<Vec<u8>, GlbError> {
+pub fn bent(design: &Design, title: &str, rest: &[DeformedBody], shapes: &[Vec<DeformedBody>], keys: &[Key]) -> Result<Vec<u8>, GlbError> {
     let mut file = GlbFile::new();
     file.describe(&json!({
         "frame": design.frame.name,
@@ -43,7 +43,7 @@ pub fn bent(design: &Design, title: &str, rest: &[BentBody], shapes: &[Vec<BentB
 
 impl GlbFile {
     /// How far each corner has gone.
-    fn target(&mut self, rest: &BentBody, bent: &BentBody) -> MorphTarget {
+    fn target(&mut self, rest: &DeformedBody, bent: &DeformedBody) -> MorphTarget {
         let rows: Vec<[f32; 3]> = rest
             .mesh
             .vertices

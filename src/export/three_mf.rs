@@ -15,7 +15,7 @@ use super::format::{ExportError, Exported, File, Format};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
-use crate::printing::plates::{Plate, Settings};
+use crate::printing::plates::{Plate, PrintSettings};
 use crate::solid::Mesh;
 
 /// The plates, each with its picture beside it.
@@ -188,7 +188,7 @@ fn settings(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Resu
         for object in objects {
             let (id, copies) = (object.id.to_string(), object.poses.len().to_string());
             let about = [("id", id.as_str()), ("instances_count", &copies)];
-            let own = Settings::of_part(plate.supported.contains(&object.part.name), &plate.material.material, &design.frame.printer);
+            let own = PrintSettings::of_part(plate.supported.contains(&object.part.name), &plate.material.material, &design.frame.printer);
             xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
                 metadata(xml, "object", "name", object.part.name.slug())?;
                 for setting in &own.0 {

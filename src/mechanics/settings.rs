@@ -7,7 +7,7 @@ use crate::params::{ImpactFile, LoadError};
 
 /// The numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct MechanicsSettings {
     /// Where they come from: a file's name.
     pub name: String,
     /// Young's modulus of the flexible material at rest, MPa.
@@ -61,9 +61,9 @@ pub struct DropLimits {
     pub buckling_factor: f64,
 }
 
-/// Bounds of [`Settings::impact_modulus`].
+/// Bounds of [`MechanicsSettings::impact_modulus`].
 pub const IMPACT_MODULUS: [f64; 2] = [0.1, 3.0];
-/// Bounds of [`Settings::impact_loss`].
+/// Bounds of [`MechanicsSettings::impact_loss`].
 pub const IMPACT_LOSS: [f64; 2] = [0.0, 3.0];
 
 /// Keys with their bounds and units, in the order of the fields; the band stands on its own.
@@ -92,7 +92,7 @@ const KEYS: [(&str, [f64; 2], &str); 22] = [
     ("mesh.rod_element_mm", [2.0, 100.0], "mm"),
 ];
 
-impl Settings {
+impl MechanicsSettings {
     /// Reads a file, or the numbers that come with the program.
     ///
     /// # Errors
@@ -217,19 +217,19 @@ mod tests {
 
     #[test]
     fn analytic_written_numbers_are_read_again() {
-        let settings = Settings::load(None).expect("the program's own file is sound");
+        let settings = MechanicsSettings::load(None).expect("the program's own file is sound");
         let file = ImpactFile::parse(&settings.name, &settings.to_toml("as it was")).expect("is TOML");
-        assert_eq!(Settings::read(&file).expect("is sound"), settings);
+        assert_eq!(MechanicsSettings::read(&file).expect("is sound"), settings);
     }
 
     #[test]
     fn planted_a_missing_and_an_unknown_number_are_refused() {
-        let text = Settings::load(None).expect("is sound").to_toml("");
+        let text = MechanicsSettings::load(None).expect("is sound").to_toml("");
         for wrong in
             [text.replace("poisson", "poison"), text.replace("friction = 0.3", "friction = 3.0"), text.replace("[ground]", "[sky]")]
         {
             let file = ImpactFile::parse("planted", &wrong).expect("is TOML");
-            assert!(Settings::read(&file).is_err());
+            assert!(MechanicsSettings::read(&file).is_err());
         }
     }
 }

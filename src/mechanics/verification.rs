@@ -34,7 +34,7 @@ fn loaded(structure: Structure, load: &[(usize, usize, f64)], target: f64, steps
         let factor = target * step as f64 / steps as f64;
         for iteration in 0.. {
             assert!(iteration < 30, "step {step} does not converge");
-            system.feel(&state, &bias, &mut sum);
+            system.assemble(&state, &bias, &mut sum);
             let mut left: Vec<f64> = force.iter().zip(&sum.force).map(|(q, f)| factor * q - f).collect();
             if left.iter().fold(0.0_f64, |m, f| m.max(f.abs())) < 1e-9 * target.abs().max(1.0) {
                 break;

@@ -206,7 +206,7 @@ pub struct Printer {
     pub elephant_foot_mm: Option<f64>,
     /// Least area of a part's first layer, mm².
     pub least_contact_mm2: Option<f64>,
-    /// Least tilt at which a part falls off its first layer, °.
+    /// Least tilt at which a part tips over, °.
     pub least_tip_deg: Option<f64>,
     /// Greatest height over the width of the first layer.
     pub most_slender: Option<f64>,

@@ -11,10 +11,10 @@ const LEAF: usize = 4;
 /// Boxes that are farther apart than this are not opened, mm.
 const NEAR_MM: f64 = 3.0;
 
-/// Distances are told up to this, mm.
+/// Distances are reported up to this, mm.
 const LOOKED_AT_MM: f64 = 20.0;
 
-/// Share of a distance that is told at least.
+/// Share of a distance that is reported at least.
 const ROUGH: f64 = 0.7;
 
 /// Boxes along the solid's axes, each around two smaller ones.
@@ -57,7 +57,7 @@ impl BoxTree {
     }
 
     /// A distance that the surfaces of the two are at least apart, mm, the other in a pose relative to this one's axes; 0 when
-    /// two of the smallest boxes meet. It is told only as well as is needed to pass by: what is farther than 3 mm is not
+    /// two of the smallest boxes meet. It is reported only as well as is needed to pass by: what is farther than 3 mm is not
     /// looked at closer, and of what is near the answer may be less than the distance by 30 %.
     pub fn apart_mm(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
         let between = Between::of(pose);

@@ -13,8 +13,8 @@ use super::region::Region;
 /// Straight pieces that stand for a full circle: 0.3 % of its area is lost, 3 µm of a rod's radius.
 pub const SEGMENTS_PER_TURN: u32 = 48;
 
-/// Detail below this size (mm) is melted away before a mesh is written; a tenth of what a printer can place.
-const MELT_MM: f64 = 0.001;
+/// Detail below this size (mm) is simplified away before a mesh is written; a tenth of what a printer can place.
+const DETAIL_MM: f64 = 0.001;
 
 /// A closed solid in the mesh kernel, mm.
 #[derive(Clone)]
@@ -48,8 +48,8 @@ impl MeshSolid {
     }
 
     /// The same without detail that no printer can place.
-    pub fn melted(&self) -> Self {
-        self.without_detail(MELT_MM)
+    pub fn simplified(&self) -> Self {
+        self.without_detail(DETAIL_MM)
     }
 
     /// The same without detail below a size, mm.
@@ -57,9 +57,9 @@ impl MeshSolid {
         Self(self.0.as_original().simplify(below_mm))
     }
 
-    /// The mesh of the melted solid.
+    /// The mesh of the simplified solid.
     pub fn to_mesh(&self) -> Mesh {
-        self.melted().mesh()
+        self.simplified().mesh()
     }
 
     /// Its mesh as it is, in canonical order.

@@ -1,7 +1,7 @@
 //! A new variant: what is asked for on top of a frame, and what has to change with it.
 
 use super::measures::Evaluation;
-use super::problem::{Aim, Problem, Solution, SolveError, Vary};
+use super::problem::{Aim, SearchProblem, Solution, SolveError, Vary};
 use super::solve::solve;
 use crate::checks::Verdict;
 use crate::frame::assembly::{Design, Workshop};
@@ -76,7 +76,8 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     }
     let vary = movable(request.from);
     let from: Vec<f64> = vary.iter().map(|v| request.from.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
-    let problem = Problem { file: request.file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most: request.most, mechanics: None };
+    let problem =
+        SearchProblem { file: request.file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most: request.most, mechanics: None };
     let Solution { evaluation, values, looked_at, .. } = solve(&problem)?;
     let moved = values
         .into_iter()

@@ -17,15 +17,15 @@ pub struct Side {
     pub evaluation: Evaluation,
 }
 
-/// Something that differs, told for either side; empty where a side has no such thing.
+/// Something that differs, reported for either side; empty where a side has no such thing.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Changed {
     /// What.
     pub name: String,
     /// Unit of the values.
     pub unit: &'static str,
-    /// Either side's, as told.
-    pub told: [String; 2],
+    /// Either side's, as reported.
+    pub reported: [String; 2],
     /// Either side's number; none where a side has no such thing, or where it is no number.
     pub values: [Option<f64>; 2],
     /// Whether the second side is better, worse, or neither.
@@ -46,8 +46,8 @@ pub enum Trend {
 
 impl Changed {
     fn numbers(name: String, unit: &'static str, values: [Option<f64>; 2], places: usize) -> Self {
-        let told = told_apart(values, places);
-        Self { name, unit, told, values, trend: Trend::Neither }
+        let reported = distinguished(values, places);
+        Self { name, unit, reported, values, trend: Trend::Neither }
     }
 
     /// By how much the second is more than the first.
@@ -56,11 +56,11 @@ impl Changed {
     }
 
     /// Growth with its sign, at the places of the values.
-    pub fn grown_told(&self) -> String {
-        let places = self.told.iter().map(|told| told.split_once('.').map_or(0, |(_, after)| after.len())).max().unwrap_or(0);
+    pub fn grown_reported(&self) -> String {
+        let places = self.reported.iter().map(|reported| reported.split_once('.').map_or(0, |(_, after)| after.len())).max().unwrap_or(0);
         self.grown().map_or(String::new(), |grown| {
-            let told = decimals(grown, places);
-            if grown > 0.0 && shows(grown, places) { format!("+{told}") } else { told }
+            let reported = decimals(grown, places);
+            if grown > 0.0 && shows(grown, places) { format!("+{reported}") } else { reported }
         })
     }
 }
@@ -68,24 +68,24 @@ impl Changed {
 /// Least difference of two numbers of frame files.
 const LEAST: f64 = 1e-6;
 
-/// Whether a difference is more than zeros when it is told with so many places.
+/// Whether a difference is more than zeros when it is reported with so many places.
 fn shows(difference: f64, places: usize) -> bool {
     decimals(difference, places).contains(|digit: char| matches!(digit, '1'..='9'))
 }
 
 /// Whether both sides have a number, and the same one as far as its places tell: what is worked out is off in the last digits,
-/// and a difference that is told as 0 is none.
+/// and a difference that is reported as 0 is none.
 fn same(values: [Option<f64>; 2], places: usize) -> bool {
     matches!(values, [Some(a), Some(b)] if !shows(b - a, places))
 }
 
 /// Two numbers with so many places that they and their difference look different when they are, up to six.
-fn told_apart(values: [Option<f64>; 2], places: usize) -> [String; 2] {
-    let told = |places| values.map(|value| value.map_or(String::new(), |value| decimals(value, places)));
-    let [Some(a), Some(b)] = values else { return told(places) };
-    let apart = |places: &usize| told(*places)[0] != told(*places)[1] && shows(b - a, *places);
+fn distinguished(values: [Option<f64>; 2], places: usize) -> [String; 2] {
+    let reported = |places| values.map(|value| value.map_or(String::new(), |value| decimals(value, places)));
+    let [Some(a), Some(b)] = values else { return reported(places) };
+    let apart = |places: &usize| reported(*places)[0] != reported(*places)[1] && shows(b - a, *places);
     let differ = (a - b).abs() > LEAST;
-    told(if differ { (places..=6).find(apart).unwrap_or(6) } else { places })
+    reported(if differ { (places..=6).find(apart).unwrap_or(6) } else { places })
 }
 
 /// What two frames differ in.
@@ -150,7 +150,7 @@ fn parameter_changes(frames: [&Frame; 2]) -> Vec<Changed> {
     choices.push(("materials.flexible".into(), frames.map(|frame| frame.flexible.name.clone())));
     choices.push(("materials.rigid".into(), frames.map(|frame| frame.rigid.name.clone())));
     choices.push(("printer".into(), frames.map(|frame| frame.printer.name.clone())));
-    let named = |(name, told): (String, [String; 2])| Changed { name, unit: "", told, values: [None; 2], trend: Trend::Neither };
+    let named = |(name, reported): (String, [String; 2])| Changed { name, unit: "", reported, values: [None; 2], trend: Trend::Neither };
     numbers.chain(choices.into_iter().filter(|(_, [a, b])| a != b).map(named)).collect()
 }
 
@@ -193,7 +193,13 @@ fn measure_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
         let values = sides.map(|e| measure.of(e));
         let name = measure.name.to_string();
         if same(values, measure.places()) {
-            return Changed { name, unit: measure.unit, told: values.map(|value| measure.told(value)), values, trend: Trend::Neither };
+            return Changed {
+                name,
+                unit: measure.unit,
+                reported: values.map(|value| measure.reported(value)),
+                values,
+                trend: Trend::Neither,
+            };
         }
         let mut changed = Changed::numbers(name, measure.unit, values, measure.places());
         let worse = |grown: f64| (grown > 0.0) == (measure.better == Better::Less);
@@ -215,19 +221,19 @@ mod tests {
 
     #[test]
     fn analytic_numbers_that_differ_look_different() {
-        assert_eq!(told_apart([Some(1.0), Some(1.0004)], 2), ["1.0000", "1.0004"]);
-        assert_eq!(told_apart([Some(1.0), None], 2), ["1.00", ""]);
+        assert_eq!(distinguished([Some(1.0), Some(1.0004)], 2), ["1.0000", "1.0004"]);
+        assert_eq!(distinguished([Some(1.0), None], 2), ["1.00", ""]);
         // Rounding alone does not tell them apart: their difference has to show, too.
-        assert_eq!(told_apart([Some(1.004_999), Some(1.005_001)], 2), ["1.004999", "1.005001"]);
+        assert_eq!(distinguished([Some(1.004_999), Some(1.005_001)], 2), ["1.004999", "1.005001"]);
         let changed = Changed::numbers("x".into(), "g", [Some(231.552), Some(263.6)], 2);
-        assert_eq!((changed.told.clone(), changed.grown_told().as_str()), (["231.55".into(), "263.60".into()], "+32.05"));
+        assert_eq!((changed.reported.clone(), changed.grown_reported().as_str()), (["231.55".into(), "263.60".into()], "+32.05"));
         let less = Changed::numbers("x".into(), "g", [Some(2.0), Some(1.0)], 2);
-        assert_eq!(less.grown_told(), "-1.00");
-        assert_eq!(Changed::numbers("x".into(), "g", [Some(2.0), Some(2.0)], 2).grown_told(), "0.00");
+        assert_eq!(less.grown_reported(), "-1.00");
+        assert_eq!(Changed::numbers("x".into(), "g", [Some(2.0), Some(2.0)], 2).grown_reported(), "0.00");
     }
 
     #[test]
-    fn analytic_a_difference_that_is_told_as_zero_is_none() {
+    fn analytic_a_difference_that_is_reported_as_zero_is_none() {
         assert!(same([Some(209.49), Some(209.494)], 2) && !same([Some(209.49), Some(209.50)], 2));
         assert!(same([Some(100.0), Some(100.4)], 0) && !same([Some(100.0), Some(99.0)], 0));
         assert!(!same([Some(1.0), None], 2) && !same([None, None], 2));

@@ -84,7 +84,7 @@ impl Goal {
     }
 
     /// As it is written.
-    pub fn told(&self) -> String {
+    pub fn reported(&self) -> String {
         let sign = if self.sense == Sense::AtMost { "<=" } else { ">=" };
         format!("{}{sign}{}{}", self.measure.name, self.limit, self.measure.unit)
     }
@@ -148,7 +148,7 @@ mod tests {
     fn analytic_goals_read() {
         let goal = Goal::parse(" clearance.propeller >= 3mm ").expect("reads");
         assert_eq!(
-            (goal.measure.name, goal.sense, goal.limit, goal.told().as_str()),
+            (goal.measure.name, goal.sense, goal.limit, goal.reported().as_str()),
             ("clearance.propeller", Sense::AtLeast, 3.0, "clearance.propeller>=3mm")
         );
         assert_eq!((goal.margin(5.0), Goal::parse("mass<=240").expect("reads").margin(250.0)), (2.0, -10.0));

@@ -8,7 +8,7 @@ use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Workshop};
 use crate::impact::body::{DropBody, Origin};
 use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::Frame;
 
 /// Which way is better.
@@ -22,7 +22,7 @@ pub enum Better {
     Neither,
 }
 
-/// A frame, designed and held against its limits.
+/// A frame, designed and checked against its limits.
 pub struct Evaluation {
     /// The design.
     pub design: Design,
@@ -61,7 +61,7 @@ impl Evaluation {
     ///
     /// # Errors
     /// When they find no equilibrium, or lose the motion.
-    pub fn strengthened(self, settings: &Settings) -> Result<Self, PredictionError> {
+    pub fn strengthened(self, settings: &MechanicsSettings) -> Result<Self, PredictionError> {
         let prediction = predict(&self.design, &self.masses, settings)?;
         Ok(Self { prediction: Some(prediction), ..self })
     }
@@ -138,13 +138,13 @@ impl Measure {
         matches!(self.value, Source::Mechanics(_))
     }
 
-    /// How many decimals its unit is told with.
+    /// How many decimals its unit is reported with.
     pub fn places(&self) -> usize {
         if matches!(self.unit, "mm3" | "mm") && self.name.starts_with("printed") { 0 } else { 2 }
     }
 
-    /// A value as it is told.
-    pub fn told(&self, value: Option<f64>) -> String {
+    /// A value as it is reported.
+    pub fn reported(&self, value: Option<f64>) -> String {
         value.map_or("-".into(), |value| decimals(value, self.places()))
     }
 }

@@ -15,6 +15,6 @@ pub use difference::{Changed, Difference, Side, Trend};
 pub use goal::{Goal, GoalError, Increase, Sense};
 pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, measure, measure_names};
 pub use peak::{PEAK_CAVEAT, predicted_peak_g};
-pub use problem::{Aim, Binding, Problem, Solution, SolveError, Vary};
+pub use problem::{Aim, Binding, SearchProblem, Solution, SolveError, Vary};
 pub use sensitivity::{Response, sensitivity};
 pub use solve::solve;

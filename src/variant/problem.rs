@@ -2,7 +2,7 @@
 
 use super::goal::Goal;
 use super::measures::{Evaluation, Measure};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -56,7 +56,7 @@ pub enum Aim {
 }
 
 /// What to search for.
-pub struct Problem<'a> {
+pub struct SearchProblem<'a> {
     /// The frame that is changed.
     pub file: &'a FrameFile,
     /// What is made small.
@@ -70,10 +70,10 @@ pub struct Problem<'a> {
     /// How many frames may be looked at.
     pub most: usize,
     /// Numbers of the frame's own mechanics, where the aim or a goal is one of their measures: a second or two a frame.
-    pub mechanics: Option<Settings>,
+    pub mechanics: Option<MechanicsSettings>,
 }
 
-impl Problem<'_> {
+impl SearchProblem<'_> {
     /// A frame as far as the problem wants to know it.
     pub(super) fn known(&self, evaluation: Evaluation) -> Result<Evaluation, String> {
         match &self.mechanics {

@@ -7,7 +7,7 @@ use cobyla::{RhoBeg, StopTols};
 
 use super::goal::Goal;
 use super::measures::Evaluation;
-use super::problem::{Aim, Problem, Vary};
+use super::problem::{Aim, SearchProblem, Vary};
 use crate::checks::{Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::{Design, Workshop};
 use crate::params::Frame;
@@ -76,7 +76,7 @@ const NO_FRAME: f64 = 20.0;
 /// Points that were looked at, and how to look at another.
 pub(super) struct Search<'a> {
     /// What is asked for.
-    pub problem: &'a Problem<'a>,
+    pub problem: &'a SearchProblem<'a>,
     /// The rules.
     pub rules: &'a [&'static Rule],
     /// What of the rules is kept on every frame.
@@ -92,7 +92,7 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     /// Nothing was looked at yet.
-    pub fn new(problem: &'a Problem<'a>, rules: &'a [&'static Rule]) -> Self {
+    pub fn new(problem: &'a SearchProblem<'a>, rules: &'a [&'static Rule]) -> Self {
         let (constraints, workshop) = (Constraint::of_all(rules), RefCell::default());
         Self { problem, rules, constraints, workshop, points: RefCell::default(), order: RefCell::default(), scale: 1.0 }
     }

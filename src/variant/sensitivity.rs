@@ -2,7 +2,7 @@
 
 use super::measures::{Evaluation, MEASURES};
 use crate::frame::assembly::Workshop;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -16,7 +16,13 @@ pub struct Response {
 
 /// The measures at a parameter's value and at this share of it less and more, no farther than its bounds; all else stays as
 /// the file says, and what follows follows. With settings of the mechanics, these are asked, too.
-pub fn sensitivity(file: &FrameFile, frame: &Frame, parameter: &Parameter, share: f64, mechanics: Option<&Settings>) -> Vec<Response> {
+pub fn sensitivity(
+    file: &FrameFile,
+    frame: &Frame,
+    parameter: &Parameter,
+    share: f64,
+    mechanics: Option<&MechanicsSettings>,
+) -> Vec<Response> {
     let Some(value) = frame.value(parameter.table, parameter.key) else { return Vec::new() };
     let step = if value == 0.0 { share * (parameter.max - parameter.min) } else { share * value.abs() };
     let mut workshop = Workshop::default();
@@ -30,7 +36,7 @@ fn at(
     file: &FrameFile,
     parameter: &Parameter,
     value: f64,
-    mechanics: Option<&Settings>,
+    mechanics: Option<&MechanicsSettings>,
     workshop: &mut Workshop,
 ) -> Result<Vec<Option<f64>>, String> {
     let mut file = file.clone();

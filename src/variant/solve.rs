@@ -4,12 +4,12 @@
 //! it needs no derivative, and a constraint is the tightest margin of a rule, which has kinks where another pair becomes the
 //! tightest. What it cannot see it cannot avoid: a count of steps, or a frame that does not close, is a cliff. It finds a
 //! minimum near its start, not the least of all. Every point that was looked at is a frame file's numbers as they are
-//! written, to a thousandth; the best ones that keep everything are then held against every rule, the slow one included, and
+//! written, to a thousandth; the best ones that keep everything are then checked against every rule, the slow one included, and
 //! only one that keeps them all is an answer.
 
 use super::goal::Goal;
 use super::measures::Evaluation;
-use super::problem::{Aim, Binding, Problem, Solution, SolveError, Vary};
+use super::problem::{Aim, Binding, SearchProblem, Solution, SolveError, Vary};
 use super::search::{STEPS, Search, descend, ranked, scale};
 use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
@@ -17,21 +17,21 @@ use crate::params::Frame;
 
 /// How near its limit a scaled margin binds.
 const BINDS: f64 = 0.03;
-/// How many of the best are held against every rule.
+/// How many of the best are checked against every rule.
 const VERIFIED: usize = 12;
-/// How many reasons are told why better frames are refused.
+/// How many reasons are reported why better frames are refused.
 const REASONS: usize = 3;
 
 /// Searches.
 ///
 /// # Errors
 /// When nothing varies, or no frame that was looked at keeps every limit.
-pub fn solve(problem: &Problem) -> Result<Solution, SolveError> {
+pub fn solve(problem: &SearchProblem) -> Result<Solution, SolveError> {
     solve_by(problem, &CATALOGUE)
 }
 
 /// Searches for a frame that keeps these rules.
-pub(super) fn solve_by(problem: &Problem, rules: &[&'static Rule]) -> Result<Solution, SolveError> {
+pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Result<Solution, SolveError> {
     if problem.vary.is_empty() {
         return Err(SolveError::Problem("nothing varies: name parameters with --vary".into()));
     }
@@ -96,13 +96,13 @@ fn refused(search: &Search, best: &[f64]) -> Vec<String> {
         })
         .collect();
     reasons.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
-    let mut told: Vec<String> = Vec::new();
+    let mut reported: Vec<String> = Vec::new();
     for (_, reason) in reasons {
-        if !told.contains(&reason) && told.len() < REASONS {
-            told.push(reason);
+        if !reported.contains(&reason) && reported.len() < REASONS {
+            reported.push(reason);
         }
     }
-    told
+    reported
 }
 
 /// The rule or goal that is missed most.
@@ -112,14 +112,14 @@ fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
     constraints
         .get(at)
         .map(|constraint| format!("breaks {} {}", constraint.rule.id, constraint.subject).trim_end().to_string())
-        .or_else(|| goals.get(at - constraints.len()).map(|goal| format!("misses {}", goal.told())))
+        .or_else(|| goals.get(at - constraints.len()).map(|goal| format!("misses {}", goal.reported())))
 }
 
 /// What a frame misses.
 fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
     let findings = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone());
     let goals = goals.iter().filter(|goal| goal.measure.of(evaluation).is_none_or(|value| goal.margin(value) < 0.0));
-    findings.chain(goals.map(|goal| format!("{} is {}", goal.told(), goal.measure.told(goal.measure.of(evaluation))))).collect()
+    findings.chain(goals.map(|goal| format!("{} is {}", goal.reported(), goal.measure.reported(goal.measure.of(evaluation))))).collect()
 }
 
 /// Limits with hardly any room, and bounds that are reached.
@@ -141,7 +141,7 @@ fn binding(evaluation: &Evaluation, search: &Search, values: &[(Vary, f64, f64)]
     for goal in &search.problem.goals {
         let margin = goal.measure.of(evaluation).map_or(0.0, |value| goal.margin(value));
         if margin / scale(goal.measure.unit) < BINDS {
-            found.push((margin, Binding { what: goal.told(), margin, unit: goal.measure.unit.into() }));
+            found.push((margin, Binding { what: goal.reported(), margin, unit: goal.measure.unit.into() }));
         }
     }
     for (vary, _, value) in values {
@@ -172,7 +172,7 @@ mod tests {
         let rod = parameters().find(|p| p.key == "cage_rod_length_mm").expect("a parameter");
         let aim = Aim::Measure(measure("envelope.width").expect("a measure"));
         let vary = vec![Vary::around(rod, &frame, 0.05)];
-        let problem = Problem { file: &file, aim, goals: Vec::new(), vary, start: Vec::new(), most: 14, mechanics: None };
+        let problem = SearchProblem { file: &file, aim, goals: Vec::new(), vary, start: Vec::new(), most: 14, mechanics: None };
         let solution = solve_by(&problem, &rules).ok().expect("is found");
         let (_, before, after) = solution.values[0];
         assert!(after < before && (TOY_MM..TOY_MM + 0.5).contains(&after), "{after}");

@@ -6,13 +6,13 @@ use flexframe::mechanics::parts::parts_plan::part_models;
 use flexframe::mechanics::result::calibration::calibrate;
 use flexframe::mechanics::result::impact::{Impact, Run};
 use flexframe::mechanics::result::static_curve::StaticCurve;
-use flexframe::mechanics::settings::Settings;
+use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::mechanics::solve::modes::Modes;
 use flexframe::params::Frame;
 use flexframe::units::Angle;
 
-fn settings() -> Settings {
-    Settings::load(None).expect("the program's own numbers are sound")
+fn settings() -> MechanicsSettings {
+    MechanicsSettings::load(None).expect("the program's own numbers are sound")
 }
 
 fn design(change: impl Fn(&mut Frame)) -> Design {
@@ -21,7 +21,7 @@ fn design(change: impl Fn(&mut Frame)) -> Design {
     Design::new(frame).expect("closes")
 }
 
-fn curve(design: &Design, settings: &Settings, extent: Extent, to_mm: f64) -> StaticCurve {
+fn curve(design: &Design, settings: &MechanicsSettings, extent: Extent, to_mm: f64) -> StaticCurve {
     let model = FrameModel::new(design, &mass::table(design), settings, extent).expect("has a model");
     StaticCurve::new(&model, to_mm, &[]).expect("is followed")
 }
@@ -88,7 +88,7 @@ fn analytic_a_quarter_and_the_whole_frame_are_one() {
 fn analytic_finer_beams_change_the_stiffness_little() {
     let design = design(|_| ());
     let coarse = settings();
-    let fine = Settings { element_mm: 0.4, socket_elements: 8.0, rod_element_mm: 20.0, ..coarse.clone() };
+    let fine = MechanicsSettings { element_mm: 0.4, socket_elements: 8.0, rod_element_mm: 20.0, ..coarse.clone() };
     let [coarse, fine] = [coarse, fine].map(|settings| curve(&design, &settings, Extent::Quarter, 16.0));
     for (what, a, b) in [
         ("k0", coarse.initial_n_mm(), fine.initial_n_mm()),
@@ -111,7 +111,7 @@ fn analytic_the_drops_energies_add_up_and_shorter_steps_agree() {
 
 #[test]
 fn analytic_a_frame_hardly_turned_falls_as_a_level_one_and_turned_either_way_alike() {
-    let (design, settings) = (design(|_| ()), Settings { element_mm: 1.6, socket_elements: 2.0, ..settings() });
+    let (design, settings) = (design(|_| ()), MechanicsSettings { element_mm: 1.6, socket_elements: 2.0, ..settings() });
     let model = |extent| FrameModel::new(&design, &mass::table(&design), &settings, extent).expect("has a model");
     let (quarter, whole) = (model(Extent::Quarter), model(Extent::Whole));
     let run = |x_deg: f64| Run { longest_ms: 12.0, tilt: [Angle::deg(x_deg), Angle::deg(0.0)], ..Run::default() };

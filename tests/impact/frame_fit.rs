@@ -7,7 +7,7 @@ use flexframe::impact::frame_fit::{FrameFit, Height, MedianEstimate, ResponseSur
 use flexframe::impact::measured;
 use flexframe::impact::measured::{Calibration, Summary};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
-use flexframe::mechanics::settings::Settings;
+use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::params::Frame;
 
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 1.5];
@@ -16,7 +16,7 @@ const PUBLISHED: [[f64; 2]; 3] = [[74.6, 1.30], [98.8, 1.32], [122.4, 1.34]];
 
 struct Bench {
     model: FrameModel,
-    settings: Settings,
+    settings: MechanicsSettings,
     surface: ResponseSurface,
 }
 
@@ -24,7 +24,7 @@ struct Bench {
 fn bench() -> &'static Bench {
     static BENCH: OnceLock<Bench> = OnceLock::new();
     BENCH.get_or_init(|| {
-        let settings = Settings { young_mpa: 65.8, ..Settings::load(None).expect("the program's own numbers are sound") };
+        let settings = MechanicsSettings { young_mpa: 65.8, ..MechanicsSettings::load(None).expect("the program's own numbers are sound") };
         let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
         let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
         let surface = ResponseSurface::new(&Subject { model: &model, settings: &settings }, &HEIGHTS_M).expect("is followed");

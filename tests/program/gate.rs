@@ -123,7 +123,7 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
     assert_eq!(bench.check(&["heavy.toml", "--baseline", "accepted.json"]).0, 1, "a gram more");
     bench.write("heavy.toml", &HEAVY.replace("90.0", "60.0"));
     let (code, _, err) = bench.check(&["heavy.toml", "--baseline", "accepted.json"]);
-    assert!(code == 0 && err.contains("note: heavy: mass_budget of take-off mass is good now; strike it from accepted.json"), "{err}");
+    assert!(code == 0 && err.contains("note: heavy: mass_budget of take-off mass no longer fails; remove it from accepted.json"), "{err}");
     let (code, _, err) = bench.check(&["good.toml", "--baseline", "nowhere.json"]);
     assert!(code == 2 && err.contains("nowhere.json"), "{err}");
     bench.write("broken.json", "{\"schema_version\": 2, \"accepted\": []}");

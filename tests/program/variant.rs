@@ -108,7 +108,7 @@ fn analytic_a_difference_that_is_told_as_zero_is_none() {
     assert!(json["measures"].as_array().expect("a list").iter().all(|m| m["trend"] == "neither"), "{json:#}");
     assert_eq!([&json["masses"], &json["volumes"]], [&serde_json::json!([]); 2]);
     // What was typed differs, and is told with the decimals that show it.
-    assert_eq!(json["parameters"][0]["told"], serde_json::json!(["192.00000", "192.00001"]));
+    assert_eq!(json["parameters"][0]["reported"], serde_json::json!(["192.00000", "192.00001"]));
     bench.write("wide.toml", "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 192.1\n");
     let (code, _, err) = bench.run(&["diff", "cognifly", "wide.toml", "--fail-on-increase", "envelope.width=0"]);
     assert!(code == 1 && err.starts_with("envelope.width grew by 0.") && !err.contains("by 0.00 "), "{err}");

@@ -31,15 +31,15 @@ fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
 
 fn case(held: &CheckedFrame, judged: &Judged) -> TestCase {
     let Judged { finding, standing, spots, made_of } = judged;
-    let told = format!("{}{}{}", finding.message, made_of, place(spots.first()));
+    let text = format!("{}{}{}", finding.message, made_of, place(spots.first()));
     let status = match standing {
         Standing::Good | Standing::Warning => TestCaseStatus::success(),
         Standing::Accepted => {
             let mut status = TestCaseStatus::skipped();
-            status.set_message(format!("accepted: {told}"));
+            status.set_message(format!("accepted: {text}"));
             status
         }
-        Standing::Fails => failed(NonSuccessKind::Failure, &finding.rule, &finding.message, &told),
+        Standing::Fails => failed(NonSuccessKind::Failure, &finding.rule, &finding.message, &text),
     };
     let mut case = TestCase::new(format!("{}: {}", finding.rule, finding.subject), status);
     case.set_classname(format!("flexframe.{}.{}", held.frame, finding.rule));
@@ -48,24 +48,24 @@ fn case(held: &CheckedFrame, judged: &Judged) -> TestCase {
         case.extra.insert("line".into(), spot.line.to_string().into());
     }
     if *standing == Standing::Warning {
-        case.set_system_out(format!("warning: {told}"));
+        case.set_system_out(format!("warning: {text}"));
     }
     case
 }
 
 fn refused_suite(asked: &str, refused: &Refused) -> TestSuite {
     let Refused { message, remedy, spot, .. } = refused;
-    let told = format!("{message}. {remedy}{}", place(spot.as_ref()));
-    let mut case = TestCase::new("reads", failed(NonSuccessKind::Error, "refused", message, &told));
+    let text = format!("{message}. {remedy}{}", place(spot.as_ref()));
+    let mut case = TestCase::new("reads", failed(NonSuccessKind::Error, "refused", message, &text));
     case.set_classname(format!("flexframe.{asked}"));
     let mut suite = TestSuite::new(asked);
     suite.add_test_case(case);
     suite
 }
 
-fn failed(kind: NonSuccessKind, word: &str, message: &str, told: &str) -> TestCaseStatus {
+fn failed(kind: NonSuccessKind, word: &str, message: &str, text: &str) -> TestCaseStatus {
     let mut status = TestCaseStatus::non_success(kind);
-    status.set_type(word).set_message(message).set_description(told);
+    status.set_type(word).set_message(message).set_description(text);
     status
 }
 

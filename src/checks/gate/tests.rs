@@ -8,7 +8,7 @@ use crate::params::{Frame, FrameFile};
 #[test]
 fn planted_a_rule_needs_nothing_but_its_record() {
     let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([&TOY]).collect();
-    let text = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 180.0\nstrut_rod_length_mm = 71.0\n";
+    let text = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 188.0\nstrut_rod_length_mm = 50.0\n";
     let file = FrameFile::parse("short.toml", text).expect("reads");
     let frame = Planted::designed(Frame::resolve(&file).expect("is one"));
     let findings = check_by(&[&TOY], Cost::Quick, &frame.design, &frame.masses);

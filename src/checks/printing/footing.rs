@@ -48,11 +48,11 @@ pub(in crate::checks) fn findings(hung: &Hung, design: &Design, part: &Printed) 
     let [ratio, most] = tall.figures(1);
     let remedy = "print it with a brim or lay it down";
     [
-        contact.at_least(format!("{name}: contact"), format!("{name} holds to the bed by {area} mm2, at least {least}: else {remedy}")),
-        tilt.at_least(
-            format!("{name}: tilt"),
-            format!("{name} falls off its first layer at {angle} deg, at least {least_angle}: else {remedy}"),
+        contact.at_least(
+            format!("{name}: contact"),
+            format!("the contact area of {name} with the bed is {area} mm2, at least {least}: else {remedy}"),
         ),
+        tilt.at_least(format!("{name}: tilt"), format!("{name} tips over at {angle} deg, at least {least_angle}: else {remedy}")),
         tall.at_most(
             format!("{name}: height"),
             format!("{name} is {ratio} times as high as its first layer is wide, at most {most}: else {remedy}"),

@@ -35,13 +35,15 @@ fn finding(hung: &Hung) -> Finding {
     let [reach, allowed] = measure.figures(1);
     let angle = decimals(hung.process.overhang.to_deg(), 0);
     let what = match worst {
-        None => format!("nothing leans by more than {angle} deg over air"),
+        None => format!("nothing unsupported is inclined by more than {angle} deg"),
         Some(worst) if reach_mm > limit => format!(
-            "leaning by more than {angle} deg, {} mm2 hang over air and reach out by {reach} mm, {allowed} mm hold themselves ({})",
+            "inclined by more than {angle} deg, {} mm2 overhang by {reach} mm without support, {allowed} mm are allowed ({})",
             decimals(hung.area_mm2(Fault::Overhang), 0),
             place(worst)
         ),
-        Some(worst) => format!("what leans by more than {angle} deg reaches out by {reach} of {allowed} mm ({})", place(worst)),
+        Some(worst) => {
+            format!("regions inclined by more than {angle} deg overhang by {reach} mm, {allowed} mm are allowed ({})", place(worst))
+        }
     };
     hung.judged(measure, &what)
 }

@@ -14,14 +14,14 @@ use crate::impact::frame_fit::{Height, ResponseSurface, Subject, fit};
 use crate::impact::measured;
 use crate::impact::measured::{DropSet, Summary};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::report::data::impact_fit_data;
 use crate::report::data::impact_fit_data::Fitted;
 
 /// Fits a frame's own model to drops and writes its folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(args)?;
-    let settings = Settings::load(args.mechanics.as_deref())?;
+    let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
     let set = measured::read(&args.fit, &calibration(&args.calibration)?)?;
     let heights = heights(&set)?;
     let working = Progress::of("fitting", common);

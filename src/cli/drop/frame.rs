@@ -13,7 +13,7 @@ use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::part_models;
 use crate::mechanics::result::deformed::Bound;
 use crate::mechanics::result::impact::{Impact, Run};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::report::chart::impact_plots;
 use crate::report::data::impact_data;
 use crate::report::data::impact_data::Impacts;
@@ -35,7 +35,7 @@ pub(super) fn frame(args: &Args) -> Result<FrameOption, Failure> {
 /// Drops a frame's own model and writes its folder.
 pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(args)?;
-    let settings = Settings::load(args.mechanics.as_deref())?;
+    let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
     let working = Progress::of("dropping", common);
     let design = session::design(&frame)?;
     let masses = mass::table(&design);
@@ -59,7 +59,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
         let bound = Bound::new(&design, &whole);
         for (t_ms, state) in highest.states.iter().step_by(2) {
             let Some(bound) = &bound else { continue };
-            let bodies = bound.bent(&whole.unfolded(&model, state));
+            let bodies = bound.deformed(&whole.unfolded(&model, state));
             files.push((format!("pictures/{:02.0}_ms.png", t_ms), bent_scene::picture(&design, &bodies, View::Right)));
         }
     }

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::design::{Design, DesignError};
-use super::printed::{Printed, laid, melted};
+use super::printed::{Printed, laid, simplified};
 use crate::params::PartName;
 use crate::params::catalogue::Printer;
 use crate::solid::gate::GateError;
@@ -45,8 +45,8 @@ impl<'a> Compensated<'a> {
 /// Cutters reach this far beyond the part, mm.
 const PAST_MM: f64 = 1.0;
 
-/// Detail that is melted away, mm, in the order in which it is tried: where the border of a cut grazes a facet, more has to go.
-const MELTS_MM: [f64; 7] = [0.001, 0.002, 0.004, 0.008, 0.0005, 0.0002, 0.0001];
+/// Detail that is simplified away, mm, in the order in which it is tried: where the border of a cut grazes a facet, more has to go.
+const DETAILS_MM: [f64; 7] = [0.001, 0.002, 0.004, 0.008, 0.0005, 0.0002, 0.0001];
 /// Finest detail of an outline that is drawn in, mm, and how far its layer's top is moved, mm, in the order in which they are tried: a
 /// cut that runs along a facet's edge can leave facets without area, another one then does not. A printer places 0.01 mm at best.
 const CUTS_MM: [[f64; 2]; 6] = [[0.001, 0.0], [0.001, 0.003], [0.004, 0.0], [0.004, -0.003], [0.01, 0.0], [0.01, 0.005]];
@@ -64,14 +64,14 @@ pub fn mesh<'a>(part: &'a Printed, printer: &Printer, layer_mm: f64) -> Result<C
         part.printed.clone()
     } else {
         let feature = part.feature.with_wider_bores(0.5 * hole_mm);
-        laid(&MeshSolid::build(&feature).melted(), &part.print_pose.rotation)?.0
+        laid(&MeshSolid::build(&feature).simplified(), &part.print_pose.rotation)?.0
     };
     if foot_mm == 0.0 {
-        return Ok(Cow::Owned(melted(&solid, &MELTS_MM)?.1));
+        return Ok(Cow::Owned(simplified(&solid, &DETAILS_MM)?.1));
     }
     let mut refused = GateError::Empty;
     for [fine_mm, moved_mm] in CUTS_MM {
-        match melted(&drawn_in(&solid, foot_mm, layer_mm + moved_mm, fine_mm), &MELTS_MM) {
+        match simplified(&drawn_in(&solid, foot_mm, layer_mm + moved_mm, fine_mm), &DETAILS_MM) {
             Ok((_, mesh)) => return Ok(Cow::Owned(mesh)),
             Err(error) => refused = error,
         }

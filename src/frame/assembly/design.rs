@@ -155,7 +155,7 @@ impl Design {
 
     /// A shape that is not printed.
     fn add_plain(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], feature: &Feature) -> usize {
-        let solid = MeshSolid::build(feature).melted();
+        let solid = MeshSolid::build(feature).simplified();
         let mesh = solid.mesh();
         let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
         self.add_shape(Shape {

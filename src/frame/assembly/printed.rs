@@ -55,7 +55,7 @@ impl Printed {
     pub(super) fn by(part: &'static PrintedPart, recipe: Recipe) -> Result<Self, GateError> {
         let Recipe { feature, bends } = recipe;
         let raw = MeshSolid::build(&feature);
-        let flat = raw.melted();
+        let flat = raw.simplified();
         let (printed, print_pose) = laid(&flat, &(part.print_turn)())?;
         let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
@@ -92,13 +92,13 @@ pub(super) fn laid(flat: &MeshSolid, print_turn: &UnitQuaternion<f64>) -> Result
     Ok((turned.placed(&lift), lift * turn))
 }
 
-/// The mesh of a solid, with the first of these amounts of detail, mm, melted away that lets it pass the gate.
+/// The mesh of a solid, with the first of these amounts of detail, mm, simplified away that lets it pass the gate.
 ///
 /// # Errors
 /// What the gate says to the last.
-pub(super) fn melted(raw: &MeshSolid, melts_mm: &[f64]) -> Result<(MeshSolid, Mesh), GateError> {
+pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSolid, Mesh), GateError> {
     let mut refused = GateError::Empty;
-    for below_mm in melts_mm {
+    for below_mm in details_mm {
         let solid = raw.without_detail(*below_mm);
         let mesh = solid.mesh();
         match gate::pass(&mesh) {
@@ -109,13 +109,13 @@ pub(super) fn melted(raw: &MeshSolid, melts_mm: &[f64]) -> Result<(MeshSolid, Me
     Err(refused)
 }
 
-/// Detail that is melted away after a bend, mm, in the order in which it is tried.
-const MELTS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
+/// Detail that is simplified away after a bend, mm, in the order in which it is tried.
+const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
 /// part of a hundred; then less is taken away.
 fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
-    Ok(melted(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &MELTS_MM)?.0)
+    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0)
 }
 
 /// A part before it is made: what its record says of it in a frame.

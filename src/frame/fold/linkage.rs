@@ -89,8 +89,8 @@ impl Linkage {
         let Err(first) = linkage.entry() else { return Ok(linkage) };
         linkage.struts_slide = true;
         // That the struts do not help says less than what the arms lack.
-        let told = |error| if matches!(error, LinkageError::Lost { .. }) { first } else { error };
-        linkage.entry().map_err(told).map(|_| linkage)
+        let reported = |error| if matches!(error, LinkageError::Lost { .. }) { first } else { error };
+        linkage.entry().map_err(reported).map(|_| linkage)
     }
 
     fn of(frame: &Frame, skeleton: &Skeleton) -> Self {

@@ -24,5 +24,5 @@ pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
 pub use sweep::{Meeting, Sweep, sweeps};
-pub use task::{Motion, Task};
+pub use task::{FoldMotion, Task};
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};

@@ -7,7 +7,7 @@ use nalgebra::{Isometry3, Translation3, Vector3};
 use super::linkage::{FREE_WAY, Stance};
 use super::member::{Capsule, Member, capsules, distance_mm};
 use super::posture::{Module, Posture};
-use super::task::{Motion, Task};
+use super::task::{FoldMotion, Task};
 use crate::frame::skeleton::{RodRole, Skeleton};
 use crate::params::Frame;
 use crate::units::Angle;
@@ -35,7 +35,7 @@ pub enum Broken {
         times: usize,
     },
     /// Both are held already: a rod cannot be pushed along its axis within a closed loop.
-    #[error("{mover} and {onto} are already held by the rest: nothing gives way along the bore")]
+    #[error("{mover} and {onto} are already held by the rest: no part can move along the bore")]
     LoopShut {
         /// What moves.
         mover: String,
@@ -182,10 +182,10 @@ impl<'a> Rules<'a> {
     /// What keeps a task from being done after those that are.
     pub fn broken(&self, done: &Done, task: Task) -> Option<Broken> {
         match task.motion() {
-            Motion::Push | Motion::Slide => self.broken_push(done, task),
-            Motion::Bend => self.broken_bend(done, task),
-            Motion::Close if task == Task::CloseTriangle => self.broken_triangle(done),
-            Motion::Close => self.broken_ring(done),
+            FoldMotion::Push | FoldMotion::Slide => self.broken_push(done, task),
+            FoldMotion::Bend => self.broken_bend(done, task),
+            FoldMotion::Close if task == Task::CloseTriangle => self.broken_triangle(done),
+            FoldMotion::Close => self.broken_ring(done),
         }
     }
 

@@ -7,7 +7,7 @@ use super::linkage::{FREE_WAY, Linkage, LinkageError, Stance};
 use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{Broken, Done, Rules};
-use super::task::{Motion, Task};
+use super::task::{FoldMotion, Task};
 use crate::frame::skeleton::{MODULE_NAMES, Skeleton};
 use crate::params::Frame;
 use crate::solid::Bend;
@@ -20,7 +20,7 @@ pub enum FoldError {
     #[error(transparent)]
     Linkage(#[from] LinkageError),
     /// No order exists.
-    #[error("there is no order in which the frame can be put together: {}", told(blocked))]
+    #[error("there is no order in which the frame can be put together: {}", listed(blocked))]
     NoOrder {
         /// What keeps each remaining task.
         blocked: Vec<(Task, Broken)>,
@@ -35,7 +35,7 @@ pub enum FoldError {
     },
 }
 
-fn told(blocked: &[(Task, Broken)]) -> String {
+fn listed(blocked: &[(Task, Broken)]) -> String {
     blocked.iter().map(|(task, broken)| format!("{}: {broken}", task.title())).collect::<Vec<_>>().join("; ")
 }
 
@@ -214,7 +214,7 @@ fn join(rules: &Rules, task: Task, mover: Member, onto: Member) -> Join {
         Task::PushFoot | Task::PushTop => corner,
         _ => 0.0,
     };
-    let from = if task.motion() == Motion::Close { nalgebra::Vector3::zeros() } else { rules.along(task, mover) };
+    let from = if task.motion() == FoldMotion::Close { nalgebra::Vector3::zeros() } else { rules.along(task, mover) };
     Join { body: mover.body(0), onto: onto.body(0), from: from.into(), left_out_mm }
 }
 
@@ -258,7 +258,7 @@ fn fold_bend(frame: &Frame, (member, index): (Member, usize), bend: &Bend, [from
     }
 }
 
-/// Places at which the closing is held against the poses of the bodies.
+/// Places at which the closing is compared with the poses of the bodies.
 const LOOP_SAMPLES: u32 = 40;
 
 /// Largest distance between the leg's end and where it is in the foot's bore, from the bodies' poses, mm.

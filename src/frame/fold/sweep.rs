@@ -16,7 +16,7 @@ use super::member::Member;
 use super::piece::{Piece, pieces};
 use super::rules::Done;
 use super::sequence::FoldSequence;
-use super::task::{Motion, Task};
+use super::task::{FoldMotion, Task};
 use super::timeline::{Moment, moment};
 use crate::frame::assembly::Design;
 
@@ -24,7 +24,7 @@ use crate::frame::assembly::Design;
 pub const STEP_MM: f64 = 1.0;
 /// Most places of a step.
 const MOST_PLACES: usize = 400;
-/// Places by which the length of a way is told.
+/// Places by which the length of a way is reported.
 const COARSE: usize = 16;
 /// What is joined is compared this often along a way: it slides in one bore.
 const FITS_A_WAY: f64 = 4.0;
@@ -142,7 +142,7 @@ impl Sweeper<'_> {
             return None;
         }
         // A leg of the fork is squeezed flat on its way through the knee: only where it ends is it itself.
-        let squeezed = task.motion() == Motion::Slide && task.contacts() == [(Member::Knee, Member::Fork)];
+        let squeezed = task.motion() == FoldMotion::Slide && task.contacts() == [(Member::Knee, Member::Fork)];
         let joined = a.joins(b);
         let allowed_mm3 = a.meant_mm3(b, self.design);
         let mut found = Found { comparisons: 0, worst: None };

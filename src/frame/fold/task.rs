@@ -43,7 +43,7 @@ pub enum Task {
 
 /// How a task moves things.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Motion {
+pub enum FoldMotion {
     /// Along a rod into a bore with a bottom, from the assembled side of the mouth.
     Push,
     /// Along rods through bores without a bottom: an end of each has to be free.
@@ -75,12 +75,12 @@ impl Task {
     ];
 
     /// How it moves.
-    pub fn motion(self) -> Motion {
+    pub fn motion(self) -> FoldMotion {
         match self {
-            Self::ThreadKnee | Self::SlideMount => Motion::Slide,
-            Self::BendLeg | Self::BendTop => Motion::Bend,
-            Self::CloseTriangle | Self::CloseRing => Motion::Close,
-            _ => Motion::Push,
+            Self::ThreadKnee | Self::SlideMount => FoldMotion::Slide,
+            Self::BendLeg | Self::BendTop => FoldMotion::Bend,
+            Self::CloseTriangle | Self::CloseRing => FoldMotion::Close,
+            _ => FoldMotion::Push,
         }
     }
 
@@ -107,7 +107,7 @@ impl Task {
 
     /// The members that it brings to those they are joined to.
     pub fn brings(self) -> Vec<Member> {
-        if self.motion() == Motion::Close { Vec::new() } else { self.contacts().into_iter().map(|(moving, _)| moving).collect() }
+        if self.motion() == FoldMotion::Close { Vec::new() } else { self.contacts().into_iter().map(|(moving, _)| moving).collect() }
     }
 
     /// What has to be there for a bend: the member whose hinge it is and what is held to turn it.

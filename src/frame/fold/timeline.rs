@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Translation3, Vector3};
 use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{Done, Rules};
-use super::task::{Motion, Task};
+use super::task::{FoldMotion, Task};
 
 /// How long a step is shown, seconds.
 pub const STEP_S: f64 = 2.5;
@@ -52,9 +52,9 @@ fn waits_mm(member: Member) -> f64 {
 /// The moments of a task, from the state after those that are done.
 pub fn moments(rules: &Rules, order: &[Task], done: &Done, task: Task) -> Vec<Moment> {
     let frames = match task.motion() {
-        Motion::Push | Motion::Slide => 1,
-        Motion::Bend => BEND_FRAMES,
-        Motion::Close => 2 * BEND_FRAMES,
+        FoldMotion::Push | FoldMotion::Slide => 1,
+        FoldMotion::Bend => BEND_FRAMES,
+        FoldMotion::Close => 2 * BEND_FRAMES,
     };
     (0..=frames).map(|i| moment(rules, order, done, (task, f64::from(i) / f64::from(frames)))).collect()
 }

@@ -51,7 +51,7 @@ pub enum ClosureError {
         reach_mm: f64,
     },
     /// The strut leaves the tilt that a knee can be made for.
-    #[error("the struts would tilt by {}°, a knee can be made for {min_deg:.0}° to {max_deg:.0}°", told(*.tilt_deg, *.min_deg, *.max_deg))]
+    #[error("the struts would tilt by {}°, a knee can be made for {min_deg:.0}° to {max_deg:.0}°", in_degrees(*.tilt_deg, *.min_deg, *.max_deg))]
     Tilt {
         /// Tilt, degrees; negative leans inward.
         tilt_deg: f64,
@@ -69,7 +69,7 @@ pub enum ClosureError {
 }
 
 /// A tilt with as many decimals as it takes to see that it lies outside its bounds.
-fn told(tilt_deg: f64, min_deg: f64, max_deg: f64) -> String {
+fn in_degrees(tilt_deg: f64, min_deg: f64, max_deg: f64) -> String {
     let bound = if tilt_deg < min_deg { min_deg } else { max_deg };
     told_apart(tilt_deg, bound, 1)[0].clone()
 }

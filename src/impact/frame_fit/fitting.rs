@@ -8,7 +8,7 @@ use super::height::Height;
 use super::response_surface::{Response, ResponseSurface, Subject};
 use crate::impact::fit::{Minimum, inverse, minimise};
 use crate::mechanics::result::impact::ImpactError;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 /// A number that was found.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -46,7 +46,7 @@ pub struct Predicted {
 #[derive(Clone, Debug)]
 pub struct FrameFit {
     /// The numbers from all heights.
-    pub settings: Settings,
+    pub settings: MechanicsSettings,
     /// Both, with their intervals.
     pub estimates: [MaterialEstimate; 2],
     /// Each height by the numbers from all; not predictions.

@@ -12,7 +12,7 @@ use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::result::impact::LOGGER_HZ;
 use crate::mechanics::result::reduction::Reduction;
 use crate::mechanics::result::static_curve::StaticCurve;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 /// Displacement of the centre up to which the frame's static curve is computed, mm.
 pub const CURVE_MM: f64 = 30.0;
@@ -41,7 +41,7 @@ pub fn reduced_model(
     masses: &MassTable,
     quarter: &FrameModel,
     curve: &StaticCurve,
-    settings: &Settings,
+    settings: &MechanicsSettings,
 ) -> Result<Model, ReductionError> {
     let reduction = Reduction::of(quarter, curve, settings)?;
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());

@@ -1,5 +1,5 @@
 //! The two numbers of the flexible material that no static test gives, from measured drops of a frame: its modulus in an
-//! impact and its loss there ([`crate::mechanics::settings::Settings`]).
+//! impact and its loss there ([`crate::mechanics::settings::MechanicsSettings`]).
 //!
 //! A drop height gives two figures with their standard errors ([`Height`]): the median peak and the median
 //! impulse along the axis. The frame's own model answers for both; [`ResponseSurface`] keeps its answers over the numbers' bounds, so

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::result::impact::{Impact, ImpactError, LOGGER_HZ, Run, sampled_peak_g};
-use crate::mechanics::settings::{IMPACT_LOSS, IMPACT_MODULUS, Settings};
+use crate::mechanics::settings::{IMPACT_LOSS, IMPACT_MODULUS, MechanicsSettings};
 use crate::units::GRAVITY_MM_MS2;
 
 /// Length of the impulse from first touch, ms: that of the measured one.
@@ -20,7 +20,7 @@ pub struct Subject<'a> {
     /// A quarter of the frame.
     pub model: &'a FrameModel,
     /// Its numbers; those that are looked for are replaced.
-    pub settings: &'a Settings,
+    pub settings: &'a MechanicsSettings,
 }
 
 /// What the model says of a drop.
@@ -40,9 +40,9 @@ impl Response {
 
 impl Subject<'_> {
     /// The numbers at a place of the search: logarithm of the modulus, root of the loss.
-    pub fn numbers(&self, at: [f64; 2]) -> Settings {
+    pub fn numbers(&self, at: [f64; 2]) -> MechanicsSettings {
         let [modulus, loss] = [libm::exp(at[0]), at[1] * at[1]];
-        Settings { impact_modulus: modulus, impact_loss: loss, ..self.settings.clone() }
+        MechanicsSettings { impact_modulus: modulus, impact_loss: loss, ..self.settings.clone() }
     }
 
     /// Runs the model.

@@ -41,9 +41,9 @@ pub struct Beam {
     pub stiffness: Matrix7,
 }
 
-/// What a beam feels at a moment.
+/// The response of a beam: its force and tangent.
 #[derive(Clone, Debug)]
-pub struct Felt {
+pub struct ElementResponse {
     /// In its own frame.
     pub local: Local,
     /// Force of its nodes on it: N, N mm.
@@ -71,7 +71,7 @@ impl Beam {
         frame.local(self.length_mm)
     }
 
-    /// The force of [`Self::feel`] alone.
+    /// The force of [`Self::response`] alone.
     pub fn push(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> Ends {
         let frame = CorotatedAxes::new(&self.axes, places, turns);
         let local = frame.local(self.length_mm);
@@ -79,13 +79,13 @@ impl Beam {
     }
 
     /// Force and tangent; the force in its own frame is `scale` times the elastic one and `bias` on top.
-    pub fn feel(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> Felt {
+    pub fn response(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Local) -> ElementResponse {
         let frame = CorotatedAxes::new(&self.axes, places, turns);
         let local = frame.local(self.length_mm);
         let stiffness = self.stiffness * scale;
         let own = stiffness * local + bias;
         let (force, tangent) = frame.spread(&local, &own, &stiffness);
-        Felt { local, force, tangent }
+        ElementResponse { local, force, tangent }
     }
 }
 
@@ -125,17 +125,17 @@ mod tests {
 
     /// Largest error of the tangent against central differences, relative to its largest entry.
     fn error(beam: &Beam, places: [Vector3<f64>; 2], turns: [Matrix3<f64>; 2], bias: &Local) -> f64 {
-        let felt = beam.feel(places, turns.each_ref(), 1.3, bias);
+        let response = beam.response(places, turns.each_ref(), 1.3, bias);
         let step = 1e-5;
         let column = |at: usize| {
             let [plus, minus] = [step, -step].map(|by| {
                 let (mut p, mut t) = (places, turns);
                 moved(&mut p, &mut t, at, by);
-                beam.feel(p, t.each_ref(), 1.3, bias).force
+                beam.response(p, t.each_ref(), 1.3, bias).force
             });
-            ((plus - minus) / (2.0 * step) - felt.tangent.column(at)).amax()
+            ((plus - minus) / (2.0 * step) - response.tangent.column(at)).amax()
         };
-        (0..12).map(column).fold(0.0, f64::max) / felt.tangent.amax()
+        (0..12).map(column).fold(0.0, f64::max) / response.tangent.amax()
     }
 
     proptest! {
@@ -160,9 +160,9 @@ mod tests {
             let beam = Beam::new([0, 1], [Vector3::zeros(), Vector3::new(3.0, 1.0, -2.0)], Vector3::y(), &rigidity()).expect("is a beam");
             let (places, turns) = ([v(0), Vector3::new(3.0, 1.0, -2.0) + v(3)], [exp(&v(6)), exp(&v(9))]);
             let bias = Local::from_column_slice(&values[12..19]) * 50.0;
-            let felt = beam.feel(places, turns.each_ref(), 1.3, &bias);
+            let response = beam.response(places, turns.each_ref(), 1.3, &bias);
             let pushed = beam.push(places, turns.each_ref(), 1.3, &bias);
-            prop_assert!((felt.force - pushed).amax() < 1e-9 * felt.force.amax());
+            prop_assert!((response.force - pushed).amax() < 1e-9 * response.force.amax());
         }
 
         #[test]
@@ -172,9 +172,9 @@ mod tests {
             let beam = Beam::new([0, 1], rest, Vector3::y(), &rigidity()).expect("is a beam");
             let turn = exp(&(v(0) * 1.7));
             let places = rest.map(|p| turn * p + v(3));
-            let still = beam.feel(places, [&turn, &turn], 1.0, &Local::zeros());
+            let still = beam.response(places, [&turn, &turn], 1.0, &Local::zeros());
             prop_assert!(still.force.amax() < 1e-9, "{}", still.force);
-            let bent = beam.feel(places, [&(exp(&(v(6) * 0.3)) * turn), &(exp(&(v(9) * 0.3)) * turn)], 1.0, &Local::zeros());
+            let bent = beam.response(places, [&(exp(&(v(6) * 0.3)) * turn), &(exp(&(v(9) * 0.3)) * turn)], 1.0, &Local::zeros());
             let f = |at: usize| bent.force.fixed_rows::<3>(at).into_owned();
             prop_assert!((f(0) + f(6)).norm() < 1e-9);
             let moment = f(3) + f(9) + (places[1] - places[0]).cross(&f(6));

@@ -41,7 +41,7 @@ impl Bushing {
 
     /// Force of the nodes on it, and its tangent; in the first node's axes the force is `scale` times the elastic one and
     /// `bias` on top.
-    pub fn feel(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Gap) -> (Gap, Ends, Tangent) {
+    pub fn response(&self, places: [Vector3<f64>; 2], turns: [&Matrix3<f64>; 2], scale: f64, bias: &Gap) -> (Gap, Ends, Tangent) {
         let gap = self.gap(places, turns);
         let own = self.stiffness().component_mul(&gap) * scale + bias;
         let turn = turns[0];
@@ -109,14 +109,14 @@ mod tests {
             let whole = exp(&(v(12) * 1.5));
             let turns = [whole, exp(&(v(15) * 0.8)) * whole];
             let bias = Gap::from_column_slice(&values[18..24]) * 20.0;
-            let (_, _, tangent) = bushing.feel(places, turns.each_ref(), 1.2, &bias);
+            let (_, _, tangent) = bushing.response(places, turns.each_ref(), 1.2, &bias);
             let step = 1e-6;
             for at in 0..12 {
                 let [plus, minus] = [step, -step].map(|by| {
                     let (mut p, mut t) = (places, turns);
                     let by = Vector3::from_fn(|i, _| if i == at % 3 { by } else { 0.0 });
                     if at % 6 < 3 { p[at / 6] += by } else { t[at / 6] = exp(&by) * t[at / 6] }
-                    bushing.feel(p, t.each_ref(), 1.2, &bias).1
+                    bushing.response(p, t.each_ref(), 1.2, &bias).1
                 });
                 let error = ((plus - minus) / (2.0 * step) - tangent.column(at)).amax() / tangent.amax();
                 prop_assert!(error < 1e-6, "{at}: {error}");

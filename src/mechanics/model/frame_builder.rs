@@ -14,14 +14,14 @@ use crate::mechanics::element::foot::Foot;
 use crate::mechanics::parts::parts_plan::PartModel;
 use crate::mechanics::parts::plan::Port;
 use crate::mechanics::parts::section::{Elastic, Section};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::mechanics::system::structure::{Node, Structure};
 use crate::mechanics::system::system::System;
 
 /// Stiffness of what holds nodes rigidly to each other: far above the joints', MPa, and its radius, mm.
 const LINK: (Elastic, f64) = (Elastic { young_mpa: 2e4, shear_mpa: 8e3 }, 2.0);
 
-/// How deep the feet stand in the ground at rest, mm: enough that the ground is felt.
+/// How deep the feet stand in the ground at rest, mm: enough that the contact is active.
 pub(in crate::mechanics) const TOUCH_MM: f64 = 1e-5;
 
 /// A meeting in the frame's axes that waits for its other side.
@@ -35,7 +35,7 @@ struct Waiting {
 /// A structure in the making.
 pub(in crate::mechanics) struct Builder<'a> {
     design: &'a Design,
-    settings: &'a Settings,
+    settings: &'a MechanicsSettings,
     extent: Extent,
     weights: Weights,
     structure: Structure,
@@ -49,7 +49,7 @@ pub(in crate::mechanics) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    pub(in crate::mechanics) fn new(design: &'a Design, settings: &'a Settings, extent: Extent, weights: Weights) -> Self {
+    pub(in crate::mechanics) fn new(design: &'a Design, settings: &'a MechanicsSettings, extent: Extent, weights: Weights) -> Self {
         let mut structure = Structure::default();
         let centre = &weights.centre;
         let share = 1.0 / extent.copies();

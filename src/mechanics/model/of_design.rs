@@ -8,14 +8,14 @@ use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Kind};
 use crate::mechanics::parts::parts_plan::{PartModel, part_models};
 use crate::mechanics::parts::section::Elastic;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 impl FrameModel {
     /// The model of a design.
     ///
     /// # Errors
     /// When a part's mesh is not met on one of its paths, or the rods' material has no modulus.
-    pub fn new(design: &Design, masses: &MassTable, settings: &Settings, extent: Extent) -> Result<Self, ModelError> {
+    pub fn new(design: &Design, masses: &MassTable, settings: &MechanicsSettings, extent: Extent) -> Result<Self, ModelError> {
         let parts = part_models(design, settings)?;
         Self::of_parts(design, &parts, masses, settings, extent)
     }
@@ -28,7 +28,7 @@ impl FrameModel {
         design: &Design,
         parts: &[PartModel],
         masses: &MassTable,
-        settings: &Settings,
+        settings: &MechanicsSettings,
         extent: Extent,
     ) -> Result<Self, ModelError> {
         let weights = weights(design, masses);

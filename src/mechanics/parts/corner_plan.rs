@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Translation3, Unit, UnitQuaternion, Vector3};
 
 use super::plan::{NoSection, Plan, Port, Press, Stop, steps, straight};
 use crate::frame::parts::corner::CornerSockets;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::solid::{Bend, Feature, Mesh, MeshSolid};
 use crate::units::Angle;
 
@@ -47,7 +47,7 @@ pub fn plan(
     flat: &MeshSolid,
     bends: &[Bend],
     leg_bottom_mm: Option<f64>,
-    settings: &Settings,
+    settings: &MechanicsSettings,
 ) -> Result<Plan, NoSection> {
     let names = if leg_bottom_mm.is_some() { BOTTOM } else { TOP };
     let radius = sockets.radius_mm();
@@ -84,7 +84,7 @@ fn window(flat: &MeshSolid, direction: Vector3<f64>, radius: f64, reach: f64) ->
     flat.intersection(&MeshSolid::build(&cylinder)).mesh()
 }
 
-fn limb_nodes(plan: &mut Plan, limb: &Limb, flat: &MeshSolid, radius: f64, settings: &Settings) -> Result<Vec<usize>, NoSection> {
+fn limb_nodes(plan: &mut Plan, limb: &Limb, flat: &MeshSolid, radius: f64, settings: &MechanicsSettings) -> Result<Vec<usize>, NoSection> {
     let mesh = window(flat, limb.direction, radius, limb.mouth_mm);
     let fine = settings.element_mm;
     let pivot = limb.bend.map(|bend| match bend {

@@ -4,7 +4,7 @@ use nalgebra::{Isometry3, Point3, Vector3};
 
 use super::plan::{Meeting, NoSection, Plan, Port, Stop, steps, straight};
 use crate::frame::parts::{Fork, HubJoint, Knee, MotorMount};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::solid::{Bend, Feature, Mesh, MeshSolid};
 
 /// A mesh within a window.
@@ -20,7 +20,7 @@ fn cylinder(from: Point3<f64>, to: Point3<f64>, radius: f64) -> Feature {
 ///
 /// # Errors
 /// When its mesh shows no section on a path.
-pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: Option<&Bend>, settings: &Settings) -> Result<Plan, NoSection> {
+pub fn hub_joint(part: &HubJoint, flat: &MeshSolid, bend: Option<&Bend>, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     let mut plan = Plan::default();
     let (radius, y) = (part.radius_mm(), 0.5 * part.arm_pitch_mm);
     let arch = part.arch();
@@ -65,7 +65,7 @@ fn leg(
     flat: &MeshSolid,
     bend: Option<&Bend>,
     root_mm: f64,
-    settings: &Settings,
+    settings: &MechanicsSettings,
 ) -> Result<usize, NoSection> {
     let (bottom, mouth, radius) = (part.leg_bottom_mm(), part.leg_mouth_mm, part.radius_mm());
     let mesh = within(flat, &cylinder(Point3::new(root_mm - radius, 0.0, 0.0), Point3::new(mouth + 1.0, 0.0, 0.0), 1.02 * radius));
@@ -87,7 +87,7 @@ fn arm(
     flat: &MeshSolid,
     y: f64,
     landing: f64,
-    settings: &Settings,
+    settings: &MechanicsSettings,
 ) -> Result<(Vec<usize>, usize), NoSection> {
     let (plug, depth, radius) = (part.plug_length_mm, part.arm_depth_mm, part.radius_mm());
     let axis = |x: f64| Point3::new(x, y, 0.0);
@@ -123,7 +123,7 @@ fn carried(bend: &Bend, at: &Point3<f64>) -> Isometry3<f64> {
 ///
 /// # Errors
 /// When its mesh shows no section on a path.
-pub fn fork(part: &Fork, flat: &MeshSolid, settings: &Settings) -> Result<Plan, NoSection> {
+pub fn fork(part: &Fork, flat: &MeshSolid, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     let mut plan = Plan::default();
     let (radius, y) = (part.radius_mm(), 0.5 * part.arm_pitch_mm);
     let bar = Point3::new(part.bar.offset_mm, 0.0, 0.0);
@@ -171,7 +171,7 @@ pub fn fork(part: &Fork, flat: &MeshSolid, settings: &Settings) -> Result<Plan, 
 ///
 /// # Errors
 /// When its mesh shows no section on a path.
-pub fn knee(part: &Knee, flat: &MeshSolid, settings: &Settings) -> Result<Plan, NoSection> {
+pub fn knee(part: &Knee, flat: &MeshSolid, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     let mut plan = Plan::default();
     let mesh = flat.mesh();
     let middle = Vector3::new(part.window.centre_mm, 0.0, 0.0);
@@ -205,7 +205,7 @@ pub fn knee(part: &Knee, flat: &MeshSolid, settings: &Settings) -> Result<Plan, 
 ///
 /// # Errors
 /// When its mesh shows no section on a path.
-pub fn motor_mount(part: &MotorMount, flat: &MeshSolid, settings: &Settings) -> Result<Plan, NoSection> {
+pub fn motor_mount(part: &MotorMount, flat: &MeshSolid, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     let mut plan = Plan::default();
     let mesh = flat.mesh();
     let y = 0.5 * part.arm_pitch_mm;

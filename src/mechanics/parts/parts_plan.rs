@@ -6,7 +6,7 @@ use super::plan::{NoSection, Plan, PlannedBeam};
 use crate::frame::assembly::{Design, Printed};
 use crate::frame::parts::{BottomCorner, Fork, HubJoint, Knee, MotorMount, TopCorner};
 use crate::mechanics::model::model_error::ModelError;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::params::PartName;
 
 /// A part and its plan.
@@ -26,7 +26,7 @@ impl Plan {
 }
 
 /// How a part is cut into beams: from the design and the part as made.
-type Cut = fn(&Design, &Printed, &Settings) -> Result<Plan, NoSection>;
+type Cut = fn(&Design, &Printed, &MechanicsSettings) -> Result<Plan, NoSection>;
 
 /// What a printed part is in the structure.
 #[derive(Clone, Copy)]
@@ -65,7 +65,7 @@ pub fn is_beams(name: PartName) -> bool {
 ///
 /// # Errors
 /// When a part's mesh is not met on one of its paths.
-pub fn part_models(design: &Design, settings: &Settings) -> Result<Vec<PartModel>, ModelError> {
+pub fn part_models(design: &Design, settings: &MechanicsSettings) -> Result<Vec<PartModel>, ModelError> {
     use rayon::prelude::*;
     let cuts: Vec<(&Printed, Cut)> = design
         .printed
@@ -82,29 +82,29 @@ pub fn part_models(design: &Design, settings: &Settings) -> Result<Vec<PartModel
     cuts.par_iter().map(model).collect::<Vec<_>>().into_iter().collect()
 }
 
-fn top_corner(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+fn top_corner(design: &Design, part: &Printed, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     let own = TopCorner::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
     corner_plan::plan(&own.sockets, &part.flat, &part.bends, None, settings)
 }
 
-fn bottom_corner(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+fn bottom_corner(design: &Design, part: &Printed, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     let own = BottomCorner::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
     corner_plan::plan(&own.sockets, &part.flat, &part.bends, Some(own.leg_bottom_mm), settings)
 }
 
-fn hub_joint(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+fn hub_joint(design: &Design, part: &Printed, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     joint_plans::hub_joint(&HubJoint::from_frame(&design.frame), &part.flat, part.bends.first(), settings)
 }
 
-fn fork(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+fn fork(design: &Design, part: &Printed, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     joint_plans::fork(&Fork::from_frame(&design.frame), &part.flat, settings)
 }
 
-fn knee(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+fn knee(design: &Design, part: &Printed, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     joint_plans::knee(&Knee::from_frame(&design.frame, design.skeleton.closure.strut_tilt), &part.flat, settings)
 }
 
-fn motor_mount(design: &Design, part: &Printed, settings: &Settings) -> Result<Plan, NoSection> {
+fn motor_mount(design: &Design, part: &Printed, settings: &MechanicsSettings) -> Result<Plan, NoSection> {
     joint_plans::motor_mount(&MotorMount::from_frame(&design.frame), &part.flat, settings)
 }
 

@@ -7,7 +7,7 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::PartModel;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 /// A measured point: displacement, mm, force, N.
 pub type Measured = [f64; 2];
@@ -16,7 +16,7 @@ pub type Measured = [f64; 2];
 #[derive(Clone, Debug)]
 pub struct Calibration {
     /// Numbers with the modulus found, its band the interval.
-    pub settings: Settings,
+    pub settings: MechanicsSettings,
     /// Interval of 95 % from the scatter of the points about the curve, MPa.
     pub interval_mpa: [f64; 2],
     /// Root mean square of force misfits, N, over all points.
@@ -66,7 +66,7 @@ pub fn calibrate(
     design: &Design,
     parts: &[PartModel],
     masses: &MassTable,
-    settings: &Settings,
+    settings: &MechanicsSettings,
     measured: &[Measured],
 ) -> Result<Calibration, CalibrationError> {
     let points = measured.iter().filter(|[x, _]| *x > 0.0).count();

@@ -15,9 +15,9 @@ const NEAREST: usize = 3;
 /// Distances below this are alike, mm.
 const CLOSE_MM: f64 = 0.5;
 
-/// A body, bent.
+/// A body, deformed.
 #[derive(Clone, Debug)]
-pub struct BentBody {
+pub struct DeformedBody {
     /// Index among the design's bodies.
     pub body: usize,
     /// Its mesh in frame axes, mm, corner by corner as the shape's.
@@ -62,7 +62,7 @@ impl Bound {
     }
 
     /// The bodies in a state, its displacements so many times as large.
-    pub fn bent(&self, state: &State) -> Vec<BentBody> {
+    pub fn deformed(&self, state: &State) -> Vec<DeformedBody> {
         let moved = |binding: &Binding| {
             let mut mesh = binding.mesh.clone();
             for (vertex, corner) in mesh.vertices.iter_mut().zip(&binding.corners) {
@@ -73,7 +73,7 @@ impl Bound {
                     .sum();
                 *vertex = [place.x as f32, place.y as f32, place.z as f32];
             }
-            BentBody { body: binding.body, mesh }
+            DeformedBody { body: binding.body, mesh }
         };
         self.bindings.iter().map(moved).collect()
     }

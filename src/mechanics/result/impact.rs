@@ -6,8 +6,8 @@ use super::landing::{along_axis_g, falling, rising, touching};
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::model::model_error::ModelError;
-use crate::mechanics::settings::Settings;
-use crate::mechanics::solve::dynamics::{DynamicsError, Motion};
+use crate::mechanics::settings::MechanicsSettings;
+use crate::mechanics::solve::dynamics::{DynamicsError, TimeIntegration};
 use crate::mechanics::solve::memory::Energies;
 use crate::mechanics::system::structure::State;
 use crate::units::{Angle, GRAVITY_M_S2, GRAVITY_MM_MS2};
@@ -92,11 +92,11 @@ impl Impact {
     ///
     /// # Errors
     /// When the motion is lost.
-    pub fn new(model: &FrameModel, settings: &Settings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
+    pub fn new(model: &FrameModel, settings: &MechanicsSettings, height_m: f64, run: &Run) -> Result<Self, ImpactError> {
         let speed_m_s = (2.0 * GRAVITY_M_S2 * height_m).sqrt();
         let touching = touching(&model.system, model.hub, run.tilt);
         let rest = touching.places[model.hub].z;
-        let mut motion = Motion::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY_MM_MS2);
+        let mut motion = TimeIntegration::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY_MM_MS2);
         let copies = model.extent.copies();
         let hub = model.system.unknowns.of(model.hub)[2];
         let start = motion.energies();

@@ -6,7 +6,7 @@ use crate::mechanics::element::foot::{Foot, Grip};
 use crate::mechanics::element::rotation::exp;
 use crate::mechanics::model::frame_builder::TOUCH_MM;
 use crate::mechanics::model::frame_model::FrameModel;
-use crate::mechanics::solve::dynamics::Motion;
+use crate::mechanics::solve::dynamics::TimeIntegration;
 use crate::mechanics::system::sparse::NOWHERE;
 use crate::mechanics::system::structure::State;
 use crate::mechanics::system::system::System;
@@ -36,7 +36,7 @@ pub(in crate::mechanics) fn touching(system: &System, hub: usize, tilt: [Angle; 
 }
 
 /// Proper acceleration of the centre along its own axis, g.
-pub(in crate::mechanics) fn along_axis_g(model: &FrameModel, motion: &Motion) -> f64 {
+pub(in crate::mechanics) fn along_axis_g(model: &FrameModel, motion: &TimeIntegration) -> f64 {
     let of = model.system.unknowns.of(model.hub);
     let value = |at: usize| if of[at] == NOWHERE { 0.0 } else { motion.acceleration[of[at]] };
     let proper = Vector3::new(value(0), value(1), value(2) + GRAVITY_MM_MS2);
@@ -56,7 +56,7 @@ pub(in crate::mechanics) fn falling(model: &FrameModel, speed_m_s: f64) -> Vec<f
 }
 
 /// Speed of the centre of mass upwards, m/s.
-pub(in crate::mechanics) fn rising(model: &FrameModel, motion: &Motion) -> f64 {
+pub(in crate::mechanics) fn rising(model: &FrameModel, motion: &TimeIntegration) -> f64 {
     let (mut mass, mut momentum) = (0.0, 0.0);
     for (node, own) in model.system.structure.nodes.iter().enumerate() {
         let z = model.system.unknowns.of(node)[2];

@@ -7,7 +7,7 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::part_models;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 /// The numbers.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -48,7 +48,7 @@ const PRESSED_MM: f64 = 10.0;
 ///
 /// # Errors
 /// When it has no model, no equilibrium, or its motion is lost.
-pub fn predict(design: &Design, masses: &MassTable, settings: &Settings) -> Result<Prediction, PredictionError> {
+pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<Prediction, PredictionError> {
     let parts = part_models(design, settings).map_err(CurveError::from)?;
     let model = FrameModel::of_parts(design, &parts, masses, settings, Extent::Quarter).map_err(CurveError::from)?;
     let curve = StaticCurve::new(&model, PRESSED_MM, &[])?;

@@ -14,7 +14,7 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::part_models;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 /// A ratio.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -37,7 +37,7 @@ const ROW: [bool; 7] = [true, true, true, false, true, false, false];
 const AWAY: f64 = 2.0;
 
 /// The settings of the design, the guesses themselves first.
-fn design_of(settings: &Settings) -> Vec<Settings> {
+fn design_of(settings: &MechanicsSettings) -> Vec<MechanicsSettings> {
     let row = |at: usize, turned: bool| {
         let high = |factor: usize| at < 7 && ROW[(factor + 7 - at) % 7];
         (0..7).map(|factor| high(factor) != turned).collect::<Vec<bool>>()
@@ -49,7 +49,7 @@ fn design_of(settings: &Settings) -> Vec<Settings> {
 }
 
 /// Stiffness at the displacements.
-fn stiffnesses(design: &Design, masses: &MassTable, settings: &Settings) -> Result<Vec<Option<f64>>, CurveError> {
+fn stiffnesses(design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<Vec<Option<f64>>, CurveError> {
     let parts = part_models(design, settings)?;
     let model = FrameModel::of_parts(design, &parts, masses, settings, Extent::Quarter)?;
     let curve = StaticCurve::new(&model, SECANTS_MM[4], &[])?;
@@ -60,19 +60,23 @@ fn stiffnesses(design: &Design, masses: &MassTable, settings: &Settings) -> Resu
 ///
 /// # Errors
 /// When one of them has no model or no equilibrium somewhere in the design.
-pub fn ratios(frame: (&Design, &MassTable), reference: (&Design, &MassTable), settings: &Settings) -> Result<Vec<Ratio>, CurveError> {
-    let of = |settings: &Settings| -> Result<Vec<Option<f64>>, CurveError> {
+pub fn ratios(
+    frame: (&Design, &MassTable),
+    reference: (&Design, &MassTable),
+    settings: &MechanicsSettings,
+) -> Result<Vec<Ratio>, CurveError> {
+    let of = |settings: &MechanicsSettings| -> Result<Vec<Option<f64>>, CurveError> {
         let own = stiffnesses(frame.0, frame.1, settings)?;
         let other = stiffnesses(reference.0, reference.1, settings)?;
         Ok(own.into_iter().zip(other).map(|(own, other)| Some(own? / other?)).collect())
     };
     let all = design_of(settings).par_iter().map(of).collect::<Result<Vec<_>, _>>()?;
-    let told = |(at, displacement_mm): (usize, &f64)| {
+    let reported = |(at, displacement_mm): (usize, &f64)| {
         let values = all.iter().map(|row| row[at]).collect::<Option<Vec<f64>>>()?;
         let band = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(*value), high.max(*value)]);
         Some(Ratio { displacement_mm: *displacement_mm, ratio: values[0], band })
     };
-    Ok(SECANTS_MM.iter().enumerate().filter_map(told).collect())
+    Ok(SECANTS_MM.iter().enumerate().filter_map(reported).collect())
 }
 
 #[cfg(test)]
@@ -81,10 +85,10 @@ mod tests {
 
     #[test]
     fn analytic_the_design_moves_each_guess_as_often_up_as_down_and_pairs_alike() {
-        let settings = Settings::load(None).expect("the program's own numbers are sound");
+        let settings = MechanicsSettings::load(None).expect("the program's own numbers are sound");
         let design = design_of(&settings);
         assert_eq!(design.len(), 17);
-        let sign = |row: &Settings, at: usize| {
+        let sign = |row: &MechanicsSettings, at: usize| {
             let (mut own, mut guess) = (0.0, 0.0);
             let _ = row.with_guesses(|i, value| {
                 if i == at {

@@ -11,7 +11,7 @@
 use super::static_curve::StaticCurve;
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::model::model_error::ModelError;
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::mechanics::solve::modes::{Mode, Modes};
 
 /// The numbers.
@@ -39,7 +39,7 @@ impl Reduction {
     ///
     /// # Errors
     /// When the quarter has no modes.
-    pub fn of(quarter: &FrameModel, curve: &StaticCurve, settings: &Settings) -> Result<Self, ModelError> {
+    pub fn of(quarter: &FrameModel, curve: &StaticCurve, settings: &MechanicsSettings) -> Result<Self, ModelError> {
         let modes = Modes::new(quarter, MODES)?.modes;
         let relaxation = settings.relaxation();
         let gain = relaxation.modulus(IMPACT_MS);

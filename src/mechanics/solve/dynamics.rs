@@ -54,7 +54,7 @@ pub enum DynamicsError {
 }
 
 /// A motion in progress.
-pub struct Motion<'a> {
+pub struct TimeIntegration<'a> {
     pub(in crate::mechanics) system: &'a System,
     pub(in crate::mechanics) relaxation: Relaxation,
     weights: Weights,
@@ -93,7 +93,7 @@ struct Step {
     acceleration: Vec<f64>,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> TimeIntegration<'a> {
     /// Starts from a state without strain, with velocities; gravity acts along -z, mm/ms².
     pub fn new(system: &'a System, relaxation: Relaxation, state: State, velocity: Vec<f64>, gravity_mm_ms2: f64) -> Self {
         let masses = system.masses();
@@ -198,7 +198,7 @@ impl<'a> Motion<'a> {
     /// Factors for a state and a step.
     fn factorise(&mut self, state: &State, bias: &Bias, dt: f64) -> Result<(), DynamicsError> {
         let w = self.weights;
-        self.system.feel(state, bias, &mut self.sum);
+        self.system.assemble(state, bias, &mut self.sum);
         self.sum.tangent.iter_mut().for_each(|value| *value *= 1.0 - w.force);
         self.system.add_diagonal(&mut self.sum.tangent, (1.0 - w.mass) / (w.beta * dt * dt), &self.masses);
         self.factored_ms = None;

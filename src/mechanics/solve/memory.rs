@@ -1,6 +1,6 @@
 //! What viscoelastic elements remember from step to step, and the energies that they hold and lose.
 
-use super::dynamics::Motion;
+use super::dynamics::TimeIntegration;
 use crate::mechanics::element::bushing::Gap;
 use crate::mechanics::element::matrices::Local;
 use crate::mechanics::element::relaxation::Relaxation;
@@ -21,7 +21,7 @@ pub struct Energies {
     pub gravity_mj: f64,
 }
 
-impl Motion<'_> {
+impl TimeIntegration<'_> {
     /// What the branches bring into a step.
     pub(in crate::mechanics) fn bias(&self, dt: f64) -> Bias {
         let steps: Vec<[f64; 2]> = self.relaxation.branches.iter().map(|branch| Relaxation::step(branch, dt)).collect();

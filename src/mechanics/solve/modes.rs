@@ -79,7 +79,7 @@ fn lowest(system: &System, count: usize) -> Result<Vec<Mode>, SparseError> {
     let size = system.unknowns.size();
     let masses = system.masses();
     let (mut sum, mut work) = (Sum::default(), system.pattern.work());
-    system.feel(&system.rest(), &system.elastic(), &mut sum);
+    system.assemble(&system.rest(), &system.elastic(), &mut sum);
     system.pattern.factorise(&sum.tangent, &mut work)?;
     let width = (count + SPARE).min(size);
     let mut vectors: Vec<Vec<f64>> = (0..width).map(|column| start(size, column)).collect();

@@ -122,7 +122,7 @@ impl<'a> Path<'a> {
         }
         let bias = self.system.elastic();
         for iteration in 1..=self.precision.iterations {
-            self.system.feel(&state, &bias, &mut self.sum);
+            self.system.assemble(&state, &bias, &mut self.sum);
             let left: Vec<f64> = self.sum.force.iter().zip(&self.command.load).map(|(f, q)| load * q - f).collect();
             let missing = by - moved[self.command.unknown];
             let error = left.iter().map(|f| f * f).sum::<f64>().sqrt();

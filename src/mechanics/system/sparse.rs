@@ -90,7 +90,7 @@ impl Pattern {
         Work { factors: self.ldlt.factors() }
     }
 
-    /// How many directions the factorised matrix gives way in: negative pivots (J. J. Sylvester's law of inertia).
+    /// How many directions the factorised matrix is unstable in: negative pivots (J. J. Sylvester's law of inertia).
     pub fn negative_pivots(&self, work: &Work) -> usize {
         work.factors.negative_pivots()
     }

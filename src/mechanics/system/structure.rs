@@ -1,4 +1,4 @@
-//! Nodes, beams, ties and feet, and the sum of what they feel.
+//! Nodes, beams, ties and feet, and the sum of their responses.
 //!
 //! Millimetre, newton, gram, millisecond, which go together: 1 g mm/ms² = 1 N, stresses in MPa, energies in mJ.
 

@@ -1,4 +1,4 @@
-//! The equations of a structure: what its elements feel together, their tangent, its masses.
+//! The equations of a structure: the sum of its elements' responses, their tangent, its masses.
 
 use nalgebra::Matrix3;
 
@@ -22,7 +22,7 @@ pub struct System {
     diagonal: Vec<usize>,
 }
 
-/// What the elements feel together.
+/// The sum of the elements' responses.
 #[derive(Clone, Debug, Default)]
 pub struct Sum {
     /// Force of the unknowns on the elements and the ground.
@@ -71,7 +71,7 @@ impl System {
     }
 
     /// Force and tangent of a state.
-    pub fn feel(&self, state: &State, bias: &Bias, sum: &mut Sum) {
+    pub fn assemble(&self, state: &State, bias: &Bias, sum: &mut Sum) {
         sum.force.clear();
         sum.force.resize(self.unknowns.size(), 0.0);
         sum.tangent.clear();
@@ -82,13 +82,13 @@ impl System {
         let scale = |at: usize| if body.viscous[at] { bias.scale } else { 1.0 };
         for (at, beam) in body.beams.iter().enumerate() {
             let (places, turns) = ends(beam.nodes);
-            let felt = beam.feel(places, turns, scale(at), &bias.beams[at]);
-            self.add(at, &beam.nodes, felt.force.as_slice(), felt.tangent.as_slice(), sum);
+            let response = beam.response(places, turns, scale(at), &bias.beams[at]);
+            self.add(at, &beam.nodes, response.force.as_slice(), response.tangent.as_slice(), sum);
         }
         for (number, tie) in body.ties.iter().enumerate() {
             let at = body.beams.len() + number;
             let (places, turns) = ends(tie.nodes);
-            let (_, force, tangent) = tie.feel(places, turns, scale(at), &bias.ties[number]);
+            let (_, force, tangent) = tie.response(places, turns, scale(at), &bias.ties[number]);
             self.add(at, &tie.nodes, force.as_slice(), tangent.as_slice(), sum);
         }
         for (number, foot) in body.feet.iter().enumerate() {
@@ -115,7 +115,7 @@ impl System {
         }
         for (number, tie) in body.ties.iter().enumerate() {
             let (places, turns) = ends(tie.nodes);
-            let (_, force, _) = tie.feel(places, turns, scale(body.beams.len() + number), &bias.ties[number]);
+            let (_, force, _) = tie.response(places, turns, scale(body.beams.len() + number), &bias.ties[number]);
             self.add_force(&tie.nodes, force.as_slice(), sum);
         }
         for (foot, grip) in body.feet.iter().zip(&state.grips) {

@@ -41,7 +41,7 @@ impl<'a> Coupon<'a> {
         // As the parts of this printer are drawn.
         let wider_mm = 0.5 * frame.printer.hole_undersize_mm.unwrap_or(0.0);
         let piece = |name: &'static str, material: &'a NamedMaterial, feature: &Feature| {
-            let mesh = MeshSolid::build(&feature.with_wider_bores(wider_mm)).melted().mesh();
+            let mesh = MeshSolid::build(&feature.with_wider_bores(wider_mm)).simplified().mesh();
             gate::pass(&mesh).map(|_| Piece { name, material, mesh }).map_err(|error| CouponError { piece: name, error })
         };
         Ok(Self {

@@ -1,4 +1,4 @@
-//! Filling plates: rectangles around the parts, packed by a library (docs/decisions/0021-plates.md).
+//! Filling plates: rectangles around the parts, packed by a library (docs/decisions/0030-plates.md).
 
 use crunch::{Item as Box, PackedItem, Rect, Rotation};
 use rayon::prelude::*;

@@ -10,4 +10,4 @@ mod settings;
 
 pub use arrange::{NoRoom, Wanted, all, arrange};
 pub use plate::{Item, Plate, short};
-pub use settings::{Setting, Settings};
+pub use settings::{PrintSetting, PrintSettings};

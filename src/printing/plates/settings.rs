@@ -8,7 +8,7 @@ use crate::params::catalogue::{Material, Printer};
 
 /// One setting.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Setting {
+pub struct PrintSetting {
     /// Its name in PrusaSlicer.
     pub key: &'static str,
     /// Its value there.
@@ -43,7 +43,7 @@ const ORCA: [(&str, &str); 22] = [
     ("max_fan_speed", "fan_max_speed"),
 ];
 
-impl Setting {
+impl PrintSetting {
     /// Its name in Orca Slicer and Bambu Studio.
     pub fn orca(&self) -> Option<&'static str> {
         ORCA.iter().find(|(key, _)| *key == self.key).map(|(_, name)| *name)
@@ -52,9 +52,9 @@ impl Setting {
 
 /// A list of settings.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Settings(pub Vec<Setting>);
+pub struct PrintSettings(pub Vec<PrintSetting>);
 
-impl Settings {
+impl PrintSettings {
     /// Of an object: layers, walls, infill, speeds, brim and support. What the material does not say is left to the slicer, and
     /// so is the first layer's squeeze unless the mesh has it taken off already.
     pub fn of_part(supported: bool, material: &Material, printer: &Printer) -> Self {
@@ -96,12 +96,12 @@ impl Settings {
     }
 
     /// Those that another list has not.
-    pub fn beside(&self, other: &Self) -> Vec<&Setting> {
+    pub fn beside(&self, other: &Self) -> Vec<&PrintSetting> {
         self.0.iter().filter(|one| !other.0.contains(one)).collect()
     }
 
     fn put(&mut self, key: &'static str, value: &str, words: &'static str) {
-        self.0.push(Setting { key, value: value.into(), words });
+        self.0.push(PrintSetting { key, value: value.into(), words });
     }
 
     fn put_some(&mut self, key: &'static str, value: Option<f64>, words: &'static str) {
@@ -132,7 +132,7 @@ mod tests {
         let mut frame = Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves");
         frame.printer.elephant_foot_mm = Some(0.1);
         for material in [&frame.flexible.material, &frame.rigid.material] {
-            let all = [Settings::of_part(true, material, &frame.printer), Settings::of_filament(material)];
+            let all = [PrintSettings::of_part(true, material, &frame.printer), PrintSettings::of_filament(material)];
             for setting in all.iter().flat_map(|list| &list.0) {
                 assert!(setting.orca().is_some(), "{}", setting.key);
             }

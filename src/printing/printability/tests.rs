@@ -16,7 +16,7 @@ const PROCESS: Process = Process {
 fn made(feature: &Feature) -> (MeshSolid, Mesh) {
     let solid = MeshSolid::build(feature);
     let low = solid.bounds_mm()[0][2];
-    let solid = solid.placed(&nalgebra::Isometry3::translation(0.0, 0.0, -low)).melted();
+    let solid = solid.placed(&nalgebra::Isometry3::translation(0.0, 0.0, -low)).simplified();
     let mesh = solid.mesh();
     (solid, mesh)
 }

@@ -3,14 +3,14 @@
 use serde_json::{Value, json};
 
 use crate::mechanics::result::impact::{Impact, LOGGER_HZ};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 
 /// What was computed.
 pub struct Impacts<'a> {
     /// The frame's name.
     pub frame: &'a str,
     /// The numbers it was computed with.
-    pub settings: &'a Settings,
+    pub settings: &'a MechanicsSettings,
     /// Mass of the whole frame, g.
     pub mass_g: f64,
     /// Clearance of the lowest body above the ground, mm; none for a frame that is tilted.

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::mechanics::result::ratio::Ratio;
 use crate::mechanics::result::static_curve::{Inside, StaticCurve};
-use crate::mechanics::settings::Settings;
+use crate::mechanics::settings::MechanicsSettings;
 use crate::mechanics::solve::modes::Modes;
 
 /// What was computed and what it is compared with.
@@ -12,7 +12,7 @@ pub struct Stiffness<'a> {
     /// The frame's name.
     pub frame: &'a str,
     /// The numbers it was computed with.
-    pub settings: &'a Settings,
+    pub settings: &'a MechanicsSettings,
     /// Force over displacement.
     pub curve: &'a StaticCurve,
     /// Modes on held feet.

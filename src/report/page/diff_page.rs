@@ -15,8 +15,10 @@ fn sections(difference: &Difference) -> [&[Changed]; 4] {
 pub fn changes(difference: &Difference) -> String {
     let mut text = String::new();
     let shown = |changes: &[Changed], all: bool| -> Vec<String> {
-        let told = changes.iter().filter(|c| all || c.trend != Trend::Neither);
-        told.map(|c| format!("  {} {} -> {} {}{}\n", c.name, c.told[0], c.told[1], c.unit, word(c)).replace("  \n", "\n")).collect()
+        let shown = changes.iter().filter(|c| all || c.trend != Trend::Neither);
+        shown
+            .map(|c| format!("  {} {} -> {} {}{}\n", c.name, c.reported[0], c.reported[1], c.unit, word(c)).replace("  \n", "\n"))
+            .collect()
     };
     text += &shown(&difference.parameters, true).concat();
     text += &shown(&difference.measures, false).concat();
@@ -35,11 +37,11 @@ pub fn text(difference: &Difference) -> String {
     let mut text = format!("a: {a}\nb: {b}\n");
     for (title, changes) in TITLES.into_iter().zip(sections(difference)).filter(|(_, changes)| !changes.is_empty()) {
         let name = changes.iter().map(|c| c.name.chars().count()).max().unwrap_or(0);
-        let wide = changes.iter().flat_map(|c| &c.told).map(|told| told.chars().count()).max().unwrap_or(0).max(8);
+        let wide = changes.iter().flat_map(|c| &c.reported).map(|text| text.chars().count()).max().unwrap_or(0).max(8);
         let _ = writeln!(text, "\n{title:<name$}  {:>wide$} {:>wide$} {:>9}", "a", "b", "b - a");
         for change in changes {
-            let [before, after] = change.told.each_ref().map(|told| if told.is_empty() { "-" } else { told });
-            let row = format!("{:<name$}  {before:>wide$} {after:>wide$} {:>9} {}", change.name, change.grown_told(), change.unit);
+            let [before, after] = change.reported.each_ref().map(|text| if text.is_empty() { "-" } else { text });
+            let row = format!("{:<name$}  {before:>wide$} {after:>wide$} {:>9} {}", change.name, change.grown_reported(), change.unit);
             let _ = writeln!(text, "{}{}", row.trim_end(), word(change));
         }
     }
@@ -96,12 +98,17 @@ pub fn markdown(difference: &Difference) -> String {
         let _ = if folded { write!(page, "\n<details><summary>{title}</summary>\n") } else { write!(page, "\n**{title}**\n") };
         page += "\n| | a | b | b - a | |\n|---|---:|---:|---:|---|\n";
         for change in shown {
-            let [before, after] = change.told.each_ref().map(|told| cell(told));
+            let [before, after] = change.reported.each_ref().map(|text| cell(text));
             // Keys of numbers end in their unit.
-            let told = change.unit.is_empty() || at == 1;
-            let unit = if told { String::new() } else { format!(" {}", change.unit) };
-            let _ =
-                writeln!(page, "| {}{unit} | {before} | {after} | {} | {} |", cell(&change.name), change.grown_told(), word(change).trim());
+            let unitless = change.unit.is_empty() || at == 1;
+            let unit = if unitless { String::new() } else { format!(" {}", change.unit) };
+            let _ = writeln!(
+                page,
+                "| {}{unit} | {before} | {after} | {} | {} |",
+                cell(&change.name),
+                change.grown_reported(),
+                word(change).trim()
+            );
         }
         if folded {
             page += "\n</details>\n";

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::frame::assembly::Design;
 use crate::params::catalogue::{Bed, Printer};
-use crate::printing::plates::{Plate, Setting, Settings};
+use crate::printing::plates::{Plate, PrintSetting, PrintSettings};
 
 /// The page.
 pub fn markdown(design: &Design, plates: &[Plate]) -> String {
@@ -55,7 +55,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     let Some(first) = own.first() else { return };
     let Some((part, _)) = first.quantities().first().copied() else { return };
     let material = &first.material.material;
-    let common = Settings::of_part(first.supported.contains(&part), material, &design.frame.printer);
+    let common = PrintSettings::of_part(first.supported.contains(&part), material, &design.frame.printer);
     // Writing to a string does not fail.
     let _ = write!(text, "\n## {name}\n\n| plate | parts |\n|---|---|\n");
     for plate in &own {
@@ -63,11 +63,11 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         let _ = writeln!(text, "| `plates/{}.3mf` | {} |", plate.name(), parts.join(", "));
     }
     let _ = write!(text, "\n| of the spool | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
-    rows(text, &Settings::of_filament(material).0);
+    rows(text, &PrintSettings::of_filament(material).0);
     let _ = write!(text, "\n| of the object | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
     rows(text, &common.0);
     for (plate, part) in own.iter().flat_map(|plate| plate.quantities().into_iter().map(move |(part, _)| (plate, part))) {
-        let other = Settings::of_part(plate.supported.contains(&part), material, &design.frame.printer);
+        let other = PrintSettings::of_part(plate.supported.contains(&part), material, &design.frame.printer);
         let differs: Vec<String> = other.beside(&common).iter().map(|one| format!("{} {}", one.words, one.value)).collect();
         if !differs.is_empty() {
             let _ = write!(text, "\n`{part}` differs: {}.\n", differs.join(", "));
@@ -78,7 +78,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     }
 }
 
-fn rows(text: &mut String, settings: &[Setting]) {
+fn rows(text: &mut String, settings: &[PrintSetting]) {
     for one in settings {
         let _ = writeln!(text, "| {} | {} | `{}` | `{}` |", one.words, one.value, one.key, one.orca().unwrap_or("-"));
     }

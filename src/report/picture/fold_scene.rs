@@ -10,7 +10,7 @@ use super::camera::{Camera, View};
 use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::Design;
-use crate::frame::fold::{Done, FoldSequence, Member, Moment, Motion, Step, Task, exploded, mesh_at, moment};
+use crate::frame::fold::{Done, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
 use crate::frame::skeleton::{MODULE_NAMES, module_turn};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
 use crate::solid::Mesh;
@@ -198,7 +198,7 @@ impl Stage<'_> {
         for (member, point) in tracers {
             let way: Vec<Point3<f64>> =
                 (0..=ARROW_PLACES).map(|i| self.moment(i as f64 / ARROW_PLACES as f64).pose(member) * point).collect();
-            let way = if task.motion() == Motion::Bend || matches!(member, Member::Corner(_)) { way } else { along(&way) };
+            let way = if task.motion() == FoldMotion::Bend || matches!(member, Member::Corner(_)) { way } else { along(&way) };
             let label = self.label(member);
             for module in 0..modules {
                 let turn: UnitQuaternion<f64> = module_turn(module);

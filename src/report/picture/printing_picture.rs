@@ -92,7 +92,7 @@ fn look(fault: Option<Fault>) -> ([f32; 4], &'static str) {
         Some(Fault::Overhang) => ([0.85, 0.02, 0.02, 1.0], "red: overhang beyond its limit"),
         Some(Fault::Island) => ([0.65, 0.0, 0.65, 1.0], "purple: begins in the air"),
         Some(Fault::Bridge) => ([0.95, 0.35, 0.0, 1.0], "orange: bridge beyond its limit"),
-        None => ([0.10, 0.55, 0.15, 1.0], "green: holds itself"),
+        None => ([0.10, 0.55, 0.15, 1.0], "green: self-supporting"),
     }
 }
 

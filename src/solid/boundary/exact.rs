@@ -43,8 +43,8 @@ impl Boundary {
         let half_edges = HalfEdges::new(mesh).ok_or(NotExact::Open)?;
         let facets = Facet::all(mesh);
         let known = known::surfaces(feature, pose);
-        let homes = face_assignment::of(&facets, &half_edges, &known)?;
-        let regions = connected(&facets, &half_edges, &homes, &known);
+        let assignment = face_assignment::of(&facets, &half_edges, &known)?;
+        let regions = connected(&facets, &half_edges, &assignment, &known);
         let chains = Chains::between(mesh, &half_edges, &regions.of);
         let mut boundary = Self { vertices: corners(mesh, &chains, &regions)?, edges: Vec::new(), faces: chains.faces(&regions) };
         boundary.edges = chains.edges.iter().map(|chain| edge(mesh, chain, &regions, &boundary.vertices)).collect::<Result<_, _>>()?;
@@ -82,17 +82,17 @@ impl Boundary {
 }
 
 /// Neighbouring facets of one surface as regions.
-fn connected(facets: &[Facet], half_edges: &HalfEdges, homes: &[usize], known: &[Known]) -> Regions {
+fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[usize], known: &[Known]) -> Regions {
     // Arcs of one cylinder that are cut differently are one surface.
-    let first = |home: usize| known.iter().position(|other| other.surface.is_same(&known[home].surface)).unwrap_or(home);
+    let first = |surface: usize| known.iter().position(|other| other.surface.is_same(&known[surface].surface)).unwrap_or(surface);
     let first: Vec<usize> = (0..known.len()).map(first).collect();
     let mut regions = Regions { of: vec![usize::MAX; facets.len()], surfaces: Vec::new() };
     for seed in 0..facets.len() {
         if regions.of[seed] != usize::MAX {
             continue;
         }
-        let (id, home) = (regions.surfaces.len(), first[homes[seed]]);
-        let surface = &known[home].surface;
+        let (id, own) = (regions.surfaces.len(), first[assignment[seed]]);
+        let surface = &known[own].surface;
         let mut outwards = 0.0;
         regions.of[seed] = id;
         let mut open = vec![seed];
@@ -101,7 +101,7 @@ fn connected(facets: &[Facet], half_edges: &HalfEdges, homes: &[usize], known: &
             outwards += facets[at].area_mm2 * facets[at].normal.dot(&surface.normal_at(&middle));
             for h in 3 * at..3 * at + 3 {
                 let neighbour = half_edges.twin(h) / 3;
-                if regions.of[neighbour] == usize::MAX && first[homes[neighbour]] == home {
+                if regions.of[neighbour] == usize::MAX && first[assignment[neighbour]] == own {
                     regions.of[neighbour] = id;
                     open.push(neighbour);
                 }

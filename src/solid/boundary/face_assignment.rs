@@ -21,21 +21,21 @@ pub(super) fn of(facets: &[Facet], half_edges: &HalfEdges, known: &[Known]) -> R
         near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at)
     };
     let wide = |facet: &&Facet| facet.height_mm >= SLIVER_MM;
-    let mut homes: Vec<Option<usize>> = facets.iter().map(|facet| Some(facet).filter(wide).and_then(best)).collect();
-    astray(facets, &homes, &|at| facets[at].height_mm >= SLIVER_MM)?;
+    let mut assignment: Vec<Option<usize>> = facets.iter().map(|facet| Some(facet).filter(wide).and_then(best)).collect();
+    astray(facets, &assignment, &|at| facets[at].height_mm >= SLIVER_MM)?;
     for within_mm in [SURE_MM, super::known::BESIDE_MM] {
-        while let Some((at, home)) = next_sliver(facets, half_edges, known, &homes, within_mm) {
-            homes[at] = Some(home);
+        while let Some((at, surface)) = next_sliver(facets, half_edges, known, &assignment, within_mm) {
+            assignment[at] = Some(surface);
         }
     }
-    astray(facets, &homes, &|_| true)?;
-    let mut homes: Vec<usize> = homes.into_iter().flatten().collect();
-    absorb(facets, half_edges, known, &mut homes);
-    Ok(homes)
+    astray(facets, &assignment, &|_| true)?;
+    let mut assignment: Vec<usize> = assignment.into_iter().flatten().collect();
+    absorb(facets, half_edges, known, &mut assignment);
+    Ok(assignment)
 }
 
-fn astray(facets: &[Facet], homes: &[Option<usize>], counts: &dyn Fn(usize) -> bool) -> Result<(), NotExact> {
-    let lost: Vec<usize> = (0..facets.len()).filter(|at| homes[*at].is_none() && counts(*at)).collect();
+fn astray(facets: &[Facet], assignment: &[Option<usize>], counts: &dyn Fn(usize) -> bool) -> Result<(), NotExact> {
+    let lost: Vec<usize> = (0..facets.len()).filter(|at| assignment[*at].is_none() && counts(*at)).collect();
     match lost.first() {
         Some(first) => Err(NotExact::Surface { count: lost.len(), at: facets[*first].corners[0].into() }),
         None => Ok(()),
@@ -47,39 +47,39 @@ fn next_sliver(
     facets: &[Facet],
     half_edges: &HalfEdges,
     known: &[Known],
-    homes: &[Option<usize>],
+    assignment: &[Option<usize>],
     within_mm: f64,
 ) -> Option<(usize, usize)> {
     let mut joined: Option<(f64, usize, usize)> = None;
-    for at in (0..facets.len()).filter(|at| homes[*at].is_none()) {
+    for at in (0..facets.len()).filter(|at| assignment[*at].is_none()) {
         for h in 3 * at..3 * at + 3 {
-            let Some(home) = homes[half_edges.twin(h) / 3] else { continue };
+            let Some(surface) = assignment[half_edges.twin(h) / 3] else { continue };
             let corners = &facets[at].corners;
             let length = (corners[(h + 1) % 3] - corners[h % 3]).norm();
-            let fits = corners.iter().all(|p| known[home].is_near(p, within_mm));
+            let fits = corners.iter().all(|p| known[surface].is_near(p, within_mm));
             if fits && joined.is_none_or(|(longest, _, _)| length > longest) {
-                joined = Some((length, at, home));
+                joined = Some((length, at, surface));
             }
         }
     }
-    joined.map(|(_, at, home)| (at, home))
+    joined.map(|(_, at, surface)| (at, surface))
 }
 
 /// A plane that shows itself only between a cylinder and its chords is part of the cylinder.
-fn absorb(facets: &[Facet], half_edges: &HalfEdges, known: &[Known], homes: &mut [usize]) {
+fn absorb(facets: &[Facet], half_edges: &HalfEdges, known: &[Known], assignment: &mut [usize]) {
     let mut seen = vec![false; facets.len()];
     for seed in 0..facets.len() {
-        if seen[seed] || known[homes[seed]].is_cylinder() {
+        if seen[seed] || known[assignment[seed]].is_cylinder() {
             continue;
         }
-        let (home, mut group, mut beside) = (homes[seed], vec![seed], Vec::new());
+        let (surface, mut group, mut beside) = (assignment[seed], vec![seed], Vec::new());
         seen[seed] = true;
         let mut at = 0;
         while at < group.len() {
             for h in 3 * group[at]..3 * group[at] + 3 {
                 let neighbour = half_edges.twin(h) / 3;
-                if homes[neighbour] != home {
-                    beside.push(homes[neighbour]);
+                if assignment[neighbour] != surface {
+                    beside.push(assignment[neighbour]);
                 } else if !seen[neighbour] {
                     seen[neighbour] = true;
                     group.push(neighbour);
@@ -93,10 +93,10 @@ fn absorb(facets: &[Facet], half_edges: &HalfEdges, known: &[Known], homes: &mut
         beside.sort_unstable();
         beside.dedup();
         let corners = || group.iter().flat_map(|facet| &facets[*facet].corners);
-        let holds = |home: &&usize| known[**home].is_cylinder() && corners().all(|p| known[**home].is_near(p, SURE_MM));
+        let holds = |surface: &&usize| known[**surface].is_cylinder() && corners().all(|p| known[**surface].is_near(p, SURE_MM));
         if let Some(cylinder) = beside.iter().find(holds) {
             for facet in group {
-                homes[facet] = *cylinder;
+                assignment[facet] = *cylinder;
             }
         }
     }

@@ -18,7 +18,7 @@ pub(super) struct Known {
 /// Rotation or reflection, then a shift.
 type Place = (Matrix3<f64>, Vector3<f64>);
 
-/// How far a facet's corners may lie beside the surface that it stands for, mm: what melting detail away can move them.
+/// How far a facet's corners may lie beside the surface that it stands for, mm: what simplifying detail away can move them.
 pub(super) const BESIDE_MM: f64 = 0.0015;
 
 /// A facet that lies on a plane this well is not taken for a chord of a cylinder, mm.

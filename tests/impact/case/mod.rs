@@ -64,7 +64,7 @@ fn waves(set: &DropSet, channel: Channel) -> Waves {
 
 /// The real frame reduced to one coordinate, by the numbers that come with the program: the curve does not depend on the modulus.
 fn reduced() -> Reduction {
-    let settings = mechanics::settings::Settings::load(None).expect("the program's own numbers are sound");
+    let settings = mechanics::settings::MechanicsSettings::load(None).expect("the program's own numbers are sound");
     let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
     let quarter = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
     let curve = StaticCurve::new(&quarter, 30.0, &[]).expect("is followed");
