@@ -4,8 +4,8 @@ use nalgebra::{Rotation3, Vector3};
 
 use crate::mechanics::element::beam::{Beam, Rigidity};
 use crate::mechanics::solve::statics::{Command, Path, Precision};
+use crate::mechanics::system::equation_system::System;
 use crate::mechanics::system::structure::{Node, Structure};
-use crate::mechanics::system::system::System;
 
 /// A chain of equal beams over points, the first node clamped.
 fn chain(points: &[Vector3<f64>], aside: Vector3<f64>, rigidity: &Rigidity) -> Structure {
@@ -29,7 +29,7 @@ fn loaded(structure: Structure, load: &[(usize, usize, f64)], target: f64, steps
         force[system.unknowns.of(*node)[*direction]] = *value;
     }
     let mut state = system.rest();
-    let (mut work, mut sum, bias) = (system.pattern.work(), crate::mechanics::system::system::Sum::default(), system.elastic());
+    let (mut work, mut sum, bias) = (system.pattern.work(), crate::mechanics::system::equation_system::Sum::default(), system.elastic());
     for step in 1..=steps {
         let factor = target * step as f64 / steps as f64;
         for iteration in 0.. {

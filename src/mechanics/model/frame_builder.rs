@@ -15,8 +15,8 @@ use crate::mechanics::parts::parts_plan::PartModel;
 use crate::mechanics::parts::plan::Port;
 use crate::mechanics::parts::section::{Elastic, Section};
 use crate::mechanics::settings::MechanicsSettings;
+use crate::mechanics::system::equation_system::System;
 use crate::mechanics::system::structure::{Node, Structure};
-use crate::mechanics::system::system::System;
 
 /// Stiffness of what holds nodes rigidly to each other: far above the joints', MPa, and its radius, mm.
 const LINK: (Elastic, f64) = (Elastic { young_mpa: 2e4, shear_mpa: 8e3 }, 2.0);

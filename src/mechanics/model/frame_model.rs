@@ -1,7 +1,7 @@
 //! The frame as a structure: parts as beams, rods, ties between them, a rigid centre, masses, feet.
 
 use crate::frame::skeleton::RodRole;
-use crate::mechanics::system::system::System;
+use crate::mechanics::system::equation_system::System;
 
 /// How much of the frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,9 +7,9 @@ use crate::mechanics::element::rotation::exp;
 use crate::mechanics::model::frame_builder::TOUCH_MM;
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::solve::dynamics::TimeIntegration;
+use crate::mechanics::system::equation_system::System;
 use crate::mechanics::system::sparse::NOWHERE;
 use crate::mechanics::system::structure::State;
-use crate::mechanics::system::system::System;
 use crate::units::{Angle, GRAVITY_MM_MS2};
 
 /// The frame at rest in itself, turned, its lowest foot on the ground as deep as a foot stands at rest.

@@ -6,9 +6,9 @@
 use crate::mechanics::element::bushing::Gap;
 use crate::mechanics::element::matrices::Local;
 use crate::mechanics::element::relaxation::Relaxation;
+use crate::mechanics::system::equation_system::{Sum, System};
 use crate::mechanics::system::sparse::{SparseError, Work};
 use crate::mechanics::system::structure::{Bias, State};
-use crate::mechanics::system::system::{Sum, System};
 
 /// Spectral radius at infinite frequency: how much of what is too fast for the step stays in it.
 const RADIUS: f64 = 0.6;

@@ -7,9 +7,9 @@ use nalgebra::{DMatrix, SymmetricEigen};
 
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::model::model_error::ModelError;
+use crate::mechanics::system::equation_system::{Sum, System};
 use crate::mechanics::system::sparse::{NOWHERE, SparseError};
 use crate::mechanics::system::structure::State;
-use crate::mechanics::system::system::{Sum, System};
 
 /// A mode.
 #[derive(Clone, Debug)]

@@ -4,9 +4,9 @@
 //! takes as much of the load as brings the commanded displacement to its value (J.-L. Batoz, G. Dhatt, Int. J. Numer. Meth.
 //! Engng 14 (1979) 1262). The way on from two states is extrapolated.
 
+use crate::mechanics::system::equation_system::{Sum, System};
 use crate::mechanics::system::sparse::{SparseError, Work};
 use crate::mechanics::system::structure::State;
-use crate::mechanics::system::system::{Sum, System};
 
 /// A load and the displacement in command.
 #[derive(Clone, Debug)]
