@@ -124,7 +124,7 @@ impl Design {
 
     /// What a printed part is made of.
     pub fn material_of(&self, name: PartName) -> &NamedMaterial {
-        match record(name).material {
+        match self.part(name).map_or_else(|| record(name), |made| made.part).material {
             MaterialClass::Flexible => &self.frame.flexible,
             MaterialClass::Rigid => &self.frame.rigid,
         }
