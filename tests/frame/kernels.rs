@@ -241,5 +241,5 @@ fn analytic_sphere() {
         assert!(mesh < exact && mesh > exact * (1.0 - 0.75 * chord * chord), "{radius}: {mesh} {exact}");
     }
     let brep = brep_mm3(&Feature::sphere(20.0));
-    assert_close("B-rep", brep, 4.0 / 3.0 * PI * 8000.0, 2e-3);
+    assert_close("B-rep", brep, 4.0 / 3.0 * PI * 8000.0, 1e-12);
 }
