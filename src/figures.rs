@@ -12,7 +12,7 @@ pub fn decimals(value: f64, places: usize) -> String {
     }
 }
 
-/// A number and what it is held against, with the decimals asked for, or with as many more as tell them apart.
+/// A number and the limit that it is compared with, with the decimals asked for, or with as many more as tell them apart.
 pub fn told_apart(value: f64, limit: f64, places: usize) -> [String; 2] {
     let written = |places: usize| [decimals(value, places), decimals(limit, places)];
     let apart = (places..=MOST_PLACES.max(places)).map(written).find(|[value, limit]| value != limit);

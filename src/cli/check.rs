@@ -78,19 +78,19 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let policy = Policy { strict: args.strict, baseline: baseline.as_ref(), ..Policy::default() };
     let cache = Cache::new(!args.no_cache);
     let working = Progress::of("checking", common);
-    let mut told = Vec::new();
+    let mut messages = Vec::new();
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
             let result = hold(&asked, args, policy, &cache).map_err(|failure| {
-                told.push(failure.render());
+                messages.push(failure.render());
                 refused(&failure)
             });
             Outcome { asked, result }
         })
         .collect();
     drop(working);
-    for message in &told {
+    for message in &messages {
         terminal::tell(message.trim_end());
     }
     if args.baseline.is_some() {

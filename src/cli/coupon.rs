@@ -66,7 +66,7 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
 }
 
 fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    let unfit = |error: crate::printing::coupon::Unfit| Failure::Usage { message: format!("--read: {error}") };
+    let unfit = |error: crate::printing::coupon::FindingError| Failure::Usage { message: format!("--read: {error}") };
     let found: Vec<Found> = args.read.iter().map(|words| Found::parse(words)).collect::<Result<_, _>>().map_err(unfit)?;
     let set = Found::parameters(frame, &found).map_err(unfit)?;
     let why = format!("found on the coupon: {}", args.read.join(", "));
@@ -78,8 +78,8 @@ fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure
             let set: serde_json::Map<String, serde_json::Value> = set.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
             terminal::print_json(&serde_json::json!({ "file": place.display().to_string(), "set": set }))?;
         } else if !common.quiet {
-            let told: String = set.iter().map(|(key, value)| format!("{key:<40} {value}\n")).collect();
-            terminal::print(&format!("{told}{}\n", place.display()))?;
+            let formatted: String = set.iter().map(|(key, value)| format!("{key:<40} {value}\n")).collect();
+            terminal::print(&format!("{formatted}{}\n", place.display()))?;
         }
     }
     Ok(ExitCode::SUCCESS)

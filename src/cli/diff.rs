@@ -127,17 +127,17 @@ fn json(difference: &Difference) -> serde_json::Value {
     value
 }
 
-/// What to say when a measure grew by more than allowed. Growth counts as it is told: one of 0.00 mm is none.
+/// What to say when a measure grew by more than allowed. Growth counts as it is printed: one of 0.00 mm is none.
 fn exceeded(increase: &Increase, sides: &[Side; 2]) -> Option<String> {
     let [before, after] = sides.each_ref().map(|side| increase.measure.of(&side.evaluation));
     let grown = increase.exceeded(before, after)?;
     let Increase { measure, most } = increase;
-    let (name, unit, told) = (measure.name, measure.unit, measure.reported(Some(grown)));
-    if told.parse::<f64>().is_ok_and(|told| told <= *most) {
+    let (name, unit, formatted) = (measure.name, measure.unit, measure.reported(Some(grown)));
+    if formatted.parse::<f64>().is_ok_and(|formatted| formatted <= *most) {
         return None;
     }
     Some(format!(
-        "{name} grew by {told} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
+        "{name} grew by {formatted} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
         measure.reported(before),
         measure.reported(after)
     ))

@@ -141,11 +141,11 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
         let middle = responses.get(1).and_then(of);
         text += &format!("{:<20} {:<4}", measure.name, measure.unit);
         for (column, response) in responses.iter().enumerate() {
-            let told = match (of(response), middle) {
+            let formatted = match (of(response), middle) {
                 (Some(value), Some(middle)) if column != 1 => signed(value - middle, measure.places()),
                 (value, _) => measure.reported(value),
             };
-            text += &format!(" {told:>12}");
+            text += &format!(" {formatted:>12}");
         }
         text.push('\n');
     }
@@ -166,8 +166,8 @@ fn round(value: f64) -> f64 {
 }
 
 fn signed(change: f64, places: usize) -> String {
-    let told = crate::figures::decimals(change, places);
-    if change > 0.0 && told.chars().any(|c| ('1'..='9').contains(&c)) { format!("+{told}") } else { told }
+    let formatted = crate::figures::decimals(change, places);
+    if change > 0.0 && formatted.chars().any(|c| ('1'..='9').contains(&c)) { format!("+{formatted}") } else { formatted }
 }
 
 fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Value {

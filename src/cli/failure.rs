@@ -1,4 +1,4 @@
-//! Why a command did not do its work, what a person reads of it, and what the shell is told.
+//! Why a command did not do its work, what a person reads of it, and its exit code.
 
 use std::io;
 
@@ -56,7 +56,7 @@ impl Failure {
     }
 }
 
-/// A failure of the model, as the user has to be told it.
+/// A failure of the model, as the user reads it.
 pub(super) fn mechanics_refused(error: impl std::fmt::Display) -> Failure {
     Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
 }

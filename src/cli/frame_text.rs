@@ -68,7 +68,7 @@ pub(super) fn amend(place: &Path, frame: &str, description: &str, lines: &[Line]
 fn amended(text: &str, lines: &[Line]) -> Result<String, String> {
     let mut document: DocumentMut = text.parse().map_err(|error: TomlError| error.to_string())?;
     for Line { key, value, why } in lines {
-        let mut item: Item = told(value).parse::<toml_edit::Value>().map_err(|error| error.to_string())?.into();
+        let mut item: Item = formatted(value).parse::<toml_edit::Value>().map_err(|error| error.to_string())?.into();
         if let Some(value) = item.as_value_mut() {
             value.decor_mut().set_suffix(format!(" # {}", why.replace(['\n', '\r'], " ")));
         }
@@ -135,14 +135,14 @@ fn text(base: &str, description: &str, lines: &[Line]) -> String {
         for line in lines.iter().filter(|line| line.key.rsplit_once('.').is_some_and(|(of, _)| of == table)) {
             let key = line.key.rsplit('.').next().unwrap_or_default();
             let why = line.why.replace(['\n', '\r'], " ");
-            text += &format!("{key} = {} # {why}\n", told(&line.value));
+            text += &format!("{key} = {} # {why}\n", formatted(&line.value));
         }
     }
     text
 }
 
 /// A value as TOML.
-pub(super) fn told(value: &Value) -> String {
+pub(super) fn formatted(value: &Value) -> String {
     match value {
         Value::Number(number) => format!("{number:?}"),
         Value::Text(text) => quoted(text),

@@ -84,14 +84,14 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&json(&creation, &place.display().to_string()))?;
     } else if !common.quiet {
-        terminal::print(&told(&creation, &lines, &place.display().to_string()))?;
+        terminal::print(&formatted(&creation, &lines, &place.display().to_string()))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
 /// The words of the command line that ask for a value.
 fn asked_by(key: &str, value: &Value) -> String {
-    let value = frame_text::told(value);
+    let value = frame_text::formatted(value);
     match key.split_once('.') {
         Some(("bought", role)) => format!("--{role} {value}"),
         Some((_, "mass_budget_g")) => format!("--mass {value}"),
@@ -134,7 +134,7 @@ fn envelope(text: &str) -> Result<[f64; 3], Failure> {
     }
 }
 
-fn told(creation: &Creation, lines: &[Line], place: &str) -> String {
+fn formatted(creation: &Creation, lines: &[Line], place: &str) -> String {
     let mut text = String::new();
     for message in &creation.why {
         text += &format!("as asked for: {message}\n");

@@ -88,7 +88,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             None => begun,
             Some(settings) => begun.and_then(|begun| begun.strengthened(settings).ok()),
         };
-        terminal::print(&told(&solution, &before.name, begun.as_ref()))?;
+        terminal::print(&formatted(&solution, &before.name, begun.as_ref()))?;
     }
     if let (Some(place), Some(base)) = (place, base) {
         let mut lines: Vec<Line> = solution.values.iter().map(|(vary, before, after)| line(vary, *before, *after)).collect();
@@ -138,7 +138,7 @@ fn line(vary: &Vary, before: f64, after: f64) -> Line {
 }
 
 /// What was found beside what there was; the frame that the search began at need not be one that can be built.
-fn told(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String {
+fn formatted(solution: &Solution, before: &str, begun: Option<&Evaluation>) -> String {
     let mut text = format!("{}\n\n{:<34} {:>10} {:>10}\n", looked_at(solution.looked_at), "", before, "solved");
     for (vary, before, after) in &solution.values {
         text += &format!("{:<34} {before:>10.3} {after:>10.3} {}\n", vary.key(), vary.parameter.unit());

@@ -72,9 +72,9 @@ fn down_mm(text: &str) -> Result<f64, String> {
     }
 }
 
-/// Displacements at which the inside is told, mm.
+/// Displacements at which the inside is reported, mm.
 const INSIDE_MM: [f64; 2] = [1.0, 16.0];
-/// Modes that are told.
+/// Modes that are reported.
 const MODES: usize = 8;
 
 /// Largest displacement of a mode in pictures, mm.

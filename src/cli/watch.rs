@@ -102,7 +102,7 @@ fn named(files: &[PathBuf]) -> String {
     files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>().join(", ")
 }
 
-/// Saves of files, told by the system.
+/// Saves of files, as the system reports them.
 struct Saves {
     events: Receiver<notify::Result<notify::Event>>,
     watcher: std::cell::RefCell<notify::RecommendedWatcher>,
@@ -110,8 +110,8 @@ struct Saves {
 
 impl Saves {
     fn new() -> Result<Self, Failure> {
-        let (told, events) = channel();
-        let watcher = notify::recommended_watcher(told).map_err(|error| machine("cannot watch files", error))?;
+        let (sender, events) = channel();
+        let watcher = notify::recommended_watcher(sender).map_err(|error| machine("cannot watch files", error))?;
         Ok(Self { events, watcher: std::cell::RefCell::new(watcher) })
     }
 
@@ -128,7 +128,7 @@ impl Saves {
         Ok(watched)
     }
 
-    /// When one of the files was saved next; none when nothing can be told any more.
+    /// When one of the files was saved next; none when no event can come any more.
     fn next(&self, files: &[PathBuf]) -> Option<Instant> {
         let ours = |event: &notify::Result<notify::Event>| {
             let Ok(event) = event else { return false };

@@ -70,7 +70,7 @@ impl Catalogues {
             let part: BoughtPart = entry(&self.parts, file, &key, "bought part", "parts", &name)?;
             if part.kind != kind {
                 let (found, expected, fits) = (format!("a {}", part.kind), format!("a {kind}"), fitting(&self.parts, |p| is(p, kind)));
-                return Err(file.refuse(&key, Reason::Unfit { key: key.clone(), name, found, expected, fits }));
+                return Err(file.refuse(&key, Reason::WrongKind { key: key.clone(), name, found, expected, fits }));
             }
             if !part.is_sound() {
                 return Err(bad_override(
@@ -142,7 +142,7 @@ impl Catalogues {
         if material.kind != kind {
             let words = |kind: &str| MATERIAL_KINDS.iter().find(|(known, _)| *known == kind).map_or("", |(_, words)| words).to_string();
             let (found, expected, fits) = (words(&material.kind), words(kind), fitting(&self.materials, |m| is(m, kind)));
-            return Err(file.refuse(key, Reason::Unfit { key: key.into(), name, found, expected, fits }));
+            return Err(file.refuse(key, Reason::WrongKind { key: key.into(), name, found, expected, fits }));
         }
         if !material.is_sound() {
             return Err(bad_override(file, key, "material", "materials", &name, "one of its figures is not positive or no number"));

@@ -90,7 +90,7 @@ pub enum Reason {
     },
     /// A name of the catalogue, but of something else than what is wanted.
     #[error("`{key}` is `{name}`, {found}; it must be {expected}")]
-    Unfit {
+    WrongKind {
         /// The key with its table.
         key: String,
         /// The name.
@@ -177,7 +177,7 @@ impl Reason {
             Self::UnknownName { kind, nearest: n, .. } if n.is_empty() => known_names(kind),
             Self::UnknownName { nearest: n, .. } => nearest(n),
             Self::WrongType { expected, .. } | Self::TableForValue { expected, .. } => format!("give {expected}"),
-            Self::Unfit { fits, .. } => match fits[..] {
+            Self::WrongKind { fits, .. } => match fits[..] {
                 [] => "none of the catalogue fits; describe one in [override]".into(),
                 _ => format!("these fit: {}", fits.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(", ")),
             },

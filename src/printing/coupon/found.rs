@@ -79,7 +79,7 @@ pub struct Found {
 
 /// Words that say nothing that could have been found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Unfit {
+pub enum FindingError {
     /// Not `name=number`.
     #[error("`{words}` is no finding: write {}, each with the number on the coupon in mm, such as held=2.8", Fit::ALL.map(Fit::name).join(", "))]
     NoFinding {
@@ -128,9 +128,9 @@ impl Found {
     /// Reads `held=2.8`.
     ///
     /// # Errors
-    /// [`Unfit::NoFinding`].
-    pub fn parse(words: &str) -> Result<Self, Unfit> {
-        let wrong = || Unfit::NoFinding { words: words.into() };
+    /// [`FindingError::NoFinding`].
+    pub fn parse(words: &str) -> Result<Self, FindingError> {
+        let wrong = || FindingError::NoFinding { words: words.into() };
         let (name, number) = words.split_once('=').ok_or_else(wrong)?;
         let fit = Fit::ALL.into_iter().find(|fit| fit.name() == name.trim()).ok_or_else(wrong)?;
         let number_mm = number.trim().parse().ok().filter(|number: &f64| number.is_finite()).ok_or_else(wrong)?;
@@ -141,25 +141,25 @@ impl Found {
     ///
     /// # Errors
     /// What does not stand on the coupon, leads beyond a parameter's bounds, or contradicts something else.
-    pub fn parameters(frame: &Frame, all: &[Self]) -> Result<Vec<(&'static str, f64)>, Unfit> {
+    pub fn parameters(frame: &Frame, all: &[Self]) -> Result<Vec<(&'static str, f64)>, FindingError> {
         let of = |fit| all.iter().rev().find(|found| found.fit == fit).map(|found| found.number_mm);
         if let (Some(held_mm), Some(slides_mm)) = (of(Fit::Held), of(Fit::Slides))
             && slides_mm <= held_mm
         {
-            return Err(Unfit::Contrary { held_mm, slides_mm });
+            return Err(FindingError::Contrary { held_mm, slides_mm });
         }
         let mut set = Vec::new();
         for Self { fit, number_mm } in all {
             let (name, number_mm, has) = (fit.name(), *number_mm, fit.numbers(frame));
             let tenths = gauge::tenths(number_mm);
             if !has.contains(&tenths) || (0.1 * f64::from(tenths) - number_mm).abs() > 1e-6 {
-                return Err(Unfit::NotThere { name, number_mm, has });
+                return Err(FindingError::NotThere { name, number_mm, has });
             }
             let (keys, added) = fit.sets(frame);
             for key in keys {
                 let value = (1e3 * (number_mm + added)).round() / 1e3;
                 if let Some(Parameter { min, max, .. }) = parameter(key).filter(|p| !(p.min..=p.max).contains(&value)) {
-                    return Err(Unfit::Beyond { name, number_mm, key, value, min: *min, max: *max });
+                    return Err(FindingError::Beyond { name, number_mm, key, value, min: *min, max: *max });
                 }
                 set.push((*key, value));
             }
@@ -181,7 +181,7 @@ mod tests {
         Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves")
     }
 
-    fn read(words: &str) -> Result<Vec<(&'static str, f64)>, Unfit> {
+    fn read(words: &str) -> Result<Vec<(&'static str, f64)>, FindingError> {
         let found: Vec<Found> = words.split(',').map(Found::parse).collect::<Result<_, _>>()?;
         Found::parameters(&frame(), &found)
     }
@@ -209,13 +209,13 @@ mod tests {
     #[test]
     fn analytic_what_cannot_have_been_found_is_refused() {
         for words in ["held", "hold=2.8", "held=wide", "held=NaN"] {
-            assert!(matches!(read(words), Err(Unfit::NoFinding { .. })), "{words}");
+            assert!(matches!(read(words), Err(FindingError::NoFinding { .. })), "{words}");
         }
         for words in ["held=2.85", "held=28", "plug=-0.1", "window=0.4", "hinge=1.0"] {
-            assert!(matches!(read(words), Err(Unfit::NotThere { .. })), "{words}");
+            assert!(matches!(read(words), Err(FindingError::NotThere { .. })), "{words}");
         }
-        assert!(matches!(read("held=3.2"), Err(Unfit::Beyond { key: "fit.grip_clearance_mm", .. })));
-        assert!(matches!(read("slides=2.9"), Err(Unfit::Beyond { .. })));
-        assert!(matches!(read("held=3.1,slides=3.0"), Err(Unfit::Contrary { .. })));
+        assert!(matches!(read("held=3.2"), Err(FindingError::Beyond { key: "fit.grip_clearance_mm", .. })));
+        assert!(matches!(read("slides=2.9"), Err(FindingError::Beyond { .. })));
+        assert!(matches!(read("held=3.1,slides=3.0"), Err(FindingError::Contrary { .. })));
     }
 }

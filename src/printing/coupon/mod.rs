@@ -7,5 +7,5 @@ mod gauge;
 mod label;
 mod pieces;
 
-pub use found::{Fit, Found, Unfit};
+pub use found::{FindingError, Fit, Found};
 pub use pieces::{Coupon, CouponError, Piece};

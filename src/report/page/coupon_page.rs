@@ -48,8 +48,8 @@ pub fn markdown(frame: &Frame, coupon: &Coupon) -> String {
     );
     for fit in Fit::ALL {
         let numbers = fit.numbers(frame);
-        let told = |tenths: Option<&i32>| tenths.map_or(String::new(), |tenths| format!("{:.1}", 0.1 * f64::from(*tenths)));
-        let (least, most) = (told(numbers.iter().min()), told(numbers.iter().max()));
+        let formatted = |tenths: Option<&i32>| tenths.map_or(String::new(), |tenths| format!("{:.1}", 0.1 * f64::from(*tenths)));
+        let (least, most) = (formatted(numbers.iter().min()), formatted(numbers.iter().max()));
         let _ = writeln!(text, "| {} | {least} to {most} | `{}=` |", fit.words(), fit.name());
     }
     let _ = write!(

@@ -18,7 +18,7 @@ use crate::solid::{Feature, Mesh, MeshSolid};
 const VIEW: [u32; 2] = [560, 420];
 /// Height of a line of words, and of their letters, pixels.
 const WORDS: [f64; 2] = [22.0, 15.0];
-/// Most places that are told in words.
+/// Most places that are described in words.
 const MOST_TOLD: usize = 6;
 /// Colour of the part.
 const PART: [f32; 4] = [0.55, 0.56, 0.58, 1.0];
@@ -81,7 +81,7 @@ fn over_air(part: &Printed, process: &Process) -> Vec<Mark> {
         .iter()
         .map(|place| {
             let (colour, legend) = look(place.fault(process));
-            Mark { meshes: terraces(place), colour, legend, words: told(place) }
+            Mark { meshes: terraces(place), colour, legend, words: described(place) }
         })
         .collect()
 }
@@ -101,7 +101,7 @@ fn terraces(place: &Hanging) -> Vec<Mesh> {
     place.layers.iter().map(|(bottom_mm, piece)| piece.drawn_up(bottom_mm - MARK_MM[0], bottom_mm + MARK_MM[1]).to_mesh()).collect()
 }
 
-fn told(place: &Hanging) -> String {
+fn described(place: &Hanging) -> String {
     let [x, y] = place.plan.middle_mm().map(|mm| decimals(mm, 1));
     let size = if place.bridged {
         format!("spans {} mm", decimals(place.span_mm, 1))
