@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::planted::{Planted, violated};
 use super::rule::Found;
 use super::*;
+use crate::params::resolve::TARGET_BOUNDS;
 use crate::params::{PartName, parameters, preset};
 
 fn broken(preset: &str) -> Vec<String> {
@@ -59,7 +60,9 @@ fn analytic_margin_and_verdict_agree() {
 const CHOICES: [&str; 6] = ["printer", "materials.flexible", "materials.rigid", "bought.battery", "bought.motor", "bought.rod"];
 
 fn is_key(key: &str) -> bool {
-    CHOICES.contains(&key) || parameters().any(|p| key == format!("{}.{}", p.table, p.key))
+    CHOICES.contains(&key)
+        || TARGET_BOUNDS.iter().any(|(known, ..)| *known == key)
+        || parameters().any(|p| key == format!("{}.{}", p.table, p.key))
 }
 
 /// The sets of levers that a rule's findings can have.

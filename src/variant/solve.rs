@@ -175,7 +175,8 @@ mod tests {
         let problem = SearchProblem { file: &file, aim, goals: Vec::new(), vary, start: Vec::new(), most: 14, mechanics: None };
         let solution = solve_by(&problem, &rules).ok().expect("is found");
         let (_, before, after) = solution.values[0];
-        assert!(after < before && (TOY_MM..TOY_MM + 0.5).contains(&after), "{after}");
+        // A limit in mm counts as kept when it is missed by no more than a length may be mismeasured, 0.005 mm.
+        assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{after}");
         assert!(solution.binding.iter().any(|binding| binding.what.starts_with("toy: ")), "{:?}", solution.binding);
     }
 }
