@@ -19,3 +19,8 @@ pub fn csv<Row: IntoIterator<Item: AsRef<[u8]>>>(
     let bytes = table.into_inner().map_err(|error| ExportError::of(file)(error.into_error()))?;
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
+
+/// A number as a field: an unknown one stays empty.
+pub fn number(value: Option<f64>) -> String {
+    value.map(|value| value.to_string()).unwrap_or_default()
+}
