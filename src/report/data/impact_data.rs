@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::export::ExportError;
+use crate::export::table::csv;
 use crate::mechanics::result::impact::{Impact, LOGGER_HZ};
 use crate::mechanics::settings::MechanicsSettings;
 
@@ -82,14 +84,20 @@ pub fn json(found: &Impacts, series: bool) -> Value {
 }
 
 /// The series of every height.
-pub fn trace_csv(found: &Impacts) -> String {
-    let mut text = "height_m,t_ms,down_mm,up_m_s,proper_g,sensor_g,ground_n\n".to_string();
-    for impact in found.impacts {
-        for (m, sensor) in impact.moments.iter().zip(impact.through(LOGGER_HZ)) {
-            text += &format!("{},{:.3},{},{},{},{sensor},{}\n", impact.height_m, m.t_ms, m.down_mm, m.up_m_s, m.proper_g, m.ground_n);
-        }
-    }
-    text
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn trace_csv(found: &Impacts) -> Result<String, ExportError> {
+    let columns = ["height_m", "t_ms", "down_mm", "up_m_s", "proper_g", "sensor_g", "ground_n"];
+    let rows = found.impacts.iter().flat_map(|impact| {
+        impact.moments.iter().zip(impact.through(LOGGER_HZ)).map(|(m, sensor_g)| {
+            let t_ms = format!("{:.3}", m.t_ms);
+            let [height_m, down_mm, up_m_s, proper_g, sensor_g, ground_n] =
+                [impact.height_m, m.down_mm, m.up_m_s, m.proper_g, sensor_g, m.ground_n].map(|value| value.to_string());
+            [height_m, t_ms, down_mm, up_m_s, proper_g, sensor_g, ground_n]
+        })
+    });
+    csv("trace.csv", columns, rows)
 }
 
 /// What a person reads.
