@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::export::ExportError;
+use crate::export::table::csv;
 use crate::mechanics::result::ratio::Ratio;
 use crate::mechanics::result::static_curve::{Inside, StaticCurve};
 use crate::mechanics::settings::MechanicsSettings;
@@ -80,15 +82,17 @@ pub fn json(found: &Stiffness) -> Value {
     })
 }
 
-/// The curve, with what was measured at the same displacement.
-pub fn curve_csv(found: &Stiffness) -> String {
-    let mut text = "displacement_mm,force_n,low_n,high_n,unstable\n".to_string();
+/// The curve with its band.
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn curve_csv(found: &Stiffness) -> Result<String, ExportError> {
     let [low, high] = found.band();
-    for point in &found.curve.points {
-        let f = point.force_n;
-        text += &format!("{},{f},{},{},{}\n", point.displacement_mm, f * low, f * high, point.unstable);
-    }
-    text
+    let rows = found.curve.points.iter().map(|point| {
+        let [x, f, low, high] = [point.displacement_mm, point.force_n, point.force_n * low, point.force_n * high].map(|v| v.to_string());
+        [x, f, low, high, point.unstable.to_string()]
+    });
+    csv("curve.csv", ["displacement_mm", "force_n", "low_n", "high_n", "unstable"], rows)
 }
 
 /// What a person reads.
