@@ -26,7 +26,6 @@ use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::MechanicsSettings as Mechanics;
 use crate::report::data::diagnosis_data;
 use crate::report::data::diagnosis_data::Compared;
-use crate::report::data::drop_data;
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
@@ -181,7 +180,7 @@ fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Re
 
 fn summary(found: &Diagnosis, compared: &Compared) -> String {
     let body = &found.base.model().body;
-    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", body.mass_kg * 1e3, body.gap_m * 1e3, drop_data::origin(body));
+    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", body.mass_kg * 1e3, body.gap_m * 1e3, body.origin);
     let drops: Vec<String> = compared.drops.iter().map(|(height_m, count)| format!("{count} from {height_m} m")).collect();
     text += &format!("{} acceleration of {}\n", compared.channel, drops.join(", "));
     for sentence in compared.observed() {

@@ -56,8 +56,8 @@ fn folder(model: &Model) -> String {
 
 /// What came out, height by height, validity warnings below.
 fn table(model: &Model, traces: &[Trace]) -> String {
-    let DropBody { mass_kg, gap_m, .. } = &model.body;
-    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&model.body));
+    let DropBody { mass_kg, gap_m, origin, .. } = &model.body;
+    let mut text = format!("mass {:.1} g and gap {:.1} mm of {origin}\n\n", mass_kg * 1e3, gap_m * 1e3);
     text += "                ---------- peak, g ----------                     - balance, % of m g (h + x) -   - paper, % of m g h -\n";
     text += "height   impact  coordinate   proper   sensor  contact  largest   stored    lost  motion  rigid   damper  spring  rigid\n";
     text += "     m      m/s       |x''|      F/m               ms       mm\n";

@@ -106,7 +106,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "verdict": diagnosis.verdict.id(),
         "reasons": diagnosis.reasons,
         "effects": effects,
-        "base": { "before": before, "after": base, "body": { "mass_kg": diagnosis.base.model().body.mass_kg, "gap_mm": diagnosis.base.model().body.gap_m * 1e3, "from": drop_data::origin(&diagnosis.base.model().body) } },
+        "base": { "before": before, "after": base, "body": drop_data::body(&diagnosis.base.model().body) },
         "weight": diagnosis.alternatives.first().map(|best| rounded(best.weight)),
         "alternatives": alternatives,
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),

@@ -1,36 +1,28 @@
 //! A drop as data: JSON, and CSV files of results, traces and samples.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 
 use crate::export::ExportError;
 use crate::export::table::{csv, number};
-use crate::impact::body::{DropBody, Origin};
-use crate::impact::effects::Model;
+use crate::impact::body::DropBody;
+use crate::impact::effects::{Listed, Model};
 use crate::impact::sim::{Sampler, Trace};
 
 /// How much of the fall stands before first touch in the samples, s.
 const FALL_S: f64 = 0.1;
 
-/// Where a body's mass and gap come from, in words.
-pub fn origin(body: &DropBody) -> String {
-    match &body.origin {
-        Origin::Model(name) => format!("model {name}"),
-        Origin::Frame(name) => format!("frame {name}"),
-    }
+/// A body: mass, gap, and where they come from.
+pub(super) fn body(body: &DropBody) -> Value {
+    json!({ "mass_kg": body.mass_kg, "gap_mm": body.gap_m * 1e3, "from": body.origin.to_string() })
 }
 
 /// Everything as JSON; the traces' series only when asked for.
 pub fn json(model: &Model, traces: &[Trace], series: bool) -> Value {
-    let body = &model.body;
     let sensor = &model.sensor;
-    let effects: serde_json::Map<String, Value> = model
-        .effects
-        .iter()
-        .map(|listed| {
-            let values = listed.spec.parameters.iter().zip(&listed.values).map(|(p, value)| (p.key.to_string(), json!(value)));
-            (listed.spec.id.to_string(), Value::Object(values.collect()))
-        })
-        .collect();
+    let values = |listed: &Listed| -> BTreeMap<_, _> { listed.spec.parameters.iter().map(|p| p.key).zip(listed.values.clone()).collect() };
+    let effects: BTreeMap<_, _> = model.effects.iter().map(|listed| (listed.spec.id, values(listed))).collect();
     let outside: Vec<Value> = traces
         .iter()
         .flat_map(|trace| trace.warnings.iter().map(|warning| json!({ "height_m": trace.height_m, "warning": warning.to_string() })))
@@ -38,7 +30,7 @@ pub fn json(model: &Model, traces: &[Trace], series: bool) -> Value {
     json!({
         "schema_version": 1,
         "model": model.name,
-        "body": { "mass_kg": body.mass_kg, "gap_mm": body.gap_m * 1e3, "from": origin(body) },
+        "body": body(&model.body),
         "sensor": { "cutoff_hz": sensor.cutoff_hz, "order": sensor.order, "limit_g": sensor.limit_g },
         "effects": effects,
         "heights": traces.iter().map(|trace| of_height(trace, series)).collect::<Vec<_>>(),

@@ -26,7 +26,6 @@ pub struct Run<'a> {
 /// Everything.
 pub fn json(run: &Run) -> Value {
     let Run { fit, chosen, .. } = run;
-    let body = &fit.model.body;
     let parameters: BTreeMap<_, _> = fit.estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
     let mut heights: Vec<(f64, usize)> = Vec::new();
     for drop in &chosen.drops {
@@ -38,7 +37,7 @@ pub fn json(run: &Run) -> Value {
     json!({
         "schema_version": 1,
         "model": fit.model.name,
-        "body": { "mass_kg": body.mass_kg, "gap_mm": body.gap_m * 1e3, "from": drop_data::origin(body) },
+        "body": drop_data::body(&fit.model.body),
         "channel": chosen.channel,
         "objective": {
             "name": run.objective,
