@@ -16,22 +16,9 @@ pub fn name(group: &DropGroup) -> String {
 
 /// Everything as JSON.
 pub fn json(set: &DropSet, groups: &[(&DropGroup, Vec<Drop>)]) -> Value {
-    let heights: Vec<Value> = groups
-        .iter()
-        .map(|(group, drops)| {
-            let mut value = json!(Summary::of(group, drops));
-            let mut flags = serde_json::Map::new();
-            for flag in drops.iter().flat_map(|drop| &drop.flags) {
-                let count = flags.get(flag.name()).and_then(Value::as_u64).unwrap_or(0);
-                flags.insert(flag.name().into(), json!(count + 1));
-            }
-            value["flags"] = Value::Object(flags);
-            value
-        })
-        .collect();
     json!({
         "schema_version": 1,
-        "heights": heights,
+        "heights": groups.iter().map(|(group, drops)| Summary::of(group, drops)).collect::<Vec<_>>(),
         "drops": groups.iter().flat_map(|(_, drops)| drops).map(of_drop).collect::<Vec<_>>(),
         "notes": set.notes,
     })
