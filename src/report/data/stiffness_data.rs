@@ -53,14 +53,10 @@ fn inside_json(inside: &Inside) -> Value {
 /// Everything as JSON.
 pub fn json(found: &Stiffness) -> Value {
     let curve = found.curve;
-    let [low, high] = found.band();
     let secants: Vec<Value> = SECANTS_MM
         .iter()
         .map(|x| json!({ "displacement_mm": x, "force_n": curve.force_n(*x), "secant_n_mm": curve.secant_n_mm(*x) }))
         .collect();
-    let modes = found.modes.map(|modes| {
-        modes.modes.iter().map(|mode| json!({ "frequency_hz": mode.frequency_hz, "share_up": mode.share_up })).collect::<Vec<_>>()
-    });
     let measured: Vec<Value> =
         found.measured.iter().map(|[x, f]| json!({ "displacement_mm": x, "measured_n": f, "force_n": curve.force_n(*x) })).collect();
     json!({
@@ -70,12 +66,12 @@ pub fn json(found: &Stiffness) -> Value {
         "young_band_mpa": found.settings.young_band_mpa,
         "calibrated": found.calibrated,
         "initial_n_mm": curve.initial_n_mm(),
-        "band": [low, high],
+        "band": found.band(),
         "secants": secants,
         "limit": curve.limit().map(|[x, f]| json!({ "displacement_mm": x, "force_n": f })),
         "curve": curve.points,
         "inside": curve.inside.iter().map(inside_json).collect::<Vec<_>>(),
-        "modes": modes,
+        "modes": found.modes.map(|modes| &modes.modes),
         "measured": measured,
         "rms_n": found.rms_n,
         "ratios": found.ratios.map(|(reference, ratios)| json!({ "reference": reference, "ratios": ratios })),
