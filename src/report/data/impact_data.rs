@@ -1,5 +1,7 @@
 //! Impacts of the frame's own model as words, JSON and CSV.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 
 use crate::export::ExportError;
@@ -31,12 +33,7 @@ pub fn sensor_peak_g(impact: &Impact) -> f64 {
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
     let [peak_g, peak_ms] = impact.peak();
     let touch = found.gap_mm.map(|gap| impact.passes(gap));
-    let rods: Vec<Value> = impact
-        .rods
-        .iter()
-        .map(|rod| json!({ "rod": rod.rod, "role": rod.role, "compression_n": rod.compression_n, "buckling_n": rod.buckling_n }))
-        .collect();
-    let lost: serde_json::Map<String, Value> = impact.lost.iter().map(|(zone, mj)| (zone.to_string(), json!(mj))).collect();
+    let lost: BTreeMap<_, _> = impact.lost.iter().copied().collect();
     let mut value = json!({
         "height_m": impact.height_m,
         "impact_speed_m_s": impact.speed_m_s,
@@ -56,7 +53,7 @@ fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
         "energy_end": impact.energies[1],
         "lost_mj": lost,
         "zones_lowest": impact.zones,
-        "rods": rods,
+        "rods": impact.rods,
         "unaccounted": impact.unaccounted,
     });
     if series {
