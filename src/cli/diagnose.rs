@@ -151,7 +151,7 @@ fn compared(choice: &ChannelChoice, set: &measured::DropSet, args: &Args) -> Com
         stated_channel: word(choice.stated),
         channel_reason: choice.reason.clone(),
         drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
-        left_out: chosen.left_out.iter().map(|left| (left.trial.clone(), left.reason.clone())).collect(),
+        left_out: chosen.left_out.clone(),
         held_out_heights_m: args.hold_out_heights.clone(),
         seed: args.seed,
         falls: Fall::of(set),
