@@ -65,11 +65,6 @@ impl Density {
     pub fn mass_g(self, volume_mm3: f64) -> f64 {
         self.0 * volume_mm3 / 1000.0
     }
-
-    /// In grams per cubic centimetre.
-    pub const fn to_g_cm3(self) -> f64 {
-        self.0
-    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Frames for the tests of the rules: sound ones, and ones with one thing broken.
+//! For the tests of the rules: sound frames, ones with one thing broken, and the line of a rule in `docs/gate.md`.
 
 use super::finding::{Finding, Verdict};
 use super::measure::Measure;
@@ -67,4 +67,27 @@ fn toy(scene: &Scene) -> Vec<Finding> {
     let value = scene.design.frame.rods.cage_rod_length_mm;
     let measure = Measure { rule: &TOY, value, limit: TOY_MM, unit: "mm", levers: TOY_LEVERS };
     vec![measure.at_least("ring".into(), format!("the ring's rods are {value} mm long"))]
+}
+
+/// A rule's line of the table in `docs/gate.md`: identifier, what it requires, and where its limit comes from.
+pub fn table_line(rule: &Rule) -> String {
+    let asked = if matches!(rule.found, Found::FromPrediction) { "with `--strength`: " } else { "" };
+    format!("| `{}` | {asked}{} | {} |", rule.id, rule.requires, limit_source(rule))
+}
+
+fn limit_source(rule: &Rule) -> String {
+    let mut keys: Vec<&str> = Vec::new();
+    let mut others: Vec<&str> = Vec::new();
+    for limit in rule.limits {
+        match limit {
+            Limit::Key { key, .. } => keys.extend(key.strip_prefix("limits.").filter(|key| !keys.contains(key))),
+            Limit::Printer => others.push("printer"),
+            Limit::Material => others.push("material"),
+            Limit::Mechanics => others.push("`[limits]` of `params/mechanics.toml`"),
+        }
+    }
+    let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
+    let stated = (!keys.is_empty()).then(|| format!("`[limits]` {}", keys.join(", ")));
+    let sources: Vec<String> = stated.into_iter().chain(others.into_iter().map(String::from)).collect();
+    if sources.is_empty() { "fixed".into() } else { sources.join(", ") }
 }

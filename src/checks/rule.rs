@@ -147,29 +147,6 @@ impl Rule {
     pub fn sentence(&self) -> String {
         sentence(self.requires)
     }
-
-    /// The rule's line of the table in `docs/gate.md`: identifier, what it requires, and where its limit comes from.
-    pub fn table_line(&self) -> String {
-        let asked = if matches!(self.found, Found::FromPrediction) { "with `--strength`: " } else { "" };
-        format!("| `{}` | {asked}{} | {} |", self.id, self.requires, self.limit_source())
-    }
-
-    fn limit_source(&self) -> String {
-        let mut keys: Vec<&str> = Vec::new();
-        let mut others: Vec<&str> = Vec::new();
-        for limit in self.limits {
-            match limit {
-                Limit::Key { key, .. } => keys.extend(key.strip_prefix("limits.").filter(|key| !keys.contains(key))),
-                Limit::Printer => others.push("printer"),
-                Limit::Material => others.push("material"),
-                Limit::Mechanics => others.push("`[limits]` of `params/mechanics.toml`"),
-            }
-        }
-        let keys: Vec<String> = keys.iter().map(|key| format!("`{key}`")).collect();
-        let stated = (!keys.is_empty()).then(|| format!("`[limits]` {}", keys.join(", ")));
-        let sources: Vec<String> = stated.into_iter().chain(others.into_iter().map(String::from)).collect();
-        if sources.is_empty() { "fixed".into() } else { sources.join(", ") }
-    }
 }
 
 /// A clause as a sentence: with a capital and a full stop.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::planted::{Planted, violated};
+use super::planted::{Planted, table_line, violated};
 use super::rule::Found;
 use super::*;
 use crate::params::resolve::TARGET_BOUNDS;
@@ -102,7 +102,7 @@ fn analytic_every_rule_says_all_of_itself() {
 fn analytic_the_page_of_the_gate_has_every_rule() {
     let page = include_str!("../../docs/gate.md");
     for rule in CATALOGUE {
-        let line = rule.table_line();
+        let line = table_line(rule);
         assert!(page.lines().any(|known| known == line), "docs/gate.md lacks this line of its table of rules:\n{line}");
     }
 }

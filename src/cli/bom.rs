@@ -7,7 +7,7 @@ use super::options::{Common, FrameOption};
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::export::{ExportError, bill, bill_page, bom};
+use crate::export::{bill, bill_page, bom};
 use crate::frame::assembly::mass;
 
 /// List what to print, to buy and to cut.
@@ -52,7 +52,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     match args.format {
         _ if common.json => terminal::print_json(&bill)?,
         BomFormat::Json => terminal::print_json(&bill)?,
-        BomFormat::Csv => terminal::print(&bom::csv(&bill).map_err(ExportError::of("bom.csv"))?)?,
+        BomFormat::Csv => terminal::print(&bom::csv(&bill)?)?,
         BomFormat::Markdown => terminal::print(&bill_page::markdown(&bill))?,
     }
     if let Some(error) = &bill.cut_error {

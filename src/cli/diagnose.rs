@@ -26,7 +26,6 @@ use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::MechanicsSettings as Mechanics;
 use crate::report::data::diagnosis_data;
 use crate::report::data::diagnosis_data::Compared;
-use crate::report::data::drop_data;
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
@@ -152,7 +151,7 @@ fn compared(choice: &ChannelChoice, set: &measured::DropSet, args: &Args) -> Com
         stated_channel: word(choice.stated),
         channel_reason: choice.reason.clone(),
         drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
-        left_out: chosen.left_out.iter().map(|left| (left.trial.clone(), left.reason.clone())).collect(),
+        left_out: chosen.left_out.clone(),
         held_out_heights_m: args.hold_out_heights.clone(),
         seed: args.seed,
         falls: Fall::of(set),
@@ -181,7 +180,7 @@ fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Re
 
 fn summary(found: &Diagnosis, compared: &Compared) -> String {
     let body = &found.base.model().body;
-    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", body.mass_kg * 1e3, body.gap_m * 1e3, drop_data::origin(body));
+    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", body.mass_kg * 1e3, body.gap_m * 1e3, body.origin);
     let drops: Vec<String> = compared.drops.iter().map(|(height_m, count)| format!("{count} from {height_m} m")).collect();
     text += &format!("{} acceleration of {}\n", compared.channel, drops.join(", "));
     for sentence in compared.observed() {

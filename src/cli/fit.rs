@@ -18,7 +18,7 @@ use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihoo
 use crate::impact::measured;
 use crate::params::preset;
 use crate::report::chart::fit_plots;
-use crate::report::data::{drop_data, fit_data};
+use crate::report::data::fit_data;
 
 /// Fit parameters of a model to measured drops.
 #[derive(Debug, clap::Args)]
@@ -163,8 +163,8 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
 }
 
 fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> String {
-    let DropBody { mass_kg, gap_m, .. } = &fit.model.body;
-    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&fit.model.body));
+    let DropBody { mass_kg, gap_m, origin, .. } = &fit.model.body;
+    let mut text = format!("mass {:.1} g and gap {:.1} mm of {origin}\n", mass_kg * 1e3, gap_m * 1e3);
     let channel = match fit.model.sensor.channel {
         Channel::Axial => "acceleration along the axis",
         Channel::Magnitude if chosen.lacks_axes() => "magnitude of the one axis there is",

@@ -38,8 +38,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let json = measure_data::json(&set, &groups);
     let mut files = measure_plots::plots(&groups)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    files.push(("heights.csv".into(), measure_data::heights_csv(&groups).into_bytes()));
-    files.push(("drops.csv".into(), measure_data::drops_csv(&groups).into_bytes()));
+    files.push(("heights.csv".into(), measure_data::heights_csv(&groups)?.into_bytes()));
+    files.push(("drops.csv".into(), measure_data::drops_csv(&groups)?.into_bytes()));
     files.push(("measure.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
     let place = output::write_folder(&args.output, "measure", &files)?;

@@ -164,7 +164,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let json = stiffness_data::json(&found);
     let mut files = stiffness_plots::plots(&found)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    files.push(("curve.csv".into(), stiffness_data::curve_csv(&found).into_bytes()));
+    files.push(("curve.csv".into(), stiffness_data::curve_csv(&found)?.into_bytes()));
     files.push(("stiffness.json".into(), format!("{json:#}\n").into_bytes()));
     let remark = match &calibration {
         Some(calibration) => {

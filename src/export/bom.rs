@@ -2,6 +2,7 @@
 
 use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine, bill};
 use super::format::{ExportError, Exported, File, Format};
+use super::table;
 
 /// The bill of materials.
 pub const FORMAT: Format = Format {
@@ -12,8 +13,7 @@ pub const FORMAT: Format = Format {
 };
 
 fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
-    let text = csv(&bill(of.design, of.masses, None)).map_err(ExportError::of("bom.csv"))?;
-    Ok(vec![File::new("bom.csv", text.into_bytes())])
+    Ok(vec![File::new("bom.csv", csv(&bill(of.design, of.masses, None))?.into_bytes())])
 }
 
 /// Columns of the CSV; what a line has not stays empty.
@@ -40,21 +40,15 @@ const COLUMNS: [&str; 17] = [
 /// A line of the CSV, a field for each column.
 type Row = [String; COLUMNS.len()];
 
-/// The bill of materials as CSV (comma, quotes where needed, `\n`): lines of the kinds `printed`, `rod`, `bought`, `extra`, and
+/// The bill of materials as CSV: lines of the kinds `printed`, `rod`, `bought`, `extra`, and
 /// `stock`, one for each stock length of rods, with how to cut it.
 ///
 /// # Errors
-/// Only those of writing to memory.
-pub fn csv(bill: &Bill) -> Result<String, csv::Error> {
+/// Those of [`table::csv`].
+pub fn csv(bill: &Bill) -> Result<String, ExportError> {
     let rows = bill.print.iter().map(printed_row).chain(bill.rods.iter().map(rod_row));
     let rows = rows.chain(bill.buy.iter().filter(|line| line.role != "rod").map(bought_row)).chain(stock_rows(bill));
-    let mut table = csv::Writer::from_writer(Vec::new());
-    table.write_record(COLUMNS)?;
-    for row in rows {
-        table.write_record(row)?;
-    }
-    let bytes = table.into_inner().map_err(|error| error.into_error())?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    table::csv("bom.csv", COLUMNS, rows)
 }
 
 fn printed_row(line: &PrintLine) -> Row {

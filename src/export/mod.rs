@@ -17,6 +17,7 @@ pub mod glb;
 pub mod manifest;
 pub mod step;
 pub mod stl;
+pub mod table;
 pub mod three_mf;
 
 pub use format::{ExportError, Exported, File, Format, Made, SolidEntry};

@@ -13,6 +13,15 @@ pub enum Origin {
     Frame(String),
 }
 
+impl std::fmt::Display for Origin {
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Model(name) => write!(f, "model {name}"),
+            Self::Frame(name) => write!(f, "frame {name}"),
+        }
+    }
+}
+
 /// What falls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DropBody {

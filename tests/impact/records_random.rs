@@ -25,8 +25,8 @@ fn survives(name: &str, bytes: &[u8], plots: bool) -> bool {
         Ok(set) => {
             let groups = measured::drops(&set);
             assert!(!measure_data::json(&set, &groups).to_string().is_empty());
-            assert!(measure_data::heights_csv(&groups).lines().count() == groups.len() + 1);
-            assert!(measure_data::drops_csv(&groups).lines().count() > groups.len());
+            assert!(measure_data::heights_csv(&groups).expect("is a table").lines().count() == groups.len() + 1);
+            assert!(measure_data::drops_csv(&groups).expect("is a table").lines().count() > groups.len());
             if plots {
                 measure_plots::plots(&groups).expect("can be drawn");
             }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{CheckedFrame, Outcome, Policy, sarif};
-use crate::checks::planted::{Planted, TOY};
+use crate::checks::planted::{Planted, TOY, table_line};
 use crate::checks::{CATALOGUE, Cost, Rule, check_by};
 use crate::params::files::Files;
 use crate::params::{Frame, FrameFile};
@@ -38,5 +38,5 @@ fn planted_a_rule_needs_nothing_but_its_record() {
     let described = &run["tool"]["driver"]["rules"][last];
     assert_eq!((&described["id"], &described["shortDescription"]["text"]), (&"toy".into(), &TOY.sentence().into()));
     assert_eq!((&run["results"][0]["ruleId"], &run["results"][0]["ruleIndex"]), (&"toy".into(), &last.into()));
-    assert_eq!(TOY.table_line(), "| `toy` | the rods of the ring are long enough for a toy | `[limits]` `part_clearance_mm` |");
+    assert_eq!(table_line(&TOY), "| `toy` | the rods of the ring are long enough for a toy | `[limits]` `part_clearance_mm` |");
 }

@@ -35,7 +35,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
     let json = impact_fit_data::json(&fitted);
     let files = [
-        ("predictions.csv".into(), impact_fit_data::predictions_csv(&fitted).into_bytes()),
+        ("predictions.csv".into(), impact_fit_data::predictions_csv(&fitted)?.into_bytes()),
         ("fit.json".into(), format!("{json:#}\n").into_bytes()),
         ("mechanics.toml".into(), found.settings.to_toml(&impact_fit_data::remark(&fitted)).into_bytes()),
     ];

@@ -52,7 +52,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let json = impact_data::json(&found, args.trace);
     let mut files = impact_plots::plots(&found)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    files.push(("trace.csv".into(), impact_data::trace_csv(&found).into_bytes()));
+    files.push(("trace.csv".into(), impact_data::trace_csv(&found)?.into_bytes()));
     files.push(("impact.json".into(), format!("{json:#}\n").into_bytes()));
     if let Some(highest) = impacts.iter().max_by(|a, b| a.height_m.total_cmp(&b.height_m)) {
         let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(mechanics_refused)?;

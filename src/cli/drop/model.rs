@@ -32,9 +32,9 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let json = drop_data::json(&model, &traces, args.trace);
     let mut files = drop_plots::plots(&model, &traces)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    files.push(("results.csv".into(), drop_data::results_csv(&traces).into_bytes()));
-    files.push(("trace.csv".into(), drop_data::trace_csv(&traces).into_bytes()));
-    files.push(("samples.csv".into(), drop_data::samples_csv(&model, &traces).into_bytes()));
+    files.push(("results.csv".into(), drop_data::results_csv(&traces)?.into_bytes()));
+    files.push(("trace.csv".into(), drop_data::trace_csv(&traces)?.into_bytes()));
+    files.push(("samples.csv".into(), drop_data::samples_csv(&model, &traces)?.into_bytes()));
     files.push(("model.toml".into(), model.to_toml().into_bytes()));
     files.push(("drop.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
@@ -56,8 +56,8 @@ fn folder(model: &Model) -> String {
 
 /// What came out, height by height, validity warnings below.
 fn table(model: &Model, traces: &[Trace]) -> String {
-    let DropBody { mass_kg, gap_m, .. } = &model.body;
-    let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n\n", mass_kg * 1e3, gap_m * 1e3, drop_data::origin(&model.body));
+    let DropBody { mass_kg, gap_m, origin, .. } = &model.body;
+    let mut text = format!("mass {:.1} g and gap {:.1} mm of {origin}\n\n", mass_kg * 1e3, gap_m * 1e3);
     text += "                ---------- peak, g ----------                     - balance, % of m g (h + x) -   - paper, % of m g h -\n";
     text += "height   impact  coordinate   proper   sensor  contact  largest   stored    lost  motion  rigid   damper  spring  rigid\n";
     text += "     m      m/s       |x''|      F/m               ms       mm\n";

@@ -76,11 +76,6 @@ impl BoughtPart {
         }
     }
 
-    /// Whether it leaves with the battery when the lid is pulled.
-    pub fn slides_with_battery(self) -> bool {
-        matches!(self, Self::Battery | Self::ConnectorLid | Self::MagnetLid)
-    }
-
     /// Its solid, in the assembly's axes.
     pub fn feature(self, frame: &Frame, centre: &Centre) -> Feature {
         match self {

@@ -3,13 +3,14 @@
 use crate::impact::fit::Waves;
 
 /// A limit, and the variation of single readings below it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Clipping {
     /// The level, g.
     pub level_g: f64,
     /// Readings at it.
     pub readings: usize,
     /// Standard deviation of single readings over their mean, where nothing is clipped.
+    #[serde(skip)]
     pub spread: f64,
 }
 

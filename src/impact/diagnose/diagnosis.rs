@@ -46,11 +46,13 @@ impl Verdict {
 }
 
 /// A parameter with its interval.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct EffectEstimate {
     /// Effect's id.
+    #[serde(skip)]
     pub effect: &'static str,
     /// Key.
+    #[serde(skip)]
     pub key: &'static str,
     /// Unit.
     pub unit: &'static str,

@@ -6,7 +6,8 @@
 use crate::units::GRAVITY_M_S2;
 
 /// What a model was fitted to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Channel {
     /// Acceleration along the axis.
     Axial,

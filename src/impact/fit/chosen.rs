@@ -39,7 +39,7 @@ pub enum FitError {
 }
 
 /// A drop that is not used.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
 pub struct LeftOut {
     /// Its name.
     pub trial: String,

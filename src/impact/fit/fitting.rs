@@ -31,11 +31,12 @@ pub trait Objective: Sync + Sized {
 }
 
 /// A parameter that was free.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct ParameterEstimate {
     /// Its effect.
     pub effect: &'static str,
     /// Its key.
+    #[serde(skip)]
     pub key: &'static str,
     /// Its unit.
     pub unit: &'static str,

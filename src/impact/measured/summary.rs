@@ -1,5 +1,7 @@
 //! Records judged one by one, and what those of a height say together.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 use super::flag::{Flag, flags};
@@ -48,6 +50,8 @@ pub struct Summary {
     pub drops: usize,
     /// How many of them without a flag.
     pub clean: usize,
+    /// How many drops have each flag, by its name.
+    pub flags: BTreeMap<&'static str, usize>,
     /// Largest magnitude of every drop with an impact, g; as the paper counts.
     pub peak_g: Option<Spread>,
     /// Largest acceleration along the axis of the same, g.
@@ -75,12 +79,17 @@ impl Summary {
         let v0 = super::impact_speed_m_s(height_m);
         let impacts = || drops.iter().filter_map(|drop| drop.impact.as_ref());
         let clean = || drops.iter().filter_map(Drop::clean);
+        let mut flags = BTreeMap::new();
+        for flag in drops.iter().flat_map(|drop| &drop.flags) {
+            *flags.entry(flag.name()).or_default() += 1;
+        }
         let measured = group.records.iter().any(|record| record.magnitude_g.is_some());
         Self {
             frame: group.frame.clone(),
             height_m,
             drops: drops.len(),
             clean: clean().count(),
+            flags,
             peak_g: Spread::of(impacts().map(|impact| impact.peak_g).filter(|_| measured)),
             peak_axial_g: Spread::of(impacts().map(|impact| impact.peak_axial_g)),
             clean_peak_axial_g: Spread::of(clean().map(|impact| impact.peak_axial_g)),

@@ -12,13 +12,14 @@ use crate::mechanics::system::sparse::{NOWHERE, SparseError};
 use crate::mechanics::system::structure::State;
 
 /// A mode.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Mode {
     /// Frequency, Hz.
     pub frequency_hz: f64,
     /// Effective mass up and down over the mass that can move.
     pub share_up: f64,
     /// Displacements and spins of the unknowns, modal mass 1 g.
+    #[serde(skip)]
     pub shape: Vec<f64>,
 }
 

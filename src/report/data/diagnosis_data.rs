@@ -1,10 +1,13 @@
 //! A diagnosis as data.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Map, Value, json};
 
 use super::drop_data;
-use crate::impact::diagnose::{Diagnosis, EffectEstimate, FrameMode, Gaps, Ranked, StaticComparison};
+use crate::impact::diagnose::{Adequacy, ByHeight, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict};
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
+use crate::impact::fit::LeftOut;
 use crate::impact::measured::Fall;
 
 /// What was compared, for the record.
@@ -19,7 +22,7 @@ pub struct Compared {
     /// Drops used, by height, m.
     pub drops: Vec<(f64, usize)>,
     /// Drops left out, with the reason.
-    pub left_out: Vec<(String, String)>,
+    pub left_out: Vec<LeftOut>,
     /// Held-out heights, m.
     pub held_out_heights_m: Vec<f64>,
     /// Seed.
@@ -68,65 +71,61 @@ fn frame_mode_sentence(mode: &FrameMode) -> String {
     }
 }
 
-/// Rounded to what a reader can use, so that the same input gives the same digits.
-fn rounded(value: f64) -> Value {
-    if value.is_finite() { json!(format!("{value:.6e}").parse::<f64>().unwrap_or(value)) } else { Value::Null }
+/// Numbers, wherever they stand in a value, rounded to what a reader can use, so that the same input gives the same digits.
+fn rounded(value: impl Into<Value>) -> Value {
+    match value.into() {
+        Value::Number(number) if number.is_f64() => number.as_f64().and_then(|exact| format!("{exact:.6e}").parse::<f64>().ok()).into(),
+        Value::Array(values) => values.into_iter().map(rounded).collect(),
+        Value::Object(values) => values.into_iter().map(|(key, value)| (key, rounded(value))).collect(),
+        other => other,
+    }
 }
 
 /// Everything as JSON.
 pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
-    let effects: Vec<Value> = diagnosis
-        .contributions
-        .iter()
-        .map(|(id, taken)| {
-            let own: Map<String, Value> = diagnosis.estimates.iter().filter(|estimate| estimate.effect == *id).map(parameter).collect();
-            json!({ "id": id, "parameters": own, "contribution": rounded(*taken) })
-        })
-        .collect();
-    let effects = if diagnosis.verdict == crate::impact::diagnose::Verdict::NothingMissing { Vec::new() } else { effects };
-    let base: Map<String, Value> = diagnosis
-        .estimates
-        .iter()
-        .filter(|estimate| [LINEAR_SPRING.id, LINEAR_DAMPER.id].contains(&estimate.effect))
-        .map(parameter)
-        .collect();
+    let estimates = |effects: &[&str]| -> BTreeMap<&str, &EffectEstimate> {
+        diagnosis.estimates.iter().filter(|estimate| effects.contains(&estimate.effect)).map(|estimate| (estimate.key, estimate)).collect()
+    };
+    let named = diagnosis.contributions.iter().filter(|_| diagnosis.verdict != Verdict::NothingMissing);
+    let effects = named.map(|(id, taken)| json!({ "id": id, "parameters": estimates(&[id]), "contribution": taken }));
     let [k, c] = diagnosis.base.model().stiffness_and_damping();
-    let before = json!({ "k": rounded(k), "c": rounded(c) });
-    let alternatives: Vec<Value> = diagnosis
+    let alternatives = diagnosis
         .alternatives
         .iter()
         .skip(1)
-        .map(|other| json!({ "effects": other.candidate.ids(), "weight": rounded(other.weight), "score": rounded(other.candidate.score) }))
-        .collect();
+        .map(|other| json!({ "effects": other.candidate.ids(), "weight": other.weight, "score": other.candidate.score }));
     let keys: Vec<String> = diagnosis.estimates.iter().map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
-    let correlations: Vec<Vec<Value>> =
-        (0..keys.len()).map(|i| (0..keys.len()).map(|j| rounded(diagnosis.correlations[(i, j)])).collect()).collect();
+    let correlations: Vec<Vec<f64>> = diagnosis.correlations.row_iter().map(|row| row.iter().copied().collect()).collect();
     let mut all = json!({
         "schema_version": 1,
         "verdict": diagnosis.verdict.id(),
         "reasons": diagnosis.reasons,
-        "effects": effects,
-        "base": { "before": before, "after": base, "body": { "mass_kg": diagnosis.base.model().body.mass_kg, "gap_mm": diagnosis.base.model().body.gap_m * 1e3, "from": drop_data::origin(&diagnosis.base.model().body) } },
-        "weight": diagnosis.alternatives.first().map(|best| rounded(best.weight)),
-        "alternatives": alternatives,
+        "effects": rounded(effects.collect::<Value>()),
+        "base": {
+            "before": rounded(json!({ "k": k, "c": c })),
+            "after": rounded(json!(estimates(&[LINEAR_SPRING.id, LINEAR_DAMPER.id]))),
+            "body": drop_data::body(&diagnosis.base.model().body),
+        },
+        "weight": rounded(diagnosis.alternatives.first().map(|best| best.weight)),
+        "alternatives": rounded(alternatives.collect::<Value>()),
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
-        "correlations": { "of": keys, "matrix": correlations },
-        "gap": gaps(diagnosis),
-        "where": residual_map(diagnosis),
+        "correlations": { "of": keys, "matrix": rounded(correlations) },
+        "gap": rounded(gaps(diagnosis)),
+        "where": diagnosis.residual_map,
         "lack_of_fit_p": rounded(diagnosis.adequacy.p),
-        "base_lack_of_fit": adequacy(&diagnosis.base_adequacy),
-        "lack_of_fit": adequacy(&diagnosis.adequacy),
+        "base_lack_of_fit": rounded(adequacy(&diagnosis.base_adequacy)),
+        "lack_of_fit": rounded(adequacy(&diagnosis.adequacy)),
         "trend_over_trials_p": rounded(diagnosis.trend_p),
         "observables": diagnosis.observables,
         "falls": compared.falls,
         "static_test": compared.static_test,
-        "clipping": diagnosis.clipping.map(|clipping| json!({ "level_g": rounded(clipping.level_g), "readings": clipping.readings })),
+        "clipping": rounded(json!(diagnosis.clipping)),
         "restoring_force_left": diagnosis.residual_force,
         "next_experiment": diagnosis.experiments.first(),
         "experiments": diagnosis.experiments,
         "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
         "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
-        "left_out": compared.left_out.iter().map(|(trial, reason)| json!({ "trial": trial, "reason": reason })).collect::<Vec<_>>(),
+        "left_out": compared.left_out,
         "held_out_heights_m": compared.held_out_heights_m,
         "seed": compared.seed,
     });
@@ -136,67 +135,53 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     all
 }
 
-fn parameter(estimate: &EffectEstimate) -> (String, Value) {
-    let ci95 = estimate.ci95.map(rounded);
-    (
-        estimate.key.to_string(),
-        json!({ "value": rounded(estimate.value), "unit": estimate.unit, "ci95": ci95, "at_bound": estimate.at_bound }),
-    )
-}
-
 fn ranked(ranked: &Ranked) -> Value {
     let by_height = ranked.constancy.as_ref().map(|constancy| {
-        let parameters: Map<String, Value> = constancy
-            .parameters
-            .iter()
-            .map(|by| {
-                let values: Vec<Value> =
-                    by.values.iter().map(|(height_m, value, _)| json!({ "height_m": height_m, "value": rounded(*value) })).collect();
-                (format!("{}.{}", by.effect, by.key), json!({ "values": values, "slope_over_impact_speed": by.slope.map(rounded) }))
-            })
-            .collect();
+        let of = |by: &ByHeight| {
+            let values = by.values.iter().map(|(height_m, value, _)| json!({ "height_m": height_m, "value": rounded(*value) }));
+            json!({ "values": values.collect::<Value>(), "slope_over_impact_speed": rounded(by.slope) })
+        };
+        let parameters: Map<String, Value> = constancy.parameters.iter().map(|by| (format!("{}.{}", by.effect, by.key), of(by))).collect();
         json!({ "p": rounded(constancy.p), "parameters": parameters })
     });
     json!({
         "id": ranked.id,
         "score": rounded(ranked.score),
-        "left_out_g": ranked.left_out_g.map(rounded),
+        "left_out_g": rounded(ranked.left_out_g),
         "constancy": by_height,
         "reason_rejected": ranked.reason_rejected,
     })
 }
 
 fn gaps(diagnosis: &Diagnosis) -> Value {
-    let raw = |gaps: &Gaps| json!({ "fitted": rounded(gaps.fitted.raw_g), "held_out": rounded(gaps.held_out.raw_g), "trials": rounded(gaps.trials.raw_g) });
+    let raw = |gaps: &Gaps| json!({ "fitted": gaps.fitted.raw_g, "held_out": gaps.held_out.raw_g, "trials": gaps.trials.raw_g });
+    let records =
+        |before: &Gap, after: &Gap| json!({ "template": before.template_g, "before": before.records_g, "after": after.records_g });
     let (before, after) = (&diagnosis.before, &diagnosis.after);
     json!({
         "unit": "g",
-        "floor": rounded(before.fitted.floor_g),
-        "before": rounded(before.fitted.net_g),
-        "after": rounded(after.fitted.net_g),
-        "held_out_floor": rounded(before.held_out.floor_g),
-        "held_out_before": rounded(before.held_out.net_g),
-        "held_out_after": rounded(after.held_out.net_g),
+        "floor": before.fitted.floor_g,
+        "before": before.fitted.net_g,
+        "after": after.fitted.net_g,
+        "held_out_floor": before.held_out.floor_g,
+        "held_out_before": before.held_out.net_g,
+        "held_out_after": after.held_out.net_g,
         "held_out": if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" },
-        "trials_before": rounded(before.trials.net_g),
-        "trials_after": rounded(after.trials.net_g),
-        "records": { "template": rounded(before.fitted.template_g), "before": rounded(before.fitted.records_g), "after": rounded(after.fitted.records_g) },
-        "held_out_records": { "template": rounded(before.held_out.template_g), "before": rounded(before.held_out.records_g), "after": rounded(after.held_out.records_g) },
+        "trials_before": before.trials.net_g,
+        "trials_after": after.trials.net_g,
+        "records": records(&before.fitted, &after.fitted),
+        "held_out_records": records(&before.held_out, &after.held_out),
         "raw_before": raw(before),
         "raw_after": raw(after),
     })
 }
 
-fn residual_map(diagnosis: &Diagnosis) -> Value {
-    json!({ "cells": diagnosis.residual_map.cells, "worst": diagnosis.residual_map.worst, "same_in": diagnosis.residual_map.same_in })
-}
-
-fn adequacy(adequacy: &crate::impact::diagnose::Adequacy) -> Value {
-    let [sum, effect, local] = adequacy.single_p;
+fn adequacy(adequacy: &Adequacy) -> Value {
+    let Adequacy { statistics, single_p: [sum, effect, local], p, .. } = adequacy;
     json!({
-        "p": rounded(adequacy.p),
-        "sum_of_squares": { "value": rounded(adequacy.statistics.sum), "p": rounded(sum) },
-        "largest_gain_by_an_effect": { "value": rounded(adequacy.statistics.effect), "p": rounded(effect) },
-        "largest_bump": { "value": rounded(adequacy.statistics.local), "p": rounded(local) },
+        "p": p,
+        "sum_of_squares": { "value": statistics.sum, "p": sum },
+        "largest_gain_by_an_effect": { "value": statistics.effect, "p": effect },
+        "largest_bump": { "value": statistics.local, "p": local },
     })
 }

@@ -1,7 +1,11 @@
 //! Impacts of the frame's own model as words, JSON and CSV.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 
+use crate::export::ExportError;
+use crate::export::table::csv;
 use crate::mechanics::result::impact::{Impact, LOGGER_HZ};
 use crate::mechanics::settings::MechanicsSettings;
 
@@ -29,12 +33,7 @@ pub fn sensor_peak_g(impact: &Impact) -> f64 {
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
     let [peak_g, peak_ms] = impact.peak();
     let touch = found.gap_mm.map(|gap| impact.passes(gap));
-    let rods: Vec<Value> = impact
-        .rods
-        .iter()
-        .map(|rod| json!({ "rod": rod.rod, "role": rod.role, "compression_n": rod.compression_n, "buckling_n": rod.buckling_n }))
-        .collect();
-    let lost: serde_json::Map<String, Value> = impact.lost.iter().map(|(zone, mj)| (zone.to_string(), json!(mj))).collect();
+    let lost: BTreeMap<_, _> = impact.lost.iter().copied().collect();
     let mut value = json!({
         "height_m": impact.height_m,
         "impact_speed_m_s": impact.speed_m_s,
@@ -54,7 +53,7 @@ fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
         "energy_end": impact.energies[1],
         "lost_mj": lost,
         "zones_lowest": impact.zones,
-        "rods": rods,
+        "rods": impact.rods,
         "unaccounted": impact.unaccounted,
     });
     if series {
@@ -82,14 +81,20 @@ pub fn json(found: &Impacts, series: bool) -> Value {
 }
 
 /// The series of every height.
-pub fn trace_csv(found: &Impacts) -> String {
-    let mut text = "height_m,t_ms,down_mm,up_m_s,proper_g,sensor_g,ground_n\n".to_string();
-    for impact in found.impacts {
-        for (m, sensor) in impact.moments.iter().zip(impact.through(LOGGER_HZ)) {
-            text += &format!("{},{:.3},{},{},{},{sensor},{}\n", impact.height_m, m.t_ms, m.down_mm, m.up_m_s, m.proper_g, m.ground_n);
-        }
-    }
-    text
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn trace_csv(found: &Impacts) -> Result<String, ExportError> {
+    let columns = ["height_m", "t_ms", "down_mm", "up_m_s", "proper_g", "sensor_g", "ground_n"];
+    let rows = found.impacts.iter().flat_map(|impact| {
+        impact.moments.iter().zip(impact.through(LOGGER_HZ)).map(|(m, sensor_g)| {
+            let t_ms = format!("{:.3}", m.t_ms);
+            let [height_m, down_mm, up_m_s, proper_g, sensor_g, ground_n] =
+                [impact.height_m, m.down_mm, m.up_m_s, m.proper_g, sensor_g, m.ground_n].map(|value| value.to_string());
+            [height_m, t_ms, down_mm, up_m_s, proper_g, sensor_g, ground_n]
+        })
+    });
+    csv("trace.csv", columns, rows)
 }
 
 /// What a person reads.

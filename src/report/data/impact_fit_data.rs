@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::export::ExportError;
+use crate::export::table::csv;
 use crate::impact::frame_fit::{FrameFit, Height, Predicted};
 
 /// What was fitted.
@@ -45,15 +47,15 @@ pub fn json(found: &Fitted) -> Value {
 }
 
 /// Predictions, a line each.
-pub fn predictions_csv(found: &Fitted) -> String {
-    let mut text =
-        "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse\n".to_string();
-    for (how, row) in found.rows() {
-        let Some(height) = found.measured(row.height_m) else { continue };
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn predictions_csv(found: &Fitted) -> Result<String, ExportError> {
+    let columns = "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse";
+    let rows = found.rows().filter_map(|(how, row)| {
+        let height = found.measured(row.height_m)?;
         let from: Vec<String> = row.from_m.iter().map(f64::to_string).collect();
-        text += &format!(
-            "{how},{},{},{},{},{},{},{},{},{}\n",
-            from.join(" "),
+        let numbers = [
             row.height_m,
             row.impact_modulus,
             row.impact_loss,
@@ -61,10 +63,11 @@ pub fn predictions_csv(found: &Fitted) -> String {
             height.peak_g.value,
             row.peak_off_percent,
             row.impulse,
-            height.impulse.value
-        );
-    }
-    text
+            height.impulse.value,
+        ];
+        Some([how.to_string(), from.join(" ")].into_iter().chain(numbers.map(|number| number.to_string())))
+    });
+    csv("predictions.csv", columns.split(','), rows)
 }
 
 /// Head of the file of numbers.

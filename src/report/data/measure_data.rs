@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::export::ExportError;
+use crate::export::table::{csv, number};
 use crate::impact::measured::{Drop, DropGroup, DropSet, Spread, Summary};
 
 /// What a group is called.
@@ -14,22 +16,9 @@ pub fn name(group: &DropGroup) -> String {
 
 /// Everything as JSON.
 pub fn json(set: &DropSet, groups: &[(&DropGroup, Vec<Drop>)]) -> Value {
-    let heights: Vec<Value> = groups
-        .iter()
-        .map(|(group, drops)| {
-            let mut value = json!(Summary::of(group, drops));
-            let mut flags = serde_json::Map::new();
-            for flag in drops.iter().flat_map(|drop| &drop.flags) {
-                let count = flags.get(flag.name()).and_then(Value::as_u64).unwrap_or(0);
-                flags.insert(flag.name().into(), json!(count + 1));
-            }
-            value["flags"] = Value::Object(flags);
-            value
-        })
-        .collect();
     json!({
         "schema_version": 1,
-        "heights": heights,
+        "heights": groups.iter().map(|(group, drops)| Summary::of(group, drops)).collect::<Vec<_>>(),
         "drops": groups.iter().flat_map(|(_, drops)| drops).map(of_drop).collect::<Vec<_>>(),
         "notes": set.notes,
     })
@@ -61,28 +50,17 @@ fn of_drop(drop: &Drop) -> Value {
     value
 }
 
-/// A number, or nothing.
-fn or_empty(value: Option<f64>) -> String {
-    value.map_or(String::new(), |value| format!("{value}"))
-}
-
-/// A text as a field.
-fn quoted(text: &str) -> String {
-    if text.contains(['"', ',', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
-}
-
 /// One line a height.
-pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportError> {
     let kinds =
         ["peak_g", "peak_axial_g", "clean_peak_axial_g", "impulse_over_v0", "restitution", "restitution_by_flight", "fall_s", "noise_g"];
-    let mut text = "frame,height_m,drops,clean".to_string();
-    for kind in kinds {
-        text += &format!(",{kind}_q1,{kind}_median,{kind}_q3");
-    }
-    text.push('\n');
-    for (group, drops) in groups {
+    let quartiles = kinds.iter().flat_map(|kind| ["q1", "median", "q3"].map(|quartile| format!("{kind}_{quartile}")));
+    let columns = ["frame", "height_m", "drops", "clean"].map(String::from).into_iter().chain(quartiles);
+    let rows = groups.iter().map(|(group, drops)| {
         let sum = Summary::of(group, drops);
-        text += &format!("{},{},{},{}", quoted(sum.frame.as_deref().unwrap_or_default()), sum.height_m, sum.drops, sum.clean);
         let spreads = [
             sum.peak_g,
             sum.peak_axial_g,
@@ -93,20 +71,21 @@ pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
             sum.fall_s,
             sum.noise_g,
         ];
-        for spread in spreads {
-            let three = |spread: Spread| [spread.q1, spread.median, spread.q3].map(Some);
-            text += &format!(",{}", spread.map_or([None; 3], three).map(or_empty).join(","));
-        }
-        text.push('\n');
-    }
-    text
+        let three = |spread: Spread| [spread.q1, spread.median, spread.q3].map(Some);
+        let quartiles = spreads.into_iter().flat_map(move |spread| spread.map_or([None; 3], three).map(number));
+        let named = [sum.frame.unwrap_or_default(), sum.height_m.to_string(), sum.drops.to_string(), sum.clean.to_string()];
+        named.into_iter().chain(quartiles)
+    });
+    csv("heights.csv", columns, rows)
 }
 
 /// One line a drop.
-pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
-    let mut text =
-        "frame,height_m,trial,source,peak_g,peak_axial_g,to_peak_ms,impulse_over_v0,restitution,fall_s,noise_g,flags\n".to_string();
-    for drop in groups.iter().flat_map(|(_, drops)| drops) {
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportError> {
+    let columns = "frame,height_m,trial,source,peak_g,peak_axial_g,to_peak_ms,impulse_over_v0,restitution,fall_s,noise_g,flags";
+    let rows = groups.iter().flat_map(|(_, drops)| drops).map(|drop| {
         let (record, impact) = (drop.record, drop.impact.as_ref());
         let numbers = [
             impact.filter(|_| record.magnitude_g.is_some()).map(|impact| impact.peak_g),
@@ -118,9 +97,9 @@ pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> String {
             impact.and_then(|impact| impact.noise_g),
         ];
         let flags: Vec<&str> = drop.flags.iter().map(|flag| flag.name()).collect();
-        let frame = record.frame.as_deref().unwrap_or_default();
-        let named = [quoted(frame), record.height_m.to_string(), quoted(&record.trial), quoted(&record.source)].join(",");
-        text += &format!("{named},{},{}\n", numbers.map(or_empty).join(","), flags.join(" "));
-    }
-    text
+        let frame = record.frame.clone().unwrap_or_default();
+        let named = [frame, record.height_m.to_string(), record.trial.clone(), record.source.clone()];
+        named.into_iter().chain(numbers.map(number)).chain([flags.join(" ")])
+    });
+    csv("drops.csv", columns.split(','), rows)
 }

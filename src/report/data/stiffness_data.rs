@@ -2,6 +2,8 @@
 
 use serde_json::{Value, json};
 
+use crate::export::ExportError;
+use crate::export::table::csv;
 use crate::mechanics::result::ratio::Ratio;
 use crate::mechanics::result::static_curve::{Inside, StaticCurve};
 use crate::mechanics::settings::MechanicsSettings;
@@ -51,14 +53,10 @@ fn inside_json(inside: &Inside) -> Value {
 /// Everything as JSON.
 pub fn json(found: &Stiffness) -> Value {
     let curve = found.curve;
-    let [low, high] = found.band();
     let secants: Vec<Value> = SECANTS_MM
         .iter()
         .map(|x| json!({ "displacement_mm": x, "force_n": curve.force_n(*x), "secant_n_mm": curve.secant_n_mm(*x) }))
         .collect();
-    let modes = found.modes.map(|modes| {
-        modes.modes.iter().map(|mode| json!({ "frequency_hz": mode.frequency_hz, "share_up": mode.share_up })).collect::<Vec<_>>()
-    });
     let measured: Vec<Value> =
         found.measured.iter().map(|[x, f]| json!({ "displacement_mm": x, "measured_n": f, "force_n": curve.force_n(*x) })).collect();
     json!({
@@ -68,27 +66,29 @@ pub fn json(found: &Stiffness) -> Value {
         "young_band_mpa": found.settings.young_band_mpa,
         "calibrated": found.calibrated,
         "initial_n_mm": curve.initial_n_mm(),
-        "band": [low, high],
+        "band": found.band(),
         "secants": secants,
         "limit": curve.limit().map(|[x, f]| json!({ "displacement_mm": x, "force_n": f })),
         "curve": curve.points,
         "inside": curve.inside.iter().map(inside_json).collect::<Vec<_>>(),
-        "modes": modes,
+        "modes": found.modes.map(|modes| &modes.modes),
         "measured": measured,
         "rms_n": found.rms_n,
         "ratios": found.ratios.map(|(reference, ratios)| json!({ "reference": reference, "ratios": ratios })),
     })
 }
 
-/// The curve, with what was measured at the same displacement.
-pub fn curve_csv(found: &Stiffness) -> String {
-    let mut text = "displacement_mm,force_n,low_n,high_n,unstable\n".to_string();
+/// The curve with its band.
+///
+/// # Errors
+/// Those of [`csv`].
+pub fn curve_csv(found: &Stiffness) -> Result<String, ExportError> {
     let [low, high] = found.band();
-    for point in &found.curve.points {
-        let f = point.force_n;
-        text += &format!("{},{f},{},{},{}\n", point.displacement_mm, f * low, f * high, point.unstable);
-    }
-    text
+    let rows = found.curve.points.iter().map(|point| {
+        let [x, f, low, high] = [point.displacement_mm, point.force_n, point.force_n * low, point.force_n * high].map(|v| v.to_string());
+        [x, f, low, high, point.unstable.to_string()]
+    });
+    csv("curve.csv", ["displacement_mm", "force_n", "low_n", "high_n", "unstable"], rows)
 }
 
 /// What a person reads.

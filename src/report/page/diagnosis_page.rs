@@ -62,7 +62,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
         lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));
     }
     lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
-    lines.extend(compared.left_out.iter().map(|(trial, reason)| format!("Left out: {trial}, {reason}.")));
+    lines.extend(compared.left_out.iter().map(|left| format!("Left out: {}, {}.", left.trial, left.reason)));
     blocks.push(Block::List(lines));
     blocks
 }
