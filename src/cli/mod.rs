@@ -74,7 +74,6 @@ macro_rules! commands {
     ($($name:ident in $file:ident),* $(,)?) => {
         /// The subcommands.
         #[derive(Debug, Subcommand)]
-        #[expect(clippy::large_enum_variant, reason = "one is made, once")]
         enum Command {
             $($name($file::Args),)*
         }

@@ -173,7 +173,7 @@ mod tests {
         let aim = Aim::Measure(measure("envelope.width").expect("a measure"));
         let vary = vec![Vary::around(rod, &frame, 0.05)];
         let problem = SearchProblem { file: &file, aim, goals: Vec::new(), vary, start: Vec::new(), most: 14, mechanics: None };
-        let solution = solve_by(&problem, &rules).ok().expect("is found");
+        let solution = solve_by(&problem, &rules).unwrap_or_else(|error| panic!("{error}"));
         let (_, before, after) = solution.values[0];
         // A limit in mm counts as kept when it is missed by no more than a length may be mismeasured, 0.005 mm.
         assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{after}");

@@ -182,7 +182,7 @@ struct Line<'a> {
 }
 
 /// The layer of a path below `src`: the longest that it begins with, or its first folder where there is none.
-fn layer_of<'a>(path: &'a str) -> &'a str {
+fn layer_of(path: &str) -> &str {
     let path = path.trim_end_matches(".rs");
     let within = |layer: &str| path.strip_prefix(layer).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
     let known = LAYERS.iter().map(|(layer, _)| *layer).filter(|layer| within(layer)).max_by_key(|layer| layer.len());

@@ -19,7 +19,7 @@ pub static PART: PrintedPart = PrintedPart {
     material: MaterialClass::Rigid,
     seat: Seat::Centre(Centre::bracket_pose),
     fold: Fold::Stands,
-    print_turn: print_turn,
+    print_turn,
     needed: always,
     walls: &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
 };

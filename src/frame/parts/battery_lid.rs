@@ -20,7 +20,7 @@ pub static PART: PrintedPart = PrintedPart {
     material: MaterialClass::Rigid,
     seat: Seat::Centre(Centre::sleeve_pose),
     fold: Fold::Stands,
-    print_turn: print_turn,
+    print_turn,
     needed: always,
     walls: &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
 };

@@ -18,7 +18,7 @@ pub static PART: PrintedPart = PrintedPart {
     material: MaterialClass::Rigid,
     seat: Seat::Centre(Centre::hub_pose),
     fold: Fold::Stands,
-    print_turn: print_turn,
+    print_turn,
     needed: always,
     walls: &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
 };

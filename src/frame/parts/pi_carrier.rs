@@ -17,7 +17,7 @@ pub static PART: PrintedPart = PrintedPart {
     material: MaterialClass::Rigid,
     seat: Seat::Centre(Centre::carrier_pose),
     fold: Fold::Stands,
-    print_turn: print_turn,
+    print_turn,
     // It stays without a computer: the ties that hold the bracket run over it.
     needed: always,
     walls: &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
