@@ -1,20 +1,18 @@
 //! flexframe: from one parameter file to a flexible, printable drone frame.
 //!
-//! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be; [`skeleton`] closes the
-//! frame and is the only source of positions; [`solid`] holds the feature tree and both kernels; [`parts`] turns
-//! parameters into features; [`assembly`] makes every part, folds it and puts it in its place, and weighs it;
-//! [`mechanics`] presses, shakes and drops it by its own geometry; [`printability`] prints the parts in layers;
-//! [`plates`] lays them on the printer's bed;
-//! [`checks`] holds the frame against its limits; [`export`] turns it into bytes; [`report`] into words and pictures.
-//! [`coupon`] is what tells a printer's clearances, [`weighing`] compares masses with what slicer and scale say.
-//! [`gate`] judges findings for build servers, [`variant`] compares frames and searches for better ones.
-//! [`body`] leads from there to the drop: [`effects`] is the library of what can act, [`sim`] lets a body fall. [`measured`]
-//! reads real drops, [`fit`] brings a model to them, [`impact_fit`] the frame's own mechanics.
-//! [`schema`] tells editors what files look like.
-//! Only the command line in `cli` prints and writes files.
+//! The folders are the data flow. [`params`] reads a frame file and refuses what cannot be. [`solid`] holds the feature tree and
+//! both kernels. [`frame`] closes the skeleton, the only source of positions; it turns parameters into printed parts, assembles,
+//! weighs and folds them. [`printing`] looks at the parts layer by layer, arranges them on the bed, and compares masses with slicer
+//! and scale. [`mechanics`] computes stiffness, modes and impact from the frame's own geometry. [`checks`] compares the frame with
+//! its limits, and judges the findings for build servers. [`export`] turns the frame into bytes.
+//! [`impact`] simulates the drop, reads real drops, fits a model to them and finds what the model lacks. [`variant`] compares frames
+//! and searches for better ones. [`schema`] describes the files for editors, [`report`] makes pages, pictures and charts.
+//! Only the command line in [`cli`] prints and writes files.
 //!
-//! Units are millimetres, grams and degrees, in the names of the fields, from [`body`] on SI, in [`mechanics`] with N and ms. Axes: X right, Y front, Z up, origin where
-//! the hub's axis crosses the plane of the arms.
+//! A rule, a printed part, an effect, a format and a subcommand are one record each; `docs/extending.md` says how to add one.
+//!
+//! Units are millimetres, grams and degrees, in the names of the fields; [`impact`] uses SI, [`mechanics`] mm, N, g and ms. Axes: X
+//! right, Y front, Z up, origin where the hub's axis crosses the plane of the arms.
 
 pub mod checks;
 pub mod cli;

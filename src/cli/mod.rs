@@ -1,6 +1,6 @@
 //! The command line: the only place that prints, and that opens files for writing.
 //!
-//! A subcommand is a file: its `Args`, with the words of its help, and its `run`. [`commands!`] below is the one list of them.
+//! A subcommand is a file: its `Args`, with the words of its help, and its `run`. `commands!` below is the one list of them.
 
 mod bom;
 mod build;

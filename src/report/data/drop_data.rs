@@ -63,7 +63,7 @@ fn of_height(trace: &Trace, series: bool) -> Value {
 /// One line a height.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn results_csv(traces: &[Trace]) -> Result<String, ExportError> {
     let columns = "height_m,impact_speed_m_s,peak_coordinate_g,peak_proper_g,peak_sensor_g,contact_time_ms,max_displacement_mm,\
                    input_j,stored_j,dissipated_j,kinetic_j,collision_j,air_j,\
@@ -96,7 +96,7 @@ pub fn results_csv(traces: &[Trace]) -> Result<String, ExportError> {
 /// The series of every height.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn trace_csv(traces: &[Trace]) -> Result<String, ExportError> {
     let columns = ["height_m", "t_s", "x_m", "v_m_s", "proper_g", "sensor_g"];
     let row = |trace: &Trace, at: usize| {
@@ -109,7 +109,7 @@ pub fn trace_csv(traces: &[Trace]) -> Result<String, ExportError> {
 /// What a logger would have written, in the form of measured records: one trial a height, the end of the fall before it.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn samples_csv(model: &Model, traces: &[Trace]) -> Result<String, ExportError> {
     let logger = Sampler { range_g: model.sensor.limit_g, ..Sampler::LOGGER };
     let rows = traces.iter().enumerate().flat_map(|(trial, trace)| {

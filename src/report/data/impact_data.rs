@@ -83,7 +83,7 @@ pub fn json(found: &Impacts, series: bool) -> Value {
 /// The series of every height.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn trace_csv(found: &Impacts) -> Result<String, ExportError> {
     let columns = ["height_m", "t_ms", "down_mm", "up_m_s", "proper_g", "sensor_g", "ground_n"];
     let rows = found.impacts.iter().flat_map(|impact| {

@@ -49,7 +49,7 @@ pub fn json(found: &Fitted) -> Value {
 /// Predictions, a line each.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn predictions_csv(found: &Fitted) -> Result<String, ExportError> {
     let columns = "how,from_m,height_m,impact_modulus,impact_loss,peak_g,measured_peak_g,peak_off_percent,impulse,measured_impulse";
     let rows = found.rows().filter_map(|(how, row)| {

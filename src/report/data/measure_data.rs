@@ -53,7 +53,7 @@ fn of_drop(drop: &Drop) -> Value {
 /// One line a height.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportError> {
     let kinds =
         ["peak_g", "peak_axial_g", "clean_peak_axial_g", "impulse_over_v0", "restitution", "restitution_by_flight", "fall_s", "noise_g"];
@@ -82,7 +82,7 @@ pub fn heights_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportE
 /// One line a drop.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportError> {
     let columns = "frame,height_m,trial,source,peak_g,peak_axial_g,to_peak_ms,impulse_over_v0,restitution,fall_s,noise_g,flags";
     let rows = groups.iter().flat_map(|(_, drops)| drops).map(|drop| {

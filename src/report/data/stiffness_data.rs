@@ -81,7 +81,7 @@ pub fn json(found: &Stiffness) -> Value {
 /// The curve with its band.
 ///
 /// # Errors
-/// Those of [`csv`].
+/// Those of [`csv()`].
 pub fn curve_csv(found: &Stiffness) -> Result<String, ExportError> {
     let [low, high] = found.band();
     let rows = found.curve.points.iter().map(|point| {
