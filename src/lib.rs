@@ -21,6 +21,7 @@ pub mod figures;
 pub mod frame;
 pub mod impact;
 pub mod mechanics;
+pub mod memo;
 pub mod params;
 pub mod printing;
 pub mod report;

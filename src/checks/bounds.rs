@@ -1,7 +1,5 @@
 //! Axis-parallel boxes: what cannot meet need not be measured.
 
-use nalgebra::Point3;
-
 /// A box, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
@@ -22,24 +20,6 @@ impl Bounds {
         moved.low[1] += by_mm;
         moved.high[1] += by_mm;
         moved
-    }
-
-    /// Which part of a straight line lies in the box grown by some mm to all sides: from and to, 0 to 1.
-    pub fn crossed_by(&self, start: &Point3<f64>, end: &Point3<f64>, grown_mm: f64) -> Option<[f64; 2]> {
-        let mut inside: [f64; 2] = [0.0, 1.0];
-        for axis in 0..3 {
-            let (low, high) = (self.low[axis] - grown_mm, self.high[axis] + grown_mm);
-            let (at, along) = (start[axis], end[axis] - start[axis]);
-            if along.abs() < 1e-9 {
-                if at < low || at > high {
-                    return None;
-                }
-                continue;
-            }
-            let (a, b) = ((low - at) / along, (high - at) / along);
-            inside = [inside[0].max(a.min(b)), inside[1].min(a.max(b))];
-        }
-        (inside[0] <= inside[1]).then_some(inside)
     }
 
     /// Distance of two boxes, mm; 0 when they touch. No two points in them are closer.

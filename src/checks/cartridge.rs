@@ -5,6 +5,7 @@
 //! with what its path touches; after that each piece's convex hull, swept on to the end of the way, is (which is more
 //! than the piece sweeps, so it errs to the safe side). The battery, a convex body, is swept over the whole way.
 
+use nalgebra::Isometry3;
 use rayon::prelude::*;
 
 use super::finding::Finding;
@@ -13,8 +14,8 @@ use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::figures::told_apart;
 use crate::frame::assembly::Kind;
+use crate::memo::Memo;
 use crate::params::PartName;
-use crate::solid::MeshSolid;
 
 const CLEARANCES: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
 const RIMS: &[&str] = &["lid.lid_reach_mm", "lid.lid_clearance_mm"];
@@ -100,23 +101,26 @@ fn slides(body: &Placed) -> bool {
 }
 
 /// The volume that a piece shares with another body on its way, mm³.
-fn met_mm3(piece: &Placed, other: &Placed, free_mm: f64, way_mm: f64) -> f64 {
+fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, free_mm: f64, way_mm: f64) -> f64 {
     let touched = |from: f64, to: f64| piece.bounds.shifted_y(-from).around(&piece.bounds.shifted_y(-to)).distance_mm(&other.bounds) <= 0.0;
-    let cut = |solid: &MeshSolid| solid.intersection(&other.solid).volume_mm3();
     let convex = piece.shape.kind == Kind::Bought("battery") || piece.shape.kind == Kind::Bought("magnet_lid");
     let near = if convex { FIRST_MM } else { free_mm };
     let steps = if convex { 1 } else { (free_mm / STEP_MM).ceil() as u32 + 1 };
-    let mut most: f64 = 0.0;
-    for step in 0..steps {
-        let at = (f64::from(step) * STEP_MM).clamp(FIRST_MM, near);
-        if touched(at, at) {
-            most = most.max(cut(&piece.shifted_y(-at)));
-        }
+    let mut places: Vec<f64> = (0..steps).map(|step| (f64::from(step) * STEP_MM).clamp(FIRST_MM, near)).collect();
+    places.retain(|at| touched(*at, *at));
+    let rest = touched(near, way_mm).then_some([near, way_mm]);
+    if places.is_empty() && rest.is_none() {
+        return 0.0;
     }
-    if touched(near, way_mm) {
-        most = most.max(cut(&piece.shifted_y(-near).hull_with(&piece.shifted_y(-way_mm))));
-    }
-    most
+    let (name, poses) = (format!("{} past {}", piece.body.name, other.body.name), [piece.body.pose, other.body.pose]);
+    let inputs = ([piece, other].map(|body| body.shape.solid.key()), poses, &places, rest);
+    *memo.get("battery slide", &name, &inputs, || {
+        let [piece, other] = [piece, other].map(|body| body.shape.solid.placed(&body.body.pose));
+        let back = |by_mm: f64| piece.placed(&Isometry3::translation(0.0, -by_mm, 0.0));
+        let swept = rest.map(|[from, to]| back(from).hull_with(&back(to)));
+        let all = places.iter().map(|at| back(*at)).chain(swept);
+        all.map(|solid| solid.intersection(&other).volume_mm3()).fold(0.0, f64::max)
+    })
 }
 
 fn passage(scene: &Scene) -> Vec<Finding> {
@@ -127,7 +131,7 @@ fn passage(scene: &Scene) -> Vec<Finding> {
     let way_mm = front - lowest;
     let free_mm = scene.design.frame.lid.lid_reach_mm + (lid.bounds.high[1] - scene.design.centre.rim_y_mm).max(0.0);
     let pairs: Vec<(&Placed, &Placed)> = pieces.iter().flat_map(|piece| rest.iter().map(|other| (*piece, *other))).collect();
-    let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(piece, other, free_mm, way_mm)).collect();
+    let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(&scene.design.memo, piece, other, free_mm, way_mm)).collect();
     let names = |piece: &Placed, other: &Placed| Some([piece.body.name.clone(), other.body.name.clone()]);
     let in_the_way: Vec<Finding> = pairs
         .iter()

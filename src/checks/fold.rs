@@ -6,7 +6,7 @@ use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::Scene;
-use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, sweeps};
+use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, fold_inputs, sweeps};
 
 const HOLD: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
 const PLUG: &[&str] = &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"];
@@ -89,9 +89,23 @@ fn flat(scene: &Scene) -> Finding {
 }
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let design = scene.design;
+    let inputs = fold_inputs(&design.frame, &design.skeleton);
+    let (exists, mut found) = (*design.memo.get("fold sequence", "fold", &inputs, || of_sequence(scene))).clone();
+    found.push(preload(scene));
+    if exists {
+        let parts: Vec<_> = design.printed.iter().map(|part| (part.name, part.flat.key(), part.print_pose)).collect();
+        let lie = || flat(scene);
+        found.push(Finding::clone(&design.memo.get("flat state", "fold", &(parts, &design.frame.rods, inputs), lie)));
+    }
+    found
+}
+
+/// Whether there is a sequence; what it says of itself, or why there is none.
+fn of_sequence(scene: &Scene) -> (bool, Vec<Finding>) {
     let fold = match FoldSequence::new(&scene.design.frame, &scene.design.skeleton) {
         Ok(fold) => fold,
-        Err(error) => return vec![refused(&error), preload(scene)],
+        Err(error) => return (false, vec![refused(&error)]),
     };
     let pulled = measure(fold.entry.pulled, MOST_PULLED, "", HOLD);
     let text = format!(
@@ -103,7 +117,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let error_mm = fold.steps.iter().filter_map(|step| step.loop_error_mm).fold(0.0, f64::max);
     let closed = measure(error_mm, CLOSED_MM, "mm", &[]);
     let closes = format!("the triangle of arms, strut and leg closes within {error_mm:.3} mm, {CLOSED_MM} mm are allowed");
-    vec![pulled.at_most("fold: hold".into(), text), closed.at_most("fold: closure".into(), closes), preload(scene), flat(scene)]
+    (true, vec![pulled.at_most("fold: hold".into(), text), closed.at_most("fold: closure".into(), closes)])
 }
 
 /// Nothing is in the way of a step; without a sequence there is nothing to say.

@@ -1,13 +1,12 @@
 //! The assembly as the rules see it: every body in its place, with its box.
 
-use std::borrow::Cow;
-
-use nalgebra::{Isometry3, Point3};
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 use rayon::prelude::*;
 
 use super::bounds::Bounds;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Body, Design, Kind, Shape};
+use crate::memo::Memo;
 use crate::params::PartName;
 use crate::solid::{Feature, MeshSolid};
 
@@ -15,14 +14,15 @@ use crate::solid::{Feature, MeshSolid};
 pub(super) struct Placed<'a> {
     pub body: &'a Body,
     pub shape: &'a Shape,
-    pub solid: MeshSolid,
     pub bounds: Bounds,
+    memo: &'a Memo,
 }
 
-impl Placed<'_> {
-    /// Moved along y.
-    pub fn shifted_y(&self, by_mm: f64) -> MeshSolid {
-        self.solid.placed(&Isometry3::translation(0.0, by_mm, 0.0))
+impl<'a> Placed<'a> {
+    fn new(design: &'a Design, body: &'a Body) -> Self {
+        let shape = design.shape(body);
+        let [low, high] = shape.solid.bounds_in_mm(&body.pose);
+        Self { body, shape, bounds: Bounds { low, high }, memo: &design.memo }
     }
 
     pub fn is_part(&self, name: PartName) -> bool {
@@ -33,25 +33,27 @@ impl Placed<'_> {
         self.shape.kind == Kind::Propeller
     }
 
+    fn is_rod(&self) -> bool {
+        matches!(self.shape.kind, Kind::Rod(_))
+    }
+
     /// Shortest distance to another body, mm, at most the reach.
-    pub fn gap_mm(&self, other: &Placed, reach_mm: f64) -> f64 {
-        self.both_near(other, reach_mm).map_or(reach_mm, |(a, b)| a.gap_mm(&b, reach_mm))
+    pub fn gap_mm(&self, other: &Self, reach_mm: f64) -> f64 {
+        if self.bounds.distance_mm(&other.bounds) > reach_mm {
+            return reach_mm;
+        }
+        let pair = Pair::of(self, other);
+        let gap_mm = || pair.near(reach_mm).map_or(reach_mm, |[a, b]| a.gap_mm(&b, reach_mm));
+        *self.memo.get("gap", &pair.name(), &(pair.key(), reach_mm), gap_mm)
     }
 
     /// Volume in common, mm³.
-    pub fn shared_mm3(&self, other: &Placed) -> f64 {
-        self.both_near(other, 0.0).map_or(0.0, |(a, b)| a.intersection(&b).volume_mm3())
-    }
-
-    /// Both bodies, as far as they can be within reach of each other, in axes along which long facets lie: the boxes by
-    /// which the kernel sorts facets are then small. Distances and volumes are the same in all axes.
-    fn both_near(&self, other: &Placed, reach_mm: f64) -> Option<(MeshSolid, MeshSolid)> {
-        if self.bounds.distance_mm(&other.bounds) > reach_mm {
-            return None;
+    pub fn shared_mm3(&self, other: &Self) -> f64 {
+        if self.bounds.distance_mm(&other.bounds) > 0.0 {
+            return 0.0;
         }
-        let leading = [self, other].into_iter().min_by_key(|p| p.rank()).filter(|p| p.body.module.is_some());
-        let axes = leading.map_or_else(Isometry3::identity, |p| p.body.pose.inverse());
-        Some((self.near(other, reach_mm)?.placed(&(axes * self.body.pose)), other.near(self, reach_mm)?.placed(&(axes * other.body.pose))))
+        let pair = Pair::of(self, other);
+        *self.memo.get("shared volume", &pair.name(), &pair.key(), || pair.near(0.0).map_or(0.0, |[a, b]| a.intersection(&b).volume_mm3()))
     }
 
     /// Whose axes two bodies are compared in: the smaller's.
@@ -63,17 +65,60 @@ impl Placed<'_> {
         }
     }
 
-    /// What of this can be within reach of the other's box, in its own axes: of a rod only that length.
-    fn near(&self, other: &Placed, reach_mm: f64) -> Option<Cow<'_, MeshSolid>> {
-        if !matches!(self.shape.kind, Kind::Rod(_)) {
-            return Some(Cow::Borrowed(&self.shape.solid));
+    /// What of this can be within reach of the other, in its own axes: of a rod only that length. `pose` is the other's in these axes.
+    fn near(&self, other: &Self, pose: &Isometry3<f64>, reach_mm: f64) -> Option<MeshSolid> {
+        if !self.is_rod() {
+            return Some(self.shape.solid.clone());
         }
         let [_, [radius, _, length]] = self.shape.solid.bounds_mm();
-        let [start, end] = [0.0, length].map(|z| self.body.pose * Point3::new(0.0, 0.0, z));
-        let [from, to] = other.bounds.crossed_by(&start, &end, reach_mm + radius)?;
-        let (from, to) = ((from * length - END_MM).max(0.0), (to * length + END_MM).min(length));
-        Some(Cow::Owned(MeshSolid::build(&Feature::cylinder(radius, to - from).at(0.0, 0.0, from))))
+        let [low, high] = other.shape.solid.bounds_in_mm(pose).map(|corner| corner[2]);
+        let (from, to) = ((low - reach_mm - END_MM).max(0.0), (high + reach_mm + END_MM).min(length));
+        (from < to).then(|| MeshSolid::build(&Feature::cylinder(radius, to - from).at(0.0, 0.0, from)))
     }
+}
+
+/// Two bodies, in the axes of one of them, along which long facets lie: the boxes by which the kernel sorts facets are then small.
+/// Distances and volumes are the same in all axes.
+struct Pair<'a> {
+    still: &'a Placed<'a>,
+    other: &'a Placed<'a>,
+    /// The other's, in the axes of the first.
+    pose: Isometry3<f64>,
+}
+
+impl<'a> Pair<'a> {
+    fn of(a: &'a Placed<'a>, b: &'a Placed<'a>) -> Self {
+        let [still, other] = if b.rank() < a.rank() { [b, a] } else { [a, b] };
+        Self { still, other, pose: steady(&(still.body.pose.inverse() * other.body.pose)) }
+    }
+
+    fn name(&self) -> String {
+        format!("{} and {}", self.still.body.name, self.other.body.name)
+    }
+
+    /// All that a distance or a volume of the two depends on.
+    fn key(&self) -> impl std::fmt::Debug {
+        (self.still.shape.solid.key(), self.other.shape.solid.key(), [self.still.is_rod(), self.other.is_rod()], self.pose)
+    }
+
+    /// Both, as far as they can be within reach of each other.
+    fn near(&self, reach_mm: f64) -> Option<[MeshSolid; 2]> {
+        let still = self.still.near(self.other, &self.pose, reach_mm)?;
+        let other = self.other.near(self.still, &self.pose.inverse(), reach_mm)?;
+        Some([still, other.placed(&self.pose)])
+    }
+}
+
+/// Parts of a millimetre to which a pose between two bodies is rounded: some 10⁻⁹ mm.
+const STEADY_PER_MM: f64 = (1_u64 << 30) as f64;
+
+/// A pose rounded so far that it is the same wherever in the frame the two bodies are.
+pub(super) fn steady(pose: &Isometry3<f64>) -> Isometry3<f64> {
+    let rounded = |number: f64| (number * STEADY_PER_MM).round() / STEADY_PER_MM + 0.0;
+    // A turn is the same with all four numbers negated.
+    let turn = pose.rotation.coords.map(rounded) * if pose.rotation.w < 0.0 { -1.0 } else { 1.0 };
+    let rotation = UnitQuaternion::new_normalize(Quaternion::from(turn));
+    Isometry3::from_parts(Translation3::from(pose.translation.vector.map(rounded)), rotation)
 }
 
 /// A rod's piece is longer by this at both ends than it must be, mm.
@@ -88,12 +133,7 @@ pub(super) struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     pub fn new(design: &'a Design, masses: &'a MassTable) -> Self {
-        let place = |body: &'a Body| {
-            let solid = design.placed(body);
-            let [low, high] = solid.bounds_mm();
-            Placed { body, shape: design.shape(body), solid, bounds: Bounds { low, high } }
-        };
-        Self { design, masses, placed: design.bodies.par_iter().map(place).collect() }
+        Self { design, masses, placed: design.bodies.par_iter().map(|body| Placed::new(design, body)).collect() }
     }
 
     /// A printed part of a module, or of the centre.

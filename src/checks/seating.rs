@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
-use super::scene::Scene;
+use super::scene::{Scene, steady};
 use crate::figures::decimals;
 use crate::frame::skeleton::{Rod, RodRole, Socket};
 use crate::solid::{Feature, MeshSolid};
@@ -119,13 +119,15 @@ impl SocketGeometry {
         let along = (other - end).normalize();
         let length = socket.engagement_mm(end) - 2.0 * END_MM;
         let start = end + along * END_MM;
-        let pin = |diameter: f64| MeshSolid::build(&Feature::cylinder(0.5 * diameter, length));
-        let (wide, thin) = (pin(socket.bore_mm + WIDER_MM), pin(socket.bore_mm - THINNER_MM));
-        let ring = wide.volume_mm3() - pin(socket.bore_mm).volume_mm3();
-        let wall = wide.intersection(&part.shape.solid.placed(&(pin_pose(start, along).inverse() * part.body.pose)));
-        let met_mm3 = thin.intersection(&wall).volume_mm3();
-        let wall_share = wall.volume_mm3() / ring.max(f64::MIN_POSITIVE);
-        Some(Self { pair: [rod.name.clone(), part.body.name.clone()], met_mm3, wall_share })
+        let pose = steady(&(pin_pose(start, along).inverse() * part.body.pose));
+        let pair = [rod.name.clone(), part.body.name.clone()];
+        let inputs = (part.shape.solid.key(), socket.bore_mm, length, pose);
+        let measured = scene
+            .design
+            .memo
+            .get("seating", &pair.join(" in "), &inputs, || bore_measured(&part.shape.solid.placed(&pose), socket.bore_mm, length));
+        let (met_mm3, wall_share) = *measured;
+        Some(Self { pair, met_mm3, wall_share })
     }
 
     fn findings(&self, levers: &'static [&'static str]) -> [Finding; 2] {
@@ -142,6 +144,15 @@ impl SocketGeometry {
             ),
         ]
     }
+}
+
+/// Of a part in the axes of a pin along its bore: what a thinner pin meets of it, mm³, and the share of the ring around the bore that is wall.
+fn bore_measured(part: &MeshSolid, bore_mm: f64, length_mm: f64) -> (f64, f64) {
+    let pin = |diameter: f64| MeshSolid::build(&Feature::cylinder(0.5 * diameter, length_mm));
+    let (wide, thin) = (pin(bore_mm + WIDER_MM), pin(bore_mm - THINNER_MM));
+    let ring = wide.volume_mm3() - pin(bore_mm).volume_mm3();
+    let wall = wide.intersection(part);
+    (thin.intersection(&wall).volume_mm3(), wall.volume_mm3() / ring.max(f64::MIN_POSITIVE))
 }
 
 /// A rod's socket, its end there, and its other end.

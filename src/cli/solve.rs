@@ -1,6 +1,7 @@
 //! `flexframe solve`: a search for a better frame.
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use super::failure::Failure;
 use super::frame_text::{self, Line};
@@ -8,7 +9,6 @@ use super::options::{Common, FrameOption};
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::frame::assembly::Workshop;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::Frame;
 use crate::params::frame_file::Value;
@@ -83,7 +83,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&json(&solution))?;
     } else if !common.quiet {
-        let begun = Evaluation::quick(before.clone(), &mut Workshop::default()).ok();
+        let begun = Evaluation::quick(before.clone(), &Arc::default()).ok();
         let begun = match &problem.mechanics {
             None => begun,
             Some(settings) => begun.and_then(|begun| begun.strengthened(settings).ok()),

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -12,7 +13,7 @@ use super::options::{Common, FrameOption};
 use super::session;
 use super::terminal;
 use crate::checks::Verdict;
-use crate::frame::assembly::Workshop;
+use crate::memo::Memo;
 use crate::params::LoadError;
 use crate::report::page::diff_page;
 use crate::variant::{Difference, Evaluation, Side};
@@ -36,8 +37,8 @@ const QUIET: Duration = Duration::from_millis(40);
 /// interrupted, or after so many saves.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     session::needs_file(&args.frame.frame, "watch a file")?;
-    let mut workshop = Workshop::default();
-    let (mut last, mut files) = match evaluated(&args.frame, &mut workshop) {
+    let memo = Arc::new(Memo::default());
+    let (mut last, mut files) = match evaluated(&args.frame, &memo) {
         Ok((evaluation, files)) => (Some(evaluation), files),
         Err(failure @ (Failure::Machine { .. } | Failure::Input(LoadError::Unreadable { .. }))) => return Err(failure),
         Err(failure) => {
@@ -52,7 +53,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     while args.saves.is_none_or(|most| count < most) {
         let Some(saved) = saves.next(&files) else { break };
         count += 1;
-        match evaluated(&args.frame, &mut workshop) {
+        match evaluated(&args.frame, &memo) {
             Ok((evaluation, now)) => {
                 (last, files) = (Some(tell(last, evaluation, saved, common)?), now);
                 watched = saves.follow(watched, &files)?;
@@ -67,10 +68,10 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 /// The frame by all rules but the slow one, and the files that it is made of.
-fn evaluated(option: &FrameOption, workshop: &mut Workshop) -> Result<(Evaluation, Vec<PathBuf>), Failure> {
+fn evaluated(option: &FrameOption, memo: &Arc<Memo>) -> Result<(Evaluation, Vec<PathBuf>), Failure> {
     let (frame, file) = session::load(option)?;
     let files = file.files.iter().map(|source| PathBuf::from(&source.name)).collect();
-    let evaluation = Evaluation::quick(frame, workshop).map_err(|error| session::refused(&file, &error))?;
+    let evaluation = Evaluation::quick(frame, memo).map_err(|error| session::refused(&file, &error))?;
     Ok((evaluation, files))
 }
 

@@ -1,5 +1,7 @@
 //! The export gate: what a mesh must be before it may be written.
 
+use serde::{Deserialize, Serialize};
+
 use super::mesh::Mesh;
 use super::mesh_solid::MeshSolid;
 
@@ -65,7 +67,7 @@ pub fn agree(volume_mm3: f64, exact_mm3: f64) -> Result<(), GateError> {
 }
 
 /// What the gate saw in a mesh that passed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Topology {
     /// Separate bodies.
     pub bodies: usize,

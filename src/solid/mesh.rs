@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use serde::{Deserialize, Serialize};
 
 /// An indexed triangle mesh; coordinates in mm on the f32 grid that STL and glTF store.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
     /// Corner positions, mm.
     pub vertices: Vec<[f32; 3]>,

@@ -1,14 +1,19 @@
 //! The mesh kernel: features to closed triangle meshes, booleans, gaps.
 
+use std::sync::{Arc, OnceLock};
+
 use manifold_rust::linalg::{Mat3x4, Vec2, Vec3};
 use manifold_rust::manifold::Manifold;
-use manifold_rust::types::{MeshGL64, OpType};
+use manifold_rust::types::OpType;
 use nalgebra::{Isometry3, Point3, Vector3};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::facets::Facets;
 use super::feature::Feature;
 use super::mesh::Mesh;
 use super::profile::{Profile, circumscribed};
 use super::region::Region;
+use crate::memo::Key;
 
 /// Straight pieces that stand for a full circle: 0.3 % of its area is lost, 3 µm of a rod's radius.
 pub const SEGMENTS_PER_TURN: u32 = 48;
@@ -16,9 +21,15 @@ pub const SEGMENTS_PER_TURN: u32 = 48;
 /// Detail below this size (mm) is simplified away before a mesh is written; a tenth of what a printer can place.
 const DETAIL_MM: f64 = 0.001;
 
-/// A closed solid in the mesh kernel, mm.
+/// A closed solid in the mesh kernel, mm. Copies share what they hold.
 #[derive(Clone)]
-pub struct MeshSolid(Manifold);
+pub struct MeshSolid(Arc<Held>);
+
+/// The kernel's solid, its facets, or both: each is made of the other when it is asked for.
+struct Held {
+    kernel: OnceLock<Manifold>,
+    facets: OnceLock<Facets>,
+}
 
 /// Where a line meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,19 +43,40 @@ pub struct Hit {
 impl MeshSolid {
     /// Builds a feature tree; an impossible one (a negative height, an empty result) comes out empty.
     pub fn build(feature: &Feature) -> Self {
-        Self(Builder::default().solid(feature))
+        Self::of(Builder::default().solid(feature))
+    }
+
+    fn of(kernel: Manifold) -> Self {
+        Self(Arc::new(Held { kernel: kernel.into(), facets: OnceLock::new() }))
+    }
+
+    fn of_facets(facets: Facets) -> Self {
+        Self(Arc::new(Held { kernel: OnceLock::new(), facets: facets.into() }))
+    }
+
+    fn kernel(&self) -> &Manifold {
+        self.0.kernel.get_or_init(|| self.0.facets.get().map_or_else(Manifold::empty, Facets::kernel))
+    }
+
+    fn facets_held(&self) -> &Facets {
+        self.0.facets.get_or_init(|| Facets::of(self.kernel()))
+    }
+
+    /// The same as it is after it was kept on disk: the kernel's solid made of the facets. What is computed of a solid that is kept
+    /// has to be computed of this one, as the kernel lists the facets of the two in different orders.
+    pub fn settled(&self) -> Self {
+        Self::of_facets(self.facets_held().clone())
+    }
+
+    /// What tells it from other solids, to the last bit of its facets.
+    pub fn key(&self) -> Key {
+        self.facets_held().key()
     }
 
     /// Takes a written mesh back into the kernel; `None` when it is not closed.
     pub fn from_mesh(mesh: &Mesh) -> Option<Self> {
-        let gl = MeshGL64 {
-            num_prop: 3,
-            vert_properties: mesh.vertices.iter().flatten().map(|c| f64::from(*c)).collect(),
-            tri_verts: mesh.triangles.iter().flatten().map(|i| u64::from(*i)).collect(),
-            ..Default::default()
-        };
-        let solid = Manifold::from_mesh_gl64(&gl);
-        (!solid.is_empty()).then_some(Self(solid))
+        let solid = Facets::of_mesh(mesh).kernel();
+        (!solid.is_empty()).then_some(Self::of(solid))
     }
 
     /// The same without detail that no printer can place.
@@ -54,7 +86,7 @@ impl MeshSolid {
 
     /// The same without detail below a size, mm.
     pub fn without_detail(&self, below_mm: f64) -> Self {
-        Self(self.0.as_original().simplify(below_mm))
+        Self::of(self.kernel().as_original().simplify(below_mm))
     }
 
     /// The mesh of the simplified solid.
@@ -64,105 +96,109 @@ impl MeshSolid {
 
     /// Its mesh as it is, in canonical order.
     pub fn mesh(&self) -> Mesh {
-        let (positions, triangles) = self.corners();
-        Mesh::canonical(&positions, &triangles)
+        let facets = self.facets_held();
+        let corners: Vec<Point3<f64>> = facets.corners.iter().map(|corner| Point3::from(*corner)).collect();
+        Mesh::canonical(&corners, &facets.triangles)
     }
 
     /// Its facets with the kernel's own numbers, mm.
     pub(super) fn facets(&self) -> Vec<[Point3<f64>; 3]> {
-        let (positions, triangles) = self.corners();
-        triangles.into_iter().map(|triangle| triangle.map(|corner| positions[corner as usize])).collect()
-    }
-
-    fn corners(&self) -> (Vec<Point3<f64>>, Vec<[u32; 3]>) {
-        let gl = self.0.get_mesh_gl64(-1);
-        let positions = gl.vert_properties.chunks_exact(gl.num_prop as usize).map(|v| Point3::new(v[0], v[1], v[2]));
-        let triangles = gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]);
-        (positions.collect(), triangles.collect())
+        let facets = self.facets_held();
+        facets.triangles.iter().map(|triangle| triangle.map(|corner| Point3::from(facets.corners[corner as usize]))).collect()
     }
 
     /// Nothing in it.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.kernel().is_empty()
     }
 
     /// Enclosed volume, mm³.
     pub fn volume_mm3(&self) -> f64 {
-        self.0.volume()
+        self.kernel().volume()
     }
 
     /// Whether facets cross each other.
     pub fn has_self_intersections(&self) -> bool {
-        self.0.has_self_intersections()
+        self.kernel().has_self_intersections()
     }
 
     /// Lowest and highest corner of the bounding box, mm.
     pub fn bounds_mm(&self) -> [[f64; 3]; 2] {
-        let b = self.0.bounding_box();
-        [[b.min.x, b.min.y, b.min.z], [b.max.x, b.max.y, b.max.z]]
+        match self.0.kernel.get() {
+            None => self.bounds_in_mm(&Isometry3::identity()),
+            Some(kernel) => {
+                let b = kernel.bounding_box();
+                [[b.min.x, b.min.y, b.min.z], [b.max.x, b.max.y, b.max.z]]
+            }
+        }
+    }
+
+    /// Lowest and highest corner of the bounding box of the solid in a pose, mm.
+    pub fn bounds_in_mm(&self, pose: &Isometry3<f64>) -> [[f64; 3]; 2] {
+        self.facets_held().bounds_in_mm(pose)
     }
 
     /// Moved rigidly.
     pub fn placed(&self, pose: &Isometry3<f64>) -> Self {
-        Self(self.0.transform(&matrix(pose)))
+        Self::of(self.kernel().transform(&matrix(pose)))
     }
 
     /// Both together.
     pub fn union(&self, other: &Self) -> Self {
-        Self(self.0.union(&other.0))
+        Self::of(self.kernel().union(other.kernel()))
     }
 
     /// This without the other.
     pub fn minus(&self, other: &Self) -> Self {
-        Self(self.0.difference(&other.0))
+        Self::of(self.kernel().difference(other.kernel()))
     }
 
     /// What both share.
     pub fn intersection(&self, other: &Self) -> Self {
-        Self(self.0.intersection(&other.0))
+        Self::of(self.kernel().intersection(other.kernel()))
     }
 
     /// What lies on the side of the plane that the normal points to; the plane is `normal · p = offset`.
     pub fn half(&self, normal: Vector3<f64>, offset_mm: f64) -> Self {
-        Self(self.0.trim_by_plane(vec3(&normal), offset_mm))
+        Self::of(self.kernel().trim_by_plane(vec3(&normal), offset_mm))
     }
 
     /// Its largest body alone: what is left when a cut has grazed a surface.
     pub fn largest_body(&self) -> Self {
-        let bodies = self.0.decompose();
-        Self(bodies.into_iter().max_by(|a, b| a.volume().total_cmp(&b.volume())).unwrap_or_else(Manifold::empty))
+        let bodies = self.kernel().decompose();
+        Self::of(bodies.into_iter().max_by(|a, b| a.volume().total_cmp(&b.volume())).unwrap_or_else(Manifold::empty))
     }
 
     /// The shortest distance to the other solid, mm, at most `reach_mm`; 0 when they touch or overlap.
     pub fn gap_mm(&self, other: &Self, reach_mm: f64) -> f64 {
-        self.0.min_gap(&other.0, reach_mm)
+        self.kernel().min_gap(other.kernel(), reach_mm)
     }
 
     /// Where a straight line first meets the surface.
     pub fn first_hit(&self, from: Point3<f64>, to: Point3<f64>) -> Option<Hit> {
         let point = |v: Vec3| Vector3::new(v.x, v.y, v.z);
-        let hits = self.0.ray_cast(vec3(&from.coords), vec3(&to.coords));
+        let hits = self.kernel().ray_cast(vec3(&from.coords), vec3(&to.coords));
         hits.first().map(|hit| Hit { at: point(hit.position).into(), normal: point(hit.normal) })
     }
 
     /// The smallest convex solid around this and the other.
     pub fn hull_with(&self, other: &Self) -> Self {
-        Self(Manifold::hull_manifolds(&[self.0.clone(), other.0.clone()]))
+        Self::of(Manifold::hull_manifolds(&[self.kernel().clone(), other.kernel().clone()]))
     }
 
     /// The cut at a height z, mm.
     pub fn slice(&self, z_mm: f64) -> Region {
-        Region::of(self.0.slice(z_mm))
+        Region::of(self.kernel().slice(z_mm))
     }
 
     /// The same surface with every edge cut to at most this length, for a bend that follows.
     pub fn refined(&self, length_mm: f64) -> Self {
-        Self(self.0.refine_to_length(length_mm))
+        Self::of(self.kernel().refine_to_length(length_mm))
     }
 
     /// Every point moved by the map, which must not fold the solid over itself.
     pub fn warped(&self, map: impl Fn(Point3<f64>) -> Point3<f64>) -> Self {
-        Self(self.0.warp(|v| {
+        Self::of(self.kernel().warp(|v| {
             let p = map(Point3::new(v.x, v.y, v.z));
             *v = Vec3::new(p.x, p.y, p.z);
         }))
@@ -171,7 +207,21 @@ impl MeshSolid {
     /// A solid from raw contours in (r, z), turned about z through an angle from the xz plane.
     pub(super) fn revolved(contours: &[Vec<[f64; 2]>], segments: u32, degrees: f64) -> Self {
         let outlines = contours.iter().map(|c| c.iter().map(|p| Vec2::new(p[0], p[1])).collect()).collect();
-        Self(Manifold::revolve(&outlines, segments as i32, degrees))
+        Self::of(Manifold::revolve(&outlines, segments as i32, degrees))
+    }
+}
+
+/// Kept as its facets.
+impl Serialize for MeshSolid {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.facets_held().serialize(serializer)
+    }
+}
+
+/// As [`MeshSolid::settled`].
+impl<'de> Deserialize<'de> for MeshSolid {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Facets::deserialize(deserializer).map(Self::of_facets)
     }
 }
 
@@ -179,7 +229,7 @@ impl Region {
     /// The solid between two heights, mm.
     pub fn drawn_up(&self, low_mm: f64, high_mm: f64) -> MeshSolid {
         let solid = Manifold::extrude(&self.polygons(), high_mm - low_mm, 0, 0.0, Vec2::new(1.0, 1.0));
-        MeshSolid(solid).placed(&Isometry3::translation(0.0, 0.0, low_mm))
+        MeshSolid::of(solid).placed(&Isometry3::translation(0.0, 0.0, low_mm))
     }
 }
 

@@ -4,7 +4,7 @@ use super::measures::Evaluation;
 use super::problem::{Aim, SearchProblem, Solution, SolveError, Vary};
 use super::solve::solve;
 use crate::checks::Verdict;
-use crate::frame::assembly::{Design, Workshop};
+use crate::frame::assembly::Design;
 use crate::frame::skeleton::{Envelope, lengths_for};
 use crate::params::refusal::Refusal;
 use crate::params::{Frame, FrameFile, parameters};
@@ -66,7 +66,7 @@ const MOVABLE: [&str; 4] =
 pub fn create(request: &Request) -> Result<Creation, CreateError> {
     let frame = Frame::resolve(request.file)?;
     let start = start(request, &frame);
-    let as_asked = Design::with(frame, &mut Workshop::default()).map(Evaluation::of);
+    let as_asked = Design::new(frame).map(Evaluation::of);
     let why: Vec<String> = match &as_asked {
         Ok(evaluation) => evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone()).collect(),
         Err(error) => vec![error.to_string()],

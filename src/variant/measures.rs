@@ -1,14 +1,17 @@
 //! What a frame measures, by name: the vocabulary of `diff`, `explain`, `solve` and `watch`.
 
+use std::sync::Arc;
+
 use super::peak::predicted_peak_g;
 use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::figures::decimals;
+use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::assembly::{Design, Workshop};
 use crate::impact::body::{DropBody, Origin};
 use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
 use crate::mechanics::settings::MechanicsSettings;
+use crate::memo::Memo;
 use crate::params::Frame;
 
 /// Which way is better.
@@ -53,8 +56,8 @@ impl Evaluation {
     ///
     /// # Errors
     /// When the frame cannot be designed.
-    pub fn quick(frame: Frame, workshop: &mut Workshop) -> Result<Self, crate::frame::assembly::DesignError> {
-        Ok(Self::by(&CATALOGUE, Cost::Quick, Design::with(frame, workshop)?))
+    pub fn quick(frame: Frame, memo: &Arc<Memo>) -> Result<Self, crate::frame::assembly::DesignError> {
+        Ok(Self::by(&CATALOGUE, Cost::Quick, Design::with(frame, memo)?))
     }
 
     /// The same with what the frame's own mechanics say: a second or two.
@@ -218,12 +221,12 @@ mod tests {
     #[test]
     fn analytic_the_body_is_that_of_a_drop_and_quick_is_the_same_frame() {
         let frame = || Frame::load("cognifly-mini").expect("a preset").0;
-        let mut workshop = Workshop::default();
-        let quick = Evaluation::quick(frame(), &mut workshop).expect("is one");
+        let memo = Arc::new(Memo::default());
+        let quick = Evaluation::quick(frame(), &memo).expect("is one");
         assert_eq!(quick.body(), DropBody::of(&quick.design, &quick.masses));
-        // With the parts of another frame on the shelf the result is the same.
-        Evaluation::quick(Frame::load("cognifly").expect("a preset").0, &mut workshop).expect("is one");
-        let again = Evaluation::quick(frame(), &mut workshop).expect("is one");
+        // With what was computed of another frame the result is the same.
+        Evaluation::quick(Frame::load("cognifly").expect("a preset").0, &memo).expect("is one");
+        let again = Evaluation::quick(frame(), &memo).expect("is one");
         assert_eq!((&again.findings, &again.masses), (&quick.findings, &quick.masses));
         let whole = Evaluation::of(Design::new(frame()).expect("is one"));
         let hanging = ["overhang", "island", "bridge", "footing"];

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use cobyla::{RhoBeg, StopTols};
 
@@ -9,7 +10,8 @@ use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, SearchProblem, Vary};
 use crate::checks::{Cost, Finding, Rule, Verdict};
-use crate::frame::assembly::{Design, Workshop};
+use crate::frame::assembly::Design;
+use crate::memo::Memo;
 use crate::params::Frame;
 
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
@@ -82,7 +84,7 @@ pub(super) struct Search<'a> {
     /// What of the rules is kept on every frame.
     pub constraints: Vec<Constraint>,
     /// Parts that were made.
-    pub workshop: RefCell<Workshop>,
+    pub memo: Arc<Memo>,
     points: RefCell<BTreeMap<Vec<u64>, Point>>,
     /// Values that were looked at, in order.
     pub order: RefCell<Vec<Vec<f64>>>,
@@ -93,8 +95,8 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Nothing was looked at yet.
     pub fn new(problem: &'a SearchProblem<'a>, rules: &'a [&'static Rule]) -> Self {
-        let (constraints, workshop) = (Constraint::of_all(rules), RefCell::default());
-        Self { problem, rules, constraints, workshop, points: RefCell::default(), order: RefCell::default(), scale: 1.0 }
+        let (constraints, memo) = (Constraint::of_all(rules), Arc::default());
+        Self { problem, rules, constraints, memo, points: RefCell::default(), order: RefCell::default(), scale: 1.0 }
     }
 
     /// The frame with these values.
@@ -124,7 +126,7 @@ impl<'a> Search<'a> {
 
     /// A frame by the rules that are quick to check.
     pub fn quick(&self, frame: Frame) -> Result<Evaluation, String> {
-        let design = Design::with(frame, &mut self.workshop.borrow_mut()).map_err(|error| error.to_string())?;
+        let design = Design::with(frame, &self.memo).map_err(|error| error.to_string())?;
         Ok(Evaluation::by(self.rules, Cost::Quick, design))
     }
 

@@ -1,8 +1,10 @@
 //! What a parameter does: every measure at a little less and a little more of it.
 
+use std::sync::Arc;
+
 use super::measures::{Evaluation, MEASURES};
-use crate::frame::assembly::Workshop;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::memo::Memo;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -25,10 +27,10 @@ pub fn sensitivity(
 ) -> Vec<Response> {
     let Some(value) = frame.value(parameter.table, parameter.key) else { return Vec::new() };
     let step = if value == 0.0 { share * (parameter.max - parameter.min) } else { share * value.abs() };
-    let mut workshop = Workshop::default();
+    let memo = Arc::new(Memo::default());
     [value - step, value, value + step]
         .map(|wanted| wanted.clamp(parameter.min, parameter.max))
-        .map(|value| Response { value, measures: at(file, parameter, value, mechanics, &mut workshop) })
+        .map(|value| Response { value, measures: at(file, parameter, value, mechanics, &memo) })
         .into()
 }
 
@@ -37,12 +39,12 @@ fn at(
     parameter: &Parameter,
     value: f64,
     mechanics: Option<&MechanicsSettings>,
-    workshop: &mut Workshop,
+    memo: &Arc<Memo>,
 ) -> Result<Vec<Option<f64>>, String> {
     let mut file = file.clone();
     file.set_number(&format!("{}.{}", parameter.table, parameter.key), value);
     let frame = Frame::resolve(&file).map_err(|refusal| refusal.to_string())?;
-    let mut evaluation = Evaluation::quick(frame, workshop).map_err(|error| error.to_string())?;
+    let mut evaluation = Evaluation::quick(frame, memo).map_err(|error| error.to_string())?;
     if let Some(settings) = mechanics {
         evaluation = evaluation.strengthened(settings).map_err(|error| error.to_string())?;
     }

@@ -59,7 +59,7 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
     let mut missed = Vec::new();
     for best in ranked.iter().take(VERIFIED) {
         let Ok(frame) = search.frame(best) else { continue };
-        let Ok(design) = Design::with(frame, &mut search.workshop.borrow_mut()) else { continue };
+        let Ok(design) = Design::with(frame, &search.memo) else { continue };
         let Ok(evaluation) = search.problem.known(Evaluation::by(search.rules, Cost::Slow, design)) else { continue };
         let broken = broken(&evaluation, &search.problem.goals);
         if broken.is_empty() {

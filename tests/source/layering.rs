@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 const WINGS: [&str; 14] = [
     "units",
     "figures",
+    "memo",
     "params",
     "solid",
     "frame",
@@ -23,15 +24,16 @@ const WINGS: [&str; 14] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 28] = [
+const LAYERS: [(&str, &[&str]); 29] = [
     ("units", &[]),
     ("figures", &[]),
+    ("memo", &[]),
     ("params", &["figures"]),
-    ("solid", &["units"]),
+    ("solid", &["units", "memo"]),
     ("frame/skeleton", &["units", "figures", "params"]),
     ("frame/parts", &["units", "params", "solid", "frame/skeleton"]),
-    ("frame/assembly", &["units", "params", "solid", "frame/skeleton", "frame/parts"]),
-    ("frame/fold", &["units", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
+    ("frame/assembly", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts"]),
+    ("frame/fold", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability"]),
     ("printing/weighing", &["units", "params", "frame/assembly"]),
@@ -42,6 +44,7 @@ const LAYERS: [(&str, &[&str]); 28] = [
         &[
             "units",
             "figures",
+            "memo",
             "params",
             "solid",
             "frame/skeleton",
@@ -64,7 +67,18 @@ const LAYERS: [(&str, &[&str]); 28] = [
     ("impact/diagnose", &["units", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
     (
         "variant",
-        &["figures", "params", "frame/skeleton", "frame/assembly", "mechanics", "checks", "impact/body", "impact/effects", "impact/sim"],
+        &[
+            "figures",
+            "memo",
+            "params",
+            "frame/skeleton",
+            "frame/assembly",
+            "mechanics",
+            "checks",
+            "impact/body",
+            "impact/effects",
+            "impact/sim",
+        ],
     ),
     ("schema", &["params", "impact/effects", "impact/synthetic"]),
     (

@@ -11,7 +11,7 @@ use crate::checks::printing::{bridge, footing, island};
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
-use crate::frame::assembly::Printed;
+use crate::frame::assembly::{Design, Printed};
 use crate::printing::printability::Fault;
 
 pub static RULE: Rule = Rule {
@@ -48,12 +48,17 @@ fn finding(hung: &Hung) -> Finding {
     hung.judged(measure, &what)
 }
 
+fn of_part(design: &Design, part: &Printed) -> Vec<Finding> {
+    let hung = Hung::in_design(design, part);
+    let over_air = [finding(&hung), island::finding(&hung), bridge::finding(&hung)];
+    over_air.into_iter().chain(footing::findings(&hung, design, part)).collect()
+}
+
 pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
     let design = scene.design;
     let found = |part: &Printed| {
-        let hung = Hung::in_design(design, part);
-        let over_air = [finding(&hung), island::finding(&hung), bridge::finding(&hung)];
-        over_air.into_iter().chain(footing::findings(&hung, design, part)).collect()
+        let inputs = (part.name, part.flat.key(), part.print_pose, design.material_of(part.name), &design.frame.printer);
+        design.memo.get("places that hang", part.name.slug(), &inputs, || of_part(design, part)).to_vec()
     };
     let found: Vec<Vec<Finding>> = design.printed.par_iter().map(found).collect();
     found.into_iter().flatten().collect()

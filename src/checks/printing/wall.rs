@@ -14,10 +14,9 @@ use crate::checks::printing::gap;
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
-use crate::frame::assembly::Printed;
+use crate::frame::assembly::{Design, Printed};
 use crate::frame::parts::record;
 use crate::params::PartName;
-use crate::params::catalogue::{Material, Printer};
 use crate::printing::printability::{Thin, Walls};
 use crate::solid::MeshSolid;
 
@@ -60,14 +59,15 @@ pub struct ThinnestWall {
 }
 
 impl ThinnestWall {
-    /// Of a part: wall or floor, and gap.
-    pub fn of(part: &Printed, printer: &Printer, material: &Material) -> [Self; 2] {
+    /// Of a part of a design: wall or floor, and gap.
+    pub fn of(design: &Design, part: &Printed) -> [Self; 2] {
+        let printer = &design.frame.printer;
         let limit_mm = printer.nozzle_mm * printer.min_wall_nozzles;
-        let reach = REACH * limit_mm;
-        let Walls { wall, gap } = Walls::of(&part.mesh, printer.layer_mm(material), reach);
-        let thinnest = [wall, floor(part, reach)].into_iter().flatten().min_by(|a, b| a.mm.total_cmp(&b.mm));
+        let (layer_mm, reach_mm) = (printer.layer_mm(&design.material_of(part.name).material), REACH * limit_mm);
+        let inputs = (part.flat.key(), part.print_pose, layer_mm, reach_mm);
+        let [wall, gap] = *design.memo.get("walls", part.name.slug(), &inputs, || measured(part, layer_mm, reach_mm));
         let one = |gap, thinnest, limit_mm| Self { part: part.name, gap, thinnest, limit_mm };
-        [one(false, thinnest, limit_mm), one(true, gap, printer.line_mm())]
+        [one(false, wall, limit_mm), one(true, gap, printer.line_mm())]
     }
 
     /// Whether the limit is kept, and what was found.
@@ -89,12 +89,20 @@ impl ThinnestWall {
     }
 }
 
+/// The thinnest wall or floor of a part, and its narrowest gap, as far as they are within reach.
+fn measured(part: &Printed, layer_mm: f64, reach_mm: f64) -> [Option<Thin>; 2] {
+    let Walls { wall, gap } = Walls::of(&part.mesh, layer_mm, reach_mm);
+    let thinnest = [wall, floor(part, reach_mm)].into_iter().flatten().min_by(|a, b| a.mm.total_cmp(&b.mm));
+    [thinnest, gap]
+}
+
 /// The thinnest floor or roof.
 fn floor(part: &Printed, reach_mm: f64) -> Option<Thin> {
+    let printed = part.printed();
     let mut floors: Vec<(Thin, f64)> = facets(part)
         .into_iter()
         .filter(|facet| facet.normal.z.abs() >= LYING)
-        .filter_map(|facet| facet.wall_mm(&part.printed, reach_mm).map(|mm| (Thin { mm, at_mm: facet.middle.into() }, facet.area_mm2)))
+        .filter_map(|facet| facet.wall_mm(&printed, reach_mm).map(|mm| (Thin { mm, at_mm: facet.middle.into() }, facet.area_mm2)))
         .collect();
     floors.sort_by(|a, b| a.0.mm.total_cmp(&b.0.mm));
     let mut area = 0.0;
@@ -134,8 +142,7 @@ fn facets(part: &Printed) -> Vec<Facet> {
 
 pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
     let design = scene.design;
-    let of = |part: &Printed| ThinnestWall::of(part, &design.frame.printer, &design.material_of(part.name).material);
-    let found: Vec<[ThinnestWall; 2]> = design.printed.par_iter().map(of).collect();
+    let found: Vec<[ThinnestWall; 2]> = design.printed.par_iter().map(|part| ThinnestWall::of(design, part)).collect();
     found.iter().flatten().map(ThinnestWall::finding).collect()
 }
 

@@ -71,7 +71,7 @@ fn made(name: &str, meshes: &[&Mesh], by: Option<(&Feature, Isometry3<f64>)>) ->
 
 fn printed(design: &Design, part: &Printed) -> Result<Shaped, StepError> {
     // What was simplified away can be where two surfaces touch; then a facet of the written mesh stands for both.
-    let raw = part.raw.placed(&part.print_pose).mesh();
+    let raw = part.raw().placed(&part.print_pose).mesh();
     let (boundary, made, refused) = made(part.name.slug(), &[&raw, &part.mesh], Some((&part.feature, part.print_pose)))?;
     let material = design.material_of(part.name);
     Ok(Shaped {

@@ -1,5 +1,7 @@
 //! Bodies of the assembly: a shape in a place.
 
+use std::sync::Arc;
+
 use nalgebra::Isometry3;
 
 use crate::frame::parts::record;
@@ -43,7 +45,7 @@ pub struct Shape {
     /// Solid for booleans and gaps.
     pub solid: MeshSolid,
     /// Mesh for files and pictures.
-    pub mesh: Mesh,
+    pub mesh: Arc<Mesh>,
     /// What the mesh was made of, where it is not folded from something else.
     pub feature: Option<Feature>,
     /// Volume by the B-rep kernel, mm³, where it builds the shape without booleans.

@@ -61,7 +61,7 @@ pub fn mesh<'a>(part: &'a Printed, printer: &Printer, layer_mm: f64) -> Result<C
         return Ok(Cow::Borrowed(&part.mesh));
     }
     let solid = if hole_mm == 0.0 {
-        part.printed.clone()
+        part.printed()
     } else {
         let feature = part.feature.with_wider_bores(0.5 * hole_mm);
         laid(&MeshSolid::build(&feature).simplified(), &part.print_pose.rotation)?.0

@@ -1,19 +1,22 @@
 //! A frame, designed: skeleton, printed parts, and the bodies of the assembly.
 
+use std::sync::Arc;
+
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::body::{Body, Kind, Shape};
 use super::printed::{Printed, Recipe};
-use super::workshop::Workshop;
 use crate::frame::assembly::bought_solids::BoughtPart;
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
 use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for};
+use crate::memo::Memo;
 use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::solid::gate::GateError;
-use crate::solid::{Brep, Feature, MeshSolid};
+use crate::solid::{Brep, Feature, Mesh, MeshSolid};
 use crate::units::Angle;
 
 /// Why a frame cannot be designed.
@@ -58,6 +61,8 @@ pub struct Design {
     pub shapes: Vec<Shape>,
     /// Bodies of the assembly.
     pub bodies: Vec<Body>,
+    /// What was computed of this design and of others.
+    pub memo: Arc<Memo>,
 }
 
 impl Design {
@@ -66,50 +71,45 @@ impl Design {
     /// # Errors
     /// When it cannot close or a part cannot be made.
     pub fn new(frame: Frame) -> Result<Self, DesignError> {
-        Self::with(frame, &mut Workshop::default())
+        Self::with(frame, &Arc::default())
     }
 
-    /// Designs a frame with the parts of former ones where they are the same; the result is that of [`Design::new`].
+    /// Designs a frame with what was computed of former ones where it is the same; the result is that of [`Design::new`].
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
-    pub fn with(frame: Frame, workshop: &mut Workshop) -> Result<Self, DesignError> {
-        Self::of_parts(frame, &catalogue(), workshop)
+    pub fn with(frame: Frame, memo: &Arc<Memo>) -> Result<Self, DesignError> {
+        memo.changed();
+        Self::of_parts(frame, &catalogue(), memo)
     }
 
     /// Designs a frame of these parts, as far as it has a use for them.
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
-    pub(super) fn of_parts(mut frame: Frame, parts: &[&'static PrintedPart], workshop: &mut Workshop) -> Result<Self, DesignError> {
-        let Some(target) = frame.target else { return Self::of_lengths(frame, parts, workshop) };
+    pub(super) fn of_parts(mut frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
+        let Some(target) = frame.target else { return Self::of_lengths(frame, parts, memo) };
         solve_target(&mut frame, target)?;
-        let design = Self::of_lengths(frame.clone(), parts, workshop)?;
+        let design = Self::of_lengths(frame.clone(), parts, memo)?;
         let over_mm = design.modules_width_mm() - target.width_mm;
         if over_mm <= 0.0 {
             return Ok(design);
         }
         // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
         solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
-        Self::of_lengths(frame, parts, workshop)
+        Self::of_lengths(frame, parts, memo)
     }
 
-    fn of_lengths(frame: Frame, parts: &[&'static PrintedPart], workshop: &mut Workshop) -> Result<Self, DesignError> {
+    fn of_lengths(frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
         let needed = parts.iter().filter(|part| (part.needed)(&frame));
         let recipes: Vec<(&'static PrintedPart, Recipe)> =
             needed.map(|part| (*part, Recipe::of(part, &frame, &skeleton, &centre))).collect();
-        let make = |(part, recipe): &(&'static PrintedPart, Recipe)| match workshop.find(part.name, recipe) {
-            Some(made) => Ok(made),
-            None => Printed::by(part, recipe.clone()).map_err(|error| DesignError::Part { part: part.name, error }),
-        };
-        let made: Vec<Result<Printed, DesignError>> = recipes.par_iter().map(make).collect();
-        let printed = made.into_iter().collect::<Result<Vec<_>, _>>()?;
-        for ((_, recipe), part) in recipes.into_iter().zip(&printed) {
-            workshop.keep(recipe, part.clone());
-        }
-        let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new() };
+        let make = |(part, recipe)| Printed::by(part, recipe, memo).map_err(|error| DesignError::Part { part: part.name, error });
+        let printed: Vec<Result<Printed, DesignError>> = recipes.into_par_iter().map(make).collect();
+        let printed = printed.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new(), memo: memo.clone() };
         design.place_printed();
         design.place_rods();
         design.place_motors();
@@ -133,7 +133,7 @@ impl Design {
     /// Width of all that the four modules are made of, without what the propellers sweep, mm.
     fn modules_width_mm(&self) -> f64 {
         let bodies = self.bodies.iter().filter(|body| body.module.is_some() && self.shape(body).kind != Kind::Propeller);
-        let sides = bodies.map(|body| self.placed(body).bounds_mm()).map(|[low, high]| [low[0], high[0]]);
+        let sides = bodies.map(|body| self.shape(body).solid.bounds_in_mm(&body.pose)).map(|[low, high]| [low[0], high[0]]);
         let [low, high] = sides.fold([0.0_f64; 2], |all, side| [all[0].min(side[0]), all[1].max(side[1])]);
         high - low
     }
@@ -155,9 +155,8 @@ impl Design {
 
     /// A shape that is not printed.
     fn add_plain(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], feature: &Feature) -> usize {
-        let solid = MeshSolid::build(feature).simplified();
-        let mesh = solid.mesh();
-        let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
+        let plain = self.memo.get("plain shape", name, feature, || Plain::of(feature));
+        let Plain { solid, mesh, exact_mm3 } = Plain::clone(&plain);
         self.add_shape(Shape {
             name: name.into(),
             kind,
@@ -176,7 +175,7 @@ impl Design {
             let (name, solid, exact_mm3) = (part.name, part.folded.clone(), part.exact_volume_mm3);
             let material = self.material_of(name);
             let (material, colour) = (material.name.clone(), material.material.colour);
-            let mesh = solid.mesh();
+            let mesh = self.memo.get("mesh", name.slug(), &solid.key(), || solid.mesh());
             let feature = part.bends.is_empty().then(|| part.feature.clone());
             let kind = Kind::Printed(name);
             let shape = self.add_shape(Shape { name: name.slug().into(), kind, material, colour, solid, mesh, feature, exact_mm3 });
@@ -243,6 +242,22 @@ impl Design {
             let shape = self.add_plain(part.slug(), Kind::Bought(part.slug()), &material, colour, &feature);
             self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
         }
+    }
+}
+
+/// A shape that is not printed, made.
+#[derive(Clone, Serialize, Deserialize)]
+struct Plain {
+    solid: MeshSolid,
+    mesh: Arc<Mesh>,
+    exact_mm3: Option<f64>,
+}
+
+impl Plain {
+    fn of(feature: &Feature) -> Self {
+        let solid = MeshSolid::build(feature).simplified().settled();
+        let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
+        Self { mesh: Arc::new(solid.mesh()), solid, exact_mm3 }
     }
 }
 

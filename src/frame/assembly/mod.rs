@@ -11,10 +11,8 @@ pub mod mass;
 mod parts_tests;
 pub mod press_fit;
 mod printed;
-mod workshop;
 
 pub use body::{Body, Kind, Shape};
 pub use bought_solids::BoughtPart;
 pub use design::{Design, DesignError};
 pub use printed::Printed;
-pub use workshop::Workshop;

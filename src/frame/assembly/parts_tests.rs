@@ -1,8 +1,10 @@
 //! The records of the printed parts, in whole frames.
 
+use std::sync::Arc;
+
 use nalgebra::{Isometry3, UnitQuaternion};
 
-use super::{Design, Kind, Workshop, mass};
+use super::{Design, Kind, mass};
 use crate::frame::parts::{Fold, MaterialClass, PrintedPart, Seat, catalogue};
 use crate::params::{Frame, PartName, parameters, preset};
 use crate::solid::Feature;
@@ -55,7 +57,7 @@ fn planted_a_part_needs_nothing_but_its_record() {
     let parts: Vec<&'static PrintedPart> = catalogue().into_iter().map(|part| if part.name == TOY.name { &TOY } else { part }).collect();
     let (mut frame, _) = Frame::load("cognifly").expect("a preset");
     frame.bought.remove("camera");
-    let design = Design::of_parts(frame, &parts, &mut Workshop::default()).expect("closes");
+    let design = Design::of_parts(frame, &parts, &Arc::default()).expect("closes");
     let toy = design.part(TOY.name).expect("is made");
     assert!((toy.volume_mm3 - 120.0).abs() < 1e-3 && toy.topology.euler == 2, "{}", toy.volume_mm3);
     let body = design.bodies.iter().find(|body| body.name == TOY.name.slug()).expect("is placed");

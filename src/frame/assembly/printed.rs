@@ -1,10 +1,14 @@
 //! A printed part: flat as printed, folded as assembled.
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion};
+use std::sync::Arc;
+
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
+use serde::{Deserialize, Serialize};
 
 use crate::frame::parts::{PrintedPart, record};
 use crate::frame::skeleton::Centre;
 use crate::frame::skeleton::Skeleton;
+use crate::memo::Memo;
 use crate::params::{Frame, PartName};
 use crate::solid::gate::{self, GateError, Topology};
 use crate::solid::{Bend, Brep, Feature, Mesh, MeshSolid};
@@ -24,20 +28,26 @@ pub struct Printed {
     pub flat: MeshSolid,
     /// The solid after its bends, in its own axes; the flat one when it has none.
     pub folded: MeshSolid,
-    /// The flat solid in print orientation, resting on z = 0.
-    pub printed: MeshSolid,
-    /// The flat solid with all its detail, in its own axes: each facet stands for one surface of the feature.
-    pub raw: MeshSolid,
-    /// From the part's axes to those in which it is printed.
+    /// From the part's axes to those in which it is printed, resting on z = 0.
     pub print_pose: Isometry3<f64>,
     /// The mesh of it that is written.
-    pub mesh: Mesh,
+    pub mesh: Arc<Mesh>,
     /// What the export gate saw.
     pub topology: Topology,
     /// Volume of the printed mesh, mm³.
     pub volume_mm3: f64,
     /// Volume by the B-rep kernel, mm³, for parts that it builds without booleans.
     pub exact_volume_mm3: Option<f64>,
+}
+
+/// A part as it is printed: all of it but its bends.
+#[derive(Clone, Serialize, Deserialize)]
+struct Flat {
+    solid: MeshSolid,
+    print_pose: ([f64; 4], [f64; 3]),
+    mesh: Arc<Mesh>,
+    topology: Topology,
+    exact_volume_mm3: Option<f64>,
 }
 
 impl Printed {
@@ -48,36 +58,64 @@ impl Printed {
     /// contradict each other.
     pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
         let part = record(name);
-        Self::by(part, Recipe::of(part, frame, skeleton, centre))
+        Self::by(part, Recipe::of(part, frame, skeleton, centre), &Memo::default())
     }
 
     /// Makes a part by its record and recipe; nothing else enters.
-    pub(super) fn by(part: &'static PrintedPart, recipe: Recipe) -> Result<Self, GateError> {
+    pub(super) fn by(part: &'static PrintedPart, recipe: Recipe, memo: &Memo) -> Result<Self, GateError> {
         let Recipe { feature, bends } = recipe;
-        let raw = MeshSolid::build(&feature);
-        let flat = raw.simplified();
-        let (printed, print_pose) = laid(&flat, &(part.print_turn)())?;
-        let mesh = printed.mesh();
-        let topology = gate::pass(&mesh)?;
-        let folded = if bends.is_empty() { flat.clone() } else { bent(&flat, &bends)? };
-        let exact_volume_mm3 = Brep::build(&feature).map(|brep| brep.volume_mm3());
-        exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
+        let turn = (part.print_turn)();
+        let flat = memo.try_get("flat part", part.name.slug(), &(&feature, turn), || Flat::of(&feature, &turn))?;
+        let folded = match bends[..] {
+            [] => flat.solid.clone(),
+            _ => MeshSolid::clone(
+                &*memo.try_get("folded part", part.name.slug(), &(flat.solid.key(), &bends), || bent(&flat.solid, &bends))?,
+            ),
+        };
+        let Flat { solid, print_pose, mesh, topology, exact_volume_mm3 } = Flat::clone(&flat);
         Ok(Self {
             name: part.name,
             part,
             volume_mm3: mesh.volume_mm3(),
             feature,
             bends,
-            raw,
-            flat,
+            flat: solid,
             folded,
-            printed,
-            print_pose,
+            print_pose: pose_of(print_pose),
             mesh,
             topology,
             exact_volume_mm3,
         })
     }
+
+    /// The flat solid in print orientation, resting on z = 0.
+    pub fn printed(&self) -> MeshSolid {
+        self.flat.placed(&self.print_pose)
+    }
+
+    /// The flat solid with all its detail, in its own axes: each facet stands for one surface of the feature.
+    pub fn raw(&self) -> MeshSolid {
+        MeshSolid::build(&self.feature)
+    }
+}
+
+impl Flat {
+    fn of(feature: &Feature, turn: &UnitQuaternion<f64>) -> Result<Self, GateError> {
+        let solid = MeshSolid::build(feature).simplified().settled();
+        let (printed, pose) = laid(&solid, turn)?;
+        let mesh = printed.mesh();
+        let topology = gate::pass(&mesh)?;
+        let exact_volume_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
+        exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
+        let print_pose = (pose.rotation.coords.into(), pose.translation.vector.into());
+        Ok(Self { solid, print_pose, mesh: Arc::new(mesh), topology, exact_volume_mm3 })
+    }
+}
+
+/// A pose of the numbers that are kept of it: the same to the last bit.
+fn pose_of((rotation, translation): ([f64; 4], [f64; 3])) -> Isometry3<f64> {
+    let rotation = UnitQuaternion::new_unchecked(Quaternion::from(nalgebra::Vector4::from(rotation)));
+    Isometry3::from_parts(Translation3::from(translation), rotation)
 }
 
 /// The solid as it is printed, resting on z = 0, and the way there from its own axes.
@@ -115,11 +153,10 @@ const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
 /// part of a hundred; then less is taken away.
 fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
-    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0)
+    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0.settled())
 }
 
 /// A part before it is made: what its record says of it in a frame.
-#[derive(Clone, PartialEq)]
 pub(super) struct Recipe {
     feature: Feature,
     bends: Vec<Bend>,

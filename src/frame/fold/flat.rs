@@ -3,6 +3,8 @@
 //! A module as a whole is flat at no time: the leg has to be bent away before anything comes onto the arms, and the fork stands
 //! across the knee. So its parts lie beside each other, each printed one as in its STL.
 
+use std::sync::Arc;
+
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use serde::Serialize;
 
@@ -22,7 +24,7 @@ pub struct Lying {
     /// Body of the first module.
     pub body: String,
     /// Its mesh, as it is written when it is printed.
-    pub mesh: Mesh,
+    pub mesh: Arc<Mesh>,
     /// Where it lies.
     pub at: Isometry3<f64>,
 }
@@ -124,7 +126,7 @@ impl FlatState {
         for (i, a) in self.lying.iter().enumerate() {
             for (j, b) in self.lying.iter().enumerate().skip(i + 1) {
                 let apart = (0..3).any(|k| boxes[i][0][k] > boxes[j][1][k] || boxes[j][0][k] > boxes[i][1][k]);
-                let Some((p, q)) = solid(a).zip(solid(b)).filter(|_| !apart) else { continue };
+                let Some((p, q)) = (!apart).then(|| solid(a).zip(solid(b))).flatten() else { continue };
                 let shared_mm3 = p.intersection(&q).volume_mm3();
                 if shared_mm3 > TOUCH_MM3 {
                     found.push(FlatError::Overlap { bodies: [a.body.clone(), b.body.clone()], shared_mm3 });
@@ -146,7 +148,7 @@ fn laid(design: &Design, body: &crate::frame::assembly::Body) -> Option<Lying> {
         Kind::Rod(_) => {
             let down = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::FRAC_PI_2);
             let laid = shape.solid.placed(&Isometry3::from_parts(Default::default(), down));
-            laid.placed(&Isometry3::translation(0.0, 0.0, -laid.bounds_mm()[0][2])).mesh()
+            Arc::new(laid.placed(&Isometry3::translation(0.0, 0.0, -laid.bounds_mm()[0][2])).mesh())
         }
         _ => return None,
     };

@@ -22,7 +22,7 @@ pub use member::{Member, Side};
 pub use piece::mesh_at;
 pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules};
-pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step};
+pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step, inputs as fold_inputs};
 pub use sweep::{Meeting, Sweep, sweeps};
 pub use task::{FoldMotion, Task};
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};

@@ -1,7 +1,7 @@
 //! The rigid pieces that a fold moves: bodies, and of those that bend each side of the hinge.
 
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use nalgebra::Isometry3;
 
@@ -29,8 +29,7 @@ pub(super) struct Piece {
     kind: Kind,
     /// In the body's axes, flat.
     pub solid: MeshSolid,
-    /// Boxes around its facets.
-    pub boxes: Arc<BoxTree>,
+    boxes: Arc<OnceLock<BoxTree>>,
 }
 
 /// A rod's piece is longer by this at both ends than it must be, mm.
@@ -65,12 +64,12 @@ pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
 struct Side {
     hinge: Option<usize>,
     solid: MeshSolid,
-    boxes: Arc<BoxTree>,
+    boxes: Arc<OnceLock<BoxTree>>,
 }
 
 impl Side {
     fn new(hinge: Option<usize>, solid: MeshSolid) -> Self {
-        Self { hinge, boxes: Arc::new(BoxTree::of(&solid)), solid }
+        Self { hinge, boxes: Arc::default(), solid }
     }
 }
 
@@ -82,7 +81,8 @@ fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) 
     let mut rest = part.flat.clone();
     let mut found = Vec::new();
     for (index, bend) in module.bends(member).iter().enumerate() {
-        let [still, moving] = bend.sides(&rest);
+        let cut = || bend.sides(&rest).map(|side| side.settled());
+        let [still, moving] = (*design.memo.get("sides of a hinge", part.name.slug(), &(rest.key(), bend), cut)).clone();
         rest = still;
         found.push(Side::new(Some(index), moving));
     }
@@ -91,7 +91,7 @@ fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) 
 }
 
 /// A member's mesh when its hinges are folded so far, degrees; of one without hinges its shape's.
-pub fn mesh_at(design: &Design, module: &Module, member: Member, folds_deg: &[f64]) -> Option<Mesh> {
+pub fn mesh_at(design: &Design, module: &Module, member: Member, folds_deg: &[f64]) -> Option<Arc<Mesh>> {
     let body = design.bodies.iter().find(|body| body.name == member.body(0) || body.name == member.body(0).trim_end_matches("_FR"))?;
     let part = member.part().and_then(|name| design.part(name));
     let bends = module.bends(member);
@@ -99,7 +99,7 @@ pub fn mesh_at(design: &Design, module: &Module, member: Member, folds_deg: &[f6
     match part.filter(|_| !assembled) {
         Some(part) => {
             let bent = bends.iter().zip(folds_deg).filter(|(_, deg)| **deg > 1e-3);
-            Some(bent.fold(part.flat.clone(), |solid, (bend, deg)| bent_by(bend, *deg).apply(&solid)).mesh())
+            Some(Arc::new(bent.fold(part.flat.clone(), |solid, (bend, deg)| bent_by(bend, *deg).apply(&solid)).mesh()))
         }
         None => Some(design.shape(body).mesh.clone()),
     }
@@ -112,6 +112,16 @@ impl Piece {
         let bend = self.hinge.and_then(|index| of.bends(member).get(index).map(|bend| bent_by(bend, moment.fold_deg(member, index))));
         let folded = bend.map_or_else(Isometry3::identity, |bend| bend.motion());
         module_turn(module) * moment.pose(member) * folded
+    }
+
+    /// Boxes around its facets.
+    pub fn boxes(&self) -> &BoxTree {
+        self.boxes.get_or_init(|| BoxTree::of(&self.solid))
+    }
+
+    /// All that its motions and volumes follow from, beside the fold.
+    pub fn inputs(&self) -> impl std::fmt::Debug {
+        (&self.name, self.hinge, self.place, self.solid.key())
     }
 
     /// Whether it is a rod.
@@ -127,7 +137,7 @@ impl Piece {
 
     fn rod_near(&self, other: &Self, pose: &Isometry3<f64>) -> Cow<'_, MeshSolid> {
         let [_, [radius, _, length]] = self.solid.bounds_mm();
-        let heights = other.boxes.bounds().map_or([0.0; 8], |bounds| bounds.corners().map(|c| pose.inverse_transform_point(&c).z));
+        let heights = other.boxes().bounds().map_or([0.0; 8], |bounds| bounds.corners().map(|c| pose.inverse_transform_point(&c).z));
         let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
         let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let (from, to) = ((least - ROD_END_MM).max(0.0), (most + ROD_END_MM).min(length));

@@ -8,7 +8,8 @@ use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{Broken, Done, Rules};
 use super::task::{FoldMotion, Task};
-use crate::frame::skeleton::{MODULE_NAMES, Skeleton};
+use crate::frame::skeleton::{Centre, MODULE_NAMES, Skeleton};
+use crate::memo::Key;
 use crate::params::Frame;
 use crate::solid::Bend;
 use crate::units::Angle;
@@ -129,6 +130,14 @@ pub struct FoldSequence {
     pub off_hub_mm: f64,
     /// The steps.
     pub steps: Vec<Step>,
+}
+
+/// All that a frame's fold follows from, and what its motions follow from.
+pub fn inputs(frame: &Frame, skeleton: &Skeleton) -> Key {
+    let parts = (&frame.corner, &frame.hub, &frame.hub_joint, &frame.fork, &frame.knee, &frame.motor_mount);
+    let propeller = frame.bought.get("propeller");
+    let all = (parts, &frame.rods, &frame.fit, &frame.flexible, frame.limits.hinge_strain_factor, propeller, Centre::new(frame), skeleton);
+    Key::of("fold", &all)
 }
 
 impl FoldSequence {

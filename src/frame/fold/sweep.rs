@@ -10,15 +10,16 @@ use std::collections::BTreeSet;
 
 use nalgebra::Isometry3;
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::member::Member;
 use super::piece::{Piece, pieces};
 use super::rules::Done;
-use super::sequence::FoldSequence;
+use super::sequence::{FoldSequence, inputs};
 use super::task::{FoldMotion, Task};
 use super::timeline::{Moment, moment};
 use crate::frame::assembly::Design;
+use crate::memo::Key;
 
 /// Farthest that anything moves between two places, mm.
 pub const STEP_MM: f64 = 1.0;
@@ -32,7 +33,7 @@ const FITS_A_WAY: f64 = 4.0;
 const STILL_MM: f64 = 1e-6;
 
 /// Two bodies that share more than is meant.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Meeting {
     /// The bodies.
     pub bodies: [String; 2],
@@ -45,7 +46,7 @@ pub struct Meeting {
 }
 
 /// What a step's motion meets.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sweep {
     /// Places that the way was cut into.
     pub places: usize,
@@ -63,7 +64,14 @@ pub struct Sweep {
 pub fn sweeps(design: &Design, fold: &FoldSequence) -> Vec<Sweep> {
     let pieces = pieces(design, &fold.module);
     let order = fold.order();
-    (0..order.len()).map(|at| Sweeper { design, fold, pieces: &pieces, order: &order, at }.sweep()).collect()
+    let inputs = inputs(&design.frame, &design.skeleton);
+    let step = |at| {
+        let sweeper = Sweeper { design, fold, pieces: &pieces, order: &order, at, inputs };
+        let there = sweeper.there();
+        let read = (inputs, &order[..=at], there.iter().map(|piece| piece.inputs()).collect::<Vec<_>>());
+        Sweep::clone(&design.memo.get("step of the fold", order[at].title(), &read, || sweeper.sweep(&there)))
+    };
+    (0..order.len()).map(step).collect()
 }
 
 struct Sweeper<'a> {
@@ -72,19 +80,21 @@ struct Sweeper<'a> {
     pieces: &'a [Piece],
     order: &'a [Task],
     at: usize,
+    /// What the motions follow from.
+    inputs: Key,
 }
 
 /// What was found of a pair.
+#[derive(Clone, Serialize, Deserialize)]
 struct Found {
     comparisons: usize,
     worst: Option<Meeting>,
 }
 
 impl Sweeper<'_> {
-    fn sweep(&self) -> Sweep {
+    fn sweep(&self, there: &[&Piece]) -> Sweep {
         let task = self.order[self.at];
-        let there: Vec<&Piece> = self.there();
-        let ways = self.ways(&there);
+        let ways = self.ways(there);
         let places = ways.first().map_or(0, Vec::len);
         let mut pairs = Vec::new();
         for (i, a) in there.iter().enumerate() {
@@ -98,7 +108,7 @@ impl Sweeper<'_> {
             }
         }
         let found: Vec<Found> =
-            pairs.par_iter().filter_map(|&(i, j)| self.pair(task, [there[i], there[j]], [&ways[i], &ways[j]])).collect();
+            pairs.par_iter().filter_map(|&(i, j)| self.kept(task, [there[i], there[j]], [&ways[i], &ways[j]])).collect();
         let mut meetings: Vec<Meeting> = found.iter().filter_map(|f| f.worst.clone()).collect();
         let beyond_mm3 = meetings.iter().map(|m| m.shared_mm3 - m.allowed_mm3).fold(0.0, f64::max);
         meetings.retain(|m| m.shared_mm3 > m.allowed_mm3);
@@ -134,6 +144,12 @@ impl Sweeper<'_> {
         there.iter().map(|piece| along(&fine, piece)).collect()
     }
 
+    fn kept(&self, task: Task, [a, b]: [&Piece; 2], ways: [&Vec<Isometry3<f64>>; 2]) -> Option<Found> {
+        let read = (self.inputs, &self.order[..=self.at], ways[0].len(), a.inputs(), b.inputs());
+        let name = || format!("{}: {} and {}", task.title(), a.name, b.name);
+        Option::clone(&self.design.memo.get("pair of pieces", &name(), &read, || self.pair(task, [a, b], ways)))
+    }
+
     /// How two pieces get along; none when they do not move to each other.
     fn pair(&self, task: Task, [a, b]: [&Piece; 2], ways: [&Vec<Isometry3<f64>>; 2]) -> Option<Found> {
         let travelled = travelled_mm(b, ways[1], Some(ways[0]));
@@ -149,7 +165,7 @@ impl Sweeper<'_> {
         let mut k = if squeezed { last } else { 0 };
         loop {
             let relative = ways[0][k].inverse() * ways[1][k];
-            let mut free_mm = a.boxes.apart_mm(&b.boxes, &relative);
+            let mut free_mm = a.boxes().apart_mm(b.boxes(), &relative);
             if free_mm <= 0.0 {
                 let shared_mm3 = a.shared_mm3(b, &relative);
                 found.comparisons += 1;
@@ -172,7 +188,7 @@ impl Sweeper<'_> {
 /// How far a piece has moved at each place at most, seen from another or from the frame, mm: no point of a body moves
 /// farther than the farthest corner of the box around it.
 fn travelled_mm(piece: &Piece, way: &[Isometry3<f64>], seen_from: Option<&[Isometry3<f64>]>) -> Vec<f64> {
-    let Some(corners) = piece.boxes.bounds().map(|bounds| bounds.corners()) else { return vec![0.0; way.len()] };
+    let Some(corners) = piece.boxes().bounds().map(|bounds| bounds.corners()) else { return vec![0.0; way.len()] };
     let at = |k: usize| {
         let pose = seen_from.map_or(way[k], |other| other[k].inverse() * way[k]);
         corners.map(|corner| pose * corner)

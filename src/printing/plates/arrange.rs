@@ -61,7 +61,11 @@ pub fn arrange(design: &Design, wanted: &[Wanted]) -> Result<Vec<Plate>, NoRoom>
 fn supported(design: &Design, wanted: &[Wanted]) -> Vec<PartName> {
     let needs = |name: &PartName| {
         let process = Process::of(&design.material_of(*name).material, &design.frame.printer);
-        design.part(*name).is_some_and(|part| printability::needs_support(part, &process))
+        let needs = |part: &Printed| {
+            let inputs = (part.flat.key(), part.print_pose, process);
+            *design.memo.get("support", name.slug(), &inputs, || printability::needs_support(part, &process))
+        };
+        design.part(*name).is_some_and(needs)
     };
     wanted.par_iter().map(|(name, _)| *name).filter(needs).collect()
 }

@@ -30,7 +30,7 @@ impl Hanging {
 
 /// The places of a part that hang over air.
 pub fn hanging(part: &Printed, process: &Process) -> Vec<Hanging> {
-    unsupported::of(&part.printed, &part.mesh, process)
+    unsupported::of(&part.printed(), &part.mesh, process)
 }
 
 /// Whether a part needs support.

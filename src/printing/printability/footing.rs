@@ -20,7 +20,7 @@ pub struct Footing {
 impl Footing {
     /// That of a part, and of the support under some places in plan.
     pub fn of(part: &Printed, layer_mm: f64, supported: &[&Region]) -> Self {
-        Self::measured(&part.printed, &part.mesh, layer_mm, supported)
+        Self::measured(&part.printed(), &part.mesh, layer_mm, supported)
     }
 
     pub(super) fn measured(solid: &MeshSolid, mesh: &Mesh, layer_mm: f64, supported: &[&Region]) -> Self {

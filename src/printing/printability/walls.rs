@@ -7,6 +7,7 @@
 
 use nalgebra::{Point3, Vector3};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::solid::{CutPlane, Mesh};
 
@@ -24,7 +25,7 @@ const OFF_MM: f64 = 1e-4;
 const STEP_MM: f64 = 0.4;
 
 /// A size and where it was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Thin {
     /// Thickness or width, mm.
     pub mm: f64,

@@ -3,6 +3,8 @@
 //! They are read without colours, too: what moves is dark, what it is joined to or turned by is of middle brightness, the rest is
 //! pale; arrows are black with a white rim.
 
+use std::sync::Arc;
+
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use super::arrow::Arrow;
@@ -46,7 +48,7 @@ impl Picture {
 
 /// A body in a picture, with a mesh of its own.
 struct Shown {
-    mesh: Mesh,
+    mesh: Arc<Mesh>,
     pose: Isometry3<f64>,
     colour: [f32; 4],
 }

@@ -51,7 +51,7 @@ fn picture_of(design: &Design, part: &Printed) -> Option<Vec<u8>> {
 
 /// Walls and gaps that are too narrow.
 fn thin_spots(design: &Design, part: &Printed) -> Vec<Mark> {
-    let walls = ThinnestWall::of(part, &design.frame.printer, &design.material_of(part.name).material);
+    let walls = ThinnestWall::of(design, part);
     let broken = walls.iter().map(|wall| (wall, wall.finding())).filter(|(_, finding)| finding.verdict == Verdict::Violated);
     broken
         .filter_map(|(wall, finding)| {
@@ -66,7 +66,7 @@ fn thin_spots(design: &Design, part: &Printed) -> Vec<Mark> {
 /// The first layer, where the part does not stand on it as it should.
 fn footing(design: &Design, part: &Printed, process: &Process) -> Vec<Mark> {
     let broken = standing(design, part).into_iter().filter(|finding| finding.verdict == Verdict::Violated);
-    let layer = || part.printed.slice(0.5 * process.layer_mm).drawn_up(-MARK_MM[0], MARK_MM[1]).to_mesh();
+    let layer = || part.printed().slice(0.5 * process.layer_mm).drawn_up(-MARK_MM[0], MARK_MM[1]).to_mesh();
     broken.map(|finding| Mark { meshes: vec![layer()], colour: BLUE, legend: "blue: the first layer", words: finding.message }).collect()
 }
 
