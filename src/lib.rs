@@ -7,7 +7,10 @@
 //! its limits, and judges the findings for build servers. [`export`] turns the frame into bytes.
 //! [`impact`] simulates the drop, reads real drops, fits a model to them and finds what the model lacks. [`variant`] compares frames
 //! and searches for better ones. [`schema`] describes the files for editors, [`report`] makes pages, pictures and charts.
-//! Only the command line in [`cli`] prints and writes files.
+//! Only the command line in `cli` prints and writes files.
+//!
+//! Without the feature `cli` the library needs no operating system: it takes texts and bytes, gives bytes, and compiles for
+//! `wasm32-unknown-unknown` (`studio/wasm` is that module). Charts need the feature `charts`, which `cli` brings.
 //!
 //! A rule, a printed part, an effect, a format and a subcommand are one record each; `docs/extending.md` says how to add one.
 //!
@@ -15,6 +18,7 @@
 //! right, Y front, Z up, origin where the hub's axis crosses the plane of the arms.
 
 pub mod checks;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod export;
 pub mod figures;

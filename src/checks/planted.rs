@@ -1,5 +1,7 @@
 //! For the tests of the rules: sound frames, ones with one thing broken, and the line of a rule in `docs/gate.md`.
 
+use std::sync::{Arc, LazyLock};
+
 use super::finding::{Finding, Verdict};
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
@@ -7,7 +9,11 @@ use super::scene::Scene;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
+use crate::memo::Memo;
 use crate::params::Frame;
+
+/// What was computed for tests before: most of them change little of one frame.
+static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(Arc::default);
 
 /// A frame to be tested, to be broken by hand.
 pub struct Planted {
@@ -28,7 +34,7 @@ impl Planted {
     }
 
     pub fn designed(frame: Frame) -> Self {
-        let design = Design::new(frame).expect("closes");
+        let design = Design::with(frame, &MEMO).expect("closes");
         Self { masses: mass::table(&design), design }
     }
 

@@ -3,26 +3,23 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use rayon::prelude::*;
-
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::checks::{self, Finding, Verdict};
-use crate::export::{self, ExportError, Exported, File, Format, manifest, step, three_mf};
-use crate::frame::assembly::compensated::Compensated;
+use crate::checks::{self, Verdict};
+use crate::export::File;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
 use crate::printing::plates;
-use crate::printing::plates::{Plate, Wanted};
-use crate::report::page::{print_settings, summary};
-use crate::report::picture::{plate_picture, scene};
+use crate::printing::plates::Wanted;
+use crate::report::frame_folder;
+use crate::report::frame_folder::FolderChoice;
 
 /// Write STL, GLB, bill of materials, manifest, report and pictures of a frame.
 #[derive(Debug, clap::Args)]
@@ -48,13 +45,6 @@ pub(super) struct Args {
     pub quantity: Option<usize>,
 }
 
-impl Args {
-    /// Whether a format is asked for that is not written by itself.
-    fn asks_for(&self, format: &Format) -> bool {
-        self.step && format.extension == step::FORMAT.extension
-    }
-}
-
 /// Most copies of one part.
 const MOST_COPIES: usize = 100;
 
@@ -67,7 +57,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     let masses = mass::table(&design);
     let findings = checks::check(&design, &masses);
-    let files = files(&design, &masses, &findings, args)?;
+    let choice = FolderChoice { pictures: !args.no_pictures, step: args.step };
+    let files = written(frame_folder::files(&design, &masses, &findings, choice)?);
     drop(working);
     let place = output::write_folder(&args.output, &design.frame.name, &files)?;
     for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
@@ -82,58 +73,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Every file of the folder, path and bytes; the manifest last.
-fn files(design: &Design, masses: &MassTable, findings: &[Finding], args: &Args) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let pictures = !args.no_pictures;
-    let meshes = compensated(design)?;
-    // What lies on no bed is a finding of `check`; the parts are written all the same.
-    let plates = with_pictures(design, plates::arrange(design, &plates::all(design)).unwrap_or_default());
-    let of = Exported { design, masses, meshes: &meshes, plates: &plates };
-    let mut files = Vec::new();
-    for format in export::CATALOGUE.iter().filter(|format| format.always || args.asks_for(format)) {
-        files.extend((format.files)(&of)?);
-    }
-    if !plates.is_empty() {
-        files.push(settings_page(design, &plates));
-    }
-    if pictures {
-        files.extend(scene::pictures(design).into_iter().map(|(path, bytes)| File::new(path, bytes)));
-    }
-    files.push(File::new("report.md", summary::markdown(design, masses, findings, pictures).into_bytes()));
-    let manifest = manifest::manifest(design, &meshes, masses, &files);
-    let mut text = serde_json::to_string_pretty(&manifest).map_err(ExportError::of("manifest.json"))?;
-    text.push('\n');
-    files.push(File::new("manifest.json", text.into_bytes()));
-    Ok(written(files))
-}
-
 /// Path and bytes of each.
 fn written(files: Vec<File>) -> Vec<(String, Vec<u8>)> {
     files.into_iter().map(|file| (file.path, file.bytes)).collect()
-}
-
-/// How to print the plates, as a page.
-fn settings_page(design: &Design, plates: &[(Plate, Vec<u8>)]) -> File {
-    let plates: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
-    File::new("print-settings.md", print_settings::markdown(design, &plates).into_bytes())
-}
-
-/// Pixels of a plate's picture.
-const PLATE_SIZE: [u32; 2] = [480, 360];
-
-/// The meshes for the frame's printer.
-fn compensated(design: &Design) -> Result<Compensated<'_>, Failure> {
-    Compensated::of(design).map_err(|error| Failure::Usage {
-        message: format!(
-            "{error} with hole_undersize_mm and elephant_foot_mm of the printer {}: make them smaller",
-            design.frame.printer.name
-        ),
-    })
-}
-
-/// Plates, each with its picture.
-fn with_pictures(design: &Design, plates: Vec<Plate>) -> Vec<(Plate, Vec<u8>)> {
-    plates.into_par_iter().map(|plate| (plate_picture::png(design, &plate, PLATE_SIZE), plate)).map(|(png, plate)| (plate, png)).collect()
 }
 
 /// Plates of a part that has to be printed again.
@@ -154,19 +96,12 @@ fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result
     }
     let wanted: [Wanted; 1] = [(name, quantity)];
     let plates = plates::arrange(design, &wanted).map_err(|error| usage(format!("{error}: choose another printer in the frame file")))?;
-    let (masses, plates) = (mass::table(design), with_pictures(design, plates));
-    let of = Exported { design, masses: &masses, meshes: &compensated(design)?, plates: &plates };
-    let mut files = (three_mf::FORMAT.files)(&of)?;
-    files.push(settings_page(design, &plates));
+    let count = plates.len();
+    let files = frame_folder::plate_files(design, plates)?;
     let files = written(files);
     let place = output::write_folder(&args.output, &format!("{}-{part}", design.frame.name), &files)?;
     if !common.quiet {
-        terminal::print(&format!(
-            "{}: {quantity} {part} on {} plate{}\n",
-            place.display(),
-            plates.len(),
-            if plates.len() == 1 { "" } else { "s" }
-        ))?;
+        terminal::print(&format!("{}: {quantity} {part} on {} plate{}\n", place.display(), count, if count == 1 { "" } else { "s" }))?;
     }
     Ok(ExitCode::SUCCESS)
 }

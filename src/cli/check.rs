@@ -10,13 +10,15 @@ use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
 use super::session;
 use super::{frames, output, table, terminal};
-use crate::checks::gate::{Baseline, CheckedFrame, Outcome, Policy, Refused, Standing, acceptance, github, junit, markdown, sarif};
+use crate::checks::gate::{
+    Baseline, CheckedFrame, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
+};
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::frame_file::read_source;
-use crate::params::{Frame, FrameFile, LoadError};
+use crate::params::{Frame, FrameFile};
 
 /// Hold frames against their limits; exits 1 when one is violated.
 #[derive(Debug, clap::Args)]
@@ -139,13 +141,8 @@ fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings) -> Res
 
 fn refused(failure: &Failure) -> Refused {
     match failure {
-        Failure::Input(LoadError::Refused(refusal)) => Refused::of(refusal),
-        other => Refused {
-            message: other.to_string(),
-            remedy: "`flexframe check --help` says what a frame is".into(),
-            spot: None,
-            machine: other.exit_code() == 3,
-        },
+        Failure::Input(error) => Refused::of_load(error),
+        other => Refused { message: other.to_string(), remedy: NO_FRAME_REMEDY.into(), spot: None, machine: other.exit_code() == 3 },
     }
 }
 
@@ -206,7 +203,7 @@ fn say(args: &Args, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure
             Ok(())
         }
         CheckFormat::Text => terminal::print(&text(args, outcomes)),
-        CheckFormat::Json => terminal::print_json(&json(outcomes)),
+        CheckFormat::Json => terminal::print_json(&data::json(outcomes)),
         CheckFormat::Junit => terminal::print(&xml()?),
         CheckFormat::Github => terminal::print(&github::annotations(outcomes)),
         CheckFormat::Markdown => terminal::print(&markdown::page(outcomes)),
@@ -242,30 +239,4 @@ fn frame_text(args: &Args, held: &CheckedFrame) -> String {
     let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };
     let how = if args.strict { "violate a limit or warn" } else { "violate a limit" };
     format!("{table}{frame}: {mass_g:.1} g; {fails} of {count} findings {how}{known}\n")
-}
-
-fn json(outcomes: &[Outcome]) -> serde_json::Value {
-    let finding = |judged: &crate::checks::gate::Judged| {
-        let mut value = serde_json::json!(judged.finding);
-        value["fails"] = (judged.standing == Standing::Fails).into();
-        value["accepted"] = (judged.standing == Standing::Accepted).into();
-        let place = |spot: &crate::checks::gate::Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
-        value["places"] = judged.spots.iter().map(place).collect::<Vec<_>>().into();
-        value
-    };
-    let frame = |outcome: &Outcome| match &outcome.result {
-        Ok(held) => serde_json::json!({
-            "asked": outcome.asked,
-            "frame": held.frame,
-            "violations": held.count(Standing::Fails),
-            "findings": held.findings.iter().map(finding).collect::<Vec<_>>(),
-            "masses": held.masses,
-        }),
-        Err(refused) => {
-            let place =
-                refused.spot.as_ref().map(|spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column }));
-            serde_json::json!({ "asked": outcome.asked, "refused": refused.message, "remedy": refused.remedy, "place": place })
-        }
-    };
-    serde_json::json!({ "schema_version": 2, "frames": outcomes.iter().map(frame).collect::<Vec<_>>() })
 }

@@ -14,18 +14,17 @@ use super::session;
 use super::terminal;
 use crate::frame::assembly::mass;
 use crate::impact::body::DropBody;
-use crate::impact::diagnose;
-use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisOptions, FrameMode, Stage, StaticComparison, Verdict};
-use crate::impact::effects::{Channel, Model, PAYLOAD_MODE};
-use crate::impact::fit::FitError;
+use crate::impact::diagnose::{Diagnosis, Stage, Verdict};
+use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured;
-use crate::impact::measured::{Fall, StaticTest};
+use crate::impact::measured::StaticTest;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::MechanicsSettings as Mechanics;
 use crate::report::data::diagnosis_data;
 use crate::report::data::diagnosis_data::Compared;
+use crate::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
@@ -69,9 +68,7 @@ pub(super) struct Args {
 
 /// Diagnoses drops and writes a folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    if !(1..=3).contains(&args.max_effects) {
-        return Err(Failure::Usage { message: format!("--max-effects {} is out of bounds: give 1, 2 or 3", args.max_effects) });
-    }
+    DiagnosisRequest::bounds(args.max_effects).map_err(usage)?;
     let (frame, paths) = frame_and_paths(&args.drops)?;
     let mut model = Model::load(&args.model)?;
     let most = args.max_effects;
@@ -87,33 +84,21 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     let set = measured::read(&paths, &calibration(&args.calibration)?)?;
     let static_test = args.static_test.as_deref().map(StaticTest::read).transpose()?;
-    let choice = ChannelChoice::of(&set, &model).map_err(usage)?;
-    model.sensor.channel = choice.chosen.channel;
-    let mut compared = compared(&choice, &set, args);
-    let waves = &choice.waves;
-    let held = |height_m: f64| args.hold_out_heights.iter().any(|out| (out - height_m).abs() < 1e-6);
-    if let Some(unknown) = args.hold_out_heights.iter().find(|out| waves.groups.iter().all(|group| (group.height_m - **out).abs() >= 1e-6))
-    {
-        let heights: Vec<String> = waves.groups.iter().map(|group| group.height_m.to_string()).collect();
-        return Err(Failure::Usage {
-            message: format!("--hold-out-heights {unknown}: there is no drop from there, only from {} m", heights.join(", ")),
-        });
-    }
-    let (fitted, held_out) = (waves.only(|height_m| !held(height_m)), waves.only(held));
-    if fitted.groups.is_empty() {
-        return Err(Failure::Usage { message: "--hold-out-heights leaves no height to fit".into() });
-    }
-    let settings = DiagnosisOptions::new(most, args.seed);
-    let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
+    let request = DiagnosisRequest {
+        model,
+        drops: &set,
+        hold_out_heights_m: &args.hold_out_heights,
+        static_test: static_test.as_ref(),
+        max_effects: most,
+        seed: args.seed,
+    };
+    let name = request.model.name.clone();
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
-    let found =
-        diagnose::watched(&fitted, held_out, &model, &settings, &stage).map_err(|error| Failure::Usage { message: error.to_string() })?;
-    compared.frame_mode = model.frame_mode.map(|mode| FrameMode::of(mode, &found));
-    compared.static_test = static_test.map(|test| StaticComparison::of(&test, &found));
+    let (found, compared) = request.diagnosed(&stage).map_err(usage)?;
     let json = diagnosis_data::json(&found, &compared);
     let files = files(&found, &compared, &json)?;
     drop(working);
-    let place = output::write_folder(&args.output, &format!("diagnose-{}", model.name), &files)?;
+    let place = output::write_folder(&args.output, &format!("diagnose-{name}"), &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
@@ -132,32 +117,8 @@ fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
     reduced_model(&design, &masses, &quarter, &curve, &settings).map_err(mechanics_refused)
 }
 
-fn usage(error: FitError) -> Failure {
+fn usage(error: RequestError) -> Failure {
     Failure::Usage { message: error.to_string() }
-}
-
-fn word(channel: Channel) -> &'static str {
-    match channel {
-        Channel::Axial => "axial",
-        Channel::Magnitude => "magnitude",
-    }
-}
-
-/// The record of what was compared.
-fn compared(choice: &ChannelChoice, set: &measured::DropSet, args: &Args) -> Compared {
-    let chosen = &choice.chosen;
-    Compared {
-        channel: word(chosen.channel),
-        stated_channel: word(choice.stated),
-        channel_reason: choice.reason.clone(),
-        drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
-        left_out: chosen.left_out.clone(),
-        held_out_heights_m: args.hold_out_heights.clone(),
-        seed: args.seed,
-        falls: Fall::of(set),
-        static_test: None,
-        frame_mode: None,
-    }
 }
 
 fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Result<Vec<(String, Vec<u8>)>, Failure> {

@@ -5,6 +5,7 @@ use std::io;
 use crate::export::ExportError;
 use crate::impact::measured::Malformed;
 use crate::params::LoadError;
+use crate::report::frame_folder::FolderError;
 
 /// Why a command did not do its work.
 #[derive(Debug, thiserror::Error)]
@@ -34,6 +35,15 @@ pub enum Failure {
 impl From<ExportError> for Failure {
     fn from(error: ExportError) -> Self {
         Self::Machine { what: format!("cannot make {}", error.what), error: error.error }
+    }
+}
+
+impl From<FolderError> for Failure {
+    fn from(error: FolderError) -> Self {
+        match error {
+            FolderError::Compensation { .. } => Self::Usage { message: error.to_string() },
+            FolderError::File(error) => error.into(),
+        }
     }
 }
 

@@ -7,7 +7,7 @@ use crate::frame::assembly::{Design, DesignError};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
-use crate::params::refusal::{Reason, Refusal, nearest};
+use crate::params::refusal::nearest;
 use crate::params::{Frame, FrameFile, LoadError, parameters, preset};
 
 /// Numbers of the mechanics, where they are to be asked.
@@ -40,7 +40,7 @@ pub(super) fn designed(frame: Frame, file: &FrameFile) -> Result<Design, Failure
 
 /// A design error as a refusal of the file that caused it.
 pub(super) fn refused(file: &FrameFile, error: &DesignError) -> Failure {
-    LoadError::Refused(refusal(file, error)).into()
+    LoadError::Refused(error.refusal(file)).into()
 }
 
 /// A parameter by its key, with or without its table; the ending `_length_mm` or `_mm` may be left out, and a beginning is
@@ -87,39 +87,4 @@ pub(super) fn load(option: &FrameOption) -> Result<(Frame, FrameFile), Failure> 
 pub(super) fn resolved(file: FrameFile) -> Result<(Frame, FrameFile), Failure> {
     let frame = Frame::resolve(&file).map_err(LoadError::Refused)?;
     Ok((frame, file))
-}
-
-/// A design error as a refusal of the file that caused it.
-fn refusal(file: &FrameFile, error: &DesignError) -> Refusal {
-    let message = error.to_string();
-    match error {
-        DesignError::Closure(closure) => {
-            // The lengths close together or not at all: what the nearest file states is what was changed.
-            let keys = [closure.key(), "rods.arm_rod_length_mm", "rods.cage_rod_length_mm", "rods.strut_rod_length_mm"];
-            let depth = |key: &&str| file.entries.get(*key).map_or(usize::MAX, |entry| entry.depth);
-            let nearest = keys.into_iter().min_by_key(depth).unwrap_or(keys[0]);
-            file.refuse(nearest, Reason::Impossible { message, remedy: closure.remedy() })
-        }
-        DesignError::Target { .. } => {
-            let remedy = "choose another width, height or strut_tilt_deg".into();
-            file.refuse("target.width_mm", Reason::Impossible { message, remedy })
-        }
-        DesignError::Part { part, .. } => {
-            let mut drivers: Vec<(usize, String)> = parameters()
-                .filter(|p| p.drives.contains(part))
-                .filter_map(|p| {
-                    let key = format!("{}.{}", p.table, p.key);
-                    file.entries.get(&key).map(|entry| (entry.depth, key))
-                })
-                .collect();
-            drivers.sort();
-            let nearest = drivers.first().map_or(String::new(), |(_, key)| key.clone());
-            let own: Vec<&str> = drivers.iter().filter(|(depth, _)| *depth == 0).map(|(_, key)| key.as_str()).collect();
-            let remedy = match own[..] {
-                [] => format!("its parameters contradict each other; `flexframe params` lists those that drive {part}"),
-                _ => format!("change one of those that this file sets for it: {}", own.join(", ")),
-            };
-            file.refuse(&nearest, Reason::Impossible { message, remedy })
-        }
-    }
 }

@@ -1,7 +1,8 @@
-//! Where parameter files are: on disk, or somewhere that looks like one, such as a revision of a repository.
+//! Where parameter files are: on disk, in memory, or somewhere that looks like a disk, such as a revision of a repository.
 
+use std::collections::BTreeMap;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A place that holds files.
 pub trait Files {
@@ -15,10 +16,38 @@ pub trait Files {
     fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>>;
 }
 
-/// The disk.
+/// Files that are held in memory, by path.
+#[derive(Clone, Debug, Default)]
+pub struct Memory(pub BTreeMap<PathBuf, Vec<u8>>);
+
+impl Files for Memory {
+    fn is_file(&self, path: &Path) -> bool {
+        self.0.contains_key(path)
+    }
+
+    fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+        let bytes = self.0.get(path).ok_or_else(|| io::Error::new(io::ErrorKind::NotFound, "there is no such file"))?;
+        let most = usize::try_from(most).unwrap_or(usize::MAX);
+        Ok(bytes[..bytes.len().min(most)].to_vec())
+    }
+}
+
+/// The disk; there is none without the feature `cli`.
 #[derive(Clone, Copy, Debug)]
 pub struct Disk;
 
+#[cfg(not(feature = "cli"))]
+impl Files for Disk {
+    fn is_file(&self, _: &Path) -> bool {
+        false
+    }
+
+    fn bytes(&self, _: &Path, _: u64) -> io::Result<Vec<u8>> {
+        Err(io::Error::new(io::ErrorKind::Unsupported, "there is no disk here"))
+    }
+}
+
+#[cfg(feature = "cli")]
 impl Files for Disk {
     fn is_file(&self, path: &Path) -> bool {
         path.is_file()

@@ -271,7 +271,7 @@ pub fn read_source(path: PathBuf) -> Result<(String, Arc<Source>), LoadError> {
     read_from(path, &Disk)
 }
 
-fn read_from(path: PathBuf, files: &dyn Files) -> Result<(String, Arc<Source>), LoadError> {
+pub(super) fn read_from(path: PathBuf, files: &dyn Files) -> Result<(String, Arc<Source>), LoadError> {
     let unreadable = |error| LoadError::Unreadable { path: path.clone(), error };
     let bytes = files.bytes(&path, LARGEST_FILE + 1).map_err(unreadable)?;
     if bytes.len() as u64 > LARGEST_FILE {

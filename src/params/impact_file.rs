@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::frame_file::{Entry, LoadError, Value, read_source, typed_entries};
+use super::files::{Disk, Files};
+use super::frame_file::{Entry, LoadError, Value, read_from, read_source, typed_entries};
 use super::preset::{IMPACTS, MECHANICS};
 use super::refusal::{Place, Reason, Refusal, Source, nearest};
 
@@ -29,8 +30,16 @@ impl ImpactFile {
     /// # Errors
     /// When there is none, when it cannot be read, or when it is not TOML.
     pub fn load(model: &str) -> Result<Self, LoadError> {
+        Self::load_from(model, &Disk)
+    }
+
+    /// The same with files from somewhere else than the disk.
+    ///
+    /// # Errors
+    /// When there is none, when it cannot be read, or when it is not TOML.
+    pub fn load_from(model: &str, files: &dyn Files) -> Result<Self, LoadError> {
         if model.ends_with(".toml") {
-            let (name, source) = read_source(PathBuf::from(model))?;
+            let (name, source) = read_from(PathBuf::from(model), files)?;
             return Ok(Self::read(name, source)?);
         }
         let known = IMPACTS.iter().find(|(name, _)| *name == model);

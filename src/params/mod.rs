@@ -15,6 +15,8 @@ mod read;
 pub mod refusal;
 mod relation;
 mod renamed;
+#[cfg(feature = "cli")]
+mod rendered;
 pub mod resolve;
 pub mod roles;
 

@@ -3,8 +3,6 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report, Severity};
-
 /// A parameter file as read.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Source {
@@ -230,9 +228,8 @@ pub struct Refusal {
     pub place: Option<Place>,
 }
 
-/// Longest message, and longest line of a file that is shown, in bytes: a file may hold a key of a million letters.
+/// Longest message, bytes: a file may hold a key of a million letters.
 const LONGEST_MESSAGE: usize = 600;
-const LONGEST_LINE: usize = 400;
 
 /// A text with its middle left out where it is longer than a message may be.
 fn shortened(text: &str) -> String {
@@ -250,39 +247,9 @@ impl Refusal {
         shortened(&self.to_string())
     }
 
-    /// The place, when the lines around it can be shown.
-    fn shown(&self) -> Option<&Place> {
-        let place = self.place.as_ref()?;
-        let [line, _] = place.line_column();
-        let last = line + place.source.text.get(place.span.clone()).map_or(0, |text| text.matches('\n').count()) + 1;
-        let around = place.source.text.lines().take(last).skip(line.saturating_sub(2));
-        around.map(str::len).all(|bytes| bytes <= LONGEST_LINE).then_some(place)
-    }
-
-    /// The diagnostic a person reads: file, line, column, the text, and the remedy. Plain text.
-    pub fn render(&self) -> String {
-        let message = match (&self.place, self.shown()) {
-            (Some(place), None) => {
-                let [line, column] = place.line_column();
-                format!("{} ({}:{line}:{column})", self.message(), place.source.name)
-            }
-            _ => self.message(),
-        };
-        let remedy = shortened(&self.reason.remedy());
-        let mut diagnostic = MietteDiagnostic::new(message).with_severity(Severity::Error).with_help(remedy.clone());
-        if let Some(place) = self.shown() {
-            diagnostic = diagnostic.with_label(LabeledSpan::new_with_span(Some("here".into()), place.span.clone()));
-        }
-        let mut report = Report::new(diagnostic);
-        if let Some(place) = self.shown() {
-            report = report.with_source_code(NamedSource::new(&place.source.name, place.source.text.clone()));
-        }
-        let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_width(110);
-        let mut text = String::new();
-        match handler.render_report(&mut text, report.as_ref()) {
-            Ok(()) => text,
-            Err(_) => format!("{}\nhelp: {remedy}\n", self.message()),
-        }
+    /// What to change, no longer than a person reads.
+    pub fn remedy(&self) -> String {
+        shortened(&self.reason.remedy())
     }
 }
 

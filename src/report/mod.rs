@@ -1,9 +1,12 @@
 //! What is written about a frame: words and pictures.
 
 pub mod booklet;
+#[cfg(feature = "charts")]
 pub mod chart;
 pub mod data;
+pub mod frame_folder;
 pub mod page;
 pub mod picture;
 
+#[cfg(feature = "charts")]
 pub use chart::plot::PlotError;

@@ -5,6 +5,7 @@
 
 use crate::common;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 use std::sync::OnceLock;
 
 use flexframe::checks;
@@ -101,7 +102,7 @@ fn base() -> &'static Design {
 }
 
 fn design(frame: Frame) -> Design {
-    Design::new(frame).expect("the frame can be made")
+    Design::with(frame, common::memo()).expect("the frame can be made")
 }
 
 /// Numbers of a mesh that a parameter can move.
@@ -136,7 +137,7 @@ fn differ(before: &Mesh, after: &Mesh) -> bool {
 }
 
 /// What a line's change does to the printed parts: the parts that differ, made anew.
-fn changed_parts(frame: &Frame) -> BTreeMap<PartName, Mesh> {
+fn changed_parts(frame: &Frame) -> BTreeMap<PartName, Arc<Mesh>> {
     let skeleton = Skeleton::new(frame).expect("the frame closes");
     let centre = Centre::new(frame);
     let before: BTreeMap<PartName, &Printed> = base().printed.iter().map(|part| (part.name, part)).collect();

@@ -1,5 +1,6 @@
 //! What `build` writes for every preset, read back: STL by another reader, GLB by the glTF loader, manifest, bill and report.
 
+use crate::common;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::Cursor;
@@ -249,7 +250,7 @@ fn analytic_every_glb_loads_with_a_node_a_part_and_its_facts() {
 #[test]
 fn analytic_the_glb_is_in_metres_and_y_is_up() {
     let one = |built: &Built| {
-        let design = Design::new(Frame::load(built.preset).expect("a preset is valid").0).expect("can be made");
+        let design = Design::with(Frame::load(built.preset).expect("a preset is valid").0, common::memo()).expect("can be made");
         let findings = checks::check(&design, &mass::table(&design));
         let (_, nodes) = read_glb(&built.read("frame.glb"));
         for (subject, axis) in [("width", 0), ("height", 1), ("depth", 2)] {

@@ -2,6 +2,7 @@
 
 use crate::common;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use flexframe::export::{fold_glb, glb, stl};
 use flexframe::frame::assembly::{Design, mass};
@@ -10,7 +11,7 @@ use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
 use flexframe::report::booklet::content::Booklet;
 use flexframe::report::booklet::{booklet_html, booklet_pdf};
-use flexframe::solid::{Feature, MeshSolid};
+use flexframe::solid::{Feature, Mesh, MeshSolid};
 use gltf::animation::util::ReadOutputs;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -193,7 +194,7 @@ impl Played<'_> {
 
 #[test]
 fn analytic_the_animation_ends_in_the_assembled_frame() {
-    let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
+    let design = Design::with(Frame::load("cognifly").expect("a preset").0, common::memo()).expect("designs");
     let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
     let bytes = fold_glb::fold(&design, &sequence).expect("a file");
     let still = glb::frame(&design, &mass::table(&design)).expect("a file");
@@ -257,7 +258,7 @@ fn skinned(played: &Played, node: &str, at: Option<(&str, f32)>) -> Vec<Point3<f
 
 #[test]
 fn analytic_skins_bend_into_the_folded_parts() {
-    let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
+    let design = Design::with(Frame::load("cognifly").expect("a preset").0, common::memo()).expect("designs");
     let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
     let bytes = fold_glb::fold(&design, &sequence).expect("a file");
     let moving = gltf::Gltf::from_slice(&bytes).expect("reads");
@@ -284,7 +285,7 @@ fn met(design: &Design) -> Vec<(Task, [String; 2])> {
 }
 
 fn designed(name: &str) -> Design {
-    Design::new(Frame::load(name).expect("a preset").0).expect("designs")
+    Design::with(Frame::load(name).expect("a preset").0, common::memo()).expect("designs")
 }
 
 #[test]
@@ -329,7 +330,7 @@ fn planted_flat_states() {
     assert!(matches!(&high[..], [FlatError::NotResting { .. }]), "{high:?}");
     let both = planted(&|s| s.lying[knee].at = s.lying[corner].at);
     assert!(both.iter().any(|e| matches!(e, FlatError::Overlap { bodies, .. } if bodies.contains(&"top_corner_FR".into()))), "{both:?}");
-    let folded = design.part(PartName::TopCorner).expect("is printed").folded.mesh();
+    let folded: Arc<Mesh> = design.part(PartName::TopCorner).expect("is printed").folded.mesh().into();
     let bent = planted(&|s| s.lying[corner].mesh = folded.clone());
     assert!(bent.iter().any(|e| matches!(e, FlatError::NotAsPrinted { part: "top_corner", .. })), "{bent:?}");
     for lying in &flat.lying {

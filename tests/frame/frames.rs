@@ -3,6 +3,7 @@
 //! A frame that is refused pins its message; the others pin skeleton, parts, masses and findings. After a change that is
 //! meant, `INSTA_UPDATE=always cargo test --release --test frame frames` writes them anew; look at what it wrote.
 
+use crate::common;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
@@ -98,7 +99,7 @@ fn stages(folder: &Path) -> Stages {
         return vec![("refusal", String::from_utf8(check.stderr).expect("UTF-8"))];
     }
     let frame = Frame::load(&folder.join("frame.toml").display().to_string()).expect("is not refused").0;
-    let design = Design::new(frame).expect("is not refused");
+    let design = Design::with(frame, common::memo()).expect("is not refused");
     let table = mass::table(&design);
     let found = checks::check(&design, &table);
     let code = if found.iter().any(|finding| finding.margin < 0.0 && finding.verdict == checks::Verdict::Violated) { 1 } else { 0 };

@@ -1,5 +1,6 @@
 //! The two kernels against each other, and both against the formulas of geometry.
 
+use crate::common;
 use std::f64::consts::{PI, TAU};
 
 use flexframe::frame::assembly::BoughtPart;
@@ -96,7 +97,7 @@ fn solids(design: &Design) -> Vec<(String, Feature)> {
 #[test]
 fn analytic_both_kernels_agree_on_every_solid_that_needs_no_boolean() {
     let one = |preset: &str| {
-        let design = Design::new(Frame::load(preset).expect("a preset is valid").0).expect("can be made");
+        let design = Design::with(Frame::load(preset).expect("a preset is valid").0, common::memo()).expect("can be made");
         let mut compared = Vec::new();
         for (name, feature) in solids(&design) {
             let Some(brep) = Brep::build(&feature) else { continue };
@@ -116,7 +117,7 @@ fn analytic_both_kernels_agree_on_every_solid_that_needs_no_boolean() {
 
 #[test]
 fn analytic_what_a_part_says_of_its_exact_volume_is_the_kernels() {
-    let design = Design::new(Frame::load("cognifly").expect("a preset is valid").0).expect("can be made");
+    let design = Design::with(Frame::load("cognifly").expect("a preset is valid").0, common::memo()).expect("can be made");
     for part in &design.printed {
         let brep = Brep::build(&part.feature).map(|brep| brep.volume_mm3());
         assert_eq!(part.exact_volume_mm3, brep, "{}", part.name);

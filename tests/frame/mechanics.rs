@@ -1,5 +1,6 @@
 //! The frame's own mechanics: the real frame's static test, the ratios that geometry fixes, refinement, the drop's accounts.
 
+use crate::common;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;
@@ -18,7 +19,7 @@ fn settings() -> MechanicsSettings {
 fn design(change: impl Fn(&mut Frame)) -> Design {
     let mut frame = Frame::load("cognifly-v8").expect("the preset is valid").0;
     change(&mut frame);
-    Design::new(frame).expect("closes")
+    Design::with(frame, common::memo()).expect("closes")
 }
 
 fn curve(design: &Design, settings: &MechanicsSettings, extent: Extent, to_mm: f64) -> StaticCurve {

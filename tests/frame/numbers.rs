@@ -166,7 +166,7 @@ fn add_body(sum: &mut Moments, design: &Design, body: &Body, mass_g: f64) {
 #[test]
 fn analytic_the_mass_table_sums_and_its_inertia_is_that_of_all_tetrahedra() {
     for preset in ["cognifly", "cognifly-mini"] {
-        let design = Design::new(Frame::load(preset).expect("a preset is valid").0).expect("can be made");
+        let design = Design::with(Frame::load(preset).expect("a preset is valid").0, common::memo()).expect("can be made");
         let table = mass::table(&design);
         let mut sum: Moments = (0.0, Vector3::zeros(), Matrix3::zeros());
         for line in &table.lines {

@@ -1,5 +1,6 @@
 //! Plates: everything on the bed, nothing upon another, as many as the frame needs, on every printer.
 
+use crate::common;
 use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
@@ -11,7 +12,7 @@ use proptest::prelude::*;
 
 fn design() -> Design {
     let file = FrameFile::load("cognifly").expect("a preset");
-    Design::new(Frame::resolve(&file).expect("resolves")).expect("is designed")
+    Design::with(Frame::resolve(&file).expect("resolves"), common::memo()).expect("is designed")
 }
 
 /// One design for many cases.

@@ -1,6 +1,7 @@
 //! STEP files by a reader of our own: every entity is there, every edge is used twice, and the file's own numbers enclose the
 //! volume. `tests/external/check_step.py` reads the same files by OCCT.
 
+use crate::common;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -348,7 +349,7 @@ fn analytic_files_are_closed_and_enclose_what_the_manifest_says() {
 #[test]
 fn analytic_bodies_sit_in_the_assembly_as_in_the_design() {
     let (frame, _) = Frame::load("cognifly").expect("a preset");
-    let design = Design::new(frame).expect("a design");
+    let design = Design::with(frame, common::memo()).expect("a design");
     let step = Step::read(&fs::read(built().join("frame.step")).expect("is there"));
     step.assert_closed();
     let used = design.bodies.iter().map(|body| body.shape).collect::<std::collections::BTreeSet<_>>().len();

@@ -3,6 +3,7 @@
 pub mod acceptance;
 mod baseline;
 mod blame;
+pub mod data;
 pub mod github;
 pub mod junit;
 pub mod markdown;
@@ -12,7 +13,7 @@ pub mod sarif;
 
 pub use baseline::{Accepted, Baseline, BaselineError};
 pub use blame::{Spot, spots};
-pub use outcome::{CheckedFrame, Judged, Outcome, Refused};
+pub use outcome::{CheckedFrame, Judged, NO_FRAME_REMEDY, Outcome, Refused};
 pub use policy::{Policy, Standing};
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::policy::{Policy, Standing};
 use crate::checks::Finding;
 use crate::frame::assembly::mass::MassTable;
 use crate::params::refusal::Refusal;
-use crate::params::{Frame, FrameFile};
+use crate::params::{Frame, FrameFile, LoadError};
 
 /// A finding and what it means.
 #[derive(Clone, Debug)]
@@ -68,7 +68,18 @@ pub struct Refused {
     pub machine: bool,
 }
 
+/// What to do about a frame that cannot be read at all.
+pub const NO_FRAME_REMEDY: &str = "`flexframe check --help` says what a frame is";
+
 impl Refused {
+    /// A frame that could not be read, or whose file is refused.
+    pub fn of_load(error: &LoadError) -> Self {
+        match error {
+            LoadError::Refused(refusal) => Self::of(refusal),
+            other => Self { message: other.to_string(), remedy: NO_FRAME_REMEDY.into(), spot: None, machine: false },
+        }
+    }
+
     /// A refusal of a frame file.
     pub fn of(refusal: &Refusal) -> Self {
         let spot = refusal.place.as_ref().map(|place| Spot::at("", place));

@@ -11,6 +11,7 @@ pub mod mass;
 mod parts_tests;
 pub mod press_fit;
 mod printed;
+mod refusal;
 
 pub use body::{Body, Kind, Shape};
 pub use bought_solids::BoughtPart;

@@ -8,6 +8,7 @@ use super::model::{Listed, Model};
 use super::sensor::{Channel, Sensor};
 use super::spec::Spec;
 use crate::impact::body::{DropBody, Origin};
+use crate::params::files::Files;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
 
@@ -86,6 +87,14 @@ impl Model {
     /// When it cannot be read, or is refused.
     pub fn load(model: &str) -> Result<Self, LoadError> {
         Ok(Self::resolve(&ImpactFile::load(model)?)?)
+    }
+
+    /// The same with files from somewhere else than the disk.
+    ///
+    /// # Errors
+    /// When it cannot be read, or is refused.
+    pub fn load_from(model: &str, files: &dyn Files) -> Result<Self, LoadError> {
+        Ok(Self::resolve(&ImpactFile::load_from(model, files)?)?)
     }
 
     /// A model file's meaning.

@@ -1,17 +1,12 @@
-//! Paths to records: files and folders, mixed.
+//! Files of drops, each a name and its bytes.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-
-use rayon::prelude::*;
+use std::path::Path;
 
 use super::logger::{self, Calibration, Label};
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
 use super::table;
 
-/// Folders within folders that are looked into.
-const DEPTH: usize = 4;
 /// Largest file of a logger, bytes: half an hour at 1 kHz.
 const MOST_LOGGED: u64 = 20_000_000;
 /// Largest table, bytes.
@@ -19,142 +14,124 @@ const MOST_TABLE: u64 = 2_000_000_000;
 
 /// What reads a file.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     Logger,
     Table,
 }
 
 impl Kind {
-    fn of(path: &Path) -> Option<Self> {
+    /// The kind that a name's ending says.
+    pub(super) fn of(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "bin" | "bhn" => Some(Self::Logger),
             "csv" => Some(Self::Table),
             _ => None,
         }
     }
-}
 
-/// Files that were found.
-#[derive(Default)]
-struct Found {
-    files: Vec<(PathBuf, Kind)>,
-    others: usize,
+    /// The same for a file that has to be a record.
+    pub(super) fn known(path: &Path) -> Result<Self, Malformed> {
+        let foreign = || Fault::Foreign { what: "of no kind that is identified by its ending".into() };
+        Self::of(path).ok_or_else(|| malformed(path, SourcePosition::Whole, foreign()))
+    }
+
+    /// Largest file of the kind, bytes.
+    pub(super) fn most_bytes(self) -> u64 {
+        match self {
+            Self::Logger => MOST_LOGGED,
+            Self::Table => MOST_TABLE,
+        }
+    }
 }
 
 pub(super) fn malformed(path: &Path, place: SourcePosition, fault: Fault) -> Malformed {
     Malformed { file: path.display().to_string(), place, fault }
 }
 
-fn unreadable(path: &Path, error: &std::io::Error) -> Malformed {
-    malformed(path, SourcePosition::Whole, Fault::Unreadable { why: error.to_string() })
-}
+/// Records of a file, and what was left aside in it.
+pub(super) type Read = (Vec<Record>, Vec<String>);
 
-/// Reads every record of files and folders; in folders, files that are none are left aside.
-///
-/// # Errors
-/// The first file, in order of the paths and of names, that is no record though it should be one.
-pub fn read(paths: &[PathBuf], calibration: &Calibration) -> Result<DropSet, Malformed> {
-    let mut found = Found::default();
-    for path in paths {
-        let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
-        if meta.is_dir() {
-            let before = found.files.len();
-            walk(path, DEPTH, &mut found)?;
-            if found.files.len() == before {
-                return Err(malformed(path, SourcePosition::Whole, Fault::NoRecords { others: found.others }));
-            }
-        } else {
-            let kind = Kind::of(path).ok_or_else(|| {
-                let what = "of no kind that is identified by its ending".into();
-                malformed(path, SourcePosition::Whole, Fault::Foreign { what })
-            })?;
-            found.files.push((path.clone(), kind));
+/// Records of a file in a folder of this name; a logger's file has frame and height from the folder's name.
+pub(super) fn records(
+    path: &Path,
+    kind: Kind,
+    folder: &str,
+    calibration: &Calibration,
+    bytes: impl FnOnce() -> Result<Vec<u8>, Malformed>,
+) -> Result<Read, Malformed> {
+    let source = path.display().to_string();
+    let refused = |(place, fault)| malformed(path, place, fault);
+    match kind {
+        Kind::Logger => {
+            let no_height = || malformed(path, SourcePosition::Whole, Fault::NoHeight { folder: folder.into() });
+            let (frame, height_m) = logger::frame_and_height(folder).ok_or_else(no_height)?;
+            let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+            let record = logger::record(&bytes()?, Label { trial, source, frame, height_m }, calibration).map_err(refused)?;
+            Ok((vec![record], Vec::new()))
+        }
+        Kind::Table => {
+            let (records, others) = table::records(&bytes()?, &source, None).map_err(refused)?;
+            let note = (!others.is_empty()).then(|| format!("{source}: columns left aside: {}", others.join(", ")));
+            Ok((records, note.into_iter().collect()))
         }
     }
-    // A file that is named twice, or once with its folder, is one drop.
-    let mut seen = std::collections::BTreeSet::new();
-    found.files.retain(|(path, _)| seen.insert(fs::canonicalize(path).unwrap_or_else(|_| path.clone())));
-    let all: Vec<(Vec<Record>, Vec<String>)> = found
-        .files
-        .par_iter()
-        .map(|(path, kind)| read_file(path, *kind, calibration))
-        .collect::<Vec<_>>()
-        .into_iter()
-        .collect::<Result<_, _>>()?;
+}
+
+/// All records by frame and height, or the first refusal.
+pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Malformed> {
     let (mut records, mut notes) = (Vec::new(), Vec::new());
-    for (some, said) in all {
+    for read in all {
+        let (some, said) = read?;
         records.extend(some);
         notes.extend(said);
-    }
-    if found.others > 0 {
-        notes.push(format!("{} other files in the folders were left aside", found.others));
     }
     Ok(DropSet::of(records, notes))
 }
 
-/// Records of a folder, those in its folders, too; sorted by name, hidden ones left out.
-fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Malformed> {
-    let entries = fs::read_dir(folder).map_err(|error| unreadable(folder, &error))?;
-    let mut paths = entries.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>, _>>().map_err(|error| unreadable(folder, &error))?;
-    paths.sort();
-    for path in paths {
-        let hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
-        if hidden {
-            continue;
+/// Reads records from files' bytes, each with its path: the ending says what it is, and the last folder of a logger's file,
+/// such as `soft_050cm`, frame and height. Nothing is opened.
+///
+/// # Errors
+/// The first file that is no record.
+pub fn read_bytes(files: &[(String, Vec<u8>)], calibration: &Calibration) -> Result<DropSet, Malformed> {
+    let read = |(name, bytes): &(String, Vec<u8>)| {
+        let path = Path::new(name);
+        let kind = Kind::known(path)?;
+        let (most, len) = (kind.most_bytes(), bytes.len() as u64);
+        if len > most {
+            return Err(malformed(path, SourcePosition::Whole, Fault::Huge { bytes: len, most }));
         }
-        if path.is_dir() {
-            if depth > 0 {
-                walk(&path, depth - 1, found)?;
-            }
-            continue;
-        }
-        match Kind::of(&path) {
-            Some(kind) => found.files.push((path, kind)),
-            None => found.others += 1,
-        }
-    }
-    Ok(())
+        let folder = path.parent().and_then(Path::file_name).map_or(String::new(), |folder| folder.to_string_lossy().into_owned());
+        records(path, kind, &folder, calibration, || Ok(bytes.clone()))
+    };
+    gathered(files.iter().map(read).collect())
 }
 
-/// Reads a file, not more of it than a record can have.
-pub(super) fn bytes_of(path: &Path, most: u64) -> Result<Vec<u8>, Malformed> {
-    let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
-    if !meta.is_file() {
-        // A pipe or a device may never end.
-        return Err(malformed(path, SourcePosition::Whole, Fault::Foreign { what: "no file".into() }));
-    }
-    if meta.len() > most {
-        return Err(malformed(path, SourcePosition::Whole, Fault::Huge { bytes: meta.len(), most }));
-    }
-    fs::read(path).map_err(|error| unreadable(path, &error))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The name of the folder that a file lies in: as it was given where that says frame and height, or else without links.
-fn folder_of(path: &Path) -> String {
-    let name = |folder: PathBuf| folder.file_name().map(|name| name.to_string_lossy().into_owned());
-    let parent = std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_path_buf)).unwrap_or_default();
-    let given = name(parent.clone()).filter(|name| logger::frame_and_height(name).is_some());
-    given.or_else(|| name(fs::canonicalize(parent).ok()?)).unwrap_or_default()
-}
+    #[test]
+    fn analytic_bytes_are_read_by_their_names() {
+        let table = b"trial,height_m,t_s,accel_g\n1,0.5,0,0\n".to_vec();
+        let sample = [0, 0, 0, 0, 0xe4, 7, 0xe4, 7, 0xe4, 7].to_vec();
+        let files = [("a.CSV".to_string(), table), ("drops/soft_100cm/7.bin".to_string(), sample)];
+        let set = read_bytes(&files, &Calibration::default()).expect("reads");
+        let told: Vec<(Option<&str>, f64, &str)> =
+            set.groups.iter().map(|group| (group.frame.as_deref(), group.height_m, group.records[0].trial.as_str())).collect();
+        assert_eq!(told, [(None, 0.5, "1"), (Some("soft"), 1.0, "7")]);
+    }
 
-fn read_file(path: &Path, kind: Kind, calibration: &Calibration) -> Result<(Vec<Record>, Vec<String>), Malformed> {
-    let source = path.display().to_string();
-    let folder = folder_of(path);
-    let said = logger::frame_and_height(&folder);
-    let refused = |(place, fault)| malformed(path, place, fault);
-    match kind {
-        Kind::Logger => {
-            let (frame, height_m) = said.ok_or_else(|| malformed(path, SourcePosition::Whole, Fault::NoHeight { folder }))?;
-            let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
-            let bytes = bytes_of(path, MOST_LOGGED)?;
-            let record = logger::record(&bytes, Label { trial, source, frame, height_m }, calibration).map_err(refused)?;
-            Ok((vec![record], Vec::new()))
-        }
-        Kind::Table => {
-            let bytes = bytes_of(path, MOST_TABLE)?;
-            let (records, others) = table::records(&bytes, &source, None).map_err(refused)?;
-            let note = (!others.is_empty()).then(|| format!("{source}: columns left aside: {}", others.join(", ")));
-            Ok((records, note.into_iter().collect()))
+    #[test]
+    fn planted_bytes_that_are_no_record_are_refused() {
+        for (name, bytes, says) in [
+            ("drops.txt", &b"1"[..], "of no kind"),
+            ("a.csv", b"trial\n", "lacks the columns"),
+            ("7.bin", b"0123456789", "height"),
+            ("soft_100cm/7.bin", b"0123", "middle of a sample"),
+        ] {
+            let error = read_bytes(&[(name.into(), bytes.to_vec())], &Calibration::default()).expect_err("is refused");
+            assert!(error.file == name && error.to_string().contains(says), "{name}: {error}");
         }
     }
 }

@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 
 use super::malformed::{Fault, Malformed, SourcePosition};
-use super::reading::{bytes_of, malformed};
-use super::sheet::{self, Columns, MOST_BYTES};
+use super::reading::malformed;
+use super::sheet::{self, Columns};
 use super::table::number;
 
 /// Column that may be there.
@@ -36,8 +36,17 @@ pub struct ScaleReading {
 ///
 /// # Errors
 /// When it cannot be read, lacks a column, or a row is no reading.
+#[cfg(feature = "cli")]
 pub fn read_scale(path: &Path) -> Result<Vec<ScaleReading>, Malformed> {
-    rows(&bytes_of(path, MOST_BYTES)?).map_err(|(place, fault)| malformed(path, place, fault))
+    scale_readings(&path.display().to_string(), &super::disk::bytes_of(path, super::sheet::MOST_BYTES)?)
+}
+
+/// The same from the bytes of a file of this name.
+///
+/// # Errors
+/// When it lacks a column, or a row is no reading.
+pub fn scale_readings(name: &str, bytes: &[u8]) -> Result<Vec<ScaleReading>, Malformed> {
+    rows(bytes).map_err(|(place, fault)| malformed(Path::new(name), place, fault))
 }
 
 fn rows(bytes: &[u8]) -> Result<Vec<ScaleReading>, (SourcePosition, Fault)> {

@@ -3,7 +3,8 @@
 use super::malformed::{Fault, SourcePosition};
 use super::table::refused;
 
-/// Most bytes of such a table.
+/// Most bytes of such a table on a disk.
+#[cfg(feature = "cli")]
 pub(super) const MOST_BYTES: u64 = 1 << 20;
 
 /// Columns of a table.

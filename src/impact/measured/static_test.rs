@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 
 use super::malformed::{Fault, Malformed, SourcePosition};
-use super::reading::{bytes_of, malformed};
-use super::sheet::{self, Columns, MOST_BYTES};
+use super::reading::malformed;
+use super::sheet::{self, Columns};
 use super::table::number;
 
 const COLUMNS: Columns<2> = Columns { needed: ["displacement_mm", "force_n"], optional: None, known: "displacement_mm,force_n" };
@@ -18,8 +18,13 @@ const UNITS: [&str; 2] = ["mm", "N"];
 ///
 /// # Errors
 /// When it cannot be read, lacks a column, or a row is no pair of numbers.
+#[cfg(feature = "cli")]
 pub fn read_static_test(path: &Path) -> Result<Vec<[f64; 2]>, Malformed> {
-    rows(&bytes_of(path, MOST_BYTES)?).map_err(|(place, fault)| malformed(path, place, fault))
+    points(&path.display().to_string(), &super::disk::bytes_of(path, super::sheet::MOST_BYTES)?)
+}
+
+fn points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 2]>, Malformed> {
+    rows(bytes).map_err(|(place, fault)| malformed(Path::new(name), place, fault))
 }
 
 fn rows(bytes: &[u8]) -> Result<Vec<[f64; 2]>, (SourcePosition, Fault)> {
@@ -44,8 +49,22 @@ impl StaticTest {
     ///
     /// # Errors
     /// [`Malformed`] with the line.
+    #[cfg(feature = "cli")]
     pub fn read(path: &Path) -> Result<Self, Malformed> {
-        Ok(Self { points: read_static_test(path)?.into_iter().map(|[x_mm, force_n]| (1e-3 * x_mm, force_n)).collect() })
+        Ok(Self::of(read_static_test(path)?))
+    }
+
+    /// The same from the bytes of a file of this name.
+    ///
+    /// # Errors
+    /// [`Malformed`] with the line.
+    pub fn read_bytes(name: &str, bytes: &[u8]) -> Result<Self, Malformed> {
+        Ok(Self::of(points(name, bytes)?))
+    }
+
+    /// From displacements, mm, and forces, N.
+    fn of(points: Vec<[f64; 2]>) -> Self {
+        Self { points: points.into_iter().map(|[x_mm, force_n]| (1e-3 * x_mm, force_n)).collect() }
     }
 
     /// Root of the mean square by which a force is off, N.

@@ -6,6 +6,7 @@
 mod balance;
 mod dormand_prince;
 mod events;
+mod heights;
 mod integrate;
 mod phase;
 mod root;
@@ -19,6 +20,7 @@ mod validity_warning;
 mod wave;
 
 pub use balance::{Balance, Moment, PaperShares, TermEnergy};
+pub use heights::{HeightError, check_heights};
 pub use integrate::{SolverOptions, Stop};
 pub use sampler::Sampler;
 pub use system::System;

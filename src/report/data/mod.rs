@@ -1,6 +1,7 @@
 //! Results as data: JSON and CSV.
 
 pub mod diagnosis_data;
+pub mod diagnosis_request;
 pub mod drop_data;
 pub mod fit_data;
 pub mod impact_data;

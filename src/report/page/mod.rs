@@ -1,6 +1,7 @@
 //! Pages to read: Markdown and HTML.
 
 pub mod coupon_page;
+#[cfg(feature = "charts")]
 pub mod diagnosis_page;
 pub mod diff_page;
 pub mod document;

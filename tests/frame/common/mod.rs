@@ -1,5 +1,8 @@
 //! Frames for the tests: the default frame with numbers changed.
 
+use std::sync::{Arc, LazyLock};
+
+use flexframe::memo::Memo;
 use flexframe::params::{Frame, FrameFile, LoadError};
 
 /// A frame file's text with these keys ("table.key") on top of a preset.
@@ -16,4 +19,10 @@ pub fn toml(base: &str, changes: &[(String, f64)]) -> String {
 pub fn resolve(text: &str) -> Result<Frame, LoadError> {
     let file = FrameFile::parse("random", text)?;
     Ok(Frame::resolve(&file)?)
+}
+
+/// What was computed for the tests before: most of them look at frames that are alike.
+pub fn memo() -> &'static Arc<Memo> {
+    static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(Arc::default);
+    &MEMO
 }

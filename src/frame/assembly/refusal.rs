@@ -1,0 +1,42 @@
+//! A frame that cannot be designed, as a refusal of its file.
+
+use super::design::DesignError;
+use crate::params::refusal::{Reason, Refusal};
+use crate::params::{FrameFile, parameters};
+
+impl DesignError {
+    /// The refusal of the file that states the frame, with the place that drives the error most.
+    pub fn refusal(&self, file: &FrameFile) -> Refusal {
+        let message = self.to_string();
+        match self {
+            Self::Closure(closure) => {
+                // The lengths close together or not at all: what the nearest file states is what was changed.
+                let keys = [closure.key(), "rods.arm_rod_length_mm", "rods.cage_rod_length_mm", "rods.strut_rod_length_mm"];
+                let depth = |key: &&str| file.entries.get(*key).map_or(usize::MAX, |entry| entry.depth);
+                let nearest = keys.into_iter().min_by_key(depth).unwrap_or(keys[0]);
+                file.refuse(nearest, Reason::Impossible { message, remedy: closure.remedy() })
+            }
+            Self::Target { .. } => {
+                let remedy = "choose another width, height or strut_tilt_deg".into();
+                file.refuse("target.width_mm", Reason::Impossible { message, remedy })
+            }
+            Self::Part { part, .. } => {
+                let mut drivers: Vec<(usize, String)> = parameters()
+                    .filter(|p| p.drives.contains(part))
+                    .filter_map(|p| {
+                        let key = format!("{}.{}", p.table, p.key);
+                        file.entries.get(&key).map(|entry| (entry.depth, key))
+                    })
+                    .collect();
+                drivers.sort();
+                let nearest = drivers.first().map_or(String::new(), |(_, key)| key.clone());
+                let own: Vec<&str> = drivers.iter().filter(|(depth, _)| *depth == 0).map(|(_, key)| key.as_str()).collect();
+                let remedy = match own[..] {
+                    [] => format!("its parameters contradict each other; `flexframe params` lists those that drive {part}"),
+                    _ => format!("change one of those that this file sets for it: {}", own.join(", ")),
+                };
+                file.refuse(&nearest, Reason::Impossible { message, remedy })
+            }
+        }
+    }
+}

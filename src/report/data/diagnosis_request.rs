@@ -1,0 +1,116 @@
+//! A diagnosis as it is asked for: the model, the drops as read, the heights held out.
+
+use super::diagnosis_data::Compared;
+use crate::impact::diagnose;
+use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison};
+use crate::impact::effects::{Channel, Model};
+use crate::impact::fit::FitError;
+use crate::impact::measured::{DropSet, Fall, StaticTest};
+
+/// Most effects on top of spring and damper.
+const MOST_EFFECTS: usize = 3;
+
+/// What is to be diagnosed.
+#[derive(Debug)]
+pub struct DiagnosisRequest<'a> {
+    /// The model; its k and c are starting values.
+    pub model: Model,
+    /// The drops.
+    pub drops: &'a DropSet,
+    /// Heights that no fit sees, m.
+    pub hold_out_heights_m: &'a [f64],
+    /// A static test of the same frame, compared with each model and not fitted.
+    pub static_test: Option<&'a StaticTest>,
+    /// Most effects on top of spring and damper, 1 to 3.
+    pub max_effects: usize,
+    /// Of the simulated data.
+    pub seed: u64,
+}
+
+/// Why there is no diagnosis.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RequestError {
+    /// Not 1 to 3 effects.
+    #[error("--max-effects {0} is out of bounds: give 1, 2 or 3")]
+    MostEffects(usize),
+    /// The drops cannot be compared with the model.
+    #[error(transparent)]
+    Drops(#[from] FitError),
+    /// A height that no drop has.
+    #[error("--hold-out-heights {height_m}: there is no drop from there, only from {} m", .known.join(", "))]
+    NoSuchHeight {
+        /// The height, m.
+        height_m: f64,
+        /// The heights there are, m.
+        known: Vec<String>,
+    },
+    /// Every height is held out.
+    #[error("--hold-out-heights leaves no height to fit")]
+    NothingToFit,
+    /// No fit is possible.
+    #[error(transparent)]
+    Diagnosis(#[from] DiagnosisError),
+}
+
+impl DiagnosisRequest<'_> {
+    /// Whether what is asked for can be, as far as that is known without the drops.
+    ///
+    /// # Errors
+    /// When the number of effects is out of bounds.
+    pub fn bounds(max_effects: usize) -> Result<(), RequestError> {
+        if (1..=MOST_EFFECTS).contains(&max_effects) { Ok(()) } else { Err(RequestError::MostEffects(max_effects)) }
+    }
+
+    /// The diagnosis, and the record of what was compared; `stage` is called with each stage that begins.
+    ///
+    /// # Errors
+    /// [`RequestError`] when the drops or the heights do not allow one.
+    pub fn diagnosed(mut self, stage: &dyn Fn(Stage)) -> Result<(Diagnosis, Compared), RequestError> {
+        Self::bounds(self.max_effects)?;
+        let choice = ChannelChoice::of(self.drops, &self.model)?;
+        self.model.sensor.channel = choice.chosen.channel;
+        let waves = &choice.waves;
+        let same = |a: f64, b: f64| (a - b).abs() < 1e-6;
+        let held = |height_m: f64| self.hold_out_heights_m.iter().any(|out| same(*out, height_m));
+        let unknown = |out: &&f64| waves.groups.iter().all(|group| !same(group.height_m, **out));
+        if let Some(height_m) = self.hold_out_heights_m.iter().copied().find(|out| unknown(&out)) {
+            let known = waves.groups.iter().map(|group| group.height_m.to_string()).collect();
+            return Err(RequestError::NoSuchHeight { height_m, known });
+        }
+        let (fitted, held_out) = (waves.only(|height_m| !held(height_m)), waves.only(held));
+        if fitted.groups.is_empty() {
+            return Err(RequestError::NothingToFit);
+        }
+        let settings = DiagnosisOptions::new(self.max_effects, self.seed);
+        let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
+        let found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
+        let mut compared = self.compared(&choice);
+        compared.frame_mode = self.model.frame_mode.map(|mode| FrameMode::of(mode, &found));
+        compared.static_test = self.static_test.map(|test| StaticComparison::of(test, &found));
+        Ok((found, compared))
+    }
+
+    /// The record of what was compared.
+    fn compared(&self, choice: &ChannelChoice) -> Compared {
+        let chosen = &choice.chosen;
+        Compared {
+            channel: word(chosen.channel),
+            stated_channel: word(choice.stated),
+            channel_reason: choice.reason.clone(),
+            drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
+            left_out: chosen.left_out.clone(),
+            held_out_heights_m: self.hold_out_heights_m.to_vec(),
+            seed: self.seed,
+            falls: Fall::of(self.drops),
+            static_test: None,
+            frame_mode: None,
+        }
+    }
+}
+
+fn word(channel: Channel) -> &'static str {
+    match channel {
+        Channel::Axial => "axial",
+        Channel::Magnitude => "magnitude",
+    }
+}

@@ -1,0 +1,114 @@
+//! The folder of a frame: every file that `build` writes, path and bytes.
+
+use rayon::prelude::*;
+
+use super::page::{print_settings, summary};
+use super::picture::{plate_picture, scene};
+use crate::checks::Finding;
+use crate::export::{self, ExportError, Exported, File, Format, manifest, step, three_mf};
+use crate::frame::assembly::compensated::Compensated;
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::{Design, DesignError, mass};
+use crate::printing::plates;
+use crate::printing::plates::Plate;
+
+/// Which of the files that may be left out are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FolderChoice {
+    /// Pictures of the frame.
+    pub pictures: bool,
+    /// STEP files.
+    pub step: bool,
+}
+
+impl FolderChoice {
+    /// Whether a format is asked for.
+    fn asks_for(self, format: &Format) -> bool {
+        format.always || self.step && format.extension == step::FORMAT.extension
+    }
+}
+
+/// Why a folder cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum FolderError {
+    /// The printer's compensation leaves no sound mesh.
+    #[error("{error} with hole_undersize_mm and elephant_foot_mm of the printer {printer}: make them smaller")]
+    Compensation {
+        /// What is wrong with which part.
+        error: DesignError,
+        /// The printer.
+        printer: String,
+    },
+    /// A file cannot be made.
+    #[error(transparent)]
+    File(#[from] ExportError),
+}
+
+/// Every file of the folder, the manifest last.
+///
+/// # Errors
+/// [`FolderError`] when a file cannot be made.
+pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: FolderChoice) -> Result<Vec<File>, FolderError> {
+    let meshes = compensated(design)?;
+    // What lies on no bed is a finding of `check`; the parts are written all the same.
+    let plates = with_pictures(design, plates::arrange(design, &plates::all(design)).unwrap_or_default());
+    let of = Exported { design, masses, meshes: &meshes, plates: &plates };
+    let mut files = Vec::new();
+    for format in export::CATALOGUE.iter().filter(|format| choice.asks_for(format)) {
+        files.extend((format.files)(&of)?);
+    }
+    if !plates.is_empty() {
+        files.push(settings_page(design, &plates));
+    }
+    if choice.pictures {
+        files.extend(scene::pictures(design).into_iter().map(|(path, bytes)| File::new(path, bytes)));
+    }
+    files.push(File::new("report.md", summary::markdown(design, masses, findings, choice.pictures).into_bytes()));
+    let manifest = manifest::manifest(design, &meshes, masses, &files);
+    let mut text = serde_json::to_string_pretty(&manifest).map_err(ExportError::of("manifest.json"))?;
+    text.push('\n');
+    files.push(File::new("manifest.json", text.into_bytes()));
+    Ok(files)
+}
+
+/// The files of one format alone, with the same bytes as in the folder.
+///
+/// # Errors
+/// [`FolderError`] when one cannot be made.
+pub fn format_files(design: &Design, masses: &MassTable, format: &Format) -> Result<Vec<File>, FolderError> {
+    let needs_plates = format.extension == three_mf::FORMAT.extension;
+    let plates = if needs_plates { plates::arrange(design, &plates::all(design)).unwrap_or_default() } else { Vec::new() };
+    let plates = with_pictures(design, plates);
+    Ok((format.files)(&Exported { design, masses, meshes: &compensated(design)?, plates: &plates })?)
+}
+
+/// The files of these plates, and how to print them.
+///
+/// # Errors
+/// [`FolderError`] when one cannot be made.
+pub fn plate_files(design: &Design, plates: Vec<Plate>) -> Result<Vec<File>, FolderError> {
+    let (masses, plates) = (mass::table(design), with_pictures(design, plates));
+    let of = Exported { design, masses: &masses, meshes: &compensated(design)?, plates: &plates };
+    let mut files = (three_mf::FORMAT.files)(&of)?;
+    files.push(settings_page(design, &plates));
+    Ok(files)
+}
+
+/// How to print the plates, as a page.
+fn settings_page(design: &Design, plates: &[(Plate, Vec<u8>)]) -> File {
+    let plates: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
+    File::new("print-settings.md", print_settings::markdown(design, &plates).into_bytes())
+}
+
+/// Pixels of a plate's picture.
+const PLATE_SIZE: [u32; 2] = [480, 360];
+
+/// The meshes for the frame's printer.
+fn compensated(design: &Design) -> Result<Compensated<'_>, FolderError> {
+    Compensated::of(design).map_err(|error| FolderError::Compensation { error, printer: design.frame.printer.name.clone() })
+}
+
+/// Plates, each with its picture.
+fn with_pictures(design: &Design, plates: Vec<Plate>) -> Vec<(Plate, Vec<u8>)> {
+    plates.into_par_iter().map(|plate| (plate_picture::png(design, &plate, PLATE_SIZE), plate)).map(|(png, plate)| (plate, png)).collect()
+}

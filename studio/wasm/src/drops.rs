@@ -1,0 +1,71 @@
+//! Drops of an impact model, and what a model lacks to explain measured ones.
+
+use flexframe::impact::body::DropBody;
+use flexframe::impact::diagnose::Stage;
+use flexframe::impact::effects::Model;
+use flexframe::impact::measured::{Calibration, read_bytes};
+use flexframe::impact::sim::{SolverOptions, System, Trace, check_heights, simulate};
+use flexframe::report::data::diagnosis_request::DiagnosisRequest;
+use flexframe::report::data::{diagnosis_data, drop_data};
+use serde_json::Value;
+
+use crate::answer::{Answer, Refused};
+use crate::open_frame::OpenFrame;
+use crate::request::Request;
+use crate::tell_stage;
+
+/// A model, with the body of a frame where one is given.
+///
+/// # Errors
+/// What the command line refuses.
+pub fn model(name: &str, request: &Request, frame: Option<&OpenFrame>) -> Result<Model, Refused> {
+    let mut model = Model::load_from(name, &request.disk())?;
+    if let Some(frame) = frame {
+        model.body = DropBody::of(&frame.design, &frame.masses);
+    }
+    Ok(model)
+}
+
+/// Drops of a model: `drop.json`.
+///
+/// # Errors
+/// When a height is out of bounds.
+pub fn dropped(model: &Model, heights_m: &[f64], trace: bool) -> Result<Answer, Refused> {
+    check_heights(heights_m).map_err(Refused::plain)?;
+    let system = System::new(model);
+    let traces: Vec<Trace> = heights_m.iter().map(|height_m| simulate(&system, *height_m, &SolverOptions::REPORT)).collect();
+    Ok(with_file("drop.json", drop_data::json(model, &traces, trace)))
+}
+
+/// How a diagnosis is to be done.
+pub struct Course<'a> {
+    /// Heights that no fit sees, m.
+    pub hold_out_heights_m: &'a [f64],
+    /// Most effects.
+    pub max_effects: usize,
+    /// Of the simulated data.
+    pub seed: u64,
+}
+
+/// A diagnosis of the drops that are attached to a request: `diagnosis.json` and `model.toml`.
+///
+/// # Errors
+/// What the command line refuses.
+pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Answer, Refused> {
+    let Course { hold_out_heights_m, max_effects, seed } = *course;
+    DiagnosisRequest::bounds(max_effects).map_err(Refused::plain)?;
+    let files: Vec<(String, Vec<u8>)> = request.attached.iter().filter(|(path, _)| !path.ends_with(".toml")).cloned().collect();
+    let drops = read_bytes(&files, &Calibration::default())?;
+    let asked = DiagnosisRequest { model, drops: &drops, hold_out_heights_m, static_test: None, max_effects, seed };
+    let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());
+    let (found, compared) = asked.diagnosed(&stage).map_err(Refused::plain)?;
+    let mut answer = with_file("diagnosis.json", diagnosis_data::json(&found, &compared));
+    answer.files.push(("model.toml".into(), found.chosen.model().to_toml().into_bytes()));
+    Ok(answer)
+}
+
+/// Data, and the file that the command line writes of it.
+fn with_file(name: &str, json: Value) -> Answer {
+    let bytes = format!("{json:#}\n").into_bytes();
+    Answer { json, files: vec![(name.into(), bytes)] }
+}

@@ -1,0 +1,56 @@
+//! Files of a frame, with the same bytes as the command line writes.
+
+use flexframe::checks;
+use flexframe::export::{File, Format, bom, fold_glb, fold_json, glb, step, stl, three_mf};
+use flexframe::frame::fold::{FoldSequence, sweeps};
+use flexframe::report::booklet::booklet_pdf;
+use flexframe::report::booklet::content::Booklet;
+use flexframe::report::frame_folder::{self, FolderChoice};
+
+use crate::answer::Refused;
+use crate::open_frame::OpenFrame;
+use crate::request::Which;
+
+/// The files that are asked for.
+///
+/// # Errors
+/// When one cannot be made.
+pub fn files(open: &OpenFrame, which: &[Which]) -> Result<Vec<File>, Refused> {
+    let mut files = Vec::new();
+    for which in which {
+        files.extend(of(open, *which)?);
+    }
+    Ok(files)
+}
+
+fn of(open: &OpenFrame, which: Which) -> Result<Vec<File>, Refused> {
+    let OpenFrame { design, masses, .. } = open;
+    let format = |format: &Format| frame_folder::format_files(design, masses, format).map_err(Refused::plain);
+    match which {
+        Which::Stl => format(&stl::FORMAT),
+        Which::Glb => format(&glb::FORMAT),
+        Which::Plates => format(&three_mf::FORMAT),
+        Which::Step => format(&step::FORMAT),
+        Which::Bill => format(&bom::FORMAT),
+        Which::Fold => {
+            let sequence = sequence(open)?;
+            let json = fold_json::fold_json(design, &sequence, &sweeps(design, &sequence)).map_err(Refused::plain)?;
+            Ok(vec![File::new("fold.json", json)])
+        }
+        Which::FoldMotion => Ok(vec![File::new("fold.glb", fold_glb::fold(design, &sequence(open)?).map_err(Refused::plain)?)]),
+        Which::Instructions => {
+            let booklet = Booklet::new(design, masses, &sequence(open)?);
+            Ok(vec![File::new("instructions.pdf", booklet_pdf::pdf(&booklet).map_err(Refused::plain)?)])
+        }
+        Which::Folder => {
+            let findings = checks::check(design, masses);
+            frame_folder::files(design, masses, &findings, FolderChoice { pictures: true, step: true }).map_err(Refused::plain)
+        }
+    }
+}
+
+fn sequence(open: &OpenFrame) -> Result<FoldSequence, Refused> {
+    let design = &open.design;
+    let cannot = |error| Refused::plain(format!("{} cannot be folded: {error}", design.frame.name));
+    FoldSequence::new(&design.frame, &design.skeleton).map_err(cannot)
+}
