@@ -45,7 +45,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         return Err(Failure::Usage { message: format!("--kerf {kerf} is out of bounds: give 0 to {WIDEST_KERF_MM} mm") });
     }
     let working = Progress::of("listing", common);
-    let design = session::design(&args.frame)?;
+    let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);
     let bill = bill::bill(&design, &masses, args.kerf);
     drop(working);

@@ -51,7 +51,7 @@ const MOST_COPIES: usize = 100;
 /// Builds a frame and writes its folder; a violated limit is a warning here, `check` gates.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("building", common);
-    let design = session::design(&args.frame)?;
+    let design = session::design(&args.frame, common)?;
     if let Some(part) = &args.part {
         return one_part(&design, part, args, common);
     }

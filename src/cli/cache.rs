@@ -1,72 +1,114 @@
-//! Findings of frames that were held before, kept on disk.
+//! Results of steps, kept on disk from one command to the next.
 //!
-//! A slot holds one frame's findings with the hash of all that they depend on, the program included, and a hash of itself;
-//! what does not agree is not used. There are 256 slots of some 100 kB, a newer frame takes an older one's. Nothing here
-//! can make a command fail: without a folder, or when it cannot be read or written, findings are made anew.
+//! Each result is a file, named by the key of its step and inputs; it begins with a hash of this program and of the file's own
+//! content, and one that does not agree is not used. Files are put in place whole, so commands may run side by side and be ended at
+//! any time. Of the sixteen folders a command looks through one at its end, and drops what was unused longest beyond the folder's share
+//! of the room. Nothing here can make a command fail: what cannot be read or written is computed.
 
 use std::fs;
-use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, SystemTime};
 
-use serde::{Deserialize, Serialize};
-
+use super::options::Common;
 use super::output;
-use crate::checks::Finding;
-use crate::export::fingerprint;
-use crate::frame::assembly::mass::MassTable;
-use crate::params::Frame;
-use crate::params::frame_file::read_source;
+use crate::memo::{Key, Memo, PROGRAM, Shelf};
 
-/// What is kept of a frame.
-#[derive(Serialize, Deserialize)]
-pub(super) struct Kept {
-    /// Its findings.
-    pub findings: Vec<Finding>,
-    /// Its masses.
-    pub masses: MassTable,
+/// Room for all results, bytes.
+const ROOM: u64 = 256 << 20;
+/// Folders that share it.
+const FOLDERS: u64 = 16;
+/// Largest result, bytes.
+const LARGEST: u64 = 16 << 20;
+/// The time of a file's last use is noted when it is older than this.
+const NOTED: Duration = Duration::from_secs(3600);
+
+/// A memo that keeps results on disk, unless that is not wanted or there is no place for them.
+pub(super) fn memo(common: &Common) -> Arc<Memo> {
+    let folder = if common.no_cache { None } else { folder() };
+    Arc::new(folder.map_or_else(Memo::default, |folder| Memo::on(Box::new(Cache { folder, last: Mutex::default() }))))
 }
 
-/// Where findings are kept.
-pub(super) struct Cache {
-    folder: Option<PathBuf>,
+/// The folder of results.
+struct Cache {
+    folder: PathBuf,
+    /// Where something was put last.
+    last: Mutex<Option<PathBuf>>,
+}
+
+impl Shelf for Cache {
+    fn take(&self, key: &Key) -> Option<Vec<u8>> {
+        let place = self.place(key);
+        let about = fs::metadata(&place).ok().filter(|about| about.is_file() && about.len() <= LARGEST)?;
+        let mut bytes = fs::read(&place).ok()?;
+        if bytes.len() < HEAD {
+            return None;
+        }
+        let content = bytes.split_off(HEAD);
+        if bytes != head(&content) {
+            return None;
+        }
+        if about.modified().is_ok_and(|used| used.elapsed().is_ok_and(|age| age > NOTED)) {
+            // Only what is dropped first depends on it.
+            let _ = fs::File::options().append(true).open(&place).and_then(|file| file.set_modified(SystemTime::now()));
+        }
+        Some(content)
+    }
+
+    fn put(&self, key: &Key, content: &[u8]) {
+        if content.len() as u64 + HEAD as u64 > LARGEST {
+            return;
+        }
+        let place = self.place(key);
+        let Some(folder) = place.parent() else { return };
+        let bytes = [head(content).as_slice(), content].concat();
+        let written = output::replace_file(&place, &bytes);
+        // The folder is made when it is missing, not looked for each time.
+        let written = written.or_else(|_| fs::create_dir_all(folder).and_then(|()| output::replace_file(&place, &bytes)));
+        if written.is_ok() {
+            *self.last.lock().unwrap_or_else(PoisonError::into_inner) = Some(folder.to_path_buf());
+        }
+    }
 }
 
 impl Cache {
-    /// The user's folder, unless there is none or it is not wanted.
-    pub fn new(wanted: bool) -> Self {
-        Self { folder: if wanted { folder() } else { None } }
-    }
-
-    /// What was kept of a frame by this program.
-    pub fn get(&self, frame: &Frame) -> Option<Kept> {
-        let key = fingerprint::of(frame);
-        let (_, source) = read_source(self.slot(&key)?).ok()?;
-        let (head, body) = source.text.split_once('\n')?;
-        if head != format!("{key} {}", fingerprint::of_text(body)) {
-            return None;
-        }
-        serde_json::from_str(body).ok()
-    }
-
-    /// Keeps what was found of a frame.
-    pub fn put(&self, frame: &Frame, kept: &Kept) {
-        let key = fingerprint::of(frame);
-        let (Some(slot), Ok(body)) = (self.slot(&key), serde_json::to_string(kept)) else { return };
-        let text = format!("{key} {}\n{body}", fingerprint::of_text(&body));
-        // A cache that cannot be written is none.
-        let _ = write(&slot, &text);
-    }
-
-    fn slot(&self, key: &str) -> Option<PathBuf> {
-        Some(self.folder.as_ref()?.join(format!("{}.json", &key[..2])))
+    fn place(&self, key: &Key) -> PathBuf {
+        let name = format!("{key:?}");
+        self.folder.join(&name[..1]).join(name)
     }
 }
 
-fn write(slot: &std::path::Path, text: &str) -> io::Result<()> {
-    if let Some(parent) = slot.parent() {
-        fs::create_dir_all(parent)?;
+impl Drop for Cache {
+    fn drop(&mut self) {
+        let last = self.last.lock().unwrap_or_else(PoisonError::into_inner).take();
+        last.iter().for_each(|folder| trim(folder, ROOM / FOLDERS));
     }
-    output::replace_file(slot, text.as_bytes())
+}
+
+/// Bytes of a head.
+const HEAD: usize = 32;
+
+/// What a file begins with: this program and the content, hashed.
+fn head(content: &[u8]) -> Vec<u8> {
+    format!("{:?}", Key::of_bytes([PROGRAM.as_bytes(), content])).into_bytes()
+}
+
+/// Removes what was unused longest until the rest has room.
+fn trim(folder: &Path, room: u64) {
+    let Ok(listed) = fs::read_dir(folder) else { return };
+    let mut files: Vec<(SystemTime, PathBuf, u64)> = listed
+        .flatten()
+        .filter_map(|entry| entry.metadata().ok().and_then(|about| Some((about.modified().ok()?, entry.path(), about.len()))))
+        .collect();
+    files.sort_by(|a, b| b.0.cmp(&a.0));
+    let mut held = 0;
+    for (_, path, bytes) in files {
+        held += bytes;
+        if held > room {
+            // Another command may have removed it.
+            let _ = fs::remove_file(path);
+        }
+    }
 }
 
 /// `FLEXFRAME_CACHE`, or the folder that the system has for such things; `off` and an empty name are none.
@@ -82,4 +124,44 @@ fn folder() -> Option<PathBuf> {
         },
     };
     folder.is_absolute().then_some(folder)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_what_was_unused_longest_goes_first() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for (name, age_s) in [("old", 300), ("new", 100), ("older", 500)] {
+            let path = folder.path().join(name);
+            fs::write(&path, [0; 100]).expect("is written");
+            let used = SystemTime::now() - Duration::from_secs(age_s);
+            fs::File::options().append(true).open(path).and_then(|file| file.set_modified(used)).expect("is dated");
+        }
+        trim(folder.path(), 250);
+        let mut left: Vec<_> = fs::read_dir(folder.path()).expect("is there").flatten().map(|entry| entry.file_name()).collect();
+        left.sort();
+        assert_eq!(left, ["new", "old"]);
+    }
+
+    #[test]
+    fn planted_a_file_that_is_not_what_was_put_there_is_not_used() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let cache = Cache { folder: folder.path().join("results"), last: Mutex::default() };
+        let key = Key::of("step", &1);
+        assert_eq!(cache.take(&key), None);
+        cache.put(&key, b"result");
+        assert_eq!(cache.take(&key).as_deref(), Some(&b"result"[..]));
+        let place = cache.place(&key);
+        let whole = fs::read(&place).expect("is there");
+        for at in 0..whole.len() {
+            let mut damaged = whole.clone();
+            damaged[at] ^= 1;
+            fs::write(&place, damaged).expect("is written");
+            assert_eq!(cache.take(&key), None, "byte {at}");
+            fs::write(&place, &whole[..at]).expect("is written");
+            assert_eq!(cache.take(&key), None, "{at} bytes");
+        }
+    }
 }

@@ -3,8 +3,9 @@
 use std::fs;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::Arc;
 
-use super::cache::{Cache, Kept};
+use super::cache;
 use super::failure::{Failure, mechanics_refused};
 use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
@@ -17,13 +18,14 @@ use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::memo::Memo;
 use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile};
 
 /// Hold frames against their limits; exits 1 when one is violated.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json\n  flexframe check 'frames/*.toml' --format github --baseline accepted.json\n\nFindings of a frame that was held before by this program are taken from FLEXFRAME_CACHE, else XDG_CACHE_HOME/flexframe,\nelse ~/.cache/flexframe."
+    after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json\n  flexframe check 'frames/*.toml' --format github --baseline accepted.json\n\nResults of former commands are taken from FLEXFRAME_CACHE, else XDG_CACHE_HOME/flexframe, else ~/.cache/flexframe."
 )]
 pub(super) struct Args {
     /// Presets' names, TOML files, or patterns of files such as 'frames/**/*.toml'.
@@ -50,9 +52,6 @@ pub(super) struct Args {
     /// Whether the mechanics are asked.
     #[command(flatten)]
     pub mechanics: MechanicsOption,
-    /// Do not keep findings, nor use those that were kept (FLEXFRAME_CACHE=off does the same).
-    #[arg(long)]
-    pub no_cache: bool,
 }
 
 /// How `check` says what it found.
@@ -78,13 +77,13 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let known = baseline(args)?;
     let (baseline, former) = if args.update_baseline { (None, known) } else { (known, None) };
     let policy = Policy { strict: args.strict, baseline: baseline.as_ref(), ..Policy::default() };
-    let cache = Cache::new(!args.no_cache);
+    let memo = cache::memo(common);
     let working = Progress::of("checking", common);
     let mut messages = Vec::new();
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, args, policy, &cache).map_err(|failure| {
+            let result = hold(&asked, args, policy, &memo).map_err(|failure| {
                 messages.push(failure.render());
                 refused(&failure)
             });
@@ -112,29 +111,24 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(ExitCode::from(outcomes.iter().map(Outcome::exit_code).max().unwrap_or(0)))
 }
 
-/// One frame's findings, kept ones where there are any.
-fn hold(asked: &str, args: &Args, policy: Policy, cache: &Cache) -> Result<CheckedFrame, Failure> {
+/// One frame's findings.
+fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<CheckedFrame, Failure> {
     let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: args.rigid.clone() })?;
-    let Kept { findings, masses } = match cache.get(&frame) {
-        Some(kept) => kept,
-        None => {
-            let design = session::designed(frame.clone(), &file)?;
-            let masses = mass::table(&design);
-            let kept = Kept { findings: checks::check(&design, &masses), masses };
-            cache.put(&frame, &kept);
-            kept
-        }
-    };
-    let mut findings = findings;
+    let found = memo.try_get("findings", &frame.name, &frame, || {
+        let design = session::designed(frame.clone(), &file, memo)?;
+        let masses = mass::table(&design);
+        Ok::<_, Failure>((checks::check(&design, &masses), masses))
+    })?;
+    let (mut findings, masses) = (*found).clone();
     if let Some(settings) = session::mechanics(&args.mechanics)? {
-        findings.extend(strength(frame.clone(), &file, &settings)?);
+        findings.extend(strength(frame.clone(), &file, &settings, memo)?);
     }
     Ok(CheckedFrame::new(&frame, &file, findings, masses, policy))
 }
 
 /// What the design drop of the frame's own model does to it.
-fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings) -> Result<Vec<Finding>, Failure> {
-    let design = session::designed(frame, file)?;
+fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings, memo: &Arc<Memo>) -> Result<Vec<Finding>, Failure> {
+    let design = session::designed(frame, file, memo)?;
     let found = predict(&design, &mass::table(&design), settings).map_err(mechanics_refused)?;
     Ok(checks::strength(&design, &settings.limits, &found))
 }

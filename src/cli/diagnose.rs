@@ -74,11 +74,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let most = args.max_effects;
     let working = Progress::staged("diagnosing", Stage::count(most), common);
     if let Some(frame) = frame {
-        let design = session::design(&FrameOption { frame, rigid: None })?;
+        let design = session::design(&FrameOption { frame, rigid: None }, common)?;
         model.body = DropBody::of(&design, &mass::table(&design));
     }
     if let Some(frame) = &args.frame {
-        let own = reduced(frame, args.mechanics.as_deref())?;
+        let own = reduced(frame, args.mechanics.as_deref(), common)?;
         model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
@@ -108,9 +108,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 /// A frame reduced to one coordinate.
-fn reduced(frame: &str, mechanics: Option<&str>) -> Result<Model, Failure> {
+fn reduced(frame: &str, mechanics: Option<&str>, common: &Common) -> Result<Model, Failure> {
     let settings = Mechanics::load(mechanics)?;
-    let design = session::design(&FrameOption { frame: frame.into(), rigid: None })?;
+    let design = session::design(&FrameOption { frame: frame.into(), rigid: None }, common)?;
     let masses = mass::table(&design);
     let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).map_err(mechanics_refused)?;

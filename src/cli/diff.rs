@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
+use super::cache;
 use super::failure::{Failure, mechanics_refused};
 use super::options::{Common, MechanicsOption, PageFormat};
 use super::output;
@@ -12,6 +14,7 @@ use super::session;
 use super::terminal;
 use crate::checks;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::memo::Memo;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
 use crate::report::page::diff_page;
@@ -53,7 +56,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         return Err(Failure::Usage { message: format!("--fail-on-increase: {} is only known with --strength", increase.measure.name) });
     }
     let working = Progress::of("comparing", common);
-    let sides = sides(args, settings.as_ref())?;
+    let sides = sides(args, settings.as_ref(), &cache::memo(common))?;
     let difference = Difference::of(&sides);
     drop(working);
     let page = diff_page::markdown(&difference);
@@ -87,23 +90,23 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(if exceeded.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-fn sides(args: &Args, settings: Option<&MechanicsSettings>) -> Result<[Side; 2], Failure> {
+fn sides(args: &Args, settings: Option<&MechanicsSettings>, memo: &Arc<Memo>) -> Result<[Side; 2], Failure> {
     match (&args.git, args.frames.as_slice()) {
-        (None, [a, b]) => Ok([side(a, &Disk, "", settings)?, side(b, &Disk, "", settings)?]),
+        (None, [a, b]) => Ok([side(a, &Disk, "", settings, memo)?, side(b, &Disk, "", settings, memo)?]),
         (Some(name), [frame]) => {
             session::needs_file(frame, "--git compares a file with its former self")?;
             let revision = Revision::of(Path::new(frame), name)?;
-            Ok([side(frame, &revision, &format!("@{}", revision.short()), settings)?, side(frame, &Disk, "", settings)?])
+            Ok([side(frame, &revision, &format!("@{}", revision.short()), settings, memo)?, side(frame, &Disk, "", settings, memo)?])
         }
         (None, _) => Err(Failure::Usage { message: "give two frames, or one and --git REVISION".into() }),
         (Some(_), _) => Err(Failure::Usage { message: "give one frame with --git REVISION".into() }),
     }
 }
 
-fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&MechanicsSettings>) -> Result<Side, Failure> {
+fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&MechanicsSettings>, memo: &Arc<Memo>) -> Result<Side, Failure> {
     let (frame, file) = session::resolved(FrameFile::load_from(frame, files)?)?;
     let name = format!("{}{suffix}", frame.name);
-    let mut evaluation = Evaluation::of(session::designed(frame, &file)?);
+    let mut evaluation = Evaluation::of(session::designed(frame, &file, memo)?);
     if let Some(settings) = settings {
         evaluation = evaluation.strengthened(settings).map_err(mechanics_refused)?;
         let predicted = evaluation.prediction.iter().flat_map(|found| checks::strength(&evaluation.design, &settings.limits, found));

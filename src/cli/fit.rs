@@ -86,7 +86,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let mut model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);
     if let Some(frame) = frame {
-        let design = session::design(&FrameOption { frame, rigid: None })?;
+        let design = session::design(&FrameOption { frame, rigid: None }, common)?;
         model.body = DropBody::of(&design, &mass::table(&design));
     }
     let set = measured::read(&paths, &calibration(&args.calibration)?)?;

@@ -40,7 +40,7 @@ const STEPS: &str = "fold.json";
 /// Writes `FRAME-fold`: the steps, the animation and the instructions; or the pictures of one step.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("folding", common);
-    let design = session::design(&args.frame)?;
+    let design = session::design(&args.frame, common)?;
     let sequence = match FoldSequence::new(&design.frame, &design.skeleton) {
         Ok(sequence) => sequence,
         Err(error) => {

@@ -11,6 +11,9 @@ pub(super) struct Common {
     /// Print the result as JSON.
     #[arg(long, global = true)]
     pub json: bool,
+    /// Compute everything: use no results of former commands, and keep none (FLEXFRAME_CACHE=off does the same).
+    #[arg(long, global = true)]
+    pub no_cache: bool,
 }
 
 /// Which frame.

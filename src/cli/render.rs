@@ -29,7 +29,7 @@ pub(super) struct Args {
 /// Writes `FRAME-pictures` with every picture, or `FRAME-findings`.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("drawing", common);
-    let design = session::design(&args.frame)?;
+    let design = session::design(&args.frame, common)?;
     let files: Vec<(String, Vec<u8>)> = if args.findings {
         printing_picture::pictures(&design)
     } else {

@@ -1,10 +1,14 @@
 //! From a frame's name to its design, and what can go wrong on the way.
 
+use std::sync::Arc;
+
+use super::cache;
 use super::choice;
 use super::failure::Failure;
-use super::options::{FrameOption, MechanicsOption};
+use super::options::{Common, FrameOption, MechanicsOption};
 use crate::frame::assembly::{Design, DesignError};
 use crate::mechanics::settings::MechanicsSettings;
+use crate::memo::Memo;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::nearest;
@@ -28,14 +32,14 @@ pub(super) fn needs_file(frame: &str, why: &str) -> Result<(), Failure> {
 }
 
 /// Loads, resolves and designs a frame; every refusal points into the file.
-pub(super) fn design(option: &FrameOption) -> Result<Design, Failure> {
+pub(super) fn design(option: &FrameOption, common: &Common) -> Result<Design, Failure> {
     let (frame, file) = load(option)?;
-    designed(frame, &file)
+    designed(frame, &file, &cache::memo(common))
 }
 
 /// Designs a frame that was read from a file.
-pub(super) fn designed(frame: Frame, file: &FrameFile) -> Result<Design, Failure> {
-    Design::new(frame).map_err(|error| refused(file, &error))
+pub(super) fn designed(frame: Frame, file: &FrameFile, memo: &Arc<Memo>) -> Result<Design, Failure> {
+    Design::with(frame, memo).map_err(|error| refused(file, &error))
 }
 
 /// A design error as a refusal of the file that caused it.

@@ -124,7 +124,8 @@ fn bent_files(
 
 /// A reference's name, and the frame's ratios to it.
 fn reference(name: &str, design: &Design, masses: &MassTable, settings: &MechanicsSettings) -> Result<(String, Vec<Ratio>), Failure> {
-    let other = session::design(&FrameOption { frame: name.into(), rigid: None })?;
+    let (frame, file) = session::load(&FrameOption { frame: name.into(), rigid: None })?;
+    let other = session::designed(frame, &file, &design.memo)?;
     let weighed = mass::table(&other);
     let found = ratios((design, masses), (&other, &weighed), settings).map_err(mechanics_refused)?;
     Ok((other.frame.name.clone(), found))
@@ -136,7 +137,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let path = args.calibrate.as_ref().or(args.compare.as_ref());
     let measured = path.map(|path| read_static_test(path)).transpose()?;
     let working = Progress::of("pressing", common);
-    let design = session::design(&args.frame)?;
+    let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);
     let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
     let mut calibration: Option<Calibration> = None;

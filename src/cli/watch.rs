@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use notify::{RecursiveMode, Watcher};
 
+use super::cache;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::session;
@@ -37,7 +38,7 @@ const QUIET: Duration = Duration::from_millis(40);
 /// interrupted, or after so many saves.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     session::needs_file(&args.frame.frame, "watch a file")?;
-    let memo = Arc::new(Memo::default());
+    let memo = cache::memo(common);
     let (mut last, mut files) = match evaluated(&args.frame, &memo) {
         Ok((evaluation, files)) => (Some(evaluation), files),
         Err(failure @ (Failure::Machine { .. } | Failure::Input(LoadError::Unreadable { .. }))) => return Err(failure),

@@ -47,7 +47,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let scale: Vec<ScaleReading> = readings_file.map(|file| read_scale(Path::new(file))).transpose()?.unwrap_or_default();
     let slicer = args.slicer.as_deref().map(Slicer::found).transpose()?;
     let working = Progress::of("weighing", common);
-    let design = session::design(&FrameOption { frame: frame.into(), rigid: args.rigid.clone() })?;
+    let design = session::design(&FrameOption { frame: frame.into(), rigid: args.rigid.clone() }, common)?;
     let sliced = slicer.as_ref().map(|slicer| slicer.all(&design)).transpose()?.unwrap_or_default();
     drop(working);
     let weighing = table(&design, &scale, &sliced, readings_file.unwrap_or_default())?;

@@ -8,7 +8,6 @@ pub mod bill_page;
 pub mod bom;
 mod colour;
 pub mod cutting;
-pub mod fingerprint;
 pub mod fold_glb;
 pub mod fold_json;
 mod fold_skin;

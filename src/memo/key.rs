@@ -5,6 +5,10 @@ use std::fmt::{self, Debug, Write};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+/// What tells this build of the program from another: a hash of its sources, its libraries' versions, the compiler and the target,
+/// made by `build.rs`. Results that outlive the program are those of one build.
+pub const PROGRAM: &str = env!("FLEXFRAME_BUILD");
+
 /// A hash of a step and its inputs: the first 128 bits of SHA-256 over the step's name and what `Debug` writes of the inputs.
 ///
 /// `Debug` writes every number so that it reads back as the same one. What does not show in it must not change a result: NaNs

@@ -7,5 +7,5 @@
 mod key;
 mod store;
 
-pub use key::Key;
+pub use key::{Key, PROGRAM};
 pub use store::{Made, Memo, Shelf};

@@ -25,7 +25,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let set = measured::read(&args.fit, &calibration(&args.calibration)?)?;
     let heights = heights(&set)?;
     let working = Progress::of("fitting", common);
-    let design = session::design(&frame)?;
+    let design = session::design(&frame, common)?;
     let masses = mass::table(&design);
     let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let subject = Subject { model: &model, settings: &settings };

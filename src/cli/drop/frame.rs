@@ -37,7 +37,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let frame = frame(args)?;
     let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
     let working = Progress::of("dropping", common);
-    let design = session::design(&frame)?;
+    let design = session::design(&frame, common)?;
     let masses = mass::table(&design);
     let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
     let tilt = tilt(args)?;

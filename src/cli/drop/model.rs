@@ -24,7 +24,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let mut model = Model::load(&args.model)?;
     let working = Progress::of("dropping", common);
     if let Some(frame) = &args.frame {
-        let design = session::design(&FrameOption { frame: frame.clone(), rigid: args.rigid.clone() })?;
+        let design = session::design(&FrameOption { frame: frame.clone(), rigid: args.rigid.clone() }, common)?;
         model.body = DropBody::of(&design, &mass::table(&design));
     }
     let system = System::new(&model);
