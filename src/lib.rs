@@ -33,3 +33,4 @@ pub mod schema;
 pub mod solid;
 pub mod units;
 pub mod variant;
+pub mod workspace;

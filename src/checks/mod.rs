@@ -25,7 +25,7 @@ mod seating;
 mod strength;
 
 pub use cartridge::{CartridgeMeeting, CartridgePassage};
-pub use catalogue::{CATALOGUE, check, check_by, ground_clearance};
+pub use catalogue::{CATALOGUE, check, check_by, followed, ground_clearance};
 pub use centre_of_mass::CentreOffset;
 pub use clearance::RodClearance;
 pub use envelope::Extent;

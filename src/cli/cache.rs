@@ -2,17 +2,17 @@
 //!
 //! Each result is a file, named by the key of its step and inputs; it begins with a hash of this program and of the file's own
 //! content, and one that does not agree is not used. Files are put in place whole, so commands may run side by side and be ended at
-//! any time. Of the sixteen folders a command looks through one at its end, and drops what was unused longest beyond the folder's share
-//! of the room. Nothing here can make a command fail: what cannot be read or written is computed.
+//! any time. Of the sixteen folders a command looks through one at its end, and drops the oldest beyond the folder's share of the
+//! room. Nothing here can make a command fail: what cannot be read or written is computed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, SystemTime};
 
 use super::options::Common;
 use super::output;
 use crate::memo::{Key, Memo, PROGRAM, Shelf};
+use crate::params::files::{Disk, Files};
 
 /// Room for all results, bytes.
 const ROOM: u64 = 256 << 20;
@@ -20,8 +20,6 @@ const ROOM: u64 = 256 << 20;
 const FOLDERS: u64 = 16;
 /// Largest result, bytes.
 const LARGEST: u64 = 16 << 20;
-/// The time of a file's last use is noted when it is older than this.
-const NOTED: Duration = Duration::from_secs(3600);
 
 /// A memo that keeps results on disk, unless that is not wanted or there is no place for them.
 pub(super) fn memo(common: &Common) -> Arc<Memo> {
@@ -38,21 +36,9 @@ struct Cache {
 
 impl Shelf for Cache {
     fn take(&self, key: &Key) -> Option<Vec<u8>> {
-        let place = self.place(key);
-        let about = fs::metadata(&place).ok().filter(|about| about.is_file() && about.len() <= LARGEST)?;
-        let mut bytes = fs::read(&place).ok()?;
-        if bytes.len() < HEAD {
-            return None;
-        }
+        let mut bytes = Disk.bytes(&self.place(key), LARGEST).ok().filter(|bytes| bytes.len() >= HEAD)?;
         let content = bytes.split_off(HEAD);
-        if bytes != head(&content) {
-            return None;
-        }
-        if about.modified().is_ok_and(|used| used.elapsed().is_ok_and(|age| age > NOTED)) {
-            // Only what is dropped first depends on it.
-            let _ = fs::File::options().append(true).open(&place).and_then(|file| file.set_modified(SystemTime::now()));
-        }
-        Some(content)
+        (bytes == head(&content)).then_some(content)
     }
 
     fn put(&self, key: &Key, content: &[u8]) {
@@ -93,16 +79,17 @@ fn head(content: &[u8]) -> Vec<u8> {
     format!("{:?}", Key::of_bytes([PROGRAM.as_bytes(), content])).into_bytes()
 }
 
-/// Removes what was unused longest until the rest has room.
+/// Removes the oldest files until the rest has room.
 fn trim(folder: &Path, room: u64) {
     let Ok(listed) = fs::read_dir(folder) else { return };
-    let mut files: Vec<(SystemTime, PathBuf, u64)> = listed
-        .flatten()
-        .filter_map(|entry| entry.metadata().ok().and_then(|about| Some((about.modified().ok()?, entry.path(), about.len()))))
-        .collect();
-    files.sort_by(|a, b| b.0.cmp(&a.0));
+    let dated = |entry: fs::DirEntry| {
+        let about = entry.metadata().ok()?;
+        Some((about.modified().ok()?, entry.path(), about.len()))
+    };
+    let mut files: Vec<_> = listed.flatten().filter_map(dated).collect();
+    files.sort();
     let mut held = 0;
-    for (_, path, bytes) in files {
+    for (_, path, bytes) in files.into_iter().rev() {
         held += bytes;
         if held > room {
             // Another command may have removed it.
@@ -131,18 +118,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn analytic_what_was_unused_longest_goes_first() {
+    fn analytic_the_oldest_goes_first() {
         let folder = tempfile::tempdir().expect("a folder");
-        for (name, age_s) in [("old", 300), ("new", 100), ("older", 500)] {
-            let path = folder.path().join(name);
-            fs::write(&path, [0; 100]).expect("is written");
-            let used = SystemTime::now() - Duration::from_secs(age_s);
-            fs::File::options().append(true).open(path).and_then(|file| file.set_modified(used)).expect("is dated");
+        for name in ["c", "a", "b"] {
+            fs::write(folder.path().join(name), [0; 100]).expect("is written");
+            std::thread::sleep(std::time::Duration::from_millis(20));
         }
         trim(folder.path(), 250);
         let mut left: Vec<_> = fs::read_dir(folder.path()).expect("is there").flatten().map(|entry| entry.file_name()).collect();
         left.sort();
-        assert_eq!(left, ["new", "old"]);
+        assert_eq!(left, ["a", "b"]);
     }
 
     #[test]
@@ -154,7 +139,7 @@ mod tests {
         cache.put(&key, b"result");
         assert_eq!(cache.take(&key).as_deref(), Some(&b"result"[..]));
         let place = cache.place(&key);
-        let whole = fs::read(&place).expect("is there");
+        let whole = Disk.bytes(&place, LARGEST).expect("is there");
         for at in 0..whole.len() {
             let mut damaged = whole.clone();
             damaged[at] ^= 1;

@@ -2,10 +2,12 @@
 //!
 //! A step is a pure function. Its [`Key`] is a hash of its name and its inputs, so a value is used again only where the
 //! step would give the same. [`Memo`] keeps values in memory, and on a [`Shelf`] where it was given one. It says which steps
-//! were carried out.
+//! were carried out. Computations of many steps tell a [`Progress`] where they are, which may end them between two steps.
 
 mod key;
+mod progress;
 mod store;
 
 pub use key::{Key, PROGRAM};
+pub use progress::{Progress, Step, Unwatched};
 pub use store::{Made, Memo, Shelf};

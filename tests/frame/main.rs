@@ -7,6 +7,7 @@ mod export;
 mod fold;
 mod frames;
 mod kernels;
+mod live;
 mod measured_overlap;
 mod measured_parts;
 mod measured_skeleton;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The wings of `src`, in the order in which data flows through them: a wing imports only those before it.
-const WINGS: [&str; 15] = [
+const WINGS: [&str; 16] = [
     "units",
     "figures",
     "memo",
@@ -20,11 +20,12 @@ const WINGS: [&str; 15] = [
     "variant",
     "schema",
     "report",
+    "workspace",
     "cli",
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 29] = [
+const LAYERS: [(&str, &[&str]); 30] = [
     ("units", &[]),
     ("figures", &[]),
     ("memo", &[]),
@@ -107,11 +108,13 @@ const LAYERS: [(&str, &[&str]); 29] = [
             "variant",
         ],
     ),
+    ("workspace", &["memo", "params", "frame/assembly", "checks", "export", "report"]),
     (
         "cli",
         &[
             "units",
             "figures",
+            "memo",
             "params",
             "frame/assembly",
             "frame/fold",
@@ -138,12 +141,12 @@ const LAYERS: [(&str, &[&str]); 29] = [
 ];
 
 /// What may stand in some layers only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 41] = [
+const CONFINED: [(&str, &str); 42] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
     ("gltf::", "export"),
-    ("sha2", "export"),
+    ("sha2", "memo export"),
     ("png::", "report"),
     ("plotters", "report"),
     ("miniz_oxide", "report"),
@@ -153,7 +156,7 @@ const CONFINED: [(&str, &str); 41] = [
     ("toml::", "params"),
     ("read_to_string", "params"),
     ("fs::read(", "impact/measured"),
-    ("read_dir", "impact/measured"),
+    ("read_dir", "impact/measured cli"),
     ("csv::", "impact/measured export report"),
     ("quick_junit", "checks/gate"),
     ("cobyla", "variant"),
@@ -180,6 +183,7 @@ const CONFINED: [(&str, &str); 41] = [
     ("fs::rename", "cli"),
     ("fs::remove", "cli"),
     ("process::exit", "cli"),
+    ("postcard", "memo solid"),
 ];
 
 /// What makes a file differ from run to run.

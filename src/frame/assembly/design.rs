@@ -1,5 +1,6 @@
 //! A frame, designed: skeleton, printed parts, and the bodies of the assembly.
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -12,7 +13,7 @@ use crate::frame::assembly::bought_solids::BoughtPart;
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
 use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for};
-use crate::memo::Memo;
+use crate::memo::{Memo, Progress, Step, Unwatched};
 use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::solid::gate::GateError;
@@ -87,34 +88,18 @@ impl Design {
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
-    pub(super) fn of_parts(mut frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
-        let Some(target) = frame.target else { return Self::of_lengths(frame, parts, memo) };
-        solve_target(&mut frame, target)?;
-        let design = Self::of_lengths(frame.clone(), parts, memo)?;
-        let over_mm = design.modules_width_mm() - target.width_mm;
-        if over_mm <= 0.0 {
-            return Ok(design);
-        }
-        // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
-        solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
-        Self::of_lengths(frame, parts, memo)
+    pub(super) fn of_parts(frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
+        let made = Making { parts, memo, progress: &Unwatched }.design(frame)?;
+        Ok(made.unwrap_or_else(|| unreachable!("nobody ends it")))
     }
 
-    fn of_lengths(frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
-        let skeleton = Skeleton::new(&frame)?;
-        let centre = Centre::new(&frame);
-        let needed = parts.iter().filter(|part| (part.needed)(&frame));
-        let recipes: Vec<(&'static PrintedPart, Recipe)> =
-            needed.map(|part| (*part, Recipe::of(part, &frame, &skeleton, &centre))).collect();
-        let make = |(part, recipe)| Printed::by(part, recipe, memo).map_err(|error| DesignError::Part { part: part.name, error });
-        let printed: Vec<Result<Printed, DesignError>> = recipes.into_par_iter().map(make).collect();
-        let printed = printed.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let mut design = Self { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new(), memo: memo.clone() };
-        design.place_printed();
-        design.place_rods();
-        design.place_motors();
-        design.place_bought();
-        Ok(design)
+    /// The same with somebody who follows it, part by part; none when that one ended it.
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn followed(frame: Frame, memo: &Arc<Memo>, progress: &dyn Progress) -> Result<Option<Self>, DesignError> {
+        memo.changed();
+        Making { parts: &catalogue(), memo, progress }.design(frame)
     }
 
     /// A printed part by name.
@@ -242,6 +227,54 @@ impl Design {
             let shape = self.add_plain(part.slug(), Kind::Bought(part.slug()), &material, colour, &feature);
             self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
         }
+    }
+}
+
+/// How a design comes about.
+struct Making<'a> {
+    parts: &'a [&'static PrintedPart],
+    memo: &'a Arc<Memo>,
+    progress: &'a dyn Progress,
+}
+
+impl Making<'_> {
+    /// A frame's design; none when it was ended.
+    fn design(&self, mut frame: Frame) -> Result<Option<Design>, DesignError> {
+        let Some(target) = frame.target else { return self.of_lengths(frame) };
+        solve_target(&mut frame, target)?;
+        let Some(design) = self.of_lengths(frame.clone())? else { return Ok(None) };
+        let over_mm = design.modules_width_mm() - target.width_mm;
+        if over_mm <= 0.0 {
+            return Ok(Some(design));
+        }
+        // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
+        solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
+        self.of_lengths(frame)
+    }
+
+    fn of_lengths(&self, frame: Frame) -> Result<Option<Design>, DesignError> {
+        let skeleton = Skeleton::new(&frame)?;
+        let centre = Centre::new(&frame);
+        let needed = self.parts.iter().filter(|part| (part.needed)(&frame));
+        let recipes: Vec<(&'static PrintedPart, Recipe)> =
+            needed.map(|part| (*part, Recipe::of(part, &frame, &skeleton, &centre))).collect();
+        let of = recipes.len();
+        let make = |(part, recipe): (&'static PrintedPart, Recipe)| match self.progress.begins(Step { name: part.name.slug(), of }) {
+            ControlFlow::Break(()) => Ok(None),
+            ControlFlow::Continue(()) => {
+                Printed::by(part, recipe, self.memo).map(Some).map_err(|error| DesignError::Part { part: part.name, error })
+            }
+        };
+        // Of several parts that cannot be made the first is named, whichever was tried first.
+        let made: Vec<Result<Option<Printed>, DesignError>> = recipes.into_par_iter().map(make).collect();
+        let made = made.into_iter().collect::<Result<Vec<_>, _>>()?;
+        let Some(printed) = made.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+        let mut design = Design { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new(), memo: self.memo.clone() };
+        design.place_printed();
+        design.place_rods();
+        design.place_motors();
+        design.place_bought();
+        Ok(Some(design))
     }
 }
 

@@ -1,0 +1,120 @@
+//! A frame that is changed again and again with what was computed before, against the same frame made from nothing.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+use flexframe::checks::{CATALOGUE, Cost, Finding};
+use flexframe::frame::assembly::mass::{self, MassTable};
+use flexframe::frame::assembly::{Design, DesignError};
+use flexframe::memo::{Key, Memo, Shelf};
+use flexframe::params::parameter::Parameter;
+use flexframe::params::{Frame, FrameFile, parameters, preset};
+use flexframe::{checks, solid::Mesh};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use rayon::prelude::*;
+
+/// Changes, over all walks.
+const STEPS: usize = 500;
+/// Walks, each from another preset or another seed.
+const WALKS: usize = 10;
+/// Every so many steps the frame is made from nothing, too; `FLEXFRAME_LIVE_EVERY=1` does it at each. What a step takes wrongly from
+/// before stays wrong until its inputs change again, so most faults outlive some steps.
+const EVERY: usize = 5;
+/// Every so many steps memory is emptied, and only the shelf is left.
+const FORGOTTEN: usize = 7;
+/// How far from its value towards a bound a parameter is moved at most.
+const REACH: f64 = 0.2;
+
+/// A shelf in memory.
+#[derive(Clone, Default)]
+struct Board(Arc<Mutex<BTreeMap<Key, Vec<u8>>>>);
+
+impl Shelf for Board {
+    fn take(&self, key: &Key) -> Option<Vec<u8>> {
+        self.0.lock().expect("no thread ended").get(key).cloned()
+    }
+
+    fn put(&self, key: &Key, bytes: &[u8]) {
+        self.0.lock().expect("no thread ended").insert(*key, bytes.to_vec());
+    }
+}
+
+/// All that follows from a frame: every finding, every mass, every mesh, flat and in its place.
+#[derive(PartialEq)]
+struct Whole {
+    findings: Vec<Finding>,
+    masses: MassTable,
+    printed: Vec<Arc<Mesh>>,
+    placed: Vec<Arc<Mesh>>,
+}
+
+fn whole(frame: Frame, memo: &Arc<Memo>, dearest: Cost) -> Result<Whole, DesignError> {
+    let design = Design::with(frame, memo)?;
+    let masses = mass::table(&design);
+    let findings = checks::check_by(&CATALOGUE, dearest, &design, &masses);
+    let printed = design.printed.iter().map(|part| part.mesh.clone()).collect();
+    let placed = design.shapes.iter().map(|shape| shape.mesh.clone()).collect();
+    Ok(Whole { findings, masses, printed, placed })
+}
+
+/// A parameter's new value.
+fn moved(parameter: &Parameter, frame: &Frame, way: f64) -> Option<f64> {
+    let value = frame.value(parameter.table, parameter.key)?;
+    let room = if way > 0.0 { parameter.max - value } else { value - parameter.min };
+    Some(((value + REACH * way * room) * 1000.0).round() / 1000.0)
+}
+
+/// Walks from a preset; what differed.
+fn walk(seed: u8, every: usize) -> Vec<String> {
+    let names: Vec<&str> = preset::names().collect();
+    let mut file = FrameFile::load(names[usize::from(seed) % names.len()]).expect("a preset");
+    let mut runner = TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]));
+    let mut drawn = |low: f64, high: f64| (low..high).new_tree(&mut runner).expect("a range").current();
+    let all: Vec<&Parameter> = parameters().collect();
+    let board = Board::default();
+    let memo = || Arc::new(Memo::on(Box::new(board.clone())));
+    let mut hot = memo();
+    let mut wrong = Vec::new();
+    for step in 1..=STEPS / WALKS {
+        let frame = Frame::resolve(&file).expect("was accepted");
+        let parameter = all[drawn(0.0, all.len() as f64) as usize];
+        let (key, way) = (format!("{}.{}", parameter.table, parameter.key), drawn(-1.0, 1.0));
+        let Some(value) = moved(parameter, &frame, way) else { continue };
+        let mut changed = file.clone();
+        changed.set_number(&key, value);
+        let Ok(frame) = Frame::resolve(&changed) else { continue };
+        if step % FORGOTTEN == 0 {
+            hot = memo();
+        }
+        // The slow rules are part of it now and then.
+        let dearest = if step % (3 * every) == 0 { Cost::Slow } else { Cost::Quick };
+        let warm = whole(frame.clone(), &hot, dearest);
+        if step % every == 0 {
+            match (&warm, &whole(frame, &Arc::default(), dearest)) {
+                (Ok(warm), Ok(cold)) if warm == cold => {}
+                (Err(warm), Err(cold)) if warm.to_string() == cold.to_string() => {}
+                (Ok(warm), Ok(cold)) => {
+                    let findings = warm.findings.iter().zip(&cold.findings).filter(|(a, b)| a != b).map(|(a, b)| format!("{a:?}\n{b:?}"));
+                    wrong.push(format!("seed {seed}, step {step}, {key}:\n{}", findings.take(3).collect::<Vec<_>>().join("\n")));
+                }
+                (warm, cold) => {
+                    let [warm, cold] = [warm, cold].map(|result| result.as_ref().err().map(ToString::to_string));
+                    wrong.push(format!("seed {seed}, step {step}, {key}: {warm:?} and {cold:?}"));
+                }
+            }
+        }
+        if warm.is_ok() {
+            file = changed;
+        }
+    }
+    wrong
+}
+
+#[test]
+fn analytic_a_changed_frame_is_that_made_from_nothing() {
+    let every = std::env::var("FLEXFRAME_LIVE_EVERY").ok().and_then(|every| every.parse().ok()).unwrap_or(EVERY);
+    let wrong: Vec<String> = (0..WALKS as u8).into_par_iter().flat_map_iter(|seed| walk(seed, every)).collect();
+    assert!(wrong.is_empty(), "{} differ:\n{}", wrong.len(), wrong.join("\n"));
+}
