@@ -41,6 +41,13 @@ function bytes(random) {
   return Uint8Array.from({ length: Math.floor(random() * 300) }, () => Math.floor(random() * 256));
 }
 
+function words(random) {
+  return Array.from({ length: 1 + Math.floor(random() * 30) }, () => [...NUMBERS, ...WORDS][Math.floor(random() * (NUMBERS.length + WORDS.length))]).join(" ");
+}
+
+/** Refused when everything else is read, before the bodies are made, which takes a hundred times as long. */
+const UNFINISHED = "\n[target]\nwidth_mm = 200\n";
+
 const TABLE = `trial,height_m,t_s,accel_g\n${Array.from({ length: 30 }, (_, at) => `${at % 3},0.5,${(at / 1000).toFixed(3)},${at}`).join("\n")}\n`;
 
 /** So many requests, each with its files. */
@@ -54,8 +61,11 @@ export function* randomTexts(count) {
   const open = { do: "open", frame: "a.toml" };
   const kinds = [
     () => ({ request: open, files: { "a.toml": mutated(pick(frames), random) } }),
-    () => ({ request: open, files: { "a.toml": mutated("base = \"b\"\n[rods]\n", random), "b.toml": mutated(pick(frames), random) } }),
+    () => ({ request: open, files: { "a.toml": `${mutated(pick(frames), random)}${UNFINISHED}` } }),
+    () => ({ request: open, files: { "a.toml": `base = "b"\n${UNFINISHED}`, "b.toml": mutated(pick(frames), random) } }),
     () => ({ request: open, files: { "a.toml": bytes(random) } }),
+    () => ({ request: open, files: { "a.toml": words(random) } }),
+    () => ({ request: drop, files: { "a.toml": words(random) } }),
     () => ({ request: drop, files: { "a.toml": mutated(pick(models), random) } }),
     () => ({ request: { ...drop, heights_m: [pick([0, -1, 1e9, 0.01, 3])] }, files: { "a.toml": pick(models) } }),
     () => ({ request: diagnose, files: { "drops.csv": mutated(TABLE, random) } }),
