@@ -6,17 +6,6 @@
 
 export class EngineStopped extends Error {}
 
-/** A library that makes random numbers in browsers lists imports that nothing here calls. */
-function unused(module) {
-  const imports = {};
-  for (const { module: from, name } of WebAssembly.Module.imports(module)) {
-    (imports[from] ??= {})[name] = () => {
-      throw new EngineStopped(`${name} was called`);
-    };
-  }
-  return imports;
-}
-
 export class Engine {
   #module;
   #stopped = false;
@@ -26,7 +15,7 @@ export class Engine {
     const engine = new Engine();
     const stage = (done, of, at, length) => onStage({ done, of, name: new TextDecoder().decode(engine.#read(at, length)) });
     const module = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
-    const { exports } = await WebAssembly.instantiate(module, { ...unused(module), studio: { stage } });
+    const { exports } = await WebAssembly.instantiate(module, { studio: { stage } });
     engine.#module = exports;
     return engine;
   }

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), and the steps of docs/ci on a sample repository.
+# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its library as a WebAssembly module in Node, and the steps of
+# docs/ci on a sample repository.
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
 # named and counted as skipped. With CI=true a skip is a failure, except that of the reference records,
@@ -166,6 +167,31 @@ same_bytes() {
             failed "same bytes on $threads thread(s)" "$once and $work/same/$threads differ"
         fi
     done
+}
+
+engine=$PWD/studio/dist/engine
+
+# Rust for WebAssembly: the target of the Rust that is there, or Debian's, which builds its standard library from its sources.
+rust_for_wasm() {
+    [[ -d $(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown/lib ]] && return
+    from_debian wasm-ld lld || return
+    local sources=/usr/lib/rustlib/src/rust/library/std/Cargo.toml
+    [[ -f $sources && -x /usr/bin/cargo ]] ||
+        from_debian "$sources" rustc-web cargo-web rust-web-src libstd-rust-web-dev || true
+    [[ -f $sources && -x /usr/bin/cargo ]]
+}
+
+# The library as a WebAssembly module gives the bytes of the program, in Node.
+engine_gives_the_same_bytes() {
+    heading "the engine in WebAssembly gives the program's bytes"
+    if ! rust_for_wasm || ! from_debian node nodejs; then
+        skipped "the engine in WebAssembly" "no Rust for wasm32-unknown-unknown, or no node"
+    elif CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick; then
+        node tests/external/check_engine.mjs "$engine" "$PWD/$binary" "$built" "$work/same/once" "$work/engine" | tee -a "$results" ||
+            failed "the engine in WebAssembly" "exit code $?"
+    else
+        failed "the engine in WebAssembly" "it does not build"
+    fi
 }
 
 # Lists "SHA256 FILE" of each STL in $built once: presets share most of their parts.
@@ -340,6 +366,7 @@ outside() {
     fi
     build_presets
     same_bytes
+    engine_gives_the_same_bytes
     admesh_reads_stls
     khronos_validates_glbs
     qpdf_reads_instructions
@@ -370,6 +397,8 @@ summary() {
 
 step "cargo fmt" cargo fmt --check
 step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
+step "cargo clippy without features" cargo clippy --release --lib --no-default-features -- -D warnings
+step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
 cargo_tests
 reference_records

@@ -64,3 +64,21 @@ impl Files for Disk {
         Ok(bytes)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::{FrameFile, LoadError};
+
+    #[test]
+    fn analytic_a_frame_and_its_bases_are_read_from_memory() {
+        let files = [("a/x.toml", "base = \"y\"\n"), ("a/y.toml", "base = \"cognifly\"\n[rods]\narm_rod_length_mm = 99.0\n")];
+        let memory = Memory(files.into_iter().map(|(path, text)| (path.into(), text.into())).collect());
+        let file = FrameFile::load_from("a/x.toml", &memory).expect("reads");
+        let places: Vec<&str> = file.files.iter().map(|source| source.name.as_str()).collect();
+        assert_eq!((file.name.as_str(), places), ("x", vec!["a/x.toml", "a/y.toml"]));
+        assert_eq!(file.entries["rods.arm_rod_length_mm"].depth, 1);
+        assert!(matches!(FrameFile::load_from("x.toml", &memory), Err(LoadError::Unreadable { .. })));
+        assert_eq!(memory.bytes(Path::new("a/x.toml"), 4).expect("is there"), b"base");
+    }
+}

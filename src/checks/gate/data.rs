@@ -1,5 +1,6 @@
 //! What became of frames at the gate, as data.
 
+use super::blame::Spot;
 use super::outcome::{Judged, Outcome};
 use super::policy::Standing;
 
@@ -9,7 +10,7 @@ pub fn json(outcomes: &[Outcome]) -> serde_json::Value {
         let mut value = serde_json::json!(judged.finding);
         value["fails"] = (judged.standing == Standing::Fails).into();
         value["accepted"] = (judged.standing == Standing::Accepted).into();
-        let place = |spot: &crate::checks::gate::Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
+        let place = |spot: &Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
         value["places"] = judged.spots.iter().map(place).collect::<Vec<_>>().into();
         value
     };

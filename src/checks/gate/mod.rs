@@ -5,6 +5,7 @@ mod baseline;
 mod blame;
 pub mod data;
 pub mod github;
+#[cfg(feature = "cli")]
 pub mod junit;
 pub mod markdown;
 mod outcome;

@@ -1,31 +1,16 @@
 //! A rule from outside of the catalogue, through the gate.
 
-use std::path::Path;
-
 use super::{CheckedFrame, Outcome, Policy, sarif};
 use crate::checks::planted::{Planted, TOY, table_line};
 use crate::checks::{CATALOGUE, Cost, Rule, check_by};
-use crate::params::files::Files;
+use crate::params::files::Memory;
 use crate::params::{Frame, FrameFile};
-
-/// A disk with one file on it.
-struct Memory(&'static str);
-
-impl Files for Memory {
-    fn is_file(&self, path: &Path) -> bool {
-        path == Path::new("short.toml")
-    }
-
-    fn bytes(&self, _: &Path, _: u64) -> std::io::Result<Vec<u8>> {
-        Ok(self.0.into())
-    }
-}
 
 #[test]
 fn planted_a_rule_needs_nothing_but_its_record() {
     let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([&TOY]).collect();
     const TEXT: &str = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 188.0\nstrut_rod_length_mm = 50.0\n";
-    let file = FrameFile::load_from("short.toml", &Memory(TEXT)).expect("reads");
+    let file = FrameFile::load_from("short.toml", &Memory([("short.toml".into(), TEXT.into())].into())).expect("reads");
     let frame = Planted::designed(Frame::resolve(&file).expect("is one"));
     let findings = check_by(&[&TOY], Cost::Quick, &frame.design, &frame.masses);
     let policy = Policy { rules: &rules, ..Policy::default() };

@@ -2,7 +2,7 @@
 //!
 //! The page that uses it calls [`request_room`], writes the request there, calls [`ask`], and reads the answer from memory by
 //! the four functions below. `../engine.mjs` does that. There is one state a module: the frames that are open, and the parts
-//! that were made for them. docs/studio.md lists the requests.
+//! that were made for them. studio/README.md lists the requests.
 //!
 //! The interface is these few numbers so that no other program has to be run over the module to make it loadable.
 

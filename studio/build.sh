@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Makes studio/dist/: for now the engine, the library as a WebAssembly module with what loads it.
+#
+#   bash studio/build.sh           as it is published: small and fast
+#   bash studio/build.sh quick     in half the time, for tests: larger, slower, the same results
+#
+# Takes the target wasm32-unknown-unknown of the Rust that is there (`rustup target add wasm32-unknown-unknown`), or else
+# Debian's rustc-web, which comes with the sources of its standard library:
+#   apt-get install rustc-web cargo-web rust-web-src libstd-rust-web-dev lld
+set -euo pipefail
+cd "$(dirname "$0")"
+
+profile=${1:-release}
+target=wasm32-unknown-unknown
+build=(build --manifest-path wasm/Cargo.toml --profile "$profile" --target "$target" --locked)
+
+if [[ -d $(rustc --print sysroot 2>/dev/null)/lib/rustlib/$target/lib ]]; then
+    cargo "${build[@]}"
+elif [[ -x /usr/bin/cargo && -f /usr/lib/rustlib/src/rust/library/std/Cargo.toml && -x $(command -v wasm-ld) ]]; then
+    # The standard library is compiled, too, for which a stable compiler has to be told that it may.
+    export RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=wasm-ld
+    /usr/bin/cargo "${build[@]}" -Z build-std=std,panic_abort
+else
+    echo "There is no Rust for $target: rustup target add $target, or what the head of $0 names." >&2
+    exit 2
+fi
+
+mkdir -p dist/engine
+cp "${CARGO_TARGET_DIR:-wasm/target}/$target/$profile/flexframe_engine.wasm" dist/engine/engine.wasm
+cp engine.mjs dist/engine/
+ls -l dist/engine
