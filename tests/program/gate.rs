@@ -196,17 +196,9 @@ fn analytic_kept_findings_are_quick_and_never_another_frames() {
     assert_eq!(results(), kept, "nothing was computed again");
     // Damage in any place makes a result useless, not the answer wrong.
     let before: Vec<Vec<u8>> = kept.iter().map(|path| fs::read(path).expect("is there")).collect();
-    let damages: [fn(&[u8]) -> Vec<u8>; 4] = [
-        |bytes| bytes[..bytes.len() / 2].into(),
-        |_| Vec::new(),
-        |bytes| vec![b'x'; bytes.len()],
-        |bytes| {
-            let mut bytes = bytes.to_vec();
-            let last = bytes.len() - 1;
-            bytes[last] ^= 1;
-            bytes
-        },
-    ];
+    let flipped = |bytes: &[u8]| [&bytes[..bytes.len() - 1], &[bytes[bytes.len() - 1] ^ 1]].concat();
+    let damages: [&dyn Fn(&[u8]) -> Vec<u8>; 4] =
+        [&|bytes| bytes[..bytes.len() / 2].into(), &|_| Vec::new(), &|bytes| vec![b'x'; bytes.len()], &flipped];
     for damage in damages {
         kept.iter().zip(&before).for_each(|(path, bytes)| fs::write(path, damage(bytes)).expect("can be written"));
         assert_eq!(bench.check(&["heavy.toml"]), first);
