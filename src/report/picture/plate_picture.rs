@@ -9,7 +9,14 @@ use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
 
 /// The picture as the bytes of a PNG file; size in pixels.
-pub fn png(design: &Design, plate: &Plate, [width, height]: [u32; 2]) -> Vec<u8> {
+pub fn png(design: &Design, plate: &Plate, size: [u32; 2]) -> Vec<u8> {
+    let (printer, colour) = (&design.frame.printer, plate.material.material.colour);
+    let parts: Vec<_> = design.printed.iter().map(|part| (part.name, part.flat.key(), part.print_pose)).collect();
+    let inputs = (parts, &plate.items, printer.bed, printer.size_mm, colour, size);
+    design.memo.get("picture", &plate.name(), &inputs, || drawn(design, plate, size)).to_vec()
+}
+
+fn drawn(design: &Design, plate: &Plate, [width, height]: [u32; 2]) -> Vec<u8> {
     let printer = &design.frame.printer;
     // The picture's bed begins at its corner, a round one's coordinates in its middle.
     let shift = match printer.bed {

@@ -3,7 +3,7 @@
 use nalgebra::Isometry3;
 use rayon::prelude::*;
 
-use crate::frame::assembly::{Design, Printed};
+use crate::frame::assembly::{Body, Design, Printed};
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
 
@@ -24,7 +24,7 @@ pub fn pictures(design: &Design) -> Vec<(String, Vec<u8>)> {
         .collect();
     jobs.push(Job::Bed);
     jobs.extend(design.printed.iter().map(Job::Part));
-    jobs.par_iter().map(|job| job.draw(design)).collect()
+    jobs.par_iter().map(|job| (job.path(), job.kept(design))).collect()
 }
 
 enum Job<'a> {
@@ -34,21 +34,44 @@ enum Job<'a> {
 }
 
 impl Job<'_> {
-    fn draw(&self, design: &Design) -> (String, Vec<u8>) {
-        let [width, height] = FRAME_SIZE;
+    fn path(&self) -> String {
         match self {
-            Self::Assembled(name, view) => {
-                (format!("pictures/assembled_{name}.png"), picture::png(&assembled(design), *view, width, height))
+            Self::Assembled(name, _) => format!("pictures/assembled_{name}.png"),
+            Self::Bed => "pictures/flat_on_bed.png".into(),
+            Self::Part(part) => format!("pictures/part_{}.png", part.name),
+        }
+    }
+
+    /// The picture, drawn anew only when something in it is another.
+    fn kept(&self, design: &Design) -> Vec<u8> {
+        let printed = |part: &Printed| (part.name, part.flat.key(), part.print_pose, colour(design, part));
+        let (path, draw) = (self.path(), || self.draw(design));
+        let kept = match self {
+            Self::Assembled(_, view) => {
+                let body = |body: &Body| (design.shape(body).solid.key(), body.pose, design.shape(body).colour);
+                design.memo.get("picture", &path, &(view, design.bodies.iter().map(body).collect::<Vec<_>>()), draw)
             }
             Self::Bed => {
+                let parts: Vec<_> = design.printed.iter().map(printed).collect();
+                design.memo.get("picture", &path, &(parts, design.frame.printer.size_mm), draw)
+            }
+            Self::Part(part) => design.memo.get("picture", &path, &printed(part), draw),
+        };
+        kept.to_vec()
+    }
+
+    fn draw(&self, design: &Design) -> Vec<u8> {
+        let [width, height] = FRAME_SIZE;
+        match self {
+            Self::Assembled(_, view) => picture::png(&assembled(design), *view, width, height),
+            Self::Bed => {
                 let (items, bed) = on_bed(design);
-                ("pictures/flat_on_bed.png".into(), picture::png_on_bed(&items, &bed, View::Perspective, width, height))
+                picture::png_on_bed(&items, &bed, View::Perspective, width, height)
             }
             Self::Part(part) => {
                 let [width, height] = PART_SIZE;
                 let item = Item { mesh: &part.mesh, pose: Isometry3::identity(), colour: colour(design, part) };
-                let bytes = picture::png(&[item], View::Perspective, width, height);
-                (format!("pictures/part_{}.png", part.name), bytes)
+                picture::png(&[item], View::Perspective, width, height)
             }
         }
     }
@@ -59,7 +82,7 @@ fn colour(design: &Design, part: &Printed) -> [f32; 4] {
 }
 
 pub(in crate::report) fn assembled(design: &Design) -> Vec<Item<'_>> {
-    let item = |body: &crate::frame::assembly::Body| {
+    let item = |body: &Body| {
         let shape = &design.shapes[body.shape];
         Item { mesh: &shape.mesh, pose: body.pose, colour: shape.colour }
     };
