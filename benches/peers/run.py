@@ -43,7 +43,7 @@ CASES = {
 
 def case(tool, work, effect, strength, seed):
     """One set of drops, by everybody."""
-    own = 1000 * seed + 10 * list(CASES).index(effect) + strength  # no two sets share their scatter
+    own = 1000 * seed + 10 * list(CASES).index(effect) + strength  # no two sets share their trial variation
     rng = np.random.default_rng(own)
     k, c = K_N_M * rng.uniform(0.8, 1.25), C_NS_M * rng.uniform(0.8, 1.25)
     name = f"{effect}-{strength}-{seed}"
@@ -100,7 +100,7 @@ def main():
     parser = argparse.ArgumentParser(description="The same synthetic drops diagnosed by flexframe and by what PyPI offers.")
     parser.add_argument("binary", help="the flexframe program")
     parser.add_argument("--seeds", default="1,2,3,4", help="seeds, separated by commas (default 1,2,3,4)")
-    parser.add_argument("--effects", default=",".join(CASES), help="effects that are planted (default: all seven)")
+    parser.add_argument("--effects", default=",".join(CASES), help="effects of the synthetic drops (default: all seven)")
     parser.add_argument("--only", choices=["names", "times"], help="one half of the work")
     parser.add_argument("--work", help="folder for synthetic drops and results (default: a temporary one)")
     options = parser.parse_args()

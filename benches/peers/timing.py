@@ -13,7 +13,7 @@ WAVES = 20
 REFITS = 5
 TOOL_REFITS = (20, 520)
 # Drops that hold the effect, so that a fit of it ends inside its bounds.
-PLANTED = {
+TRUTHS = {
     "linear": {},
     "cubic_stiffness": {"k3": 5e6},
     "coulomb_friction": {"f_c_n": 15.0},
@@ -58,10 +58,10 @@ def rows(tool, work, heights_m):
     """A row an effect."""
     table = []
     for effect in EFFECTS:
-        planted = PLANTED[effect.id]
-        values = (6800.0, 44.0, *planted.values())
+        truth = TRUTHS[effect.id]
+        values = (6800.0, 44.0, *truth.values())
         id = None if effect.id == "linear" else effect.id
-        folder = tool.synthesize(work, f"time-{effect.id}", *values[:2], id, planted, heights_m, 5)
+        folder = tool.synthesize(work, f"time-{effect.id}", *values[:2], id, truth, heights_m, 5)
         truth = folder / "truth" / "model.toml"
         ours = wave(effect, values, 1.5, TRACE_S)
         apart_g = np.abs(ours - tool.wave(truth, 1.5, work)[: len(ours)]).max()
@@ -70,5 +70,5 @@ def rows(tool, work, heights_m):
         tool_s = tool.refit_seconds(folder / "drops", truth, ("k", "c", *effect.keys), TOOL_REFITS, work)
         waves_s = [wave_seconds(effect, values, method) for method in ("RK45", "LSODA")]
         table.append(Row(effect.id, apart_g, *waves_s, residuals, refit_s, tool_s))
-        print(f"# {effect.id}: SciPy ends at {np.round(best, 3)}, planted {values}", flush=True)
+        print(f"# {effect.id}: SciPy ends at {np.round(best, 3)}, truth {values}", flush=True)
     return table

@@ -14,8 +14,8 @@ TRIGGER_G = 3.0
 BEFORE = 1
 SAMPLES = 31
 LONGEST_ONSET_S = 5e-3
-# Added to the mean before deviations are divided by it: where the wave is near zero the scatter is the sensor's.
-LEAST_SCATTER_G = 2.0
+# Added to the mean before deviations are divided by it: where the wave is near zero the deviations are the sensor's.
+LEAST_DEVIATION_G = 2.0
 
 
 @dataclass
@@ -82,12 +82,12 @@ def whitening(groups):
     Deviations are divided by the wave and pooled over the heights, so that 31 x 31 numbers rest on all drops; Ledoit and
     Wolf's shrinkage keeps their covariance invertible.
     """
-    scaled = np.vstack([(group.windows - group.mean) / (np.abs(group.mean) + LEAST_SCATTER_G) for group in groups])
+    scaled = np.vstack([(group.windows - group.mean) / (np.abs(group.mean) + LEAST_DEVIATION_G) for group in groups])
     covariance = LedoitWolf(assume_centered=True).fit(scaled).covariance_
     covariance *= len(scaled) / (len(scaled) - len(groups))
     whites = []
     for group in groups:
-        size = np.abs(group.mean) + LEAST_SCATTER_G
+        size = np.abs(group.mean) + LEAST_DEVIATION_G
         root = np.linalg.cholesky(covariance * np.outer(size, size) / len(group.windows))
         whites.append(np.linalg.inv(root))
     return whites

@@ -1,10 +1,10 @@
-//! What nobody reaches: the share of names that are right when the judge is told everything but the scatter that happened.
+//! What nobody reaches: the share of names that are right when the judge is told everything but the trial variation that happened.
 //!
 //! The judge of one seed knows its truths (every effect and strength, all parameters but k and c), what each reads without
 //! noise, and the covariance of the mean waves, and weighs them by Bayes' rule, all equally likely; k and c have an even
 //! prior and are integrated out along their tangent at the best fit. It says nothing where the drops are as likely
 //! as those of a null, at the level at which 5 % of nulls alarm. No rule that looks at mean waves has more names right on these
-//! truths. What it does not see: how single records scatter about their mean; a line a truth says how much that would add
+//! truths. What it does not see: how single records vary about their mean; a line a truth says how much that would add
 //! for somebody who knows its law.
 
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, plan};
 
 /// Replicates that alarm.
 const ALARMS: f64 = 0.05;
-/// Draws of the scatter a truth.
+/// Draws of the trial variation a truth.
 const DRAWS: usize = 400;
 /// The same for the null.
 const NULL_DRAWS: usize = 4000;
@@ -81,9 +81,9 @@ fn seen(truth: &Plan, hypotheses: &[&Model], gain: f64) -> Option<Vec<Seen>> {
     hypotheses.iter().map(|model| Seen::of(&problem, model, gain)).collect()
 }
 
-/// What the scatter of single records tells from the null in addition, in units of noncentrality: twice the divergence of Wishart
-/// densities (S. Kullback, *Information Theory and Statistics*, chapter 9) for somebody who knows the scatter's law.
-fn in_scatter(truth: &Plan, null: &Model) -> Option<f64> {
+/// What the trial covariance of single records tells from the null in addition, in units of noncentrality: twice the divergence of Wishart
+/// densities (S. Kullback, *Information Theory and Statistics*, chapter 9) for somebody who knows the covariance's law.
+fn in_covariance(truth: &Plan, null: &Model) -> Option<f64> {
     let nulls = covariances(&Plan { model: null.clone(), ..truth.clone() })?;
     let one = |(own, null): (&DMatrix<f64>, &DMatrix<f64>)| {
         let inverse = inverse_root(null)?;
@@ -147,10 +147,10 @@ pub fn ceiling(level: usize, from: u64, to: u64, gain: f64) {
             truths.par_iter().map(|truth| Share::of(truth, &truths, &seen(&truth.plan, &hypotheses, gain)?, needed)).collect();
         for (truth, share) in truths.iter().zip(shares) {
             let Some(share) = share else { continue };
-            let Share { right, first, detectable, scatter } = share;
+            let Share { right, first, detectable, in_covariance } = share;
             let (id, strength, apart) = (truth.id, STRENGTHS[truth.at], truth.apart);
             println!(
-                "{id} {strength} seed {seed}: noncentrality {apart:.0}, in the scatter {scatter:.0}, right {right:.3}, first {first:.3}, told detectable {detectable:.3}"
+                "{id} {strength} seed {seed}: noncentrality {apart:.0}, in the trial covariance {in_covariance:.0}, right {right:.3}, first {first:.3}, told detectable {detectable:.3}"
             );
             sums.add(truth, &share);
         }
@@ -178,14 +178,14 @@ struct Share {
     first: f64,
     /// First among the detectable truths.
     detectable: f64,
-    /// What the scatter of single records would tell from the null in addition, noncentrality.
-    scatter: f64,
+    /// What the trial covariance of single records would tell from the null in addition, noncentrality.
+    in_covariance: f64,
 }
 
 impl Share {
     fn of(truth: &Truth, truths: &[Truth], seen: &[Seen], needed: f64) -> Option<Self> {
         let mut rng = Pcg64::seed_from_u64(truth.plan.seed);
-        let mut share = Self { right: 0.0, first: 0.0, detectable: 0.0, scatter: in_scatter(&truth.plan, &seen[0].model)? };
+        let mut share = Self { right: 0.0, first: 0.0, detectable: 0.0, in_covariance: in_covariance(&truth.plan, &seen[0].model)? };
         let one = |good: bool| f64::from(u8::from(good)) / DRAWS as f64;
         for _ in 0..DRAWS {
             let judged = judged(seen, truths, &mut rng);

@@ -40,8 +40,9 @@ fn drops(plan: &Plan) -> Vec<(f64, Model)> {
     all
 }
 
-/// Covariance of one record, g², a height each: clock, coloured scatter, noise and count, k and c; a cut reading keeps as much of
-/// its scatter as it is likely not to be cut. The tilt and records laid a sample too late are left out: both would make it larger.
+/// Covariance of one record, g², a height each: clock, coloured trial variation, noise and count, k and c; a cut reading keeps as much
+/// of its variance as it is likely not to be cut. The tilt and records aligned a sample too late are left out: both would make it
+/// larger.
 pub fn covariances(plan: &Plan) -> Option<Vec<DMatrix<f64>>> {
     plan.heights_m.iter().map(|height_m| covariance(plan, *height_m)).collect()
 }

@@ -10,7 +10,7 @@ use crate::truth::{DETECTABLE, STRENGTHS, at_strength, base, noise_free, noncent
 
 /// The single effect with the best score for somebody who is told the generator's own covariance: what is lost by having to
 /// estimate it. No bound: the score is ours, not the best there could be.
-fn told_the_scatter(plan: &Plan) -> Option<&'static str> {
+fn told_the_covariance(plan: &Plan) -> Option<&'static str> {
     let few = waves(plan);
     let whitening = noise_free(plan)?.whitening;
     let prepared = PreparedDrops::of(&few, &base())?;
@@ -36,7 +36,7 @@ pub fn oracle(level: usize, from: u64, to: u64) {
         for seed in from..to {
             for (at, strength) in STRENGTHS.iter().enumerate() {
                 let Some(plan) = at_strength(spec.id, seed, *strength, level) else { continue };
-                let right = usize::from(told_the_scatter(&plan) == Some(spec.id));
+                let right = usize::from(told_the_covariance(&plan) == Some(spec.id));
                 good[at] += right;
                 all[at] += 1;
                 if noncentrality(&plan).is_some_and(|found| found > DETECTABLE) {

@@ -29,8 +29,18 @@ pub fn plan(level: usize, seed: u64) -> Plan {
     let (k, c): (f64, f64) = (rng.random_range(0.8..1.25), rng.random_range(0.8..1.25));
     model.effects[0].values[0] *= k;
     model.effects[1].values[0] *= c;
-    let scatter = TrialVariation { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
-    Plan { model, hidden: None, heights_m: HEIGHTS_M.to_vec(), drops, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
+    let variation = TrialVariation { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
+    Plan {
+        model,
+        hidden: None,
+        heights_m: HEIGHTS_M.to_vec(),
+        drops,
+        scatter: variation,
+        noise_g: 0.17,
+        counts_per_g: 8.877,
+        rate_hz: 1000.0,
+        seed,
+    }
 }
 
 /// An effect with as much of it as `amount` says; its other parameters by chance.
@@ -61,7 +71,7 @@ pub fn waves(plan: &Plan) -> Waves {
 }
 
 /// A truth's noise-free mean waves with the generator's own covariance of the mean: read off many drops, or by quadrature
-/// where k and c scatter, as the mean of some hundred such drops is not without noise.
+/// where k and c vary from trial to trial, as the mean of some hundred such drops is not without noise.
 pub fn noise_free(plan: &Plan) -> Option<FitProblem> {
     if plan.scatter.stiffness > 0.0 && plan.hidden.is_none() {
         return exact(plan);

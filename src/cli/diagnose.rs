@@ -5,15 +5,13 @@ use std::process::ExitCode;
 
 use super::failure::Failure;
 use super::failure::mechanics_refused;
-use super::fit::frame_and_paths;
-use super::measure::calibration;
-use super::options::{CalibrationOptions, Common, FrameOption};
+use super::given_drops::{calibration, frame_and_paths, with_body_of};
+use super::options::{CalibrationOptions, Common, DropsOption, FrameOption};
 use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::frame::assembly::mass;
-use crate::impact::body::DropBody;
 use crate::impact::diagnose::{Diagnosis, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
@@ -34,9 +32,9 @@ use crate::report::page::document::{Block, html, markdown};
     after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
 )]
 pub(super) struct Args {
-    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
-    #[arg(required = true, value_name = "DROPS")]
-    pub drops: Vec<PathBuf>,
+    /// Which drops.
+    #[command(flatten)]
+    pub drops: DropsOption,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper", value_name = "MODEL")]
     pub model: String,
@@ -70,13 +68,10 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     DiagnosisRequest::bounds(args.max_effects).map_err(usage)?;
     let (frame, paths) = frame_and_paths(&args.drops)?;
-    let mut model = Model::load(&args.model)?;
+    let model = Model::load(&args.model)?;
     let most = args.max_effects;
     let working = Progress::staged("diagnosing", Stage::count(most), common);
-    if let Some(frame) = frame {
-        let design = session::design(&FrameOption { frame, rigid: None }, common)?;
-        model.body = DropBody::of(&design, &mass::table(&design));
-    }
+    let mut model = with_body_of(frame, model, common)?;
     if let Some(frame) = &args.frame {
         let own = reduced(frame, args.mechanics.as_deref(), common)?;
         model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);

@@ -1,22 +1,19 @@
 //! `flexframe fit`: a model's parameters from measured drops.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::Failure;
-use super::measure::calibration;
-use super::options::{CalibrationOptions, Common, FrameOption};
+use super::given_drops::{calibration, frame_and_paths, with_body_of};
+use super::options::{CalibrationOptions, Common, DropsOption};
 use super::output;
 use super::progress::Progress;
-use super::session;
 use super::terminal;
-use crate::frame::assembly::mass;
 use crate::impact::body::DropBody;
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
 use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
 use crate::impact::measured;
-use crate::params::preset;
 use crate::report::chart::fit_plots;
 use crate::report::data::fit_data;
 
@@ -26,9 +23,9 @@ use crate::report::data::fit_data;
     after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's."
 )]
 pub(super) struct Args {
-    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
-    #[arg(required = true, value_name = "DROPS")]
-    pub drops: Vec<PathBuf>,
+    /// Which drops.
+    #[command(flatten)]
+    pub drops: DropsOption,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper-corrected", value_name = "MODEL")]
     pub model: String,
@@ -83,12 +80,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         return Err(Failure::Usage { message: format!("--bootstrap takes at most {MOST_SAMPLES} samples") });
     }
     let (frame, paths) = frame_and_paths(&args.drops)?;
-    let mut model = Model::load(&args.model)?;
+    let model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);
-    if let Some(frame) = frame {
-        let design = session::design(&FrameOption { frame, rigid: None }, common)?;
-        model.body = DropBody::of(&design, &mass::table(&design));
-    }
+    let model = with_body_of(frame, model, common)?;
     let set = measured::read(&paths, &calibration(&args.calibration)?)?;
     let layout = layout(model, &args.free).map_err(usage)?;
     let keep = if args.objective == Aim::Paper || args.all { Keep::Every } else { Keep::Clean };
@@ -120,23 +114,6 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 
 fn usage(error: FitError) -> Failure {
     Failure::Usage { message: error.to_string() }
-}
-
-/// A frame among the drops: a preset's name that is no path, or a TOML file.
-pub(super) fn frame_and_paths(drops: &[PathBuf]) -> Result<(Option<String>, Vec<PathBuf>), Failure> {
-    let is_frame = |path: &Path| {
-        let name = path.to_string_lossy();
-        name.ends_with(".toml") || (preset::names().any(|preset| preset == name) && !path.exists())
-    };
-    let (frames, paths): (Vec<PathBuf>, Vec<PathBuf>) = drops.iter().cloned().partition(|path| is_frame(path));
-    if paths.is_empty() {
-        return Err(Failure::Usage { message: "name the drops: .csv tables, .bin files or folders".into() });
-    }
-    match &frames[..] {
-        [] => Ok((None, paths)),
-        [frame] => Ok((Some(frame.to_string_lossy().into_owned()), paths)),
-        _ => Err(Failure::Usage { message: "name one frame, or none".into() }),
-    }
 }
 
 /// Which parameters are free.

@@ -4,12 +4,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::Failure;
+use super::given_drops::calibration;
 use super::options::{CalibrationOptions, Common};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
 use crate::impact::measured;
-use crate::impact::measured::{Calibration, Drop, DropGroup, Spread, Summary};
+use crate::impact::measured::{Drop, DropGroup, Spread, Summary};
 use crate::report::chart::measure_plots;
 use crate::report::data::measure_data;
 
@@ -51,22 +52,6 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print(&format!("{table}\n{flagged}{notes}{}: {} files\n", place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The logger's calibration with the command line's changes.
-pub(super) fn calibration(args: &CalibrationOptions) -> Result<Calibration, Failure> {
-    let three = |values: &[f64], what: &str, good: fn(f64) -> bool| {
-        let three: Option<[f64; 3]> = values.try_into().ok().filter(|values: &[f64; 3]| values.iter().all(|value| good(*value)));
-        three.ok_or_else(|| Failure::Usage { message: format!("--{what} takes three numbers, for x, y and z: as in 2019.94,2020,2020.77") })
-    };
-    let mut calibration = Calibration::default();
-    if let Some(offsets) = &args.offset_counts {
-        calibration.offset_counts = three(offsets, "offset-counts", f64::is_finite)?;
-    }
-    if let Some(scales) = &args.counts_per_g {
-        calibration.counts_per_g = three(scales, "counts-per-g", |scale| scale.is_finite() && scale.abs() > 1e-6)?;
-    }
-    Ok(calibration)
 }
 
 /// A height a line.

@@ -18,6 +18,7 @@ mod fit;
 mod fold;
 mod frame_text;
 mod frames;
+mod given_drops;
 mod man;
 mod measure;
 mod new;

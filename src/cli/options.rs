@@ -1,5 +1,7 @@
 //! Options that several commands share.
 
+use std::path::PathBuf;
+
 use clap::Args;
 
 /// Options of every command.
@@ -36,6 +38,14 @@ pub(super) struct MechanicsOption {
     /// With --strength: numbers of the mechanics instead of those that come with the program.
     #[arg(long, value_name = "TOML", requires = "strength")]
     pub mechanics: Option<String>,
+}
+
+/// Which measured drops.
+#[derive(Debug, Args)]
+pub(super) struct DropsOption {
+    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    #[arg(required = true, value_name = "DROPS")]
+    pub drops: Vec<PathBuf>,
 }
 
 /// How the logger counts.

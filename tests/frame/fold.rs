@@ -319,19 +319,19 @@ fn planted_flat_states() {
     assert_eq!(flat.check(&design), []);
     let at = |name: &str| flat.lying.iter().position(|l| l.body == name).expect("lies there");
     let (knee, corner) = (at("knee_FR"), at("top_corner_FR"));
-    let planted = |change: &dyn Fn(&mut FlatState)| {
+    let changed = |change: &dyn Fn(&mut FlatState)| {
         let mut state = flat.clone();
         change(&mut state);
         state.check(&design)
     };
-    let off = planted(&|s| s.lying[knee].at.translation.vector.y += TABLE_MM[1]);
+    let off = changed(&|s| s.lying[knee].at.translation.vector.y += TABLE_MM[1]);
     assert!(matches!(&off[..], [FlatError::OffTable { body, .. }] if body == "knee_FR"), "{off:?}");
-    let high = planted(&|s| s.lying[knee].at.translation.vector.z += 1.0);
+    let high = changed(&|s| s.lying[knee].at.translation.vector.z += 1.0);
     assert!(matches!(&high[..], [FlatError::NotResting { .. }]), "{high:?}");
-    let both = planted(&|s| s.lying[knee].at = s.lying[corner].at);
+    let both = changed(&|s| s.lying[knee].at = s.lying[corner].at);
     assert!(both.iter().any(|e| matches!(e, FlatError::Overlap { bodies, .. } if bodies.contains(&"top_corner_FR".into()))), "{both:?}");
     let folded: Arc<Mesh> = design.part(PartName::TopCorner).expect("is printed").folded.mesh().into();
-    let bent = planted(&|s| s.lying[corner].mesh = folded.clone());
+    let bent = changed(&|s| s.lying[corner].mesh = folded.clone());
     assert!(bent.iter().any(|e| matches!(e, FlatError::NotAsPrinted { part: "top_corner", .. })), "{bent:?}");
     for lying in &flat.lying {
         let name = lying.body.trim_end_matches("_FR");

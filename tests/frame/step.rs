@@ -11,7 +11,7 @@ use std::sync::OnceLock;
 use assert_cmd::cargo::cargo_bin;
 use flexframe::export::{Made, step};
 use flexframe::frame::assembly::Design;
-use flexframe::params::Frame;
+use flexframe::params::{Frame, PartName};
 use flexframe::solid::{Boundary, Contour, Feature, MeshSolid, NotExact, Profile};
 use flexframe::units::Angle;
 use nalgebra::{Isometry3, Point3, Vector3};
@@ -310,7 +310,7 @@ fn analytic_manifest_lists_every_solid_and_how_it_was_made() {
     let manifest: Value = serde_json::from_slice(&fs::read(built().join("manifest.json")).expect("is there")).expect("JSON");
     let solids = manifest["step"].as_array().expect("a list");
     let parts: Vec<&Value> = solids.iter().filter(|solid| solid["file"] != "frame.step").collect();
-    assert_eq!(parts.len(), 13);
+    assert_eq!(parts.len(), PartName::ALL.len());
     let mut exact: Vec<&str> =
         parts.iter().filter(|solid| solid["made"] == "exact").map(|solid| solid["name"].as_str().expect("text")).collect();
     exact.sort_unstable();

@@ -14,9 +14,19 @@ fn base() -> Model {
 }
 
 fn plan(seed: u64) -> Plan {
-    let scatter = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let variation = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
     let heights_m = vec![0.5, 1.0, 1.5];
-    Plan { model: base(), hidden: None, heights_m, drops: 20, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed }
+    Plan {
+        model: base(),
+        hidden: None,
+        heights_m,
+        drops: 20,
+        scatter: variation,
+        noise_g: 0.17,
+        counts_per_g: 8.877,
+        rate_hz: 1000.0,
+        seed,
+    }
 }
 
 /// The wave of one synthetic drop without anything random, at steps of 0.05 ms from first touch, within the sensor's limit, g.
@@ -60,10 +70,10 @@ fn analytic_mean_over_phases_is_the_mean_of_trigger_aligned_records() {
 #[test]
 fn planted_half_noise_moves_the_trigger_as_predicted() {
     // Coloured noise of half the reading lets one in fifty records be aligned a step too late.
-    let scatter = TrialVariation { share: 0.5, ..plan(1).scatter };
-    let planted = Plan { scatter, ..plan(3) };
-    let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..planted.clone() });
-    let prepared = PreparedDrops::of(&waves(&Plan { drops: 80, ..planted.clone() }), &base()).expect("a fit");
+    let variation = TrialVariation { share: 0.5, ..plan(1).scatter };
+    let synthetic = Plan { scatter: variation, ..plan(3) };
+    let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..synthetic.clone() });
+    let prepared = PreparedDrops::of(&waves(&Plan { drops: 80, ..synthetic.clone() }), &base()).expect("a fit");
     let apart = |expected: Expected| {
         let predicted = expected.window(&expected.system(&base()), 1.0).expect("it holds the body");
         // In units of the standard error of a mean of 80 drops, at the trigger and the sample behind it.
@@ -87,8 +97,8 @@ fn analytic_bounds_and_units_do_not_stop_a_minimum() {
 }
 
 #[test]
-fn analytic_whitened_means_scatter_with_variance_one() {
-    // One estimate of the scatter from 20 drops a height, judged by the means of many other sets of the same truth.
+fn analytic_whitened_means_have_variance_one() {
+    // One estimate of the trial covariance from 20 drops a height, judged by the means of many other sets of the same truth.
     let prepared = PreparedDrops::of(&waves(&plan(5)), &base()).expect("a fit");
     let sums: Vec<f64> = (0..24_u64)
         .into_par_iter()
@@ -105,7 +115,7 @@ fn analytic_whitened_means_scatter_with_variance_one() {
 }
 
 #[test]
-fn analytic_drawn_scatter_is_that_of_the_covariance() {
+fn analytic_drawn_trial_covariance_is_that_asked_for() {
     let covariance = DMatrix::from_fn(4, 4, |i, j| if i == j { 2.0 } else { 0.5 });
     let mut rng = Pcg64::seed_from_u64(3);
     // Few records are drawn one by one, many by a triangle: both have the covariance that was asked for.
@@ -176,11 +186,11 @@ fn planted_limits_show_and_scatter_does_not() {
 
 #[test]
 fn planted_pair_whose_first_choice_is_wrong_is_found_all_the_same() {
-    let mut planted = plan(41);
+    let mut synthetic = plan(41);
     for (id, values) in [("maxwell_branch", &[6e3, 3.0][..]), ("sensor_low_pass", &[110.0])] {
-        planted.model = planted.model.with(by_id(id).expect("an effect"), values, 0);
+        synthetic.model = synthetic.model.with(by_id(id).expect("an effect"), values, 0);
     }
-    let found = diagnose(&waves(&planted), None, &base(), &DiagnosisOptions::new(3, 1)).expect("a diagnosis");
+    let found = diagnose(&waves(&synthetic), None, &base(), &DiagnosisOptions::new(3, 1)).expect("a diagnosis");
     let first = found.ranking.iter().find(|one| !one.id.contains('+')).expect("singles were ranked");
     assert_eq!(first.id, "bilinear_stiffness", "the best single effect is neither of the two");
     assert_eq!(found.chosen.ids(), ["maxwell_branch", "sensor_low_pass"]);

@@ -1,4 +1,4 @@
-//! A frame's own curve planted in drops: the right frame's is named, a wrong one is told from it or said to be unclear.
+//! A frame's own curve in synthetic drops: the right frame's is named, a wrong one is told from it or said to be unclear.
 
 use std::fs;
 use std::path::Path;
@@ -38,7 +38,7 @@ fn hard() -> Vec<[f64; 2]> {
 }
 
 /// The paper's model with the frame's curve, at four heights of 20 drops.
-fn planted(folder: &Path, points: &[[f64; 2]], seed: u64) -> std::path::PathBuf {
+fn synthetic_drops(folder: &Path, points: &[[f64; 2]], seed: u64) -> std::path::PathBuf {
     let list = |column: usize| points.iter().map(|point| format!("{:?}", point[column])).collect::<Vec<_>>().join(", ");
     let plan = format!(
         "mass_kg = 0.241\ngap_mm = 16.0\n[sensor]\ncutoff_hz = 500.0\norder = 1\nlimit_g = 230.0\nchannel = \"axial\"\n\
@@ -73,7 +73,7 @@ fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
 #[test]
 fn planted_the_right_frames_curve_is_named_with_its_share() {
     let folder = tempfile::tempdir().expect("a folder");
-    let found = diagnosed(&planted(folder.path(), &SOFT, 7), Some(curve(&SOFT)));
+    let found = diagnosed(&synthetic_drops(folder.path(), &SOFT, 7), Some(curve(&SOFT)));
     assert_eq!(found.verdict, Verdict::Named, "{:?}", found.reasons);
     assert_eq!(found.chosen.ids(), ["frame_force_curve"]);
     let share = found.chosen.model().value("frame_force_curve", "share").expect("is listed");
@@ -84,7 +84,7 @@ fn planted_the_right_frames_curve_is_named_with_its_share() {
 #[test]
 fn planted_a_wrong_frames_curve_is_not_named_alone() {
     let folder = tempfile::tempdir().expect("a folder");
-    let drops = planted(folder.path(), &SOFT, 8);
+    let drops = synthetic_drops(folder.path(), &SOFT, 8);
     // A frame that stiffens where the drops soften.
     let found = diagnosed(&drops, Some(curve(&hard())));
     assert_ne!((found.verdict, found.chosen.ids()), (Verdict::Named, vec!["frame_force_curve"]), "{:?}", found.reasons);

@@ -3,7 +3,7 @@
 use flexframe::impact::effects::Model;
 use flexframe::impact::sim::{SolverOptions, System, Trace, simulate};
 
-const HEIGHTS_M: [f64; 8] = [0.3, 0.5, 1.0, 1.5, 2.62, 5.0, 10.0, 20.0];
+use crate::paper::figures::{HEIGHTS_M, PEAKS_G, SHARES};
 
 fn traces() -> Vec<Trace> {
     let system = System::new(&Model::load("paper").expect("comes with the program"));
@@ -12,8 +12,7 @@ fn traces() -> Vec<Trace> {
 
 #[test]
 fn measured_peaks_are_the_published_ones() {
-    const PUBLISHED_G: [f64; 8] = [46.2, 59.9, 85.2, 104.6, 138.5, 191.7, 271.5, 384.4];
-    for (trace, published_g) in traces().iter().zip(PUBLISHED_G) {
+    for (trace, published_g) in traces().iter().zip(PEAKS_G) {
         let ratio = trace.peak_coordinate_g / published_g;
         assert!((ratio - 1.0).abs() < 0.005, "{} m: {} g, published {published_g} g", trace.height_m, trace.peak_coordinate_g);
         assert!((trace.peak_proper_g - trace.peak_coordinate_g - 1.0).abs() < 1e-9, "proper acceleration is 1 g more");
@@ -22,18 +21,7 @@ fn measured_peaks_are_the_published_ones() {
 
 #[test]
 fn measured_energy_shares_are_the_published_ones() {
-    // Damper, spring, rigid; % of m g h.
-    const PUBLISHED: [[f64; 3]; 8] = [
-        [72.2, 27.9, 0.0],
-        [72.4, 27.6, 0.0],
-        [72.6, 27.4, 0.0],
-        [72.4, 25.4, 2.2],
-        [63.8, 14.6, 21.6],
-        [50.9, 7.6, 41.4],
-        [38.4, 3.8, 57.8],
-        [28.3, 1.9, 69.8],
-    ];
-    for (trace, published) in traces().iter().zip(PUBLISHED) {
+    for (trace, published) in traces().iter().zip(SHARES) {
         let paper = trace.paper.expect("it turns or meets the gap");
         for (ours, theirs) in [paper.damper_percent, paper.spring_percent, paper.rigid_percent].into_iter().zip(published) {
             assert!((ours - theirs).abs() < 0.3, "{} m: {paper:?}, published {published:?}", trace.height_m);

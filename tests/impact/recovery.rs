@@ -1,4 +1,4 @@
-//! Hidden effects found again, through the program: planted drops in, a name out.
+//! Hidden effects found again, through the program: synthetic drops in, a name out.
 
 use std::fs;
 use std::path::Path;
@@ -20,20 +20,20 @@ fn table(id: &str, values: &str) -> String {
     format!("[effects.{id}]\n{values}\n")
 }
 
-/// A plan: the paper's model with what is planted, at four heights of 20 drops.
-fn plan(planted: &str, seed: u64) -> String {
+/// A plan: the paper's model with the hidden effects, at four heights of 20 drops.
+fn plan(hidden: &str, seed: u64) -> String {
     format!(
         "mass_kg = 0.241\ngap_mm = 16.0\n[sensor]\ncutoff_hz = 79.57747154594767\norder = 1\nlimit_g = 230.0\nchannel = \"axial\"\n\
-         [effects.linear_spring]\nk = 6600.0\n[effects.linear_damper]\nc = 50.0\n{planted}\n\
+         [effects.linear_spring]\nk = 6600.0\n[effects.linear_damper]\nc = 50.0\n{hidden}\n\
          [drops]\nheights_m = [0.5, 1.0, 1.5, 2.0]\ncount = 20\nseed = {seed}\n[scatter]\nshare = 0.1\ncorrelation_ms = 1.5\n"
     )
 }
 
-/// Plants and diagnoses; the diagnosis, and the exit code that came with it.
-fn diagnosis(planted: &str, seed: u64) -> (Value, i32) {
+/// Synthesizes drops and diagnoses them; the diagnosis, and the exit code that came with it.
+fn diagnosis(hidden: &str, seed: u64) -> (Value, i32) {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("truth.toml");
-    fs::write(&file, plan(planted, seed)).expect("written");
+    fs::write(&file, plan(hidden, seed)).expect("written");
     program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
     let drops = folder.path().join("synthesize-truth/drops");
     let out = program()
@@ -110,8 +110,8 @@ fn planted_pairs_are_named() {
         [("maxwell_branch", "k_m = 9e3\ntau_ms = 2.8"), ("drop_height_error", "dh_m = -0.15")],
     ];
     let one = |(at, pair): (usize, &[(&str, &str); 2])| {
-        let planted: String = pair.iter().map(|(id, values)| table(id, values)).collect();
-        let (found, _) = diagnosis(&planted, 50 + at as u64);
+        let hidden: String = pair.iter().map(|(id, values)| table(id, values)).collect();
+        let (found, _) = diagnosis(&hidden, 50 + at as u64);
         let (mut named, mut truth) = (ids(&found), pair.map(|(id, _)| id));
         named.sort_unstable();
         truth.sort_unstable();

@@ -28,7 +28,7 @@ fn number(value: &Value) -> f64 {
 #[test]
 fn analytic_drops_of_a_model_are_read_and_fitted_back() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(6000.0, 30.0), 20, Seen::Scattered)).expect("can be written");
+    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(6000.0, 30.0), 20, Seen::Varied)).expect("can be written");
     let read = json("measure", folder.path(), &["drops.csv"]);
     let heights = read["heights"].as_array().expect("a list");
     assert_eq!(heights.len(), 3);
@@ -65,7 +65,7 @@ fn analytic_drops_of_a_model_are_read_and_fitted_back() {
 #[test]
 fn analytic_any_subset_is_fitted_and_a_frame_brings_its_body() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(7040.0, 30.0), 12, Seen::Scattered)).expect("can be written");
+    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(7040.0, 30.0), 12, Seen::Varied)).expect("can be written");
     let fit = json("fit", folder.path(), &["--free", "c", "--bootstrap", "0", "cognifly-v8", "drops.csv"]);
     assert_eq!(fit["body"]["from"], "frame cognifly-v8");
     assert!((number(&fit["body"]["gap_mm"]) - 10.9).abs() < 0.05);
@@ -79,7 +79,7 @@ fn analytic_any_subset_is_fitted_and_a_frame_brings_its_body() {
 #[test]
 fn analytic_the_folder_is_whole_and_the_same_twice() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(6000.0, 30.0), 5, Seen::Scattered)).expect("can be written");
+    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(6000.0, 30.0), 5, Seen::Varied)).expect("can be written");
     let read = |name: &str| fs::read(folder.path().join("out/measure").join(name)).expect("was written");
     let names: Vec<String> = ["peak", "waves-0.5-m", "waves-1-m", "waves-1.5-m"]
         .iter()

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use super::arguments::Args;
 use super::frame::frame;
 use crate::cli::failure::{Failure, mechanics_refused};
-use crate::cli::measure::calibration;
+use crate::cli::given_drops::calibration;
 use crate::cli::options::Common;
 use crate::cli::progress::Progress;
 use crate::cli::{output, session, terminal};

@@ -33,6 +33,15 @@ pub struct Sum {
     pub contacts: Vec<Option<Contact>>,
 }
 
+impl Sum {
+    /// No force on so many unknowns, and no contact.
+    fn restart(&mut self, unknowns: usize) {
+        self.force.clear();
+        self.force.resize(unknowns, 0.0);
+        self.contacts.clear();
+    }
+}
+
 impl System {
     /// Numbers the unknowns.
     ///
@@ -72,23 +81,19 @@ impl System {
 
     /// Force and tangent of a state.
     pub fn assemble(&self, state: &State, bias: &Bias, sum: &mut Sum) {
-        sum.force.clear();
-        sum.force.resize(self.unknowns.size(), 0.0);
+        sum.restart(self.unknowns.size());
         sum.tangent.clear();
         sum.tangent.resize(self.pattern.values(), 0.0);
-        sum.contacts.clear();
         let body = &self.structure;
-        let ends = |nodes: [usize; 2]| (nodes.map(|n| state.places[n]), nodes.map(|n| &state.turns[n]));
-        let scale = |at: usize| if body.viscous[at] { bias.scale } else { 1.0 };
         for (at, beam) in body.beams.iter().enumerate() {
-            let (places, turns) = ends(beam.nodes);
-            let response = beam.response(places, turns, scale(at), &bias.beams[at]);
+            let (places, turns) = state.ends(beam.nodes);
+            let response = beam.response(places, turns, self.scale(at, bias), &bias.beams[at]);
             self.add(at, &beam.nodes, response.force.as_slice(), response.tangent.as_slice(), sum);
         }
         for (number, tie) in body.ties.iter().enumerate() {
             let at = body.beams.len() + number;
-            let (places, turns) = ends(tie.nodes);
-            let (_, force, tangent) = tie.response(places, turns, scale(at), &bias.ties[number]);
+            let (places, turns) = state.ends(tie.nodes);
+            let (_, force, tangent) = tie.response(places, turns, self.scale(at, bias), &bias.ties[number]);
             self.add(at, &tie.nodes, force.as_slice(), tangent.as_slice(), sum);
         }
         for (number, foot) in body.feet.iter().enumerate() {
@@ -103,19 +108,15 @@ impl System {
 
     /// Force of a state alone; the tangent stays as it was.
     pub fn push(&self, state: &State, bias: &Bias, sum: &mut Sum) {
-        sum.force.clear();
-        sum.force.resize(self.unknowns.size(), 0.0);
-        sum.contacts.clear();
+        sum.restart(self.unknowns.size());
         let body = &self.structure;
-        let ends = |nodes: [usize; 2]| (nodes.map(|n| state.places[n]), nodes.map(|n| &state.turns[n]));
-        let scale = |at: usize| if body.viscous[at] { bias.scale } else { 1.0 };
         for (at, beam) in body.beams.iter().enumerate() {
-            let (places, turns) = ends(beam.nodes);
-            self.add_force(&beam.nodes, beam.push(places, turns, scale(at), &bias.beams[at]).as_slice(), sum);
+            let (places, turns) = state.ends(beam.nodes);
+            self.add_force(&beam.nodes, beam.push(places, turns, self.scale(at, bias), &bias.beams[at]).as_slice(), sum);
         }
         for (number, tie) in body.ties.iter().enumerate() {
-            let (places, turns) = ends(tie.nodes);
-            let (_, force, _) = tie.response(places, turns, scale(body.beams.len() + number), &bias.ties[number]);
+            let (places, turns) = state.ends(tie.nodes);
+            let (_, force, _) = tie.response(places, turns, self.scale(body.beams.len() + number, bias), &bias.ties[number]);
             self.add_force(&tie.nodes, force.as_slice(), sum);
         }
         for (foot, grip) in body.feet.iter().zip(&state.grips) {
@@ -125,6 +126,11 @@ impl System {
             }
             sum.contacts.push(contact);
         }
+    }
+
+    /// Factor on an element's elastic force; ties count after the beams.
+    fn scale(&self, element: usize, bias: &Bias) -> f64 {
+        if self.structure.viscous[element] { bias.scale } else { 1.0 }
     }
 
     fn add_force(&self, nodes: &[usize], force: &[f64], sum: &mut Sum) {
@@ -184,14 +190,13 @@ impl System {
     /// Energy held by each beam, then each tie, when elastic, mJ.
     pub fn energies(&self, state: &State) -> Vec<f64> {
         let body = &self.structure;
-        let ends = |nodes: [usize; 2]| (nodes.map(|n| state.places[n]), nodes.map(|n| &state.turns[n]));
         let of_beam = |beam: &Beam| {
-            let (places, turns) = ends(beam.nodes);
+            let (places, turns) = state.ends(beam.nodes);
             let local = beam.local(places, turns);
             0.5 * local.dot(&(beam.stiffness * local))
         };
         let of_tie = |tie: &Bushing| {
-            let (places, turns) = ends(tie.nodes);
+            let (places, turns) = state.ends(tie.nodes);
             let gap = tie.gap(places, turns);
             0.5 * gap.dot(&tie.stiffness().component_mul(&gap))
         };

@@ -58,6 +58,11 @@ pub struct State {
 }
 
 impl State {
+    /// Places and turns of an element's two nodes.
+    pub fn ends(&self, nodes: [usize; 2]) -> ([Vector3<f64>; 2], [&Matrix3<f64>; 2]) {
+        (nodes.map(|node| self.places[node]), nodes.map(|node| &self.turns[node]))
+    }
+
     /// Moves free unknowns by displacements and spins.
     pub fn moved(&mut self, map: &Unknowns, by: &[f64]) {
         for node in 0..self.places.len() {

@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, colour};
+use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend};
 
 /// Waves over one axis.
 pub(in crate::report) struct Bands {
@@ -27,19 +27,8 @@ impl Chart for Bands {
         let points = || self.waves.iter().flatten().chain(self.line.iter().flat_map(|(_, line)| line));
         let (left, right) = points().fold((0.0_f64, 1e-9_f64), |(left, right), point| (left.min(point.0), right.max(point.0)));
         let (low, high) = points().fold((0.0_f64, 1.0_f64), |(low, high), point| (low.min(point.1), high.max(point.1)));
-        let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 24))
-            .margin(14)
-            .x_label_area_size(44)
-            .y_label_area_size(60)
-            .build_cartesian_2d(left..right, 1.05 * low..1.05 * high)?;
-        let mesh = &mut chart.configure_mesh();
-        mesh.x_desc(self.across)
-            .y_desc(self.up)
-            .label_style((FONT, 16))
-            .axis_desc_style((FONT, 18))
-            .light_line_style(TRANSPARENT)
-            .draw()?;
+        let words = Words { title: &self.title, across: self.across, up: self.up };
+        let mut chart = axes(area, &words, [left..right, 1.05 * low..1.05 * high])?;
         let tone = colour(self.colour);
         for wave in &self.waves {
             chart.draw_series(LineSeries::new(wave.iter().copied(), ShapeStyle::from(BLACK.mix(0.18)).stroke_width(1)))?;
@@ -62,8 +51,6 @@ impl Chart for Bands {
             let drawn = chart.draw_series(LineSeries::new(line.iter().copied(), style))?;
             drawn.label(name).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
         }
-        let legend = &mut chart.configure_series_labels();
-        legend.position(SeriesLabelPosition::UpperRight).label_font((FONT, 16)).background_style(WHITE.mix(0.85));
-        legend.border_style(BLACK.mix(0.3)).draw()
+        legend(&mut chart, SeriesLabelPosition::UpperRight)
     }
 }

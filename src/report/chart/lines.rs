@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, colour};
+use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend};
 
 /// A line.
 pub(in crate::report) struct Series {
@@ -45,19 +45,8 @@ impl Chart for Lines {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let (across, up) = (range(points().map(|p| p.0)), range(points().map(|p| p.1).chain(self.levels.iter().map(|level| level.1))));
-        let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 24))
-            .margin(14)
-            .x_label_area_size(44)
-            .y_label_area_size(60)
-            .build_cartesian_2d(across.clone(), up)?;
-        let mesh = &mut chart.configure_mesh();
-        mesh.x_desc(self.across)
-            .y_desc(self.up)
-            .label_style((FONT, 16))
-            .axis_desc_style((FONT, 18))
-            .light_line_style(TRANSPARENT)
-            .draw()?;
+        let words = Words { title: &self.title, across: self.across, up: self.up };
+        let mut chart = axes(area, &words, [across.clone(), up])?;
         for (name, level) in &self.levels {
             let line = LineSeries::new([(across.start, *level), (across.end, *level)], BLACK.mix(0.6));
             chart.draw_series(line)?.label(name).legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLACK.mix(0.6)));
@@ -73,8 +62,6 @@ impl Chart for Lines {
                 chart.draw_series(series.points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
             }
         }
-        let legend = &mut chart.configure_series_labels();
-        legend.position(self.legend.clone()).label_font((FONT, 16)).background_style(WHITE.mix(0.85)).border_style(BLACK.mix(0.3));
-        legend.draw()
+        legend(&mut chart, self.legend.clone())
     }
 }

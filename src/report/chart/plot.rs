@@ -1,8 +1,10 @@
 //! Plots: a chart drawn twice by the same code, as SVG and as PNG, with a font that is compiled in.
 
+use std::ops::Range;
 use std::sync::Once;
 
 use plotters::coord::Shift;
+use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 
@@ -17,6 +19,42 @@ pub(in crate::report) const FONT: &str = "sans-serif";
 pub(in crate::report) type Area<B> = DrawingArea<B, Shift>;
 /// How drawing went.
 pub(in crate::report) type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
+
+/// A chart with a number along each axis.
+pub(in crate::report) type NumberChart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
+
+/// The words of a chart.
+pub(in crate::report) struct Words<'a> {
+    /// Over it.
+    pub title: &'a str,
+    /// Under it.
+    pub across: &'a str,
+    /// Beside it.
+    pub up: &'a str,
+}
+
+/// Words and axes of a chart with a number along each axis; its ranges are those of x and y.
+pub(in crate::report) fn axes<'a, B: DrawingBackend>(
+    area: &'a Area<B>,
+    words: &Words,
+    [x, y]: [Range<f64>; 2],
+) -> Result<NumberChart<'a, B>, DrawingAreaErrorKind<B::ErrorType>> {
+    let mut chart = ChartBuilder::on(area)
+        .caption(words.title, (FONT, 24))
+        .margin(14)
+        .x_label_area_size(44)
+        .y_label_area_size(60)
+        .build_cartesian_2d(x, y)?;
+    let mesh = &mut chart.configure_mesh();
+    mesh.x_desc(words.across).y_desc(words.up).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
+    Ok(chart)
+}
+
+/// Draws the legend of what was drawn with a label.
+pub(in crate::report) fn legend<'a, B: DrawingBackend + 'a>(chart: &mut NumberChart<'a, B>, position: SeriesLabelPosition) -> Drawn<B> {
+    let legend = &mut chart.configure_series_labels();
+    legend.position(position).label_font((FONT, 16)).background_style(WHITE.mix(0.85)).border_style(BLACK.mix(0.3)).draw()
+}
 
 /// Colours that most people can distinguish (M. Okabe, K. Ito), by number.
 pub(in crate::report) fn colour(number: usize) -> RGBColor {

@@ -106,10 +106,19 @@ fn analytic_a_toy_effect_is_read_from_a_model_file() {
 
 #[test]
 fn planted_a_toy_effect_is_fitted_and_named() {
-    let scatter = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let variation = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
     let heights_m = vec![0.5, 1.0, 1.5];
-    let plan =
-        Plan { model: truth(), hidden: None, heights_m, drops: 20, scatter, noise_g: 0.17, counts_per_g: 8.877, rate_hz: 1000.0, seed: 7 };
+    let plan = Plan {
+        model: truth(),
+        hidden: None,
+        heights_m,
+        drops: 20,
+        scatter: variation,
+        noise_g: 0.17,
+        counts_per_g: 8.877,
+        rate_hz: 1000.0,
+        seed: 7,
+    };
     let drop = |record: flexframe::impact::synthetic::SyntheticRecord| FittedDrop {
         trial: record.trial,
         height_m: record.height_m,

@@ -1,12 +1,12 @@
-//! Drops made up for the tests: a model's waves with another phase of the clock each, noise, and scatter.
+//! Drops made up for the tests: a model's waves with another phase of the clock each, noise, and trial variation.
 
 use flexframe::impact::effects::{Channel, Model, Sensor};
 use flexframe::impact::sim::{Sampler, SolverOptions, System, Trace, simulate};
 
 /// Noise of a sample, g.
 pub const NOISE_G: f64 = 0.17;
-/// Scatter of a drop's force.
-const SCATTER: f64 = 0.03;
+/// Trial variation of a drop's force: the largest share.
+const VARIATION: f64 = 0.03;
 
 /// The paper's body with another spring and damper.
 pub fn model(k: f64, c: f64) -> Model {
@@ -28,15 +28,15 @@ fn even(mut at: usize, prime: usize) -> f64 {
 /// How a logger sees drops.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Seen {
-    /// Another phase of the clock each, noise, and forces that scatter.
-    Scattered,
+    /// Another phase of the clock each, noise, and forces that vary.
+    Varied,
     /// A sample at first touch, and nothing but rounding.
     Aligned,
 }
 
 /// A table of so many drops from each of three heights, 10 ms before and 30 ms after first touch.
 pub fn csv(model: &Model, drops: usize, seen: Seen) -> String {
-    let share = if seen == Seen::Scattered { 1.0 } else { 0.0 };
+    let share = if seen == Seen::Varied { 1.0 } else { 0.0 };
     let system = System::new(model);
     let mut text = "trial,height_m,t_s,accel_g\n".to_string();
     let mut draw = 0;
@@ -45,7 +45,8 @@ pub fn csv(model: &Model, drops: usize, seen: Seen) -> String {
         for drop in 0..drops {
             let phase_s = share * 1e-3 * (drop as f64 + 0.5) / drops as f64;
             let logger = Sampler { phase_s, ..Sampler::LOGGER };
-            let factor = 1.0 + share * SCATTER * (2.0 * (drop as f64 + 0.5) / drops as f64 - 1.0) * if drop % 2 == 0 { 1.0 } else { -1.0 };
+            let factor =
+                1.0 + share * VARIATION * (2.0 * (drop as f64 + 0.5) / drops as f64 - 1.0) * if drop % 2 == 0 { 1.0 } else { -1.0 };
             let scaled: Vec<f64> = wave.iter().map(|reading| reading * factor).collect();
             let samples = logger.samples(&scaled, Trace::STEP_S);
             let fall = (-10..0).map(|sample| (logger.time_s(sample), 0.0));

@@ -1,0 +1,55 @@
+//! Measured drops as the command line gives them: their paths, the frame among them, and how the logger counts.
+
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use super::options::{CalibrationOptions, Common, DropsOption, FrameOption};
+use super::session;
+use crate::frame::assembly::mass;
+use crate::impact::body::DropBody;
+use crate::impact::effects::Model;
+use crate::impact::measured::Calibration;
+use crate::params::preset;
+
+/// The frame among the drops, if there is one, and the paths of the drops. A frame is a preset's name that is no path, or a TOML
+/// file.
+pub(super) fn frame_and_paths(given: &DropsOption) -> Result<(Option<String>, Vec<PathBuf>), Failure> {
+    let is_frame = |path: &Path| {
+        let name = path.to_string_lossy();
+        name.ends_with(".toml") || (preset::names().any(|preset| preset == name) && !path.exists())
+    };
+    let (frames, paths): (Vec<PathBuf>, Vec<PathBuf>) = given.drops.iter().cloned().partition(|path| is_frame(path));
+    if paths.is_empty() {
+        return Err(Failure::Usage { message: "name the drops: .csv tables, .bin files or folders".into() });
+    }
+    match &frames[..] {
+        [] => Ok((None, paths)),
+        [frame] => Ok((Some(frame.to_string_lossy().into_owned()), paths)),
+        _ => Err(Failure::Usage { message: "name one frame, or none".into() }),
+    }
+}
+
+/// The model with mass and gap of the frame; as it is without one.
+pub(super) fn with_body_of(frame: Option<String>, mut model: Model, common: &Common) -> Result<Model, Failure> {
+    if let Some(frame) = frame {
+        let design = session::design(&FrameOption { frame, rigid: None }, common)?;
+        model.body = DropBody::of(&design, &mass::table(&design));
+    }
+    Ok(model)
+}
+
+/// The logger's calibration with the command line's changes.
+pub(super) fn calibration(args: &CalibrationOptions) -> Result<Calibration, Failure> {
+    let three = |values: &[f64], what: &str, good: fn(f64) -> bool| {
+        let three: Option<[f64; 3]> = values.try_into().ok().filter(|values: &[f64; 3]| values.iter().all(|value| good(*value)));
+        three.ok_or_else(|| Failure::Usage { message: format!("--{what} takes three numbers, for x, y and z: as in 2019.94,2020,2020.77") })
+    };
+    let mut calibration = Calibration::default();
+    if let Some(offsets) = &args.offset_counts {
+        calibration.offset_counts = three(offsets, "offset-counts", f64::is_finite)?;
+    }
+    if let Some(scales) = &args.counts_per_g {
+        calibration.counts_per_g = three(scales, "counts-per-g", |scale| scale.is_finite() && scale.abs() > 1e-6)?;
+    }
+    Ok(calibration)
+}
