@@ -266,7 +266,7 @@ impl Making<'_> {
             }
         };
         // Of several parts that cannot be made the first is named, whichever was tried first.
-        let made: Vec<Result<Option<Printed>, DesignError>> = recipes.into_par_iter().with_max_len(1).map(make).collect();
+        let made: Vec<Result<Option<Printed>, DesignError>> = recipes.into_par_iter().map(make).collect();
         let made = made.into_iter().collect::<Result<Vec<_>, _>>()?;
         let Some(printed) = made.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
         let mut design = Design { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new(), memo: self.memo.clone() };

@@ -65,13 +65,12 @@ impl Printed {
     pub(super) fn by(part: &'static PrintedPart, recipe: Recipe, memo: &Memo) -> Result<Self, GateError> {
         let Recipe { feature, bends } = recipe;
         let turn = (part.print_turn)();
-        let flat = memo.try_get("flat part", part.name.slug(), &(&feature, turn), || Flat::of(&feature, &turn, memo))?;
+        let flat = memo.try_get("flat part", part.name.slug(), &(&feature, turn), || Flat::of(&feature, &turn))?;
         let folded = match bends[..] {
             [] => flat.solid.clone(),
-            _ => {
-                let (slug, inputs) = (part.name.slug(), (flat.solid.key(), &bends));
-                MeshSolid::clone(&*memo.try_get("folded part", slug, &inputs, || bent(&flat.solid, &bends, slug, memo))?)
-            }
+            _ => MeshSolid::clone(
+                &*memo.try_get("folded part", part.name.slug(), &(flat.solid.key(), &bends), || bent(&flat.solid, &bends))?,
+            ),
         };
         let Flat { solid, print_pose, mesh, topology, exact_volume_mm3 } = Flat::clone(&flat);
         Ok(Self {
@@ -101,8 +100,8 @@ impl Printed {
 }
 
 impl Flat {
-    fn of(feature: &Feature, turn: &UnitQuaternion<f64>, memo: &Memo) -> Result<Self, GateError> {
-        let solid = MeshSolid::build_from(feature, memo).simplified().settled();
+    fn of(feature: &Feature, turn: &UnitQuaternion<f64>) -> Result<Self, GateError> {
+        let solid = MeshSolid::build(feature).simplified().settled();
         let (printed, pose) = laid(&solid, turn)?;
         let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
@@ -153,16 +152,8 @@ const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
 /// part of a hundred; then less is taken away.
-fn bent(flat: &MeshSolid, bends: &[Bend], part: &str, memo: &Memo) -> Result<MeshSolid, GateError> {
-    let fold = |solid: MeshSolid, bend: &Bend| bend.apply_cut(&solid, || sides(&solid, bend, part, memo)).settled();
-    Ok(simplified(&bends.iter().fold(flat.clone(), fold), &DETAILS_MM)?.0.settled())
-}
-
-/// A solid cut at a hinge: what stays where it is when the part is folded there, and what moves. However far it is folded, the cut is
-/// the same.
-pub fn sides(solid: &MeshSolid, bend: &Bend, part: &str, memo: &Memo) -> [MeshSolid; 2] {
-    let cut = || bend.sides(solid).map(|side| side.settled());
-    (*memo.get("sides of a hinge", part, &(solid.key(), bend.unfolded()), cut)).clone()
+fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
+    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0.settled())
 }
 
 /// A part before it is made: what its record says of it in a frame.
