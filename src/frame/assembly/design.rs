@@ -1,5 +1,6 @@
 //! A frame, designed: skeleton, printed parts, and the bodies of the assembly.
 
+use std::convert::Infallible;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -13,7 +14,7 @@ use crate::frame::assembly::bought_solids::BoughtPart;
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
 use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for};
-use crate::memo::{Memo, Progress, Step, Unwatched};
+use crate::memo::{Memo, Progress, Step};
 use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::solid::gate::GateError;
@@ -89,8 +90,10 @@ impl Design {
     /// # Errors
     /// When it cannot close or a part cannot be made.
     pub(super) fn of_parts(frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
-        let made = Making { parts, memo, progress: &Unwatched }.design(frame)?;
-        Ok(made.unwrap_or_else(|| unreachable!("nobody ends it")))
+        match (Making { parts, memo, begins: &|_| ControlFlow::<Infallible>::Continue(()) }).design(frame)? {
+            ControlFlow::Continue(design) => Ok(design),
+            ControlFlow::Break(never) => match never {},
+        }
     }
 
     /// The same with somebody who follows it, part by part; none when that one ended it.
@@ -99,7 +102,7 @@ impl Design {
     /// When it cannot close or a part cannot be made.
     pub fn followed(frame: Frame, memo: &Arc<Memo>, progress: &dyn Progress) -> Result<Option<Self>, DesignError> {
         memo.changed();
-        Making { parts: &catalogue(), memo, progress }.design(frame)
+        Ok(Making { parts: &catalogue(), memo, begins: &|step| progress.begins(step) }.design(frame)?.continue_value())
     }
 
     /// A printed part by name.
@@ -231,50 +234,59 @@ impl Design {
 }
 
 /// How a design comes about.
-struct Making<'a> {
+struct Making<'a, B> {
     parts: &'a [&'static PrintedPart],
     memo: &'a Arc<Memo>,
-    progress: &'a dyn Progress,
+    /// Whether it goes on, asked before each part.
+    begins: &'a (dyn Fn(Step) -> ControlFlow<B> + Sync),
 }
 
-impl Making<'_> {
-    /// A frame's design; none when it was ended.
-    fn design(&self, mut frame: Frame) -> Result<Option<Design>, DesignError> {
+impl<B: Send> Making<'_, B> {
+    /// A frame's design, unless it was ended.
+    fn design(&self, mut frame: Frame) -> Result<ControlFlow<B, Design>, DesignError> {
         let Some(target) = frame.target else { return self.of_lengths(frame) };
         solve_target(&mut frame, target)?;
-        let Some(design) = self.of_lengths(frame.clone())? else { return Ok(None) };
+        let design = match self.of_lengths(frame.clone())? {
+            ControlFlow::Continue(design) => design,
+            ended => return Ok(ended),
+        };
         let over_mm = design.modules_width_mm() - target.width_mm;
         if over_mm <= 0.0 {
-            return Ok(Some(design));
+            return Ok(ControlFlow::Continue(design));
         }
         // With steep struts the knees are outermost, not the corners; they move with the rods as the corners do.
         solve_target(&mut frame, TargetSize { width_mm: target.width_mm - over_mm - BELOW_MM, ..target })?;
         self.of_lengths(frame)
     }
 
-    fn of_lengths(&self, frame: Frame) -> Result<Option<Design>, DesignError> {
+    fn of_lengths(&self, frame: Frame) -> Result<ControlFlow<B, Design>, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
         let needed = self.parts.iter().filter(|part| (part.needed)(&frame));
         let recipes: Vec<(&'static PrintedPart, Recipe)> =
             needed.map(|part| (*part, Recipe::of(part, &frame, &skeleton, &centre))).collect();
         let of = recipes.len();
-        let make = |(part, recipe): (&'static PrintedPart, Recipe)| match self.progress.begins(Step { name: part.name.slug(), of }) {
-            ControlFlow::Break(()) => Ok(None),
-            ControlFlow::Continue(()) => {
-                Printed::by(part, recipe, self.memo).map(Some).map_err(|error| DesignError::Part { part: part.name, error })
-            }
+        let make = |(part, recipe): (&'static PrintedPart, Recipe)| match (self.begins)(Step { name: part.name.slug(), of }) {
+            ControlFlow::Break(ended) => Ok(ControlFlow::Break(ended)),
+            ControlFlow::Continue(()) => Printed::by(part, recipe, self.memo)
+                .map(ControlFlow::Continue)
+                .map_err(|error| DesignError::Part { part: part.name, error }),
         };
         // Of several parts that cannot be made the first is named, whichever was tried first.
-        let made: Vec<Result<Option<Printed>, DesignError>> = recipes.into_par_iter().map(make).collect();
-        let made = made.into_iter().collect::<Result<Vec<_>, _>>()?;
-        let Some(printed) = made.into_iter().collect::<Option<Vec<_>>>() else { return Ok(None) };
+        let made: Vec<Result<ControlFlow<B, Printed>, DesignError>> = recipes.into_par_iter().map(make).collect();
+        let mut printed = Vec::new();
+        for part in made.into_iter().collect::<Result<Vec<_>, _>>()? {
+            match part {
+                ControlFlow::Continue(part) => printed.push(part),
+                ControlFlow::Break(ended) => return Ok(ControlFlow::Break(ended)),
+            }
+        }
         let mut design = Design { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new(), memo: self.memo.clone() };
         design.place_printed();
         design.place_rods();
         design.place_motors();
         design.place_bought();
-        Ok(Some(design))
+        Ok(ControlFlow::Continue(design))
     }
 }
 

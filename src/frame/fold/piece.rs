@@ -29,6 +29,7 @@ pub(super) struct Piece {
     kind: Kind,
     /// In the body's axes, flat.
     pub solid: MeshSolid,
+    /// Boxes around its facets, made when they are asked for; copies share them.
     boxes: Arc<OnceLock<BoxTree>>,
 }
 
