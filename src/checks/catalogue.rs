@@ -1,5 +1,6 @@
 //! The catalogue of rules, and the checks of a frame by it.
 
+use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use rayon::prelude::*;
@@ -12,7 +13,7 @@ use super::scene::Scene;
 use super::{cartridge, centre_of_mass, clearance, envelope, fold, hinge, interference, mass_budget, propeller, seating, strength};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::memo::{Progress, Step, Unwatched};
+use crate::memo::{Progress, Step};
 
 /// Every rule, in the order of the report: the only list.
 pub static CATALOGUE: [&Rule; 20] = [
@@ -45,11 +46,25 @@ pub fn check(design: &Design, masses: &MassTable) -> Vec<Finding> {
 
 /// Checks a design by these rules, in their order, without the passes that cost more.
 pub fn check_by(rules: &[&Rule], dearest: Cost, design: &Design, masses: &MassTable) -> Vec<Finding> {
-    followed(rules, dearest, design, masses, &Unwatched).unwrap_or_default()
+    match found(rules, dearest, design, masses, &|_| ControlFlow::<Infallible>::Continue(())) {
+        ControlFlow::Continue(found) => found,
+        ControlFlow::Break(never) => match never {},
+    }
 }
 
 /// The same with somebody who follows it, rule by rule; none when that one ended it.
 pub fn followed(rules: &[&Rule], dearest: Cost, design: &Design, masses: &MassTable, progress: &dyn Progress) -> Option<Vec<Finding>> {
+    found(rules, dearest, design, masses, &|step| progress.begins(step)).continue_value()
+}
+
+/// What these rules find, unless it is ended before one of them.
+fn found<B: Send>(
+    rules: &[&Rule],
+    dearest: Cost,
+    design: &Design,
+    masses: &MassTable,
+    begins: &(dyn Fn(Step) -> ControlFlow<B> + Sync),
+) -> ControlFlow<B, Vec<Finding>> {
     let scene = Scene::new(design, masses);
     let passes = rules.iter().flat_map(|rule| match rule.found {
         Found::By(passes) => passes.iter().map(|pass| (rule.title, pass)).collect(),
@@ -57,12 +72,13 @@ pub fn followed(rules: &[&Rule], dearest: Cost, design: &Design, masses: &MassTa
     });
     let passes: Vec<_> = passes.filter(|(_, pass)| pass.cost <= dearest).collect();
     let of = passes.len();
-    let find = |(name, pass): &(&str, &Pass)| match progress.begins(Step { name, of }) {
-        ControlFlow::Break(()) => None,
-        ControlFlow::Continue(()) => Some((pass.find)(&scene)),
-    };
-    let found: Option<Vec<Vec<Finding>>> = passes.par_iter().map(find).collect();
-    found.map(|found| found.into_iter().flatten().collect())
+    let find = |(name, pass): &(&str, &Pass)| begins(Step { name, of }).map_continue(|()| (pass.find)(&scene));
+    let found: Vec<ControlFlow<B, Vec<Finding>>> = passes.par_iter().map(find).collect();
+    let mut findings = Vec::new();
+    for of_pass in found {
+        findings.extend(of_pass?);
+    }
+    ControlFlow::Continue(findings)
 }
 
 /// The room under the centre, as the rule measures it.
