@@ -21,11 +21,12 @@ pub(super) struct Facets {
 }
 
 impl Facets {
-    /// Of a solid, in the order in which the kernel lists them.
+    /// Of a solid, in the kernel's own order. Its export would sort them by the solids that they come from, which the kernel numbers as
+    /// they are made: the order would depend on what was made before.
     pub fn of(solid: &Manifold) -> Self {
-        let gl = solid.get_mesh_gl64(-1);
-        let corners = gl.vert_properties.chunks_exact(gl.num_prop as usize).map(|v| [v[0], v[1], v[2]]).collect();
-        let triangles = gl.tri_verts.chunks_exact(3).map(|t| [t[0] as u32, t[1] as u32, t[2] as u32]).collect();
+        let solid = solid.as_impl();
+        let corners = solid.vert_pos.iter().map(|p| [p.x, p.y, p.z]).collect();
+        let triangles = solid.halfedge.chunks_exact(3).map(|t| [0, 1, 2].map(|i| t[i].start_vert as u32)).collect();
         Self { corners, triangles, key: OnceLock::new() }
     }
 
@@ -85,6 +86,16 @@ impl<'de> Deserialize<'de> for Facets {
 mod tests {
     use super::*;
     use crate::solid::{Feature, MeshSolid};
+
+    #[test]
+    fn regress_what_was_made_before_leaves_no_trace() {
+        let [ball, pin] = [Feature::sphere(4.0), Feature::cylinder(1.0, 20.0).at(0.5, 0.0, -10.0)];
+        let earlier = [MeshSolid::build(&ball), MeshSolid::build(&pin)];
+        let later = [&pin, &ball].map(MeshSolid::build);
+        let cut = earlier[0].minus(&earlier[1]);
+        let again = later[1].minus(&later[0]);
+        assert!(cut.key() == again.key() && cut.settled().mesh() == again.settled().mesh());
+    }
 
     #[test]
     fn analytic_what_was_kept_is_the_same_solid() {
