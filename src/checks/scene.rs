@@ -89,7 +89,7 @@ struct Pair<'a> {
 impl<'a> Pair<'a> {
     fn of(a: &'a Placed<'a>, b: &'a Placed<'a>) -> Self {
         let [still, other] = if b.rank() < a.rank() { [b, a] } else { [a, b] };
-        Self { still, other, pose: steady(&(still.body.pose.inverse() * other.body.pose)) }
+        Self { still, other, pose: rounded_pose(&(still.body.pose.inverse() * other.body.pose)) }
     }
 
     fn name(&self) -> String {
@@ -109,12 +109,13 @@ impl<'a> Pair<'a> {
     }
 }
 
-/// Parts of a millimetre to which a pose between two bodies is rounded: some 10⁻⁹ mm.
-const STEADY_PER_MM: f64 = (1_u64 << 30) as f64;
+/// Parts of a millimetre, and of a quaternion's unit, to which a pose between two bodies is rounded: 10⁻⁹ mm, and by the turn some
+/// 10⁻⁷ mm at 100 mm from the axis, a hundred-thousandth of what a printer can place.
+const GRID_PER_MM: f64 = (1_u64 << 30) as f64;
 
 /// A pose rounded so far that it is the same wherever in the frame the two bodies are.
-pub(super) fn steady(pose: &Isometry3<f64>) -> Isometry3<f64> {
-    let rounded = |number: f64| (number * STEADY_PER_MM).round() / STEADY_PER_MM + 0.0;
+pub(super) fn rounded_pose(pose: &Isometry3<f64>) -> Isometry3<f64> {
+    let rounded = |number: f64| (number * GRID_PER_MM).round() / GRID_PER_MM + 0.0;
     // A turn is the same with all four numbers negated.
     let turn = pose.rotation.coords.map(rounded) * if pose.rotation.w < 0.0 { -1.0 } else { 1.0 };
     let rotation = UnitQuaternion::new_normalize(Quaternion::from(turn));

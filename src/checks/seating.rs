@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
-use super::scene::{Scene, steady};
+use super::scene::{Scene, rounded_pose};
 use crate::figures::decimals;
 use crate::frame::skeleton::{Rod, RodRole, Socket};
 use crate::solid::{Feature, MeshSolid};
@@ -119,7 +119,7 @@ impl SocketGeometry {
         let along = (other - end).normalize();
         let length = socket.engagement_mm(end) - 2.0 * END_MM;
         let start = end + along * END_MM;
-        let pose = steady(&(pin_pose(start, along).inverse() * part.body.pose));
+        let pose = rounded_pose(&(pin_pose(start, along).inverse() * part.body.pose));
         let pair = [rod.name.clone(), part.body.name.clone()];
         let inputs = (part.shape.solid.key(), socket.bore_mm, length, pose);
         let measured = scene

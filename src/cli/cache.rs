@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::options::Common;
 use super::output;
-use crate::memo::{Key, Memo, PROGRAM, Shelf};
+use crate::memo::{Key, Memo, PROGRAM, Storage};
 use crate::params::files::{Disk, Files};
 
 /// Room for all results, bytes.
@@ -34,14 +34,14 @@ struct Cache {
     last: Mutex<Option<PathBuf>>,
 }
 
-impl Shelf for Cache {
-    fn take(&self, key: &Key) -> Option<Vec<u8>> {
+impl Storage for Cache {
+    fn read(&self, key: &Key) -> Option<Vec<u8>> {
         let mut bytes = Disk.bytes(&self.place(key), LARGEST).ok().filter(|bytes| bytes.len() >= HEAD)?;
         let content = bytes.split_off(HEAD);
         (bytes == head(&content)).then_some(content)
     }
 
-    fn put(&self, key: &Key, content: &[u8]) {
+    fn write(&self, key: &Key, content: &[u8]) {
         if content.len() as u64 + HEAD as u64 > LARGEST {
             return;
         }
@@ -135,18 +135,18 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let cache = Cache { folder: folder.path().join("results"), last: Mutex::default() };
         let key = Key::of("step", &1);
-        assert_eq!(cache.take(&key), None);
-        cache.put(&key, b"result");
-        assert_eq!(cache.take(&key).as_deref(), Some(&b"result"[..]));
+        assert_eq!(cache.read(&key), None);
+        cache.write(&key, b"result");
+        assert_eq!(cache.read(&key).as_deref(), Some(&b"result"[..]));
         let place = cache.place(&key);
         let whole = Disk.bytes(&place, LARGEST).expect("is there");
         for at in 0..whole.len() {
             let mut damaged = whole.clone();
             damaged[at] ^= 1;
             fs::write(&place, damaged).expect("is written");
-            assert_eq!(cache.take(&key), None, "byte {at}");
+            assert_eq!(cache.read(&key), None, "byte {at}");
             fs::write(&place, &whole[..at]).expect("is written");
-            assert_eq!(cache.take(&key), None, "{at} bytes");
+            assert_eq!(cache.read(&key), None, "{at} bytes");
         }
     }
 }

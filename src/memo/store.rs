@@ -13,19 +13,19 @@ use super::key::Key;
 /// Results outlive so many changes without being used.
 const CHANGES: u64 = 4;
 
-/// A place for results beyond the life of the program. What cannot be kept is not kept: a shelf never fails.
-pub trait Shelf: Send + Sync {
-    /// What was put there under a key, as it was.
-    fn take(&self, key: &Key) -> Option<Vec<u8>>;
-    /// Puts something there.
-    fn put(&self, key: &Key, bytes: &[u8]);
+/// A place for results beyond the life of the program. What cannot be kept is not kept: a storage never fails.
+pub trait Storage: Send + Sync {
+    /// What was written under a key, as it was.
+    fn read(&self, key: &Key) -> Option<Vec<u8>>;
+    /// Writes something under a key.
+    fn write(&self, key: &Key, bytes: &[u8]);
 }
 
 /// The results of steps, for any number of threads.
 #[derive(Default)]
 pub struct Memo {
     kept: Mutex<Kept>,
-    shelf: Option<Box<dyn Shelf>>,
+    storage: Option<Box<dyn Storage>>,
 }
 
 /// A step that was carried out.
@@ -50,9 +50,9 @@ struct Entry {
 }
 
 impl Memo {
-    /// One that keeps results on a shelf, too.
-    pub fn on(shelf: Box<dyn Shelf>) -> Self {
-        Self { shelf: Some(shelf), ..Self::default() }
+    /// One that keeps results on a storage, too.
+    pub fn on(storage: Box<dyn Storage>) -> Self {
+        Self { storage: Some(storage), ..Self::default() }
     }
 
     /// The result of a step: one that was kept, or that of carrying it out, which is kept then. `inputs` are all that the step
@@ -85,15 +85,15 @@ impl Memo {
         if let Some(value) = self.lock().used(&key).and_then(|value| value.downcast::<T>().ok()) {
             return Ok(value);
         }
-        let shelved = self.shelf.as_ref().and_then(|shelf| shelf.take(&key));
-        if let Some(value) = shelved.and_then(|bytes| postcard::from_bytes::<T>(&bytes).ok()) {
+        let stored = self.storage.as_ref().and_then(|storage| storage.read(&key));
+        if let Some(value) = stored.and_then(|bytes| postcard::from_bytes::<T>(&bytes).ok()) {
             return Ok(self.lock().keep(key, value));
         }
         let value = make()?;
-        if let Some(shelf) = &self.shelf
+        if let Some(storage) = &self.storage
             && let Ok(bytes) = postcard::to_allocvec(&value)
         {
-            shelf.put(&key, &bytes);
+            storage.write(&key, &bytes);
         }
         let mut kept = self.lock();
         *kept.made.entry(Made { step, subject: subject.into() }).or_default() += 1;
@@ -139,16 +139,16 @@ impl Kept {
 mod tests {
     use super::*;
 
-    /// A shelf that tests look into.
+    /// A storage that tests look into.
     #[derive(Clone, Default)]
-    struct Board(Arc<Mutex<BTreeMap<Key, Vec<u8>>>>);
+    struct InMemory(Arc<Mutex<BTreeMap<Key, Vec<u8>>>>);
 
-    impl Shelf for Board {
-        fn take(&self, key: &Key) -> Option<Vec<u8>> {
+    impl Storage for InMemory {
+        fn read(&self, key: &Key) -> Option<Vec<u8>> {
             self.0.lock().expect("no thread ended").get(key).cloned()
         }
 
-        fn put(&self, key: &Key, bytes: &[u8]) {
+        fn write(&self, key: &Key, bytes: &[u8]) {
             self.0.lock().expect("no thread ended").insert(*key, bytes.to_vec());
         }
     }
@@ -184,9 +184,9 @@ mod tests {
     }
 
     #[test]
-    fn analytic_a_shelf_outlives_the_memo_and_failures_are_not_kept() {
-        let board = Board::default();
-        let on = || Memo::on(Box::new(board.clone()));
+    fn analytic_a_storage_outlives_the_memo_and_failures_are_not_kept() {
+        let storage = InMemory::default();
+        let on = || Memo::on(Box::new(storage.clone()));
         assert_eq!((squared(&on(), 3.0), squared(&on(), 3.0)), (9.0, 9.0));
         let memo = on();
         squared(&memo, 3.0);
@@ -197,11 +197,11 @@ mod tests {
 
     #[test]
     fn planted_a_damaged_result_is_made_again() {
-        let board = Board::default();
-        let memo = Memo::on(Box::new(board.clone()));
+        let storage = InMemory::default();
+        let memo = Memo::on(Box::new(storage.clone()));
         squared(&memo, 3.0);
-        board.0.lock().expect("no thread ended").values_mut().for_each(|bytes| bytes.truncate(3));
-        let memo = Memo::on(Box::new(board));
+        storage.0.lock().expect("no thread ended").values_mut().for_each(|bytes| bytes.truncate(3));
+        let memo = Memo::on(Box::new(storage));
         assert_eq!((squared(&memo, 3.0), count(&memo)), (9.0, 1));
     }
 }

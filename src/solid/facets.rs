@@ -94,12 +94,12 @@ mod tests {
         let later = [&pin, &ball].map(MeshSolid::build);
         let cut = earlier[0].minus(&earlier[1]);
         let again = later[1].minus(&later[0]);
-        assert!(cut.key() == again.key() && cut.settled().mesh() == again.settled().mesh());
+        assert!(cut.key() == again.key() && cut.reimported().mesh() == again.reimported().mesh());
     }
 
     #[test]
     fn analytic_what_was_kept_is_the_same_solid() {
-        let solid = MeshSolid::build(&Feature::sphere(4.0).minus([Feature::cylinder(1.0, 20.0).at(0.5, 0.0, -10.0)])).settled();
+        let solid = MeshSolid::build(&Feature::sphere(4.0).minus([Feature::cylinder(1.0, 20.0).at(0.5, 0.0, -10.0)])).reimported();
         let bytes = postcard::to_allocvec(&solid).expect("is written");
         let read: MeshSolid = postcard::from_bytes(&bytes).expect("is read");
         assert_eq!((read.key(), read.mesh()), (solid.key(), solid.mesh()));

@@ -64,7 +64,7 @@ impl MeshSolid {
 
     /// The same as it is after it was kept on disk: the kernel's solid made of the facets. What is computed of a solid that is kept
     /// has to be computed of this one, as the kernel lists the facets of the two in different orders.
-    pub fn settled(&self) -> Self {
+    pub fn reimported(&self) -> Self {
         Self::of_facets(self.facets_held().clone())
     }
 
@@ -218,7 +218,7 @@ impl Serialize for MeshSolid {
     }
 }
 
-/// As [`MeshSolid::settled`].
+/// As [`MeshSolid::reimported`].
 impl<'de> Deserialize<'de> for MeshSolid {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         Facets::deserialize(deserializer).map(Self::of_facets)

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use flexframe::checks::{CATALOGUE, Cost, Finding};
 use flexframe::frame::assembly::mass::{self, MassTable};
 use flexframe::frame::assembly::{Design, DesignError};
-use flexframe::memo::{Key, Memo, Shelf};
+use flexframe::memo::{Key, Memo, Storage};
 use flexframe::params::parameter::Parameter;
 use flexframe::params::{Frame, FrameFile, parameters, preset};
 use flexframe::{checks, solid::Mesh};
@@ -22,21 +22,21 @@ const WALKS: usize = 10;
 /// Every so many steps the frame is made from nothing, too; `FLEXFRAME_LIVE_EVERY=1` does it at each. What a step takes wrongly from
 /// before stays wrong until its inputs change again, so most faults outlive some steps.
 const EVERY: usize = 10;
-/// Every so many steps memory is emptied, and only the shelf is left.
+/// Every so many steps memory is emptied, and only the storage is left.
 const FORGOTTEN: usize = 24;
 /// How far from its value towards a bound a parameter is moved at most.
 const REACH: f64 = 0.2;
 
-/// A shelf in memory.
+/// A storage in memory.
 #[derive(Clone, Default)]
-struct Board(Arc<Mutex<BTreeMap<Key, Vec<u8>>>>);
+struct InMemory(Arc<Mutex<BTreeMap<Key, Vec<u8>>>>);
 
-impl Shelf for Board {
-    fn take(&self, key: &Key) -> Option<Vec<u8>> {
+impl Storage for InMemory {
+    fn read(&self, key: &Key) -> Option<Vec<u8>> {
         self.0.lock().expect("no thread ended").get(key).cloned()
     }
 
-    fn put(&self, key: &Key, bytes: &[u8]) {
+    fn write(&self, key: &Key, bytes: &[u8]) {
         self.0.lock().expect("no thread ended").insert(*key, bytes.to_vec());
     }
 }
@@ -73,8 +73,8 @@ fn walk(seed: u8, every: usize) -> Vec<String> {
     let mut runner = TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]));
     let mut drawn = |low: f64, high: f64| (low..high).new_tree(&mut runner).expect("a range").current();
     let all: Vec<&Parameter> = parameters().collect();
-    let board = Board::default();
-    let memo = || Arc::new(Memo::on(Box::new(board.clone())));
+    let storage = InMemory::default();
+    let memo = || Arc::new(Memo::on(Box::new(storage.clone())));
     let mut hot = memo();
     let mut wrong = Vec::new();
     for step in 1..=STEPS / WALKS {

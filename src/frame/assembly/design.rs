@@ -300,7 +300,7 @@ struct Plain {
 
 impl Plain {
     fn of(feature: &Feature) -> Self {
-        let solid = MeshSolid::build(feature).simplified().settled();
+        let solid = MeshSolid::build(feature).simplified().reimported();
         let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
         Self { mesh: Arc::new(solid.mesh()), solid, exact_mm3 }
     }

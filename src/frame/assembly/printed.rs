@@ -101,7 +101,7 @@ impl Printed {
 
 impl Flat {
     fn of(feature: &Feature, turn: &UnitQuaternion<f64>) -> Result<Self, GateError> {
-        let solid = MeshSolid::build(feature).simplified().settled();
+        let solid = MeshSolid::build(feature).simplified().reimported();
         let (printed, pose) = laid(&solid, turn)?;
         let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
@@ -153,7 +153,7 @@ const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
 /// part of a hundred; then less is taken away.
 fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
-    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0.settled())
+    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0.reimported())
 }
 
 /// A part before it is made: what its record says of it in a frame.

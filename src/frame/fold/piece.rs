@@ -82,7 +82,7 @@ fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) 
     let mut rest = part.flat.clone();
     let mut found = Vec::new();
     for (index, bend) in module.bends(member).iter().enumerate() {
-        let cut = || bend.sides(&rest).map(|side| side.settled());
+        let cut = || bend.sides(&rest).map(|side| side.reimported());
         let [still, moving] = (*design.memo.get("sides of a hinge", part.name.slug(), &(rest.key(), bend), cut)).clone();
         rest = still;
         found.push(Side::new(Some(index), moving));
