@@ -70,6 +70,17 @@ impl Memo {
         }
     }
 
+    /// The same of a step whose result is quicker made again than read: it is kept in memory only, and is no step of
+    /// [`Memo::made`].
+    pub fn hold<T: Send + Sync + 'static>(&self, step: &'static str, inputs: &impl Debug, make: impl FnOnce() -> T) -> Arc<T> {
+        let key = Key::of(step, inputs);
+        let held = self.lock().used(&key).and_then(|value| value.downcast::<T>().ok());
+        held.unwrap_or_else(|| {
+            let value = make();
+            self.lock().keep(key, value)
+        })
+    }
+
     /// The same of a step that can fail; failures are not kept.
     ///
     /// # Errors

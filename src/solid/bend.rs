@@ -75,12 +75,26 @@ impl Bend {
         }
     }
 
+    /// The same hinge, not folded.
+    pub fn unfolded(&self) -> Self {
+        let mut unfolded = *self;
+        match &mut unfolded {
+            Self::Web { angle, .. } | Self::Necks { angle, .. } => *angle = Angle::deg(0.0),
+        }
+        unfolded
+    }
+
     /// The folded solid.
     pub fn apply(&self, flat: &MeshSolid) -> MeshSolid {
+        self.apply_cut(flat, || self.sides(flat))
+    }
+
+    /// The folded solid, where somebody has its sides already: those of [`Bend::sides`], whatever the angle.
+    pub fn apply_cut(&self, flat: &MeshSolid, sides: impl FnOnce() -> [MeshSolid; 2]) -> MeshSolid {
         match self {
             Self::Web { pivot, outward, towards, half_width_mm, angle } => {
                 let hinge = Hinge { pivot: *pivot, outward: *outward, towards: *towards, half_width_mm: *half_width_mm };
-                hinge.bent(flat, *angle, &self.motion())
+                hinge.bent(sides(), *angle, &self.motion())
             }
             Self::Necks { pivot, axis, inner_mm, outer_mm, angle } => flat.refined(TWIST_EDGE_MM).warped(|p| {
                 let along = (p - pivot).dot(axis).abs();
@@ -111,14 +125,12 @@ struct Hinge {
 }
 
 impl Hinge {
-    fn bent(&self, flat: &MeshSolid, angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
-        let [still, moving] = self.sides(flat);
+    fn bent(&self, [still, moving]: [MeshSolid; 2], angle: Angle, motion: &Isometry3<f64>) -> MeshSolid {
         let section = self.section(&moving);
-        let joined = still.union(&moving.placed(motion)).union(&self.swept(&section, angle));
-        match self.crease(&section) {
-            Some(crease) => joined.union(&crease),
-            None => joined,
-        }
+        // What is small is joined first: the large side then takes part once.
+        let web = self.swept(&section, angle);
+        let web = self.crease(&section).map_or(web.clone(), |crease| web.union(&crease));
+        still.union(&moving.placed(motion).union(&web))
     }
 
     /// What stays and what moves.

@@ -13,7 +13,7 @@ use super::feature::Feature;
 use super::mesh::Mesh;
 use super::profile::{Profile, circumscribed};
 use super::region::Region;
-use crate::memo::Key;
+use crate::memo::{Key, Memo};
 
 /// Straight pieces that stand for a full circle: 0.3 % of its area is lost, 3 µm of a rod's radius.
 pub const SEGMENTS_PER_TURN: u32 = 48;
@@ -43,7 +43,12 @@ pub struct Hit {
 impl MeshSolid {
     /// Builds a feature tree; an impossible one (a negative height, an empty result) comes out empty.
     pub fn build(feature: &Feature) -> Self {
-        Self::of(Builder::default().solid(feature))
+        Self::of(Builder { made: Vec::new(), memo: None }.solid(feature))
+    }
+
+    /// The same with the branches of former trees that are the same.
+    pub fn build_from(feature: &Feature, memo: &Memo) -> Self {
+        Self::of(Builder { made: Vec::new(), memo: Some(memo) }.solid(feature))
     }
 
     fn of(kernel: Manifold) -> Self {
@@ -234,9 +239,10 @@ impl Region {
 }
 
 /// Makes the solids of a feature tree. What occurs in it several times is made once.
-#[derive(Default)]
 struct Builder<'a> {
     made: Vec<(&'a Feature, Manifold)>,
+    /// Branches of other trees.
+    memo: Option<&'a Memo>,
 }
 
 impl<'a> Builder<'a> {
@@ -244,7 +250,12 @@ impl<'a> Builder<'a> {
         if let Some((_, solid)) = self.made.iter().find(|(made, _)| *made == feature) {
             return solid.clone();
         }
-        let solid = self.make(feature);
+        let solid = match (self.memo, feature) {
+            (Some(memo), Feature::Hull(_) | Feature::Union(_) | Feature::Intersection(_) | Feature::Difference { .. }) => {
+                Manifold::clone(&memo.hold("branch", feature, || self.make(feature)))
+            }
+            _ => self.make(feature),
+        };
         // Moving a copy takes as long as looking it up saves.
         if !matches!(feature, Feature::Placed { .. }) {
             self.made.push((feature, solid.clone()));

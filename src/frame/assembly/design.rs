@@ -273,7 +273,7 @@ impl<B: Send> Making<'_, B> {
                 .map_err(|error| DesignError::Part { part: part.name, error }),
         };
         // Of several parts that cannot be made the first is named, whichever was tried first.
-        let made: Vec<Result<ControlFlow<B, Printed>, DesignError>> = recipes.into_par_iter().map(make).collect();
+        let made: Vec<Result<ControlFlow<B, Printed>, DesignError>> = recipes.into_par_iter().with_max_len(1).map(make).collect();
         let mut printed = Vec::new();
         for part in made.into_iter().collect::<Result<Vec<_>, _>>()? {
             match part {

@@ -16,4 +16,4 @@ mod refusal;
 pub use body::{Body, Kind, Shape};
 pub use bought_solids::BoughtPart;
 pub use design::{Design, DesignError};
-pub use printed::Printed;
+pub use printed::{Printed, sides};

@@ -65,12 +65,13 @@ impl Printed {
     pub(super) fn by(part: &'static PrintedPart, recipe: Recipe, memo: &Memo) -> Result<Self, GateError> {
         let Recipe { feature, bends } = recipe;
         let turn = (part.print_turn)();
-        let flat = memo.try_get("flat part", part.name.slug(), &(&feature, turn), || Flat::of(&feature, &turn))?;
+        let flat = memo.try_get("flat part", part.name.slug(), &(&feature, turn), || Flat::of(&feature, &turn, memo))?;
         let folded = match bends[..] {
             [] => flat.solid.clone(),
-            _ => MeshSolid::clone(
-                &*memo.try_get("folded part", part.name.slug(), &(flat.solid.key(), &bends), || bent(&flat.solid, &bends))?,
-            ),
+            _ => {
+                let (slug, inputs) = (part.name.slug(), (flat.solid.key(), &bends));
+                MeshSolid::clone(&*memo.try_get("folded part", slug, &inputs, || bent(&flat.solid, &bends, slug, memo))?)
+            }
         };
         let Flat { solid, print_pose, mesh, topology, exact_volume_mm3 } = Flat::clone(&flat);
         Ok(Self {
@@ -100,8 +101,8 @@ impl Printed {
 }
 
 impl Flat {
-    fn of(feature: &Feature, turn: &UnitQuaternion<f64>) -> Result<Self, GateError> {
-        let solid = MeshSolid::build(feature).simplified().reimported();
+    fn of(feature: &Feature, turn: &UnitQuaternion<f64>, memo: &Memo) -> Result<Self, GateError> {
+        let solid = MeshSolid::build_from(feature, memo).simplified().reimported();
         let (printed, pose) = laid(&solid, turn)?;
         let mesh = printed.mesh();
         let topology = gate::pass(&mesh)?;
@@ -152,8 +153,16 @@ const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
 /// part of a hundred; then less is taken away.
-fn bent(flat: &MeshSolid, bends: &[Bend]) -> Result<MeshSolid, GateError> {
-    Ok(simplified(&bends.iter().fold(flat.clone(), |solid, bend| bend.apply(&solid)), &DETAILS_MM)?.0.reimported())
+fn bent(flat: &MeshSolid, bends: &[Bend], part: &str, memo: &Memo) -> Result<MeshSolid, GateError> {
+    let fold = |solid: MeshSolid, bend: &Bend| bend.apply_cut(&solid, || sides(&solid, bend, part, memo)).reimported();
+    Ok(simplified(&bends.iter().fold(flat.clone(), fold), &DETAILS_MM)?.0.reimported())
+}
+
+/// A solid cut at a hinge: what stays where it is when the part is folded there, and what moves. However far it is folded, the cut is
+/// the same.
+pub fn sides(solid: &MeshSolid, bend: &Bend, part: &str, memo: &Memo) -> [MeshSolid; 2] {
+    let cut = || bend.sides(solid).map(|side| side.reimported());
+    (*memo.get("sides of a hinge", part, &(solid.key(), bend.unfolded()), cut)).clone()
 }
 
 /// A part before it is made: what its record says of it in a frame.

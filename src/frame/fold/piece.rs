@@ -10,7 +10,7 @@ use super::posture::{Module, bent_by};
 use super::task::Task;
 use super::timeline::Moment;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
-use crate::frame::assembly::{Body, Design, Kind};
+use crate::frame::assembly::{Body, Design, Kind, sides as printed_sides};
 use crate::frame::skeleton::module_turn;
 use crate::solid::{BoxTree, Feature, Mesh, MeshSolid};
 
@@ -82,8 +82,7 @@ fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) 
     let mut rest = part.flat.clone();
     let mut found = Vec::new();
     for (index, bend) in module.bends(member).iter().enumerate() {
-        let cut = || bend.sides(&rest).map(|side| side.reimported());
-        let [still, moving] = (*design.memo.get("sides of a hinge", part.name.slug(), &(rest.key(), bend), cut)).clone();
+        let [still, moving] = printed_sides(&rest, bend, part.name.slug(), &design.memo);
         rest = still;
         found.push(Side::new(Some(index), moving));
     }
