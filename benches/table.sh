@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 runs=${1:-3}
-binary=$PWD/${CARGO_TARGET_DIR:-target}/release/flexframe
+binary=$(realpath -m "${CARGO_TARGET_DIR:-target}/release/flexframe")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 TIMEFORMAT='%R %U %S'
@@ -16,12 +16,12 @@ cargo build --release --quiet
 date -u +%F
 grep -m1 'model name' /proc/cpuinfo || true
 
-# measured NAME COMMAND...: one line for one run; a violated limit is no failure.
+# measured NAME COMMAND...: one line for one run. A violated limit is no failure, what did not run at all is one.
 measured() {
     local name=$1 load seconds
     shift
     read -r load _ </proc/loadavg
-    seconds=$({ time "$@" >/dev/null 2>&1 || true; } 2>&1)
+    seconds=$({ time { "$@" >/dev/null 2>"$work/errors" || [[ $? == 1 ]]; }; } 2>&1) || { cat "$work/errors" >&2; return 1; }
     # shellcheck disable=SC2086
     printf '%-42s %8.2f %8.2f %8.2f %6s\n' "$name" $seconds "$load"
 }
