@@ -5,8 +5,8 @@ use std::process::ExitCode;
 
 use super::failure::Failure;
 use super::failure::mechanics_refused;
-use super::given_drops::{calibration, frame_and_paths, with_body_of};
-use super::options::{CalibrationOptions, Common, DropsOption, FrameOption};
+use super::given_drops::{file_format, frame_and_paths, with_body_of};
+use super::options::{Common, DropsOption, FormatOptions, FrameOption};
 use super::output;
 use super::progress::Progress;
 use super::session;
@@ -56,9 +56,9 @@ pub(super) struct Args {
     /// Of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// How the logger counts.
+    /// How the files are written.
     #[command(flatten)]
-    pub calibration: CalibrationOptions,
+    pub format: FormatOptions,
     /// Folder that takes the folder `diagnose-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
@@ -77,7 +77,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
-    let set = measured::read(&paths, &calibration(&args.calibration)?)?;
+    let set = measured::read(&paths, &file_format(&args.format)?)?;
     let static_test = args.static_test.as_deref().map(StaticTest::read).transpose()?;
     let request = DiagnosisRequest {
         model,

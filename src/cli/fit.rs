@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::Failure;
-use super::given_drops::{calibration, frame_and_paths, with_body_of};
-use super::options::{CalibrationOptions, Common, DropsOption};
+use super::given_drops::{file_format, frame_and_paths, with_body_of};
+use super::options::{Common, DropsOption, FormatOptions};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
@@ -44,9 +44,9 @@ pub(super) struct Args {
     /// Of the resampling.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// How the logger counts.
+    /// How the files are written.
     #[command(flatten)]
-    pub calibration: CalibrationOptions,
+    pub format: FormatOptions,
     /// Folder that takes the folder `fit-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
@@ -83,7 +83,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);
     let model = with_body_of(frame, model, common)?;
-    let set = measured::read(&paths, &calibration(&args.calibration)?)?;
+    let set = measured::read(&paths, &file_format(&args.format)?)?;
     let layout = layout(model, &args.free).map_err(usage)?;
     let keep = if args.objective == Aim::Paper || args.all { Keep::Every } else { Keep::Clean };
     let chosen = Chosen::of(&set, layout.model.sensor.channel, keep).map_err(usage)?;

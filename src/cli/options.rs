@@ -48,15 +48,25 @@ pub(super) struct DropsOption {
     pub drops: Vec<PathBuf>,
 }
 
-/// How the logger counts.
+/// How files of drops are written.
 #[derive(Debug, Args)]
-pub(super) struct CalibrationOptions {
+pub(super) struct FormatOptions {
     /// Counts of the logger at 0 g, instead of those of the paper's.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
     pub offset_counts: Option<Vec<f64>>,
     /// Counts of the logger to one g, instead of those of the paper's.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
     pub counts_per_g: Option<Vec<f64>>,
+    /// Names of a table's columns: trial, session, h (height), v (impact speed, m/s), t, a (along the axis), x, y, z; -NAME changes
+    /// the sign. Without a, z is the axis.
+    #[arg(long, value_delimiter = ',', value_name = "KEY=NAME,…")]
+    pub columns: Vec<String>,
+    /// Units of a table: g, mg or m/s2; s, ms or us; m, cm or mm.
+    #[arg(long, value_delimiter = ',', value_name = "UNIT,…")]
+    pub units: Vec<String>,
+    /// Samples a second of a table, in place of its stamps.
+    #[arg(long, value_name = "HZ")]
+    pub rate: Option<f64>,
 }
 
 /// How a comparison is said.

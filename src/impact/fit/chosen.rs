@@ -2,7 +2,7 @@
 
 use super::waves::{Unusable, Waves};
 use crate::impact::effects::Channel;
-use crate::impact::measured::{Drop, DropSet, Flag, Record, drops};
+use crate::impact::measured::{Drop, DropSet, Flag, JudgedDrops, Record};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -87,10 +87,10 @@ impl<'a> Chosen<'a> {
             let frames = frames.into_iter().map(|frame| frame.unwrap_or("without a name").to_string()).collect();
             return Err(FitError::Frames { frames });
         }
-        let judged = drops(set);
+        let judged = JudgedDrops::of(set).groups;
         let impulses_kept = keep != Keep::Clean || judged.iter().any(|(_, drops)| most_impulses_impossible(drops));
         let unwanted = |flag: &Flag| match flag {
-            Flag::DoubleHit { .. } => keep != Keep::Every,
+            Flag::ClockStall { .. } | Flag::DoubleHit { .. } => keep != Keep::Every,
             Flag::Impulse { .. } => !impulses_kept,
             Flag::Saturated { .. } => false,
             flag => is_unusable(flag),
@@ -132,7 +132,7 @@ impl<'a> Chosen<'a> {
 
     /// Whether the model wants a magnitude that was not measured: the axial channel's stands for it.
     pub fn lacks_axes(&self) -> bool {
-        self.channel == Channel::Magnitude && self.drops.iter().any(|drop| drop.record.magnitude_g.is_none())
+        self.channel == Channel::Magnitude && self.drops.iter().any(|drop| drop.record.axes_g.is_none())
     }
 }
 

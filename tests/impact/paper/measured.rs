@@ -3,15 +3,15 @@
 use std::fmt::Write;
 
 use flexframe::impact::measured;
-use flexframe::impact::measured::{Calibration, Summary};
+use flexframe::impact::measured::{FileFormat, Summary};
 
 use super::figures::{Height, MEASURED};
 use super::{folder, ratio};
 
 /// What `measure` says of a height's folder.
 pub fn summary(height: &Height) -> Summary {
-    let set = measured::read(&[folder().join(height.folder)], &Calibration::default()).expect("reads");
-    let groups = measured::drops(&set);
+    let set = measured::read(&[folder().join(height.folder)], &FileFormat::default()).expect("reads");
+    let groups = measured::JudgedDrops::of(&set).groups;
     Summary::of(groups[0].0, &groups[0].1)
 }
 
