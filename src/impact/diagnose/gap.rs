@@ -7,7 +7,7 @@ use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Layout, Waves};
 
 /// A gap in g.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Gap {
     /// Root of the mean over samples of (mean wave - model)² - SE², not below zero.
     pub net_g: f64,
@@ -53,6 +53,17 @@ impl Sums {
             records_g: (square + scatter).sqrt(),
             template_g: scatter.sqrt(),
         }
+    }
+}
+
+impl Gap {
+    /// Of mean windows and what is predicted for them, with the standard errors of the means and the number of their records.
+    pub fn between<'a>(means: impl IntoIterator<Item = (&'a [f64], &'a [f64], &'a [f64], usize)>) -> Self {
+        let mut sums = Sums::default();
+        for (measured, predicted, errors, drops) in means {
+            sums.add(measured, predicted, errors, drops);
+        }
+        if sums.count > 0.0 { sums.gap() } else { Self::default() }
     }
 }
 

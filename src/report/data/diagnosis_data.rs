@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 
 use super::drop_data;
+use super::landing_data;
 use crate::impact::diagnose::{Adequacy, ByHeight, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict};
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::fit::LeftOut;
+use crate::impact::landing::LandingAssessment;
 use crate::impact::measured::Fall;
 
 /// What was compared, for the record.
@@ -33,6 +35,8 @@ pub struct Compared {
     pub static_test: Option<StaticComparison>,
     /// A frame's own mode beside the one found.
     pub frame_mode: Option<FrameMode>,
+    /// Landings that are not level, where the drops have lateral axes.
+    pub landing: Option<LandingAssessment>,
 }
 
 impl Compared {
@@ -49,7 +53,8 @@ impl Compared {
             )
         });
         let static_test = self.static_test.iter().flat_map(static_sentences);
-        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).collect()
+        let landing = self.landing.iter().flat_map(landing_data::sentences);
+        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).chain(landing).collect()
     }
 }
 
@@ -131,6 +136,10 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     });
     if let Some(mode) = &compared.frame_mode {
         all["frame_mode"] = json!(mode);
+    }
+    if let Some(landing) = &compared.landing {
+        all["landing"] = rounded(landing_data::landing(landing));
+        all["covariates"] = rounded(json!(landing.covariates));
     }
     all
 }

@@ -4,7 +4,8 @@ use super::diagnosis_data::Compared;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison};
 use crate::impact::effects::{Channel, Model};
-use crate::impact::fit::FitError;
+use crate::impact::fit::{FitError, Waves};
+use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
 use crate::impact::measured::{DropSet, Fall, StaticTest};
 
 /// Most effects on top of spring and damper.
@@ -83,11 +84,25 @@ impl DiagnosisRequest<'_> {
         }
         let settings = DiagnosisOptions::new(self.max_effects, self.seed);
         let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
-        let found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
+        let mut found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
         let mut compared = self.compared(&choice);
+        compared.landing = self.landing(&choice, &fitted, held_out, &found);
+        if let Some(landing) = &compared.landing {
+            (found.verdict, found.reasons) = landing.verdict(&found);
+        }
         compared.frame_mode = self.model.frame_mode.map(|mode| FrameMode::of(mode, &found));
         compared.static_test = self.static_test.map(|test| StaticComparison::of(test, &found));
         Ok((found, compared))
+    }
+
+    /// Landings that are not level, where the drops have lateral axes and are compared along the vertical.
+    fn landing(&self, choice: &ChannelChoice, fitted: &Waves, held_out: Option<&Waves>, found: &Diagnosis) -> Option<LandingAssessment> {
+        if choice.chosen.channel != Channel::Axial {
+            return None;
+        }
+        let observed = ObservedLandings::of(&choice.chosen, &choice.waves)?;
+        let evidence = LandingEvidence { fitted, held_out, observed: &observed, model: &self.model, diagnosis: found, seed: self.seed };
+        LandingAssessment::of(&evidence)
     }
 
     /// The record of what was compared.
@@ -104,6 +119,7 @@ impl DiagnosisRequest<'_> {
             falls: Fall::of(self.drops),
             static_test: None,
             frame_mode: None,
+            landing: None,
         }
     }
 }
