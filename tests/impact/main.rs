@@ -4,6 +4,7 @@
 mod bodies;
 mod case;
 mod case_study;
+mod clock_stalls;
 mod diagnosis_statistics;
 mod effect_cases;
 mod effect_catalogue;
