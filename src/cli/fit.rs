@@ -10,10 +10,10 @@ use super::output;
 use super::progress::Progress;
 use super::terminal;
 use crate::impact::body::DropBody;
+use crate::impact::diagnose::ChannelChoice;
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
 use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
-use crate::impact::diagnose::ChannelChoice;
 use crate::impact::measured;
 use crate::impact::measured::DropSet;
 use crate::report::chart::fit_plots;
@@ -112,7 +112,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
-        let notes: String = reason.iter().chain(&set.notes).iter().map(|note| format!("note: {note}\n")).collect();
+        let notes: String = reason.iter().chain(&set.notes).map(|note| format!("note: {note}\n")).collect();
         terminal::print(&format!("{}{notes}{}: {} files\n", table(&fitted, &chosen, args, numbers), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)

@@ -60,7 +60,8 @@ impl Decimation {
         }));
         let mean = |last: usize| (sums[last + 1] - sums[last + 1 - self.taps]) / self.taps as f64;
         let stride = if self.interpolates() { self.kept_s / self.native_s } else { self.taps as f64 };
-        let places = (0..).map(|i| (self.taps - 1) as f64 + stride * f64::from(i)).take_while(|place| *place <= readings.len() as f64 - 1.0);
+        let places =
+            (0..).map(|i| (self.taps - 1) as f64 + stride * f64::from(i)).take_while(|place| *place <= readings.len() as f64 - 1.0);
         let value = |place: f64| {
             let (left, part) = (place as usize, place.fract());
             if part < 1e-9 { mean(left) } else { (1.0 - part) * mean(left) + part * mean((left + 1).min(readings.len() - 1)) }
@@ -121,7 +122,10 @@ impl std::fmt::Display for Decimation {
         let (native_hz, kept_hz) = (1.0 / self.native_s, 1.0 / self.kept_s);
         match self.taps {
             1 if !self.interpolates() => write!(f, "{native_hz:.0} Hz, as recorded"),
-            taps => write!(f, "{native_hz:.0} Hz, moving mean of {taps} readings, kept at {kept_hz:.1} Hz; the model's wave goes through the same"),
+            taps => write!(
+                f,
+                "{native_hz:.0} Hz, moving mean of {taps} readings, kept at {kept_hz:.1} Hz; the model's wave goes through the same"
+            ),
         }
     }
 }

@@ -61,7 +61,8 @@ impl Objective for Likelihood {
 
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
         let system = self.expected.system(model);
-        let wave = |group: &super::waves::WaveGroup| Some((group.height_m, self.expected.window(&system, group.height_m, &group.decimation)?));
+        let wave =
+            |group: &super::waves::WaveGroup| Some((group.height_m, self.expected.window(&system, group.height_m, &group.decimation)?));
         self.waves.groups.iter().filter_map(wave).collect()
     }
 

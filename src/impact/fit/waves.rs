@@ -132,7 +132,8 @@ impl Waves {
         let mut heights: Vec<f64> = drops.iter().map(|drop| drop.height_m).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup();
-        let groups: Vec<WaveGroup> = heights.iter().map(|height_m| WaveGroup::of(*height_m, decimation(*height_m), &drops, samples)).collect();
+        let groups: Vec<WaveGroup> =
+            heights.iter().map(|height_m| WaveGroup::of(*height_m, decimation(*height_m), &drops, samples)).collect();
         if let Some(few) = groups.iter().find(|group| group.windows.len() < FEWEST) {
             return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len() });
         }

@@ -30,8 +30,11 @@ const DRAG_1_M: f64 = 0.038;
 /// Deviations by which an impulse is unlike the others', and the least relative deviation of impulses.
 const UNLIKE: f64 = 4.0;
 const LEAST_IMPULSE: f64 = 0.03;
-/// The same for a jump into free flight.
+/// The same for a jump into free flight, and for a fall that is so many times too long: the impact is lost, and what
+/// hits is the rebound.
 const CUT: f64 = 3.0;
+const SECOND: f64 = 1.5;
+const LONGER: f64 = 1.4;
 /// Deviations by which vibration or noise is smoother than the others'.
 const SMOOTH: f64 = 2.5;
 const SMOOTH_NOISE: f64 = 3.5;
@@ -76,7 +79,8 @@ fn fall_s(height_m: f64) -> f64 {
 fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&ClockPeriod>) -> Vec<ClockSign> {
     let fall = Fall::of(height_m, trace, usual);
     let impulse = usual.impulse.map_or(0.0, |shorth| shorth.above(trace.over_v0, LEAST_IMPULSE * shorth.middle.abs()));
-    let smoothest = usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
+    let smoothest =
+        usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
     let smoothest = smoothest.fold(0.0, f64::min);
     let noise = usual.noise.zip(trace.noise).filter(|(usual, own)| usual.above(*own, LEAST_NOISE) > SMOOTH_NOISE);
     let impossible = usual.impulse.is_none() && !IMPULSE_OVER_V0.contains(&trace.over_v0);
@@ -89,6 +93,7 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
         || fall.is_short
         || (jump && impulse < -CUT)
         || (odd && (weak || fall.is_long || position.is_some()))
+        || (fall.own_s > LONGER * fall.usual_s && impulse < -SECOND)
         || (position.is_some() && (jump || weak));
     if !stalled {
         return Vec::new();
@@ -157,7 +162,17 @@ mod tests {
 
     fn trace(fall_s: f64, over_v0: f64) -> Option<ClockTrace> {
         let (vibration, noise) = ([None; 2], None);
-        Some(ClockTrace { fall_s: Some(fall_s), over_v0, to_peak_s: 0.008, trigger: 900, step_s: 1e-3, jump: None, vibration, noise, stamps: None })
+        Some(ClockTrace {
+            fall_s: Some(fall_s),
+            over_v0,
+            to_peak_s: 0.008,
+            trigger: 900,
+            step_s: 1e-3,
+            jump: None,
+            vibration,
+            noise,
+            stamps: None,
+        })
     }
 
     #[test]

@@ -33,10 +33,10 @@ mod table;
 mod table_format;
 mod table_header;
 
-#[cfg(feature = "cli")]
-pub use disk::read;
 pub use clock_period::ClockPeriod;
 pub use clock_sign::ClockSign;
+#[cfg(feature = "cli")]
+pub use disk::read;
 pub use fall::Fall;
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};

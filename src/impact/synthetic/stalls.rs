@@ -37,8 +37,8 @@ const TREMOR: [f64; 2] = [0.08, 0.01];
 const ACTING_G: f64 = 3.0;
 /// A clock error that stretches or cuts off an impact, s.
 const OFF_S: f64 = 0.001;
-/// The part of an impact in which it does, s from first touch on.
-const IMPACT_S: f64 = 0.020;
+/// Share of the impulse in which it does: what comes behind changes little.
+const IMPULSE: f64 = 0.95;
 
 /// When things happen, s of true time.
 struct Course {
@@ -47,7 +47,8 @@ struct Course {
     touch_s: f64,
     /// Later touches, each with the size of its wave.
     rebounds: Vec<(f64, f64)>,
-    acting_s: f64,
+    /// When most of the impulse has come, s after the touch.
+    acted_s: f64,
 }
 
 impl Course {
@@ -67,7 +68,13 @@ impl Course {
             time_s += acting_s;
             size *= back;
         }
-        Self { release_s: touch_s - fall_s, letting_go_s, touch_s, rebounds, acting_s }
+        let mut come_m_s = 0.0;
+        let acted = fine.iter().position(|reading| {
+            come_m_s += GRAVITY_M_S2 * fine_s * reading;
+            come_m_s > IMPULSE * pushed_m_s
+        });
+        let acted_s = acted.map_or(0.0, |at| at as f64 * fine_s);
+        Self { release_s: touch_s - fall_s, letting_go_s, touch_s, rebounds, acted_s }
     }
 
     /// Proper acceleration at a time, g, and whether the hand holds.
@@ -142,7 +149,7 @@ impl Stalls {
 /// Whether the impact's samples are not evenly spaced in true time.
 fn stalled(times: &[f64], step_s: f64, course: &Course) -> bool {
     let from = times.partition_point(|t_s| *t_s < course.touch_s).saturating_sub(1);
-    let to = times.partition_point(|t_s| *t_s < course.touch_s + course.acting_s.min(IMPACT_S));
+    let to = times.partition_point(|t_s| *t_s < course.touch_s + course.acted_s);
     // The sample behind the impact is one of them: a stall that begins in the impact ends behind it.
     (from..=to.min(times.len() - 1)).any(|i| (times[i] - times[from] - (i - from) as f64 * step_s).abs() > OFF_S)
 }
