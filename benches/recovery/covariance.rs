@@ -58,7 +58,7 @@ fn covariance(plan: &Plan, height_m: f64) -> Option<DMatrix<f64>> {
     let (mut sum, mut means, mut weights) = (DMatrix::zeros(one.samples, one.samples), Vec::new(), Vec::new());
     for (weight, mut model) in drops(plan) {
         model.effects.retain(|listed| listed.spec.id != "sensor_saturation");
-        let fine = one.fine(&System::new(&model), height_m)?;
+        let fine = one.decimated(&System::new(&model), height_m, &Decimation::none(one.step_s))?;
         let open = |reading: f64| {
             0.5 * libm::erfc((reading - limit_g) / (plan.scatter.share * reading.abs()).max(1e-9) / std::f64::consts::SQRT_2)
         };
