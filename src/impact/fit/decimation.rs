@@ -6,8 +6,8 @@
 //! model's wave is put through the same mean, and through the interpolation's mean over all phases: a triangle of one native step on
 //! either side.
 
-use super::fine_wave::FINE_S;
-
+/// Time between the points of a predicted wave, s.
+pub(super) const FINE_S: f64 = 5e-5;
 /// Rate at which waves are compared where the logger is faster, Hz: the kept rate lies from here to just below twice it.
 const COMPARED_HZ: f64 = 1000.0;
 /// Relative difference of steps that are the same.

@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::decimation::Decimation;
-use super::fine_wave::{FINE_S, FineWave, ONSET_S};
+use super::decimation::{Decimation, FINE_S};
+use super::fine_wave::{FineWave, ONSET_S};
 use super::trigger_jitter::TriggerJitter;
 use super::waves::BEFORE;
 use crate::impact::effects::Model;

@@ -8,25 +8,11 @@
 use super::clock_period::ClockPeriod;
 use super::clock_sign::ClockSign;
 use super::clock_trace::ClockTrace;
+use super::fall_length::FallLength;
 use super::flag::IMPULSE_OVER_V0;
 use super::impact::WINDOW_S;
 use super::shorth::Shorth;
-use crate::units::GRAVITY_M_S2;
 
-/// How much shorter than others a fall must be: deviations, and s.
-const SHORT: f64 = 5.0;
-const SHORT_S: f64 = 0.008;
-/// A weaker sign: deviations, and s.
-const RATHER_SHORT: f64 = 2.5;
-const RATHER_SHORT_S: f64 = 0.004;
-/// How much shorter than the height says, s, where there are too few others.
-const SHORT_OF_HEIGHT_S: f64 = 0.025;
-/// Falls that vary by more than this are not compared, s.
-const MOST_VARIED_S: f64 = 0.012;
-/// Least deviation of falls, s.
-const LEAST_FALL_S: f64 = 0.001;
-/// Drag of a small frame in its fall, 1/m.
-const DRAG_1_M: f64 = 0.038;
 /// Deviations by which an impulse is unlike the others', and the least relative deviation of impulses.
 const UNLIKE: f64 = 4.0;
 const LEAST_IMPULSE: f64 = 0.03;
@@ -71,13 +57,8 @@ pub(super) fn stalls(height_m: f64, traces: &[Option<ClockTrace>], period: Optio
     traces.iter().map(one).collect()
 }
 
-/// How long a fall lasts in air, s: v = √(g/β) tanh(√(g β) t), integrated.
-fn fall_s(height_m: f64) -> f64 {
-    libm::acosh(libm::exp(DRAG_1_M * height_m)) / (GRAVITY_M_S2 * DRAG_1_M).sqrt()
-}
-
 fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&ClockPeriod>) -> Vec<ClockSign> {
-    let fall = Fall::of(height_m, trace, usual);
+    let fall = FallLength::of(height_m, trace.fall_s, usual.fall);
     let impulse = usual.impulse.map_or(0.0, |shorth| shorth.above(trace.over_v0, LEAST_IMPULSE * shorth.middle.abs()));
     let smoothest =
         usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
@@ -110,45 +91,6 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     signs
 }
 
-/// How a fall compares with what is usual.
-#[derive(Clone, Copy, Debug, Default)]
-struct Fall {
-    own_s: f64,
-    usual_s: f64,
-    is_short: bool,
-    is_rather_short: bool,
-    is_long: bool,
-}
-
-impl Fall {
-    fn of(height_m: f64, trace: &ClockTrace, usual: &Usual) -> Self {
-        let Some(own_s) = trace.fall_s else { return Self::default() };
-        match usual.fall {
-            Some(shorth) if shorth.deviation > MOST_VARIED_S => Self::default(),
-            Some(shorth) => {
-                let (deviations, missing_s) = (-shorth.above(own_s, LEAST_FALL_S), shorth.middle - own_s);
-                Self {
-                    own_s,
-                    usual_s: shorth.middle,
-                    is_short: deviations > SHORT && missing_s > SHORT_S,
-                    is_rather_short: deviations > RATHER_SHORT && missing_s > RATHER_SHORT_S,
-                    is_long: deviations < -SHORT && missing_s < -SHORT_S,
-                }
-            }
-            None => {
-                let usual_s = fall_s(height_m);
-                let (is_rather_short, is_long) = (usual_s - own_s > SHORT_OF_HEIGHT_S, own_s - usual_s > SHORT_OF_HEIGHT_S);
-                Self { own_s, usual_s, is_short: false, is_rather_short, is_long }
-            }
-        }
-    }
-
-    fn sign(&self) -> Option<ClockSign> {
-        let unusual = self.is_rather_short || self.is_long;
-        unusual.then_some(ClockSign::Fall { fall_ms: self.own_s * 1e3, usual_ms: self.usual_s * 1e3 })
-    }
-}
-
 /// Where the impact lies in a period, if the clock stalls in others while an impact would act there; an odd one a little longer.
 fn position(trace: &ClockTrace, period: &ClockPeriod, odd: bool) -> Option<ClockSign> {
     let at = period.from_begin(trace.trigger);
@@ -173,13 +115,6 @@ mod tests {
             noise,
             stamps: None,
         })
-    }
-
-    #[test]
-    fn analytic_a_fall_in_air_lasts_a_little_longer() {
-        let vacuum_s = libm::sqrt(2.0 * 1.5 / GRAVITY_M_S2);
-        // To first order by β h / 6.
-        assert!((fall_s(1.5) / vacuum_s - (1.0 + DRAG_1_M * 1.5 / 6.0)).abs() < 1e-4);
     }
 
     #[test]

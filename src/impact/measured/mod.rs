@@ -13,6 +13,7 @@ mod clock_trace;
 #[cfg(feature = "cli")]
 mod disk;
 mod fall;
+mod fall_length;
 mod file_format;
 mod flag;
 mod hint;
