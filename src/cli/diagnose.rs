@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use super::failure::Failure;
 use super::failure::mechanics_refused;
 use super::given_drops::{file_format, frame_and_paths, with_body_of};
-use super::options::{Common, DropsOption, FormatOptions, FrameOption};
+use super::options::{ChannelOption, Common, DropsOption, FormatOptions, FrameOption};
 use super::output;
 use super::progress::Progress;
 use super::session;
@@ -56,6 +56,9 @@ pub(super) struct Args {
     /// Of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
+    /// What is compared.
+    #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
+    pub channel: ChannelOption,
     /// How the files are written.
     #[command(flatten)]
     pub format: FormatOptions,
@@ -82,6 +85,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let request = DiagnosisRequest {
         model,
         drops: &set,
+        channel: args.channel.wanted(),
         hold_out_heights_m: &args.hold_out_heights,
         static_test: static_test.as_ref(),
         max_effects: most,
@@ -142,8 +146,9 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     for sentence in compared.observed() {
         text += &format!("{sentence}\n");
     }
-    if let Some(reason) = &compared.channel_reason {
-        text += &format!("{reason}\n");
+    text += &format!("{}\n", compared.channel_reason);
+    for sentence in compared.sampling() {
+        text += &format!("{sentence}\n");
     }
     text += &format!("\nverdict: {}\n", found.verdict.id());
     for reason in &found.reasons {

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::impact::effects::Channel;
+
 /// Options of every command.
 #[derive(Debug, Args)]
 pub(super) struct Common {
@@ -67,6 +69,28 @@ pub(super) struct FormatOptions {
     /// Samples a second of a table, in place of its stamps.
     #[arg(long, value_name = "HZ")]
     pub rate: Option<f64>,
+}
+
+/// What of the readings is compared with a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum ChannelOption {
+    /// What the drops support; the result says which, and why.
+    Auto,
+    /// The component along the frame's axis.
+    Axial,
+    /// The magnitude of all axes.
+    Magnitude,
+}
+
+impl ChannelOption {
+    /// The channel, if one is asked for.
+    pub(super) fn wanted(self) -> Option<Channel> {
+        match self {
+            Self::Auto => None,
+            Self::Axial => Some(Channel::Axial),
+            Self::Magnitude => Some(Channel::Magnitude),
+        }
+    }
 }
 
 /// How a comparison is said.

@@ -53,6 +53,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         "k": plan.model.stiffness_and_damping()[0],
         "c": plan.model.stiffness_and_damping()[1],
         "seed": plan.seed,
+        "stalled": all.iter().filter(|record| record.stalled).map(|record| &record.trial).collect::<Vec<_>>(),
     });
     let name = format!("synthesize-{}", plan.model.name);
     let files = vec![

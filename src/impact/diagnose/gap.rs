@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::candidate::Candidate;
 use crate::impact::effects::Model;
-use crate::impact::fit::{FitProblem, Layout, Waves};
+use crate::impact::fit::{FitProblem, Layout, MeanWave, Waves};
 
 /// A gap in g.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
@@ -72,7 +72,7 @@ pub fn gap(problem: &FitProblem, waves: &Waves, model: &Model) -> Option<Gap> {
     let mut sums = Sums::default();
     let system = problem.expected.system(model);
     for group in &waves.groups {
-        sums.add(&group.mean, &problem.expected.window(&system, group.height_m)?, &errors(group), group.windows.len());
+        sums.add(&group.mean, &problem.expected.window(&system, group.height_m, &group.decimation)?, &errors(group), group.windows.len());
     }
     (sums.count > 0.0).then(|| sums.gap())
 }
@@ -96,7 +96,7 @@ pub fn left_out_trials(problem: &FitProblem, waves: &Waves, candidate: &Candidat
     for out in 0..2 {
         let halves = |keep: bool| waves.half(|drop| (drop % 2 == out) == keep);
         let (fitted, judged) = (halves(false), halves(true));
-        let means = fitted.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
+        let means = fitted.groups.iter().map(MeanWave::of).collect();
         let half = FitProblem { means, ..problem.clone() };
         let refitted = half.fit(Layout::clone(&candidate.fitted.layout), STEPS)?;
         let predicted: DVector<f64> = half.prediction(refitted.model())?;

@@ -77,9 +77,8 @@ fn sums_left(values: &[Vec<f64>], windows: &[&[f64]], known: &[usize], others: &
     }
     let mean = |at: usize| known.iter().map(|drop| values[*drop][at]).sum::<f64>() / known.len() as f64;
     let means: Vec<f64> = (0..columns).map(mean).collect();
-    let spread = |at: usize| {
-        (known.iter().map(|drop| (values[*drop][at] - means[at]).powi(2)).sum::<f64>() / known.len() as f64).sqrt().max(1e-30)
-    };
+    let spread =
+        |at: usize| (known.iter().map(|drop| (values[*drop][at] - means[at]).powi(2)).sum::<f64>() / known.len() as f64).sqrt().max(1e-30);
     let spreads: Vec<f64> = (0..columns).map(spread).collect();
     let row = |drop: usize, at: usize| (values[drop][at] - means[at]) / spreads[at];
     let design = DMatrix::from_fn(known.len(), columns, |i, at| row(known[i], at));

@@ -99,9 +99,7 @@ fn bounds() -> [[f64; 2]; 5] {
 impl LandingProblem<'_> {
     /// The landings of the chosen heights.
     pub fn tables(&self, legs: &Legs) -> Option<Vec<LandingTable>> {
-        let table = |height: &usize| {
-            LandingTable::of(&self.body, legs, self.model, &self.waves.expected, self.waves.means[*height].0)
-        };
+        let table = |height: &usize| LandingTable::of(&self.body, legs, self.model, &self.waves.expected, &self.waves.means[*height]);
         self.waves.chosen.iter().map(table).collect()
     }
 
@@ -121,7 +119,8 @@ impl LandingProblem<'_> {
 
     /// Fits a population: mean waves, and quartiles of the touch times.
     pub fn fitted(&self, from: Option<&LandingFit>) -> Option<LandingFit> {
-        let start = from.map_or_else(|| START.iter().enumerate().map(|(at, value)| inward(at, *value)).collect(), |fit| fit.minimum.at.clone());
+        let start =
+            from.map_or_else(|| START.iter().enumerate().map(|(at, value)| inward(at, *value)).collect(), |fit| fit.minimum.at.clone());
         let residual = |scaled: &[f64]| {
             let (legs, slopes) = meaning(scaled);
             let tables = self.tables(&legs)?;
@@ -172,7 +171,7 @@ impl LandingProblem<'_> {
 
     /// Root mean square of a height's mean wave, g: readings vary in proportion to it.
     fn unit_g(&self, height: usize) -> f64 {
-        let mean = &self.waves.means[height].1;
+        let mean = &self.waves.means[height].wave;
         (mean.iter().map(|reading| reading * reading).sum::<f64>() / mean.len() as f64).sqrt().max(1.0)
     }
 

@@ -92,4 +92,3 @@ impl HeightLandings {
 
 /// Least standard error of a quartile: no time is read better on the whole, s.
 const LEAST_ERROR_S: f64 = 0.2e-3;
-

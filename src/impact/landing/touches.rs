@@ -93,7 +93,8 @@ fn toward(foot: usize, x: f64, y: f64) -> f64 {
 fn centroid_s(t_s: &[f64], along: &[f64], peak: usize, start: usize) -> f64 {
     let near = |at: &usize| (t_s[*at] - t_s[peak]).abs() <= SPIKE_S * (1.0 + 1e-6) + 1e-9;
     let (mut weighted, mut sum) = (0.0, 0.0);
-    for at in (start..t_s.len()).skip_while(|at| t_s[*at] < t_s[peak] - 2.0 * SPIKE_S).take_while(|at| *at <= peak || near(at)).filter(near) {
+    for at in (start..t_s.len()).skip_while(|at| t_s[*at] < t_s[peak] - 2.0 * SPIKE_S).take_while(|at| *at <= peak || near(at)).filter(near)
+    {
         let weight = along[at].max(0.0);
         weighted += weight * t_s[at];
         sum += weight;

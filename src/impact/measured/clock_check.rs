@@ -8,29 +8,19 @@
 use super::clock_period::ClockPeriod;
 use super::clock_sign::ClockSign;
 use super::clock_trace::ClockTrace;
+use super::fall_length::FallLength;
+use super::flag::IMPULSE_OVER_V0;
 use super::impact::WINDOW_S;
 use super::shorth::Shorth;
-use crate::units::GRAVITY_M_S2;
 
-/// How much shorter than others a fall must be: deviations, and s.
-const SHORT: f64 = 5.0;
-const SHORT_S: f64 = 0.008;
-/// A weaker sign: deviations, and s.
-const RATHER_SHORT: f64 = 2.5;
-const RATHER_SHORT_S: f64 = 0.004;
-/// How much shorter than the height says, s, where there are too few others.
-const SHORT_OF_HEIGHT_S: f64 = 0.025;
-/// Falls that vary by more than this are not compared, s.
-const MOST_VARIED_S: f64 = 0.012;
-/// Least deviation of falls, s.
-const LEAST_FALL_S: f64 = 0.001;
-/// Drag of a small frame in its fall, 1/m.
-const DRAG_1_M: f64 = 0.038;
 /// Deviations by which an impulse is unlike the others', and the least relative deviation of impulses.
 const UNLIKE: f64 = 4.0;
 const LEAST_IMPULSE: f64 = 0.03;
-/// The same for a jump into free flight.
+/// The same for a jump into free flight, and for a fall that is so many times too long: the impact is lost, and what
+/// hits is the rebound.
 const CUT: f64 = 3.0;
+const SECOND: f64 = 1.5;
+const LONGER: f64 = 1.4;
 /// Deviations by which vibration or noise is smoother than the others'.
 const SMOOTH: f64 = 2.5;
 const SMOOTH_NOISE: f64 = 3.5;
@@ -67,30 +57,29 @@ pub(super) fn stalls(height_m: f64, traces: &[Option<ClockTrace>], period: Optio
     traces.iter().map(one).collect()
 }
 
-/// How long a fall lasts in air, s: v = √(g/β) tanh(√(g β) t), integrated.
-fn fall_s(height_m: f64) -> f64 {
-    libm::acosh(libm::exp(DRAG_1_M * height_m)) / (GRAVITY_M_S2 * DRAG_1_M).sqrt()
-}
-
 fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&ClockPeriod>) -> Vec<ClockSign> {
-    let (short, rather_short) = short_fall(height_m, trace, usual);
+    let fall = FallLength::of(height_m, trace.fall_s, usual.fall);
     let impulse = usual.impulse.map_or(0.0, |shorth| shorth.above(trace.over_v0, LEAST_IMPULSE * shorth.middle.abs()));
-    let smoothest = usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
+    let smoothest =
+        usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
     let smoothest = smoothest.fold(0.0, f64::min);
-    let position = period.and_then(|period| position(trace, period));
     let noise = usual.noise.zip(trace.noise).filter(|(usual, own)| usual.above(*own, LEAST_NOISE) > SMOOTH_NOISE);
-    let (unlike, late, smooth) = (impulse.abs() > UNLIKE, trace.to_peak_s > WINDOW_S + 1e-6, smoothest < -SMOOTH);
+    let impossible = usual.impulse.is_none() && !IMPULSE_OVER_V0.contains(&trace.over_v0);
+    let (unlike, late, smooth) = (impulse.abs() > UNLIKE || impossible, trace.to_peak_s > WINDOW_S + 1e-6, smoothest < -SMOOTH);
     let jump = trace.jump.is_some();
-    let clock = rather_short.is_some() || smooth || noise.is_some() || position.is_some();
+    let odd = unlike || late;
+    let position = period.and_then(|period| position(trace, period, odd));
+    let weak = smooth || noise.is_some() || fall.is_rather_short;
     let stalled = trace.stamps.is_some()
-        || short
+        || fall.is_short
         || (jump && impulse < -CUT)
-        || ((unlike || late) && clock)
-        || (position.is_some() && (jump || smooth || rather_short.is_some() || noise.is_some()));
+        || (odd && (weak || fall.is_long || position.is_some()))
+        || (fall.own_s > LONGER * fall.usual_s && impulse < -SECOND)
+        || (position.is_some() && (jump || weak));
     if !stalled {
         return Vec::new();
     }
-    let mut signs: Vec<ClockSign> = trace.stamps.into_iter().chain(rather_short).collect();
+    let mut signs: Vec<ClockSign> = trace.stamps.into_iter().chain(fall.sign()).collect();
     signs.extend(trace.jump.map(|[from_g, after_s]| ClockSign::Jump { from_g, after_ms: after_s * 1e3 }));
     if let Some(usual) = usual.impulse.filter(|_| unlike || (jump && impulse < -CUT)) {
         signs.push(ClockSign::Impulse { over_v0: trace.over_v0, usual: usual.middle });
@@ -102,30 +91,10 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     signs
 }
 
-/// Whether the fall is short beyond doubt, and the sign where it is rather short at least.
-fn short_fall(height_m: f64, trace: &ClockTrace, usual: &Usual) -> (bool, Option<ClockSign>) {
-    let Some(own_s) = trace.fall_s else { return (false, None) };
-    let sign = |usual_s: f64| ClockSign::ShortFall { fall_ms: own_s * 1e3, usual_ms: usual_s * 1e3 };
-    match usual.fall {
-        Some(shorth) if shorth.deviation > MOST_VARIED_S => (false, None),
-        Some(shorth) => {
-            let (deviations, s) = (-shorth.above(own_s, LEAST_FALL_S), shorth.middle - own_s);
-            let short = deviations > SHORT && s > SHORT_S;
-            let rather = deviations > RATHER_SHORT && s > RATHER_SHORT_S;
-            (short, rather.then(|| sign(shorth.middle)))
-        }
-        None => {
-            let expected_s = fall_s(height_m);
-            let short = expected_s - own_s > SHORT_OF_HEIGHT_S;
-            (short, short.then(|| sign(expected_s)))
-        }
-    }
-}
-
-/// Where the impact lies in a period, if the clock stalls in others while an impact would act there.
-fn position(trace: &ClockTrace, period: &ClockPeriod) -> Option<ClockSign> {
+/// Where the impact lies in a period, if the clock stalls in others while an impact would act there; an odd one a little longer.
+fn position(trace: &ClockTrace, period: &ClockPeriod, odd: bool) -> Option<ClockSign> {
     let at = period.from_begin(trace.trigger);
-    let acts = ACTS_S / trace.step_s;
+    let acts = if odd { WINDOW_S } else { ACTS_S } / trace.step_s;
     (-acts..period.stretch).contains(&at).then_some(ClockSign::Position { at, period: period.samples })
 }
 
@@ -135,14 +104,17 @@ mod tests {
 
     fn trace(fall_s: f64, over_v0: f64) -> Option<ClockTrace> {
         let (vibration, noise) = ([None; 2], None);
-        Some(ClockTrace { fall_s: Some(fall_s), over_v0, to_peak_s: 0.008, trigger: 900, step_s: 1e-3, jump: None, vibration, noise, stamps: None })
-    }
-
-    #[test]
-    fn analytic_a_fall_in_air_lasts_a_little_longer() {
-        let vacuum_s = libm::sqrt(2.0 * 1.5 / GRAVITY_M_S2);
-        // To first order by β h / 6.
-        assert!((fall_s(1.5) / vacuum_s - (1.0 + DRAG_1_M * 1.5 / 6.0)).abs() < 1e-4);
+        Some(ClockTrace {
+            fall_s: Some(fall_s),
+            over_v0,
+            to_peak_s: 0.008,
+            trigger: 900,
+            step_s: 1e-3,
+            jump: None,
+            vibration,
+            noise,
+            stamps: None,
+        })
     }
 
     #[test]
@@ -153,9 +125,9 @@ mod tests {
         let found = stalls(1.0, &traces, None);
         let stalled: Vec<usize> = (0..found.len()).filter(|at| !found[*at].is_empty()).collect();
         assert_eq!(stalled, [30], "{found:?}");
-        assert!(matches!(found[30][..], [ClockSign::ShortFall { .. }]));
-        // A few drops are compared with the height: 50 ms are missed, 20 ms are not.
-        let few = stalls(1.0, &[trace(0.400, 1.3), trace(0.432, 1.3)], None);
-        assert_eq!([few[0].len(), few[1].len()], [1, 0]);
+        assert!(matches!(found[30][..], [ClockSign::Fall { .. }]));
+        // A few drops are compared with the height, and what a vertical drop can give.
+        let few = stalls(1.0, &[trace(0.400, 3.0), trace(0.400, 1.3), trace(0.450, 3.0)], None);
+        assert_eq!([few[0].len(), few[1].len(), few[2].len()], [1, 0, 0]);
     }
 }

@@ -25,6 +25,8 @@ const STEP: f64 = 0.2;
 const FEWEST_PERIODS: f64 = 3.0;
 /// Cells of a bin of the folded correlation.
 const BIN: f64 = 8.0;
+/// Shortest stretch, cells.
+const SHORTEST_STRETCH: f64 = 20.0;
 /// How far the correlation rises in the stall, in standard errors, and over the median of all periods.
 const RISE: f64 = 8.0;
 const RISE_OVER_MEDIAN: f64 = 1.3;
@@ -118,7 +120,7 @@ impl Pooled {
                 sum += sums[bin];
                 weight += weights[bin];
                 let rise = sum / f64::max(weight, 1.0).sqrt();
-                if length >= 3 && best.is_none_or(|best| rise > best.rise) {
+                if length as f64 * width >= SHORTEST_STRETCH && best.is_none_or(|best| rise > best.rise) {
                     best = Some(ClockPeriod { samples: period, begin: begin as f64 * width, stretch: length as f64 * width, rise });
                 }
             }
@@ -153,17 +155,21 @@ fn pool(axis: &[f64], cell: usize, product: &mut [f64], weight: &mut [f64]) {
     let middle = curved.len() / 2;
     // The second difference of white noise has six times its variance.
     let noise_g = (1.4826 * *curved.select_nth_unstable_by(middle, f64::total_cmp).1 / 6f64.sqrt()).max(LEAST_NOISE_G);
-    let noise: Vec<f64> =
-        (0..count)
-            .map(|at| {
-                let around = &axis[at.saturating_sub(half)..(at + half + 1).min(count)];
-                axis[at] - around.iter().sum::<f64>() / around.len() as f64
+    let noise: Vec<f64> = (0..count)
+        .map(|at| {
+            let around = &axis[at.saturating_sub(half)..(at + half + 1).min(count)];
+            axis[at] - around.iter().sum::<f64>() / around.len() as f64
+        })
+        .collect();
+    let loud: Vec<usize> = noise
+        .iter()
+        .scan(0, |sum, reading| {
+            Some(*{
+                *sum += usize::from(reading.abs() > NOISY * noise_g);
+                sum
             })
-            .collect();
-    let loud: Vec<usize> = noise.iter().scan(0, |sum, reading| Some(*{
-        *sum += usize::from(reading.abs() > NOISY * noise_g);
-        sum
-    })).collect();
+        })
+        .collect();
     let quiet = |at: usize| loud[at + 1 + AROUND] == loud[at - AROUND - 1];
     let variance = noise_g * noise_g;
     for at in AROUND + 1..count - AROUND - 2 {

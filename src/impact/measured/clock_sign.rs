@@ -6,9 +6,9 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, thiserror::Error)]
 #[serde(tag = "sign", rename_all = "snake_case")]
 pub enum ClockSign {
-    /// The fall lasts less than that of other drops from the same height, or than the height says.
+    /// The fall does not last as long as that of other drops from the same height, or as the height says.
     #[error("the fall lasts {fall_ms:.0} ms, {usual_ms:.0} ms are usual from this height")]
-    ShortFall {
+    Fall {
         /// This fall.
         fall_ms: f64,
         /// Other falls.

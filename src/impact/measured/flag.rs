@@ -18,7 +18,7 @@ const LEAST_AFTER_S: f64 = 0.02;
 const FLAT: usize = 3;
 const FLAT_S: f64 = 0.0015;
 /// Impulse over v0 that a vertical drop can have: 1 without, 2 with full restitution, and room for variation.
-const IMPULSE_OVER_V0: [f64; 2] = [0.8, 1.8];
+pub(super) const IMPULSE_OVER_V0: RangeInclusive<f64> = 0.8..=1.8;
 
 /// A reason not to trust a record.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -47,7 +47,7 @@ pub enum Flag {
         level_g: f64,
     },
     /// More, or less, than a fall from the stated height can give.
-    #[error("impossible impulse: {over_v0:.2} v0, a vertical drop gives {} to {}", IMPULSE_OVER_V0[0], IMPULSE_OVER_V0[1])]
+    #[error("impossible impulse: {over_v0:.2} v0, a vertical drop gives {} to {}", IMPULSE_OVER_V0.start(), IMPULSE_OVER_V0.end())]
     Impulse {
         /// Over v0.
         over_v0: f64,
@@ -109,7 +109,7 @@ pub fn flags(record: &Record, impact: Option<&Impact>, signs: Vec<ClockSign>) ->
     }
     flags.extend(saturation(record, impact));
     let over_v0 = impact.impulse_over_v0(record.height_m);
-    if !stalled && !(IMPULSE_OVER_V0[0]..=IMPULSE_OVER_V0[1]).contains(&over_v0) {
+    if !stalled && !IMPULSE_OVER_V0.contains(&over_v0) {
         flags.push(Flag::Impulse { over_v0 });
     }
     if stalled {

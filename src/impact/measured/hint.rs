@@ -22,13 +22,17 @@ pub enum Hint {
         over_v0: f64,
     },
     /// The other unit and the other direction.
-    #[error("the readings look like m/s², not g, and the axis is inverted: the impulse is {over_v0:.1} v0. Give --units m/s2 and --columns a=-NAME")]
+    #[error(
+        "the readings look like m/s², not g, and the axis is inverted: the impulse is {over_v0:.1} v0. Give --units m/s2 and --columns a=-NAME"
+    )]
     InvertedMetresPerSecondSquared {
         /// Median impulse over the impact speed.
         over_v0: f64,
     },
     /// The other direction.
-    #[error("the axis is inverted: the impulse is {over_v0:.2} v0. Give --columns a=-NAME for a table, or --counts-per-g with a minus before the third number")]
+    #[error(
+        "the axis is inverted: the impulse is {over_v0:.2} v0. Give --columns a=-NAME for a table, or --counts-per-g with a minus before the third number"
+    )]
     Inverted {
         /// Median impulse over the impact speed.
         over_v0: f64,
@@ -72,7 +76,12 @@ mod tests {
             // Half a sine of 10 ms, 1.3 v0 of 1 m.
             let top_g = 1.3 * impact_speed_m_s(1.0) / GRAVITY_M_S2 * std::f64::consts::PI / 0.02;
             let record = |trial: usize| {
-                let accel_g = (0..40).map(|at| factor * top_g * libm::sin(std::f64::consts::PI * f64::from(at - 10) / 10.0) * f64::from(u8::from((10..20).contains(&at))));
+                let accel_g = (0..40).map(|at| {
+                    factor
+                        * top_g
+                        * libm::sin(std::f64::consts::PI * f64::from(at - 10) / 10.0)
+                        * f64::from(u8::from((10..20).contains(&at)))
+                });
                 Record {
                     trial: trial.to_string(),
                     height_m: 1.0,

@@ -87,6 +87,7 @@ impl<'a> JudgedDrops<'a> {
 
 /// The period of a frame's records: one logger, one memory.
 fn period(set: &DropSet, frame: Option<&str>) -> Option<(Option<String>, ClockPeriod)> {
-    let records: Vec<&Record> = set.groups.iter().filter(|group| group.frame.as_deref() == frame).flat_map(|group| &group.records).collect();
+    let records: Vec<&Record> =
+        set.groups.iter().filter(|group| group.frame.as_deref() == frame).flat_map(|group| &group.records).collect();
     Some((frame.map(String::from), ClockPeriod::of(&records)?))
 }

@@ -13,6 +13,7 @@ mod clock_trace;
 #[cfg(feature = "cli")]
 mod disk;
 mod fall;
+mod fall_length;
 mod file_format;
 mod flag;
 mod hint;
@@ -33,10 +34,10 @@ mod table;
 mod table_format;
 mod table_header;
 
-#[cfg(feature = "cli")]
-pub use disk::read;
 pub use clock_period::ClockPeriod;
 pub use clock_sign::ClockSign;
+#[cfg(feature = "cli")]
+pub use disk::read;
 pub use fall::Fall;
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};

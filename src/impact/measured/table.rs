@@ -68,9 +68,7 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn row(&mut self, row: &csv::ByteRecord) -> Result<(), Fault> {
-        let accel = |(at, sign): (usize, f64), column: &'static str| {
-            scaled(row, at, column, &ACCELS_G, "g", sign * self.format.accel_g)
-        };
+        let accel = |(at, sign): (usize, f64), column: &'static str| scaled(row, at, column, &ACCELS_G, "g", sign * self.format.accel_g);
         let accel_g = accel(self.header.axial, "accel_g")?;
         let mut axes = [None, None, None];
         for ((value, place), column) in axes.iter_mut().zip(self.header.axes).zip(["x", "y", "z"]) {
@@ -250,7 +248,9 @@ mod tests {
         let text = "trial;v0;Zeit;Az\n1;4,4294;0,5;-98,0665\n1;4,4294;1,5;9,80665\n";
         let (all, _) = records(text.as_bytes(), "a.csv", None, &format).expect("reads");
         assert!((all[0].height_m - 1.0).abs() < 2e-4, "{}", all[0].height_m);
-        assert!((all[0].accel_g[0] - 10.0).abs() < 1e-9 && (all[0].accel_g[1] + 1.0).abs() < 1e-9 && (all[0].t_s[1] - 0.0015).abs() < 1e-12);
+        assert!(
+            (all[0].accel_g[0] - 10.0).abs() < 1e-9 && (all[0].accel_g[1] + 1.0).abs() < 1e-9 && (all[0].t_s[1] - 0.0015).abs() < 1e-12
+        );
         // One file a drop: the folder says frame and height, the rate says the time.
         let format = TableFormat { rate_hz: Some(2000.0), ..TableFormat::default() };
         let label = Label { trial: "7".into(), source: "7.csv".into(), frame: Some("soft".into()), height_m: 0.5 };

@@ -159,7 +159,9 @@ mod tests {
         assert_eq!((format.name(Quantity::Time), format.name(Quantity::Z)), (("Time", false), ("Acc Z", true)));
         assert_eq!((format.name(Quantity::Trial), format.time_s, format.rate_hz), (("trial", false), 1e-3, Some(3200.0)));
         assert!((format.accel_g * 9.806_65 - 1.0).abs() < 1e-15);
-        for (columns, units, rate) in [(&["q=Time"][..], &[][..], None), (&["t="], &[], None), (&["t"], &[], None), (&[], &["ft"], None), (&[], &[], Some(0.0))] {
+        for (columns, units, rate) in
+            [(&["q=Time"][..], &[][..], None), (&["t="], &[], None), (&["t"], &[], None), (&[], &["ft"], None), (&[], &[], Some(0.0))]
+        {
             assert!(TableFormat::new(&strings(columns), &strings(units), rate).is_err(), "{columns:?} {units:?}");
         }
     }

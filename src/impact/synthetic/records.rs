@@ -11,7 +11,7 @@ const FINE_S: f64 = 5e-5;
 /// Logged before first touch, s.
 const BEFORE_S: f64 = 0.012;
 /// Logged from first touch on, s.
-const AFTER_S: f64 = 0.040;
+pub(super) const AFTER_S: f64 = 0.040;
 
 /// One synthetic drop.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,8 @@ pub struct SyntheticRecord {
     pub t_s: Vec<f64>,
     /// Readings along the axis, g.
     pub accel_g: Vec<f64>,
+    /// Whether the clock stalled in the impact.
+    pub stalled: bool,
 }
 
 /// All drops of a plan; the same plan gives the same drops.
@@ -37,7 +39,10 @@ pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
             let own = common.is_none().then(|| wave(&one_frame(plan, trial, &mut rng), *height_m));
             let shape = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
             let Some(fine) = own.as_ref().or(common.as_ref()) else { continue };
-            all.push(record(plan, &shape, fine, *height_m, trial, &mut rng));
+            all.push(match &plan.stalls {
+                Some(stalls) => stalls.record(plan, (&shape, fine, FINE_S), *height_m, name(*height_m, trial), &mut rng),
+                None => record(plan, &shape, fine, *height_m, trial, &mut rng),
+            });
         }
     }
     all
@@ -78,11 +83,15 @@ fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m:
         readings.push((limited * plan.counts_per_g).round() / plan.counts_per_g);
     }
     let t_s = (0..count).map(|i| i as f64 * step_s).collect();
-    SyntheticRecord { trial: format!("{:03.0}cm-{trial:04}", height_m * 100.0), height_m, t_s, accel_g: readings }
+    SyntheticRecord { trial: name(height_m, trial), height_m, t_s, accel_g: readings, stalled: false }
+}
+
+fn name(height_m: f64, trial: usize) -> String {
+    format!("{:03.0}cm-{trial:04}", height_m * 100.0)
 }
 
 /// The wave between its points.
-fn at(fine: &[f64], t_s: f64) -> f64 {
+pub(super) fn at(fine: &[f64], t_s: f64) -> f64 {
     if t_s <= 0.0 {
         return 0.0;
     }

@@ -4,7 +4,7 @@ use super::diagnosis_data::Compared;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison};
 use crate::impact::effects::{Channel, Model};
-use crate::impact::fit::{FitError, Waves};
+use crate::impact::fit::{FitError, Keep, Waves};
 use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
 use crate::impact::measured::{DropSet, Fall, StaticTest};
 
@@ -18,6 +18,8 @@ pub struct DiagnosisRequest<'a> {
     pub model: Model,
     /// The drops.
     pub drops: &'a DropSet,
+    /// The channel that is compared, instead of the one that the drops support.
+    pub channel: Option<Channel>,
     /// Heights that no fit sees, m.
     pub hold_out_heights_m: &'a [f64],
     /// A static test of the same frame, compared with each model and not fitted.
@@ -68,7 +70,7 @@ impl DiagnosisRequest<'_> {
     /// [`RequestError`] when the drops or the heights do not allow one.
     pub fn diagnosed(mut self, stage: &dyn Fn(Stage)) -> Result<(Diagnosis, Compared), RequestError> {
         Self::bounds(self.max_effects)?;
-        let choice = ChannelChoice::of(self.drops, &self.model)?;
+        let choice = ChannelChoice::of(self.drops, &self.model, Keep::Evidence, self.channel)?;
         self.model.sensor.channel = choice.chosen.channel;
         let waves = &choice.waves;
         let same = |a: f64, b: f64| (a - b).abs() < 1e-6;
@@ -113,6 +115,7 @@ impl DiagnosisRequest<'_> {
             stated_channel: word(choice.stated),
             channel_reason: choice.reason.clone(),
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
+            sampling: choice.waves.groups.iter().map(|group| (group.height_m, group.decimation)).collect(),
             left_out: chosen.left_out.clone(),
             held_out_heights_m: self.hold_out_heights_m.to_vec(),
             seed: self.seed,

@@ -31,7 +31,12 @@ pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
         )
     });
     let covariates = assessment.covariates.iter().map(|covariate| {
-        format!("{} explains {:.0} % of the variation between drops of one height (p = {:.3})", covariate.id, 1e2 * covariate.explained, covariate.p)
+        format!(
+            "{} explains {:.0} % of the variation between drops of one height (p = {:.3})",
+            covariate.id,
+            1e2 * covariate.explained,
+            covariate.p
+        )
     });
     let gates = assessment.gates.iter().map(|gate| format!("{}: {}", gate.id, gate.found));
     spread.into_iter().chain(gates).chain(covariates).collect()

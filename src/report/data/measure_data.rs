@@ -17,9 +17,7 @@ pub fn name(group: &DropGroup) -> String {
 /// Everything as JSON.
 pub fn json(set: &DropSet, judged: &JudgedDrops) -> Value {
     let groups = &judged.groups;
-    let period = |(frame, period): &(Option<String>, ClockPeriod)| {
-        json!({ "frame": frame, "samples": period.samples, "begin": period.begin, "stretch": period.stretch, "rise": period.rise })
-    };
+    let period = |(frame, period): &(Option<String>, ClockPeriod)| json!({ "frame": frame, "samples": period.samples, "begin": period.begin, "stretch": period.stretch, "rise": period.rise });
     json!({
         "schema_version": 1,
         "heights": groups.iter().map(|(group, drops)| Summary::of(group, drops)).collect::<Vec<_>>(),

@@ -56,7 +56,8 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     let head = cells(["height, m", "drops", "median peak, g", "impulse / v0", "at most"]);
     let mut blocks = vec![Block::Heading("Observations without a model".into()), Block::Table(head, rows)];
     let mut lines = vec![format!("Channel: {} (the model states: {}).", compared.channel, compared.stated_channel)];
-    lines.extend(compared.channel_reason.clone());
+    lines.push(compared.channel_reason.clone());
+    lines.extend(compared.sampling());
     lines.extend(compared.observed());
     if let Some(clipping) = diagnosis.clipping {
         lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));

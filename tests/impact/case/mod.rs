@@ -9,7 +9,7 @@ use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Observable, diagn
 use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
 use flexframe::impact::fit::{Chosen, Keep, Layout, PaperObjective, Waves, fit};
 use flexframe::impact::measured;
-use flexframe::impact::measured::{FileFormat, DropSet};
+use flexframe::impact::measured::{DropSet, FileFormat};
 use flexframe::mechanics;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::result::reduction::Reduction;

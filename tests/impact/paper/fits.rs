@@ -5,7 +5,7 @@ use std::fmt::Write;
 use flexframe::impact::effects::{Channel, Model};
 use flexframe::impact::fit::{Chosen, Fit, Keep, Layout, Likelihood, PaperObjective, ParameterEstimate, fit};
 use flexframe::impact::measured;
-use flexframe::impact::measured::{FileFormat, DropSet};
+use flexframe::impact::measured::{DropSet, FileFormat};
 
 use super::figures::{DAMPING_500_HZ, DAMPING_N_S_M, OBJECTIVE, RIGID_500_HZ, STIFFNESS_N_M};
 use super::model::{paper, shares, traces};
