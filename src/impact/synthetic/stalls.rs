@@ -142,7 +142,7 @@ impl Stalls {
         }
         let stalled = stalled(&times, step_s, &course);
         let t_s = (0..times.len()).map(|i| i as f64 * step_s).collect();
-        SyntheticRecord { trial, height_m, t_s, accel_g, stalled }
+        SyntheticRecord { trial, height_m, t_s, accel_g, lateral_g: None, stalled }
     }
 }
 

@@ -46,13 +46,16 @@ pub struct Landings {
 pub(super) type Axes = [Vec<f64>; 3];
 
 impl Landings {
-    /// One landing; `None` for one that is level by the plan: the vertical is then the one-dimensional trajectory's.
-    pub(super) fn tilted(&self, drop: &VerticalConditions, every_s: f64, count: usize, rng: &mut impl Rng) -> Option<Axes> {
+    /// Whether landings differ in slope.
+    pub fn is_tilted(&self) -> bool {
+        self.rate_rad_s > 0.0 || self.at_release_rad > 0.0
+    }
+
+    /// One landing with a random slope.
+    pub(super) fn tilted(&self, drop: &VerticalConditions, every_s: f64, count: usize, rng: &mut impl Rng) -> Axes {
         let sd = (self.rate_rad_s * drop.fall_s).hypot(self.at_release_rad);
-        if sd == 0.0 {
-            return None;
-        }
-        let [about_x, about_y]: [f64; 2] = std::array::from_fn(|_| sd * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng));
+        let [about_x, about_y]: [f64; 2] =
+            std::array::from_fn(|_| sd * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng));
         let mut body = Body::of(self, drop, [about_x, about_y]);
         let spikes: [f64; 4] = std::array::from_fn(|_| self.touch_g * rng.random_range(0.7..1.3));
         let steps = (every_s / STEP_S).round().max(1.0) as usize;
@@ -68,7 +71,7 @@ impl Landings {
                 body.step(drop, t_s + step as f64 * STEP_S);
             }
         }
-        Some(axes)
+        axes
     }
 
     /// Sideways ringing of a frame that lands level, from first touch on, g.
