@@ -123,7 +123,7 @@ fn usage(error: RequestError) -> Failure {
 fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let blocks = diagnosis_page::blocks(found, compared)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    let title = diagnosis_page::title(found);
+    let title = diagnosis_page::title(found, compared);
     let mut files = vec![
         ("diagnosis.json".to_string(), format!("{json:#}\n").into_bytes()),
         ("report.html".to_string(), html(&title, &blocks).into_bytes()),

@@ -11,6 +11,7 @@ mod effect_catalogue;
 mod effects;
 mod frame_curve;
 mod frame_fit;
+mod landing;
 mod paper;
 mod published;
 mod random_models;

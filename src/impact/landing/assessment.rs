@@ -54,6 +54,12 @@ pub struct LandingAssessment {
     pub gates: Vec<Gate>,
     /// Mean windows: height, measured, predicted by the population, g.
     pub windows: Vec<(f64, Vec<f64>, Vec<f64>)>,
+    /// Time between their samples, s.
+    pub step_s: f64,
+    /// Delays of the opposite foot and of those beside of every drop whose feet were all seen, s, by height, m.
+    pub touches: Vec<(f64, Vec<[f64; 3]>)>,
+    /// Whether it is the verdict.
+    decides: bool,
 }
 
 /// What is judged.
@@ -112,9 +118,25 @@ impl LandingAssessment {
             .enumerate()
             .map(|(at, group)| (group.height_m, group.mean.clone(), predicted.as_slice()[at * samples..(at + 1) * samples].to_vec()));
         let windows = windows.collect();
-        let mut all =
-            Self { evidence: touched, fit, estimates, by_drops, heights, gaps, lack_of_fit_p, covariates, gates: Vec::new(), windows };
+        let touches =
+            evidence.observed.heights.iter().map(|height| (height.height_m, height.seen().map(|drop| drop.touches.delays_s()).collect()));
+        let mut all = Self {
+            evidence: touched,
+            fit,
+            estimates,
+            by_drops,
+            heights,
+            gaps,
+            lack_of_fit_p,
+            covariates,
+            gates: Vec::new(),
+            windows,
+            step_s: evidence.fitted.step_s,
+            touches: touches.collect(),
+            decides: false,
+        };
         all.gates = all.gates(evidence.diagnosis);
+        all.decides = all.named() && matches!(evidence.diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous);
         Some(all)
     }
 
@@ -123,10 +145,15 @@ impl LandingAssessment {
         self.gates.iter().all(|gate| gate.passed)
     }
 
+    /// Whether it is what the drops miss: every test was passed, and no effect along the vertical is named.
+    pub fn decides(&self) -> bool {
+        self.decides
+    }
+
     /// What the diagnosis says with this beside the effects along the vertical: verdict and reasons.
     pub fn verdict(&self, diagnosis: &Diagnosis) -> (Verdict, Vec<String>) {
         let mut reasons = diagnosis.reasons.clone();
-        if self.named() && matches!(diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous) {
+        if self.decides {
             reasons = self.gates.iter().map(|gate| format!("{LANDING_TILT}: {}", gate.found)).collect();
             return (Verdict::Named, reasons);
         }

@@ -147,6 +147,12 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     }
     if let Some(landing) = &compared.landing {
         all["landing"] = rounded(landing_data::landing(landing));
+        if landing.decides() {
+            all["effects"] = rounded(json!([landing_data::effect(landing)]));
+            all["gap"]["after"] = rounded(landing.gaps.fitted.net_g);
+            all["gap"]["held_out_after"] = rounded(landing.gaps.held_out.net_g);
+            all["lack_of_fit_p"] = rounded(landing.lack_of_fit_p);
+        }
         all["covariates"] = rounded(json!(landing.covariates));
     }
     all

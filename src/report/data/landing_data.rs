@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use crate::impact::landing::{LandingAssessment, LandingEstimate};
+use crate::impact::landing::{LANDING_TILT, LandingAssessment, LandingEstimate};
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
@@ -23,13 +23,6 @@ pub fn landing(assessment: &LandingAssessment) -> Value {
 
 /// The same in sentences.
 pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
-    let value = |key: &str| assessment.estimates.iter().find(|estimate| estimate.key == key);
-    let spread = value("sigma_r_rad_s").zip(value("sigma_0_rad")).map(|(rate, fixed)| {
-        format!(
-            "landings turn at {:.2} rad/s a diagonal ({:.2} to {:.2}), and slope by {:.3} rad at release ({:.3} to {:.3})",
-            rate.value, rate.ci95[0], rate.ci95[1], fixed.value, fixed.ci95[0], fixed.ci95[1]
-        )
-    });
     let covariates = assessment.covariates.iter().map(|covariate| {
         format!(
             "{} explains {:.0} % of the variation between drops of one height (p = {:.3})",
@@ -39,5 +32,25 @@ pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
         )
     });
     let gates = assessment.gates.iter().map(|gate| format!("{}: {}", gate.id, gate.found));
-    spread.into_iter().chain(gates).chain(covariates).collect()
+    std::iter::once(spread(assessment)).chain(gates).chain(covariates).collect()
+}
+
+/// How landings vary, in a sentence.
+pub fn spread(assessment: &LandingAssessment) -> String {
+    let value = |key: &str| {
+        let found = assessment.estimates.iter().find(|estimate| estimate.key == key);
+        found.map_or(String::new(), |one| format!("{:.3} {} ({:.3} to {:.3})", one.value, one.unit, one.ci95[0], one.ci95[1]))
+    };
+    format!(
+        "landings slope by {} at release along a diagonal, and turn at {} while they fall",
+        value("sigma_0_rad"),
+        value("sigma_r_rad_s")
+    )
+}
+
+/// The effect as a diagnosis lists it.
+pub fn effect(assessment: &LandingAssessment) -> Value {
+    let own = assessment.estimates.iter().filter(|estimate| estimate.key.starts_with("sigma"));
+    let parameters: BTreeMap<&str, &LandingEstimate> = own.map(|estimate| (estimate.key, estimate)).collect();
+    json!({ "id": LANDING_TILT, "parameters": parameters })
 }
