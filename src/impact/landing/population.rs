@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::legged_body::Slopes;
 use super::table::LandingTable;
+use super::touches::LAST_S;
 
 /// Landings from one height whose slopes are random.
 #[derive(Clone, Debug)]
@@ -23,14 +24,16 @@ impl<'a> Population<'a> {
         &self.table.windows * &self.weights
     }
 
-    /// Quantile of the time from the first foot to the opposite one, s.
+    /// Quantile of the time from the first foot to the opposite one, s, of the landings in which it touches as soon as it is looked for.
     pub fn opposite_delay_s(&self, share: f64) -> f64 {
-        let mut delays: Vec<(f64, f64)> = self.table.delays_s.iter().zip(self.weights.iter()).map(|(delays, w)| (delays[0], *w)).collect();
+        let times = self.table.delays_s.iter().zip(self.weights.iter()).map(|(delays, weight)| (delays[0], *weight));
+        let mut delays: Vec<(f64, f64)> = times.filter(|(delay_s, _)| *delay_s < LAST_S).collect();
         delays.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let all: f64 = delays.iter().map(|(_, weight)| weight).sum();
         // Half of a landing's weight lies before it.
         let (mut before, mut last) = (0.0, (0.0, 0.0));
         for (delay_s, weight) in delays {
-            let middle = before + 0.5 * weight;
+            let middle = (before + 0.5 * weight) / all;
             if middle >= share {
                 let (left, left_s) = last;
                 return if middle > left { left_s + (delay_s - left_s) * (share - left) / (middle - left) } else { delay_s };

@@ -13,7 +13,7 @@ use crate::impact::measured::Drop;
 /// The first touch is looked for in so long a time behind the trigger, s.
 const FIRST_S: f64 = 2e-3;
 /// The others in so long, s.
-const LAST_S: f64 = 15e-3;
+pub(super) const LAST_S: f64 = 15e-3;
 /// Half the length of a spike, s.
 const SPIKE_S: f64 = 1e-3;
 
