@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, EffectEstimate, Verdict, diagnose};
 use flexframe::impact::effects::Model;
-use flexframe::impact::fit::{Decimation, Expected};
+use flexframe::impact::fit::Expected;
 use flexframe::impact::synthetic::Plan;
 
 use crate::truth::{base, clean, waves};
@@ -52,7 +52,7 @@ impl Case {
         let expected = Expected::plain(1e-3, 31);
         let truth = expected.mean_over_phases(&clean(plan, HELD_OUT_M));
         let apart = |model: &Model| {
-            let predicted = expected.window(&expected.system(model), HELD_OUT_M, &Decimation::none(expected.step_s))?;
+            let predicted = expected.window(&expected.system(model), HELD_OUT_M)?;
             Some(truth.iter().zip(&predicted).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt())
         };
         Some(apart(self.diagnosis.chosen.model())? / apart(self.diagnosis.base.model())?)

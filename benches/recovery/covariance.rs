@@ -1,7 +1,7 @@
 //! The generator's own covariance of records, by quadrature over all that is random in them instead of by draws.
 
 use flexframe::impact::effects::Model;
-use flexframe::impact::fit::{BEFORE, Decimation, Expected, FitProblem, MeanWave, Whitening};
+use flexframe::impact::fit::{BEFORE, Expected, FitProblem, MeanWave, Whitening};
 use flexframe::impact::sim::System;
 use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
@@ -20,10 +20,9 @@ fn expected(plan: &Plan) -> Expected {
 pub fn exact(plan: &Plan) -> Option<FitProblem> {
     let expected = expected(plan);
     let system = expected.system(&plan.model);
-    let decimation = Decimation::none(expected.step_s);
     let mean = |height_m: &f64| {
-        let wave = expected.window(&system, *height_m, &decimation)?;
-        Some(MeanWave { height_m: *height_m, decimation, wave })
+        let wave = expected.window(&system, *height_m)?;
+        Some(MeanWave { height_m: *height_m, wave })
     };
     let means = plan.heights_m.iter().map(mean).collect::<Option<Vec<_>>>()?;
     let whitening = Whitening::of(&covariances(plan)?, &vec![plan.drops; means.len()])?;
@@ -58,7 +57,7 @@ fn covariance(plan: &Plan, height_m: f64) -> Option<DMatrix<f64>> {
     let (mut sum, mut means, mut weights) = (DMatrix::zeros(one.samples, one.samples), Vec::new(), Vec::new());
     for (weight, mut model) in drops(plan) {
         model.effects.retain(|listed| listed.spec.id != "sensor_saturation");
-        let fine = one.decimated(&System::new(&model), height_m, &Decimation::none(one.step_s))?;
+        let fine = one.fine(&System::new(&model), height_m)?;
         let open = |reading: f64| {
             0.5 * libm::erfc((reading - limit_g) / (plan.scatter.share * reading.abs()).max(1e-9) / std::f64::consts::SQRT_2)
         };

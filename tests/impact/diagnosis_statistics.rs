@@ -2,7 +2,7 @@
 
 use flexframe::impact::diagnose::{DiagnosisOptions, PreparedDrops, Verdict, clipping, diagnose, trend_p};
 use flexframe::impact::effects::{Model, by_id};
-use flexframe::impact::fit::{Decimation, Expected, FittedDrop, MeanWave, TrialCovariance, Waves, Whitening, minimise};
+use flexframe::impact::fit::{Expected, FittedDrop, MeanWave, TrialCovariance, Waves, Whitening, minimise};
 use flexframe::impact::synthetic::{Hidden, Plan, ReferenceTrajectory, TrialVariation, records};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
@@ -76,7 +76,7 @@ fn planted_half_noise_moves_the_trigger_as_predicted() {
     let many = waves(&Plan { drops: 12_000, heights_m: vec![1.0], ..synthetic.clone() });
     let prepared = PreparedDrops::of(&waves(&Plan { drops: 80, ..synthetic.clone() }), &base()).expect("a fit");
     let apart = |expected: Expected| {
-        let predicted = expected.window(&expected.system(&base()), 1.0, &Decimation::none(1e-3)).expect("it holds the body");
+        let predicted = expected.window(&expected.system(&base()), 1.0).expect("it holds the body");
         // In units of the standard error of a mean of 80 drops, at the trigger and the sample behind it.
         let mean = &many.groups[0].mean;
         [1, 2].map(|i| (mean[i] - predicted[i]) / (0.5 * mean[i] / 80f64.sqrt()))

@@ -67,7 +67,8 @@ fn planted_landings_on_one_foot_are_named_with_their_turning_rate() {
 
 #[test]
 fn planted_level_landings_are_not_named_whatever_rings_sideways() {
-    for (landings, seed) in [(LEVEL, 3), (Landings { ringing_g: 60.0, touch_g: 0.0, ..LEVEL }, 4), (Landings { touch_g: 0.0, ..LEVEL }, 5)] {
+    for (landings, seed) in [(LEVEL, 3), (Landings { ringing_g: 60.0, touch_g: 0.0, ..LEVEL }, 4), (Landings { touch_g: 0.0, ..LEVEL }, 5)]
+    {
         let plan = plan(landings, seed);
         let (verdict, compared) = diagnosed(&plan, &read(&records(&plan)));
         if let Some(landing) = compared.landing {
@@ -84,8 +85,7 @@ fn measured_real_drops_touch_foot_by_foot() {
     }
     let paths = ["soft_050cm", "soft_100cm", "soft_150cm"].map(|name| case::folder().join(name));
     let set = measured::read(&paths, &FileFormat::default()).expect("reads");
-    let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence)
-    .expect("drops of one frame");
+    let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("drops of one frame");
     let observed = ObservedLandings::of(&chosen, &chosen.waves().expect("usable")).expect("lateral axes were measured");
     let evidence = TouchEvidence::of(&observed, 1);
     // The page of the reference has 0.73 to 0.93 along a diagonal, and median errors of 0.8 to 0.9 ms.

@@ -23,10 +23,11 @@ fn survives(name: &str, bytes: &[u8], plots: bool) -> bool {
             false
         }
         Ok(set) => {
-            let groups = measured::JudgedDrops::of(&set).groups;
-            assert!(!measure_data::json(&set, &groups).to_string().is_empty());
-            assert!(measure_data::heights_csv(&groups).expect("is a table").lines().count() == groups.len() + 1);
-            assert!(measure_data::drops_csv(&groups).expect("is a table").lines().count() > groups.len());
+            let judged = measured::JudgedDrops::of(&set);
+            let groups = &judged.groups;
+            assert!(!measure_data::json(&set, &judged).to_string().is_empty());
+            assert!(measure_data::heights_csv(groups).expect("is a table").lines().count() == groups.len() + 1);
+            assert!(measure_data::drops_csv(groups).expect("is a table").lines().count() > groups.len());
             if plots {
                 measure_plots::plots(&groups).expect("can be drawn");
             }

@@ -72,7 +72,7 @@ pub fn gap(problem: &FitProblem, waves: &Waves, model: &Model) -> Option<Gap> {
     let mut sums = Sums::default();
     let system = problem.expected.system(model);
     for group in &waves.groups {
-        sums.add(&group.mean, &problem.expected.window(&system, group.height_m, &group.decimation)?, &errors(group), group.windows.len());
+        sums.add(&group.mean, &problem.expected.window(&system, group.height_m)?, &errors(group), group.windows.len());
     }
     (sums.count > 0.0).then(|| sums.gap())
 }

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::candidate::Candidate;
 use super::clipping::{Clipping, clipping};
 use crate::impact::effects::Model;
-use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, WaveGroup, Waves, Whitening};
+use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
 use crate::impact::sim::System;
 
 /// How often the covariance model is refined in units of its own result.
@@ -35,8 +35,7 @@ impl PreparedDrops {
         let problem = FitProblem::of(waves, Whitening::of(&plain, trial_covariance.counts())?, spread);
         let base = Candidate::base(&problem, model)?;
         let system = System::new(base.model());
-        let fine = |group: &WaveGroup| problem.expected.decimated(&system, group.height_m, &group.decimation);
-        let fine = waves.groups.iter().map(fine).collect::<Option<Vec<_>>>()?;
+        let fine = waves.groups.iter().map(|group| problem.expected.fine(&system, group.height_m)).collect::<Option<Vec<_>>>()?;
         let change = problem.sensitivity(&base.fitted)?;
         let changes: Vec<DMatrix<f64>> =
             (0..waves.groups.len()).map(|height| change.rows(height * waves.samples, waves.samples).into_owned()).collect();

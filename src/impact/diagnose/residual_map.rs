@@ -91,8 +91,8 @@ pub fn points(problem: &FitProblem, waves: &Waves, model: &Model) -> Option<Vec<
     let mut all = Vec::new();
     for group in &waves.groups {
         let trace = simulate(&system, group.height_m, &SolverOptions::FIT);
-        let predicted = problem.expected.window(&ready, group.height_m, &group.decimation)?;
-        let onset_s = problem.expected.onset_s(&ready, group.height_m, &group.decimation)?;
+        let predicted = problem.expected.window(&ready, group.height_m)?;
+        let onset_s = problem.expected.onset_s(&ready, group.height_m)?;
         let errors = errors(group);
         for i in 0..waves.samples {
             let t_s = onset_s + waves.step_s * (i as f64 + 0.5 - BEFORE as f64);

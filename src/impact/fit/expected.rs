@@ -2,8 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::decimation::{Decimation, FINE_S};
-use super::fine_wave::{FineWave, ONSET_S};
+use super::fine_wave::{FINE_S, FineWave, ONSET_S};
 use super::trigger_jitter::TriggerJitter;
 use super::waves::BEFORE;
 use crate::impact::effects::Model;
@@ -73,15 +72,14 @@ impl Expected {
         Ready { systems, limit_g }
     }
 
-    /// The mean window from a height, decimated as its records were, g; `None` where the simulation diverges.
-    pub fn window(&self, ready: &Ready, height_m: f64, decimation: &Decimation) -> Option<Vec<f64>> {
+    /// The mean window from a height, g; `None` where the simulation diverges.
+    pub fn window(&self, ready: &Ready, height_m: f64) -> Option<Vec<f64>> {
         let mut mean = vec![0.0; self.samples];
         for (weight, system) in &ready.systems {
             let mut fine = self.fine(system, height_m)?;
             if self.spread > 0.0 {
                 fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
             }
-            let fine = decimation.of_wave(fine);
             mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
             if self.trigger_jitter.moves() {
                 let shift = self.trigger_jitter.shift(&FineWave::of(&fine), self.step_s, self.samples);
@@ -91,15 +89,9 @@ impl Expected {
         Some(mean)
     }
 
-    /// From first touch to the trigger, less the delay of the decimation, s; `None` where the simulation diverges.
-    pub fn onset_s(&self, ready: &Ready, height_m: f64, decimation: &Decimation) -> Option<f64> {
-        let fine = decimation.of_wave(self.fine(&ready.systems.first()?.1, height_m)?);
-        Some(FineWave::of(&fine).crossing_s - decimation.delay_s())
-    }
-
-    /// The wave at steps of 0.05 ms, decimated as the records of its height were; `None` where the simulation diverges.
-    pub fn decimated(&self, system: &System, height_m: f64, decimation: &Decimation) -> Option<Vec<f64>> {
-        Some(decimation.of_wave(self.fine(system, height_m)?))
+    /// From first touch to the trigger, s; `None` where the simulation diverges.
+    pub fn onset_s(&self, ready: &Ready, height_m: f64) -> Option<f64> {
+        Some(FineWave::of(&self.fine(&ready.systems.first()?.1, height_m)?).crossing_s)
     }
 
     /// How many points a wave needs for the window.
@@ -109,7 +101,7 @@ impl Expected {
     }
 
     /// The wave itself, at steps of 0.05 ms; `None` where the simulation diverges.
-    fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
+    pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
         let mut fine = vec![0.0; self.fine_points()];
         (wave(system, height_m, FINE_S, &SolverOptions::FIT, &mut fine) == Stop::End).then_some(fine)
     }

@@ -1,8 +1,9 @@
 //! A predicted wave between the samples of a logger.
 
-use super::decimation::FINE_S;
 use super::waves::TRIGGER_G;
 
+/// Time between the points of a wave, s.
+pub const FINE_S: f64 = 5e-5;
 /// Longest time from first touch to the trigger that is followed, s.
 pub(super) const ONSET_S: f64 = 5e-3;
 

@@ -52,7 +52,7 @@ impl Objective for Likelihood {
         let system = self.expected.system(model);
         let mut all = Vec::with_capacity(self.numbers());
         for (height, group) in self.waves.groups.iter().enumerate() {
-            let predicted = self.expected.window(&system, group.height_m, &group.decimation)?;
+            let predicted = self.expected.window(&system, group.height_m)?;
             let deviation = DVector::from_iterator(predicted.len(), group.mean.iter().zip(&predicted).map(|(mean, model)| mean - model));
             all.extend((self.whitening.height(height) * deviation).iter());
         }
@@ -61,8 +61,7 @@ impl Objective for Likelihood {
 
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
         let system = self.expected.system(model);
-        let wave =
-            |group: &super::waves::WaveGroup| Some((group.height_m, self.expected.window(&system, group.height_m, &group.decimation)?));
+        let wave = |group: &super::waves::WaveGroup| Some((group.height_m, self.expected.window(&system, group.height_m)?));
         self.waves.groups.iter().filter_map(wave).collect()
     }
 

@@ -26,8 +26,9 @@ mod waves;
 
 pub use chosen::{Chosen, FitError, Keep, LeftOut};
 pub use covariance_model::{CovarianceModel, inverse_root};
-pub use decimation::{Decimation, FINE_S};
+pub use decimation::Decimation;
 pub use expected::{Expected, Ready};
+pub use fine_wave::FINE_S;
 pub use fitting::{Fit, Objective, ParameterEstimate, fit};
 pub use free::{Free, Layout};
 pub use least_squares::{Minimum, inverse, minimise};

@@ -2,7 +2,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::decimation::Decimation;
 use super::expected::Expected;
 use super::free::Layout;
 use super::least_squares::{Minimum, minimise};
@@ -15,8 +14,6 @@ use crate::impact::effects::Model;
 pub struct MeanWave {
     /// Height, m.
     pub height_m: f64,
-    /// How the records were decimated.
-    pub decimation: Decimation,
     /// Mean window, g.
     pub wave: Vec<f64>,
 }
@@ -24,7 +21,7 @@ pub struct MeanWave {
 impl MeanWave {
     /// Of a group.
     pub fn of(group: &WaveGroup) -> Self {
-        Self { height_m: group.height_m, decimation: group.decimation, wave: group.mean.clone() }
+        Self { height_m: group.height_m, wave: group.mean.clone() }
     }
 }
 
@@ -92,7 +89,7 @@ impl FitProblem {
         let mut all = Vec::with_capacity(self.len());
         for height in &self.chosen {
             let mean = &self.means[*height];
-            all.extend(self.expected.window(&system, mean.height_m, &mean.decimation)?);
+            all.extend(self.expected.window(&system, mean.height_m)?);
         }
         Some(DVector::from_vec(all))
     }

@@ -115,15 +115,13 @@ impl Waves {
         let step_s = Decimation::common_step_s(native_s.iter().map(|(_, native_s)| *native_s));
         let decimation = |height_m: f64| {
             let native_s = native_s.iter().find(|(of, _)| *of == height_m).map_or(step_s, |(_, native_s)| *native_s);
-            Decimation::new(native_s, step_s)
+            Decimation { native_s, kept_s: step_s }
         };
-        let kept = |drop: &FittedDrop| FittedDrop { accel_g: decimation(drop.height_m).kept(&drop.accel_g), ..drop.clone() };
-        let drops: Vec<FittedDrop> = drops.iter().map(kept).collect();
         let mut samples = (AFTER_S / step_s).round() as usize + BEFORE;
-        for drop in &drops {
+        for drop in drops {
             let (trial, height_m) = (drop.trial.clone(), drop.height_m);
             let trigger = trigger(&drop.accel_g).ok_or(Unusable::NoImpact { trial: trial.clone(), height_m })?;
-            let left = drop.accel_g.len() - trigger;
+            let left = ((drop.accel_g.len() - trigger) as f64 / decimation(height_m).readings()) as usize;
             if left < LEAST {
                 return Err(Unusable::TooShort { trial, height_m, samples: left });
             }
@@ -133,11 +131,11 @@ impl Waves {
         heights.sort_by(f64::total_cmp);
         heights.dedup();
         let groups: Vec<WaveGroup> =
-            heights.iter().map(|height_m| WaveGroup::of(*height_m, decimation(*height_m), &drops, samples)).collect();
+            heights.iter().map(|height_m| WaveGroup::of(*height_m, decimation(*height_m), drops, samples)).collect();
         if let Some(few) = groups.iter().find(|group| group.windows.len() < FEWEST) {
             return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len() });
         }
-        Ok(Self { groups, step_s, samples, noise_g: noise_g(&drops) })
+        Ok(Self { groups, step_s, samples, noise_g: noise_g(drops) })
     }
 
     /// Those heights alone for which the answer is yes.
@@ -167,7 +165,7 @@ impl Waves {
 impl WaveGroup {
     fn of(height_m: f64, decimation: Decimation, drops: &[FittedDrop], samples: usize) -> Self {
         let of_height = || drops.iter().filter(|drop| drop.height_m == height_m);
-        let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, samples)).collect();
+        let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, &decimation, samples)).collect();
         let trials = of_height().map(|drop| drop.trial.clone()).collect();
         Self { height_m, decimation, trials, mean: mean(&windows, samples), windows }
     }
@@ -183,9 +181,10 @@ fn trigger(accel_g: &[f64]) -> Option<usize> {
 }
 
 /// The drop's window; readings before a record's begin are those of free fall.
-fn window(drop: &FittedDrop, samples: usize) -> Vec<f64> {
-    let at = trigger(&drop.accel_g).unwrap_or(0);
-    (0..samples).map(|i| (at + i).checked_sub(BEFORE).map_or(0.0, |i| drop.accel_g[i])).collect()
+fn window(drop: &FittedDrop, decimation: &Decimation, samples: usize) -> Vec<f64> {
+    let mut window = decimation.kept(&drop.accel_g, trigger(&drop.accel_g).unwrap_or(0), BEFORE);
+    window.truncate(samples);
+    window
 }
 
 /// Each height with the time between the samples of its drops, s.

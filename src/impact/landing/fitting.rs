@@ -99,7 +99,8 @@ fn bounds() -> [[f64; 2]; 5] {
 impl LandingProblem<'_> {
     /// The landings of the chosen heights.
     pub fn tables(&self, legs: &Legs) -> Option<Vec<LandingTable>> {
-        let table = |height: &usize| LandingTable::of(&self.body, legs, self.model, &self.waves.expected, &self.waves.means[*height]);
+        let table =
+            |height: &usize| LandingTable::of(&self.body, legs, self.model, &self.waves.expected, self.waves.means[*height].height_m);
         self.waves.chosen.iter().map(table).collect()
     }
 

@@ -7,7 +7,7 @@ use super::legged_body::{LeggedBody, Legs, fall};
 use super::simulation::{STEP_S, simulate};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
-use crate::impact::fit::{Expected, MeanWave};
+use crate::impact::fit::Expected;
 
 /// Touch time of a foot that does not touch, s.
 pub const NEVER_S: f64 = 0.03;
@@ -26,14 +26,14 @@ pub struct LandingTable {
 }
 
 impl LandingTable {
-    /// Simulates; `None` where a landing is lost. The model gives fall and sensor, the mean wave height and decimation.
-    pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, of: &MeanWave) -> Option<Self> {
-        let [speed_m_s, fall_s] = fall(model, of.height_m);
+    /// Simulates; `None` where a landing is lost. The model gives fall and sensor.
+    pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
+        let [speed_m_s, fall_s] = fall(model, height_m);
         let sensor = model.arrangement().sensor;
         let count = expected.fine_points();
         let land = |slopes: [f64; 2]| {
             let landing = simulate(body, legs, speed_m_s, slopes, count)?;
-            let window = expected.mean_over_phases(&of.decimation.of_wave(filtered(&landing.accel_g, &sensor)));
+            let window = expected.mean_over_phases(&filtered(&landing.accel_g, &sensor));
             let [_, opposite, beside, far] = landing.touch_s.map(|touch| touch.unwrap_or(NEVER_S));
             Some((window, [opposite, beside.min(far), beside.max(far)]))
         };

@@ -16,9 +16,10 @@ use super::shorth::Shorth;
 /// Deviations by which an impulse is unlike the others', and the least relative deviation of impulses.
 const UNLIKE: f64 = 4.0;
 const LEAST_IMPULSE: f64 = 0.03;
-/// The same for a jump into free flight, and for a fall that is so many times too long: the impact is lost, and what
+/// The same for a jump into free flight, with the most of an impulse that is left; and for a fall that is so many times too long: the impact is lost, and what
 /// hits is the rebound.
 const CUT: f64 = 3.0;
+const CUT_SHARE: f64 = 0.85;
 const SECOND: f64 = 1.5;
 const LONGER: f64 = 1.4;
 /// Deviations by which vibration or noise is smoother than the others'.
@@ -67,12 +68,13 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     let impossible = usual.impulse.is_none() && !IMPULSE_OVER_V0.contains(&trace.over_v0);
     let (unlike, late, smooth) = (impulse.abs() > UNLIKE || impossible, trace.to_peak_s > WINDOW_S + 1e-6, smoothest < -SMOOTH);
     let jump = trace.jump.is_some();
+    let cut = impulse < -CUT && usual.impulse.is_some_and(|usual| trace.over_v0 < CUT_SHARE * usual.middle);
     let odd = unlike || late;
     let position = period.and_then(|period| position(trace, period, odd));
     let weak = smooth || noise.is_some() || fall.is_rather_short;
     let stalled = trace.stamps.is_some()
         || fall.is_short
-        || (jump && impulse < -CUT)
+        || (jump && cut)
         || (odd && (weak || fall.is_long || position.is_some()))
         || (fall.own_s > LONGER * fall.usual_s && impulse < -SECOND)
         || (position.is_some() && (jump || weak));
@@ -81,7 +83,7 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
     }
     let mut signs: Vec<ClockSign> = trace.stamps.into_iter().chain(fall.sign()).collect();
     signs.extend(trace.jump.map(|[from_g, after_s]| ClockSign::Jump { from_g, after_ms: after_s * 1e3 }));
-    if let Some(usual) = usual.impulse.filter(|_| unlike || (jump && impulse < -CUT)) {
+    if let Some(usual) = usual.impulse.filter(|_| unlike || (jump && cut)) {
         signs.push(ClockSign::Impulse { over_v0: trace.over_v0, usual: usual.middle });
     }
     signs.extend(smooth.then_some(ClockSign::SmoothVibration { deviations: -smoothest }));

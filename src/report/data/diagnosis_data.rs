@@ -159,8 +159,8 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
 }
 
 fn sampling((height_m, decimation): &(f64, Decimation)) -> Value {
-    let Decimation { taps, native_s, kept_s } = decimation;
-    rounded(json!({ "height_m": height_m, "rate_hz": 1.0 / native_s, "mean_of": taps, "compared_hz": 1.0 / kept_s }))
+    let Decimation { native_s, kept_s } = decimation;
+    rounded(json!({ "height_m": height_m, "rate_hz": 1.0 / native_s, "mean_of": decimation.readings(), "compared_hz": 1.0 / kept_s }))
 }
 
 fn ranked(ranked: &Ranked) -> Value {
