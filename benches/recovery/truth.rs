@@ -40,6 +40,7 @@ pub fn plan(level: usize, seed: u64) -> Plan {
         counts_per_g: 8.877,
         rate_hz: 1000.0,
         stalls: None,
+        landings: None,
         seed,
     }
 }

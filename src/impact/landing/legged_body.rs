@@ -6,6 +6,9 @@ use crate::impact::effects::Model;
 /// From the hub's axis to a foot of CogniFly v8, m. Source: its parts as measured; 0.14 m to the middle of the foot's contact.
 pub const COGNIFLY_FOOT_RADIUS_M: f64 = 0.1445;
 
+/// From the lower ring up to the arms of CogniFly v8, m, near which the centre of mass lies.
+pub const COGNIFLY_CENTRE_HEIGHT_M: f64 = 0.043;
+
 /// A rigid body with a foot at each end of two diagonals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeggedBody {
@@ -13,12 +16,18 @@ pub struct LeggedBody {
     pub mass_kg: f64,
     /// From the vertical axis to each foot, m.
     pub foot_radius_m: f64,
+    /// From the feet up to the centre of mass, m.
+    pub centre_height_m: f64,
 }
 
 impl LeggedBody {
-    /// A model's body.
+    /// A model's body; without a frame it has CogniFly's feet. The centre of mass is taken in the plane of the arms.
     pub fn of(model: &Model) -> Self {
-        Self { mass_kg: model.body.mass_kg, foot_radius_m: model.body.foot_radius_m.unwrap_or(COGNIFLY_FOOT_RADIUS_M) }
+        Self {
+            mass_kg: model.body.mass_kg,
+            foot_radius_m: model.body.foot_radius_m.unwrap_or(COGNIFLY_FOOT_RADIUS_M),
+            centre_height_m: model.body.travel_m.unwrap_or(COGNIFLY_CENTRE_HEIGHT_M),
+        }
     }
 }
 

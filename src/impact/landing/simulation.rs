@@ -1,10 +1,11 @@
 //! A rigid body that lands on four legs, followed through time.
 //!
-//! The body's height above the ground of a level landing, and its slopes along the two diagonals, are three coordinates; slopes are
-//! small. A foot is pressed by (stiffness/4) d + (damping/4) d', d being how far it stands below the ground, and never pulled. In
+//! The body's height above the ground of a level landing, and its slopes along the two diagonals, are three coordinates. A foot stands
+//! d = z + r sin p - h (1 - cos p cos q) below the ground, r being its radius and h the height of the centre of mass, and its force acts on
+//! each coordinate by d's derivative with respect to it. A foot is pressed by (stiffness/4) d + (damping/4) d', d being how far it stands below the ground, and never pulled. In
 //! every step the forces are taken at its middle (the explicit midpoint method, order 2).
 //!
-//! *When it is wrong:* beyond slopes of about 0.3 rad, where a foot's way is no longer proportional to the slope; where feet slide
+//! *When it is wrong:* beyond slopes of about 0.3 rad along both diagonals, as turns about the two are taken to be independent; where feet slide
 //! far; where the frame between the feet and the hub bends long after the touch.
 
 use super::legged_body::{LeggedBody, Legs};
@@ -33,7 +34,8 @@ type State = [f64; 6];
 /// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
 pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
     let [p, q] = slopes;
-    let lowest_m = body.foot_radius_m * p.abs().max(q.abs());
+    let raised_m = body.centre_height_m * (1.0 - libm::cos(p) * libm::cos(q));
+    let lowest_m = body.foot_radius_m * libm::sin(p.abs().max(q.abs())) - raised_m;
     let mut state: State = [-lowest_m, p, q, speed_m_s, 0.0, 0.0];
     let mut landing = Landing { accel_g: Vec::with_capacity(points), touch_s: [None; FEET] };
     for point in 0..points {
@@ -53,17 +55,25 @@ pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2]
 /// Rates of change, the force of all feet, N, and how far each foot stands below the ground, m.
 fn change(body: &LeggedBody, legs: &Legs, state: &State) -> (State, f64, [f64; FEET]) {
     let [z, p, q, z_rate, p_rate, q_rate] = *state;
-    let r = body.foot_radius_m;
-    let depth_m = [z + r * p, z - r * p, z + r * q, z - r * q];
-    let speed_m_s = [z_rate + r * p_rate, z_rate - r * p_rate, z_rate + r * q_rate, z_rate - r * q_rate];
+    let (r, h) = (body.foot_radius_m, body.centre_height_m);
+    let [(sin_p, cos_p), (sin_q, cos_q)] = [p, q].map(|slope| (libm::sin(slope), libm::cos(slope)));
+    let sunk_m = z - h * (1.0 - cos_p * cos_q);
+    let depth_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
+    // How each slope lowers all feet, and the two at the ends of its own diagonal.
+    let (all_p, all_q) = (-h * sin_p * cos_q, -h * cos_p * sin_q);
+    let (own_p, own_q) = (r * cos_p, r * cos_q);
+    let common_m_s = z_rate + all_p * p_rate + all_q * q_rate;
+    let [along_p, along_q] = [own_p * p_rate, own_q * q_rate];
+    let speed_m_s = [common_m_s + along_p, common_m_s - along_p, common_m_s + along_q, common_m_s - along_q];
     let force_n: [f64; FEET] = std::array::from_fn(|foot| {
         let pressed = 0.25 * (legs.stiffness_n_m * depth_m[foot] + legs.damping_n_s_m * speed_m_s[foot]);
         if depth_m[foot] > 0.0 { pressed.max(0.0) } else { 0.0 }
     });
     let [a, b, c, d] = force_n;
     let all_n = a + b + c + d;
-    let turned = |difference_n: f64| -r * difference_n / legs.inertia_kg_m2;
-    ([z_rate, p_rate, q_rate, GRAVITY_M_S2 - all_n / body.mass_kg, turned(a - b), turned(c - d)], all_n, depth_m)
+    let p_turn = -(own_p * (a - b) + all_p * all_n) / legs.inertia_kg_m2;
+    let q_turn = -(own_q * (c - d) + all_q * all_n) / legs.inertia_kg_m2;
+    ([z_rate, p_rate, q_rate, GRAVITY_M_S2 - all_n / body.mass_kg, p_turn, q_turn], all_n, depth_m)
 }
 
 fn moved(state: &State, rate: &State, step_s: f64) -> State {
@@ -74,7 +84,7 @@ fn moved(state: &State, rate: &State, step_s: f64) -> State {
 mod tests {
     use super::*;
 
-    const BODY: LeggedBody = LeggedBody { mass_kg: 0.241, foot_radius_m: 0.1445 };
+    const BODY: LeggedBody = LeggedBody { mass_kg: 0.241, foot_radius_m: 0.1445, centre_height_m: 0.05 };
     const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, inertia_kg_m2: 1e-3 };
 
     #[test]
