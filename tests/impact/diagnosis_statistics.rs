@@ -26,6 +26,7 @@ fn plan(seed: u64) -> Plan {
         counts_per_g: 8.877,
         rate_hz: 1000.0,
         stalls: None,
+        landings: None,
         seed,
     }
 }
