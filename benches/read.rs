@@ -6,7 +6,7 @@ use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use flexframe::impact::measured;
-use flexframe::impact::measured::Calibration;
+use flexframe::impact::measured::FileFormat;
 
 /// Records.
 const RECORDS: usize = 1000;
@@ -54,8 +54,8 @@ fn reading(criterion: &mut Criterion) {
     for (name, path) in [("1000 logger files of 2000 samples", logged), ("a table of 1000 drops of 2000 samples", listed)] {
         criterion.bench_function(&format!("read and judge: {name}"), |bench| {
             bench.iter(|| {
-                let set = measured::read(&[black_box(&path).clone()], &Calibration::default()).expect("reads");
-                let groups = measured::drops(&set);
+                let set = measured::read(&[black_box(&path).clone()], &FileFormat::default()).expect("reads");
+                let groups = measured::JudgedDrops::of(&set).groups;
                 assert_eq!(groups.iter().map(|(_, drops)| drops.len()).sum::<usize>(), RECORDS);
             });
         });

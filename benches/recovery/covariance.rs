@@ -1,7 +1,7 @@
 //! The generator's own covariance of records, by quadrature over all that is random in them instead of by draws.
 
 use flexframe::impact::effects::Model;
-use flexframe::impact::fit::{BEFORE, Expected, FitProblem, Whitening};
+use flexframe::impact::fit::{BEFORE, Expected, FitProblem, MeanWave, Whitening};
 use flexframe::impact::sim::System;
 use flexframe::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
@@ -20,7 +20,10 @@ fn expected(plan: &Plan) -> Expected {
 pub fn exact(plan: &Plan) -> Option<FitProblem> {
     let expected = expected(plan);
     let system = expected.system(&plan.model);
-    let mean = |height_m: &f64| Some((*height_m, expected.window(&system, *height_m)?));
+    let mean = |height_m: &f64| {
+        let wave = expected.window(&system, *height_m)?;
+        Some(MeanWave { height_m: *height_m, wave })
+    };
     let means = plan.heights_m.iter().map(mean).collect::<Option<Vec<_>>>()?;
     let whitening = Whitening::of(&covariances(plan)?, &vec![plan.drops; means.len()])?;
     Some(FitProblem { expected, chosen: (0..means.len()).collect(), means, whitening })

@@ -39,6 +39,8 @@ pub fn plan(level: usize, seed: u64) -> Plan {
         noise_g: 0.17,
         counts_per_g: 8.877,
         rate_hz: 1000.0,
+        stalls: None,
+        landings: None,
         seed,
     }
 }
@@ -82,8 +84,8 @@ pub fn noise_free(plan: &Plan) -> Option<FitProblem> {
     let mut problem = FitProblem::of(&many, Whitening::of(&TrialCovariance::of(&many).plain_covariances(), &counts)?, 0.0);
     let expected: Expected = problem.expected;
     if plan.scatter.stiffness == 0.0 && !limited {
-        for (height_m, mean) in &mut problem.means {
-            *mean = expected.mean_over_phases(&clean(plan, *height_m));
+        for mean in &mut problem.means {
+            mean.wave = expected.mean_over_phases(&clean(plan, mean.height_m));
         }
     }
     Some(problem)

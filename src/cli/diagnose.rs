@@ -5,8 +5,8 @@ use std::process::ExitCode;
 
 use super::failure::Failure;
 use super::failure::mechanics_refused;
-use super::given_drops::{calibration, frame_and_paths, with_body_of};
-use super::options::{CalibrationOptions, Common, DropsOption, FrameOption};
+use super::given_drops::{file_format, frame_and_paths, with_body_of};
+use super::options::{ChannelOption, Common, DropsOption, FormatOptions, FrameOption};
 use super::output;
 use super::progress::Progress;
 use super::session;
@@ -56,9 +56,12 @@ pub(super) struct Args {
     /// Of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// How the logger counts.
+    /// What is compared.
+    #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
+    pub channel: ChannelOption,
+    /// How the files are written.
     #[command(flatten)]
-    pub calibration: CalibrationOptions,
+    pub format: FormatOptions,
     /// Folder that takes the folder `diagnose-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
@@ -77,11 +80,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
-    let set = measured::read(&paths, &calibration(&args.calibration)?)?;
+    let set = measured::read(&paths, &file_format(&args.format)?)?;
     let static_test = args.static_test.as_deref().map(StaticTest::read).transpose()?;
     let request = DiagnosisRequest {
         model,
         drops: &set,
+        channel: args.channel.wanted(),
         hold_out_heights_m: &args.hold_out_heights,
         static_test: static_test.as_ref(),
         max_effects: most,
@@ -119,7 +123,7 @@ fn usage(error: RequestError) -> Failure {
 fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let blocks = diagnosis_page::blocks(found, compared)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    let title = diagnosis_page::title(found);
+    let title = diagnosis_page::title(found, compared);
     let mut files = vec![
         ("diagnosis.json".to_string(), format!("{json:#}\n").into_bytes()),
         ("report.html".to_string(), html(&title, &blocks).into_bytes()),
@@ -142,8 +146,9 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     for sentence in compared.observed() {
         text += &format!("{sentence}\n");
     }
-    if let Some(reason) = &compared.channel_reason {
-        text += &format!("{reason}\n");
+    text += &format!("{}\n", compared.channel_reason);
+    for sentence in compared.sampling() {
+        text += &format!("{sentence}\n");
     }
     text += &format!("\nverdict: {}\n", found.verdict.id());
     for reason in &found.reasons {

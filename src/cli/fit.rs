@@ -4,16 +4,18 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::Failure;
-use super::given_drops::{calibration, frame_and_paths, with_body_of};
-use super::options::{CalibrationOptions, Common, DropsOption};
+use super::given_drops::{file_format, frame_and_paths, with_body_of};
+use super::options::{ChannelOption, Common, DropsOption, FormatOptions};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
 use crate::impact::body::DropBody;
+use crate::impact::diagnose::ChannelChoice;
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
 use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
 use crate::impact::measured;
+use crate::impact::measured::DropSet;
 use crate::report::chart::fit_plots;
 use crate::report::data::fit_data;
 
@@ -44,9 +46,12 @@ pub(super) struct Args {
     /// Of the resampling.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// How the logger counts.
+    /// What is compared; the paper's objective takes what the model states.
+    #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
+    pub channel: ChannelOption,
+    /// How the files are written.
     #[command(flatten)]
-    pub calibration: CalibrationOptions,
+    pub format: FormatOptions,
     /// Folder that takes the folder `fit-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
@@ -83,10 +88,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);
     let model = with_body_of(frame, model, common)?;
-    let set = measured::read(&paths, &calibration(&args.calibration)?)?;
-    let layout = layout(model, &args.free).map_err(usage)?;
+    let set = measured::read(&paths, &file_format(&args.format)?)?;
+    let mut layout = layout(model, &args.free).map_err(usage)?;
     let keep = if args.objective == Aim::Paper || args.all { Keep::Every } else { Keep::Clean };
-    let chosen = Chosen::of(&set, layout.model.sensor.channel, keep).map_err(usage)?;
+    let (chosen, reason) = chosen(args, &set, &layout.model, keep).map_err(usage)?;
+    layout.model.sensor.channel = chosen.channel;
     let (fitted, numbers) = fitted(args, &chosen, &layout).map_err(usage)?;
     let run = fit_data::Run {
         fit: &fitted,
@@ -106,10 +112,19 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {
-        let notes: String = set.notes.iter().map(|note| format!("note: {note}\n")).collect();
+        let notes: String = reason.iter().chain(&set.notes).map(|note| format!("note: {note}\n")).collect();
         terminal::print(&format!("{}{notes}{}: {} files\n", table(&fitted, &chosen, args, numbers), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The drops in the channel that is compared, and why it is.
+fn chosen<'a>(args: &Args, set: &'a DropSet, model: &Model, keep: Keep) -> Result<(Chosen<'a>, Option<String>), FitError> {
+    let wanted = args.channel.wanted();
+    match args.objective {
+        Aim::Paper => Ok((Chosen::of(set, wanted.unwrap_or(model.sensor.channel), keep)?, None)),
+        Aim::Ml => ChannelChoice::of(set, model, keep, wanted).map(|choice| (choice.chosen, Some(choice.reason))),
+    }
 }
 
 fn usage(error: FitError) -> Failure {
@@ -142,9 +157,9 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
 fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> String {
     let DropBody { mass_kg, gap_m, origin, .. } = &fit.model.body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {origin}\n", mass_kg * 1e3, gap_m * 1e3);
-    let channel = match fit.model.sensor.channel {
+    let channel = match chosen.channel {
         Channel::Axial => "acceleration along the axis",
-        Channel::Magnitude if chosen.lacks_axes() => "magnitude of the one axis there is",
+        Channel::Magnitude if !chosen.has_all_axes() => "magnitude of the one axis there is",
         Channel::Magnitude => "magnitude of all axes",
     };
     text += &format!("{channel} of {} drops, {} left out\n", chosen.drops.len(), chosen.left_out.len());

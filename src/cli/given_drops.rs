@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
-use super::options::{CalibrationOptions, Common, DropsOption, FrameOption};
+use super::options::{Common, DropsOption, FormatOptions, FrameOption};
 use super::session;
 use crate::frame::assembly::mass;
 use crate::impact::body::DropBody;
 use crate::impact::effects::Model;
-use crate::impact::measured::Calibration;
+use crate::impact::measured::{Calibration, FileFormat, TableFormat};
 use crate::params::preset;
 
 /// The frame among the drops, if there is one, and the paths of the drops. A frame is a preset's name that is no path, or a TOML
@@ -38,8 +38,13 @@ pub(super) fn with_body_of(frame: Option<String>, mut model: Model, common: &Com
     Ok(model)
 }
 
-/// The logger's calibration with the command line's changes.
-pub(super) fn calibration(args: &CalibrationOptions) -> Result<Calibration, Failure> {
+/// How files of drops are written: the paper's logger and this program's tables, with the command line's changes.
+pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
+    let table = TableFormat::new(&args.columns, &args.units, args.rate);
+    Ok(FileFormat { calibration: calibration(args)?, table: table.map_err(|error| Failure::Usage { message: error.to_string() })? })
+}
+
+fn calibration(args: &FormatOptions) -> Result<Calibration, Failure> {
     let three = |values: &[f64], what: &str, good: fn(f64) -> bool| {
         let three: Option<[f64; 3]> = values.try_into().ok().filter(|values: &[f64; 3]| values.iter().all(|value| good(*value)));
         three.ok_or_else(|| Failure::Usage { message: format!("--{what} takes three numbers, for x, y and z: as in 2019.94,2020,2020.77") })

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::Failure;
-use super::given_drops::calibration;
-use super::options::{CalibrationOptions, Common};
+use super::given_drops::file_format;
+use super::options::{Common, FormatOptions};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
 use crate::impact::measured;
-use crate::impact::measured::{Drop, DropGroup, Spread, Summary};
+use crate::impact::measured::{Drop, DropGroup, JudgedDrops, Session, Spread, Summary, Zero};
 use crate::report::chart::measure_plots;
 use crate::report::data::measure_data;
 
@@ -23,9 +23,9 @@ pub(super) struct Args {
     /// Files of the logger, CSV tables, or folders of them.
     #[arg(required = true, value_name = "PATH")]
     pub paths: Vec<PathBuf>,
-    /// How the logger counts.
+    /// How the files are written.
     #[command(flatten)]
-    pub calibration: CalibrationOptions,
+    pub format: FormatOptions,
     /// Folder that takes the folder `measure`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
@@ -34,13 +34,14 @@ pub(super) struct Args {
 /// Reads drops, judges each, and writes a folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("reading", common);
-    let set = measured::read(&args.paths, &calibration(&args.calibration)?)?;
-    let groups = measured::drops(&set);
-    let json = measure_data::json(&set, &groups);
-    let mut files = measure_plots::plots(&groups)
+    let set = measured::read(&args.paths, &file_format(&args.format)?)?;
+    let judged = JudgedDrops::of(&set);
+    let groups = &judged.groups;
+    let json = measure_data::json(&set, &judged);
+    let mut files = measure_plots::plots(groups)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
-    files.push(("heights.csv".into(), measure_data::heights_csv(&groups)?.into_bytes()));
-    files.push(("drops.csv".into(), measure_data::drops_csv(&groups)?.into_bytes()));
+    files.push(("heights.csv".into(), measure_data::heights_csv(groups)?.into_bytes()));
+    files.push(("drops.csv".into(), measure_data::drops_csv(groups)?.into_bytes()));
     files.push(("measure.json".into(), format!("{json:#}\n").into_bytes()));
     drop(working);
     let place = output::write_folder(&args.output, "measure", &files)?;
@@ -48,8 +49,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print_json(&json)?;
     } else if !common.quiet {
         let notes: String = set.notes.iter().map(|note| format!("note: {note}\n")).collect();
-        let (table, flagged) = (table(&groups), flagged(&groups));
-        terminal::print(&format!("{table}\n{flagged}{notes}{}: {} files\n", place.display(), files.len()))?;
+        let (table, sessions, flagged) = (table(groups), sessions(&judged), flagged(groups));
+        terminal::print(&format!("{table}\n{sessions}{flagged}{notes}{}: {} files\n", place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -88,6 +89,27 @@ fn row(sum: &Summary) -> String {
         median(sum.fall_s, 8, 3),
         median(sum.noise_g, 7, 3),
     )
+}
+
+/// Zero and scale of each session, and where clocks stall.
+fn sessions(judged: &JudgedDrops) -> String {
+    let zero = |zero: &Option<Zero>| zero.map_or(format!("{:>15}", "-"), |zero| format!("{:>+7.3} ± {:.3}", zero.mean_g, zero.error_g));
+    let line = |session: &Session| {
+        let [x, y, z] = &session.zeros;
+        let held = session.held_g.map_or("-".into(), |held| format!("{:.3}", held.median));
+        format!("zero     {}: x {}, y {}, z {} g in free fall; held {held} g\n", session.name, zero(x), zero(y), zero(z))
+    };
+    let known = judged.sessions.iter().filter(|session| session.zeros.iter().any(Option::is_some));
+    let mut text: String = known.map(line).collect();
+    for (frame, period) in &judged.periods {
+        text += &format!(
+            "clock    {}: stalls every {:.1} samples, and catches up in the {:.0} samples behind\n",
+            frame.as_deref().unwrap_or("all records"),
+            period.samples,
+            period.stretch
+        );
+    }
+    text
 }
 
 /// Every flag with its reason.

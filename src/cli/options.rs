@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::impact::effects::Channel;
+
 /// Options of every command.
 #[derive(Debug, Args)]
 pub(super) struct Common {
@@ -48,15 +50,47 @@ pub(super) struct DropsOption {
     pub drops: Vec<PathBuf>,
 }
 
-/// How the logger counts.
+/// How files of drops are written.
 #[derive(Debug, Args)]
-pub(super) struct CalibrationOptions {
+pub(super) struct FormatOptions {
     /// Counts of the logger at 0 g, instead of those of the paper's.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
     pub offset_counts: Option<Vec<f64>>,
     /// Counts of the logger to one g, instead of those of the paper's.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
     pub counts_per_g: Option<Vec<f64>>,
+    /// Names of a table's columns: trial, session, h (height), v (impact speed, m/s), t, a (along the axis), x, y, z; -NAME changes
+    /// the sign. Without a, z is the axis.
+    #[arg(long, value_delimiter = ',', value_name = "KEY=NAME,…")]
+    pub columns: Vec<String>,
+    /// Units of a table: g, mg or m/s2; s, ms or us; m, cm or mm.
+    #[arg(long, value_delimiter = ',', value_name = "UNIT,…")]
+    pub units: Vec<String>,
+    /// Samples a second of a table, in place of its stamps.
+    #[arg(long, value_name = "HZ")]
+    pub rate: Option<f64>,
+}
+
+/// What of the readings is compared with a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum ChannelOption {
+    /// What the drops support; the result says which, and why.
+    Auto,
+    /// The component along the frame's axis.
+    Axial,
+    /// The magnitude of all axes.
+    Magnitude,
+}
+
+impl ChannelOption {
+    /// The channel, if one is asked for.
+    pub(super) fn wanted(self) -> Option<Channel> {
+        match self {
+            Self::Auto => None,
+            Self::Axial => Some(Channel::Axial),
+            Self::Magnitude => Some(Channel::Magnitude),
+        }
+    }
 }
 
 /// How a comparison is said.

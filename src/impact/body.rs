@@ -31,6 +31,8 @@ pub struct DropBody {
     pub gap_m: f64,
     /// How far the frame can be compressed before the arms are down at the lower ring, m; unknown without a frame.
     pub travel_m: Option<f64>,
+    /// From the hub's axis to a foot, m; unknown without a frame.
+    pub foot_radius_m: Option<f64>,
     /// Where the numbers come from.
     pub origin: Origin,
 }
@@ -43,6 +45,7 @@ impl DropBody {
             mass_kg: masses.total_g * 1e-3,
             gap_m: gap_mm * 1e-3,
             travel_m: Some(design.skeleton.closure.ring_half_height_mm * 1e-3),
+            foot_radius_m: Some(design.skeleton.closure.ring_half_side_mm * std::f64::consts::SQRT_2 * 1e-3),
             origin: Origin::Frame(design.frame.name.clone()),
         }
     }

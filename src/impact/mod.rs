@@ -5,6 +5,7 @@ pub mod diagnose;
 pub mod effects;
 pub mod fit;
 pub mod frame_fit;
+pub mod landing;
 pub mod measured;
 pub mod sim;
 pub mod synthetic;

@@ -2,7 +2,7 @@
 
 use flexframe::impact::diagnose::{DiagnosisOptions, PreparedDrops, Verdict, clipping, diagnose, trend_p};
 use flexframe::impact::effects::{Model, by_id};
-use flexframe::impact::fit::{Expected, FittedDrop, TrialCovariance, Waves, Whitening, minimise};
+use flexframe::impact::fit::{Expected, FittedDrop, MeanWave, TrialCovariance, Waves, Whitening, minimise};
 use flexframe::impact::synthetic::{Hidden, Plan, ReferenceTrajectory, TrialVariation, records};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
@@ -25,6 +25,8 @@ fn plan(seed: u64) -> Plan {
         noise_g: 0.17,
         counts_per_g: 8.877,
         rate_hz: 1000.0,
+        stalls: None,
+        landings: None,
         seed,
     }
 }
@@ -105,7 +107,7 @@ fn analytic_whitened_means_have_variance_one() {
         .map(|seed| {
             let others = waves(&plan(100 + seed));
             let mut problem = prepared.problem.clone();
-            problem.means = others.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
+            problem.means = others.groups.iter().map(MeanWave::of).collect();
             problem.residual(&base()).expect("it holds the body").norm_squared() / problem.len() as f64
         })
         .collect();

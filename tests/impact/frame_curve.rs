@@ -8,7 +8,7 @@ use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose
 use flexframe::impact::effects::{FrameCurve, Model};
 use flexframe::impact::fit::{Chosen, Keep};
 use flexframe::impact::measured;
-use flexframe::impact::measured::Calibration;
+use flexframe::impact::measured::FileFormat;
 use flexframe::params::ImpactFile;
 
 /// φ of the real frame, which `flexframe stiffness cognifly-v8` computes, to a hundredth of a millimetre; and one that stiffens as much.
@@ -61,7 +61,7 @@ fn synthetic_drops(folder: &Path, points: &[[f64; 2]], seed: u64) -> std::path::
 }
 
 fn diagnosed(drops: &Path, candidate: Option<Arc<FrameCurve>>) -> Diagnosis {
-    let set = measured::read(&[drops.to_path_buf()], &Calibration::default()).expect("reads");
+    let set = measured::read(&[drops.to_path_buf()], &FileFormat::default()).expect("reads");
     let mut model = Model::load("paper-corrected").expect("comes with the program");
     model.sensor.channel = flexframe::impact::effects::Channel::Axial;
     model.frame_curve = candidate;

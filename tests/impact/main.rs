@@ -4,18 +4,21 @@
 mod bodies;
 mod case;
 mod case_study;
+mod clock_stalls;
 mod diagnosis_statistics;
 mod effect_cases;
 mod effect_catalogue;
 mod effects;
 mod frame_curve;
 mod frame_fit;
+mod landing;
 mod paper;
 mod published;
 mod random_models;
 mod records_random;
 mod recovery;
 mod reproduction;
+mod sampling_rates;
 #[expect(dead_code, reason = "the benchmark of recovery uses the rest")]
 #[path = "../../benches/recovery/strength.rs"]
 mod strength;

@@ -3,7 +3,7 @@
 use std::fs;
 
 use flexframe::impact::measured;
-use flexframe::impact::measured::Calibration;
+use flexframe::impact::measured::FileFormat;
 use flexframe::report::chart::measure_plots;
 use flexframe::report::data::measure_data;
 use proptest::collection::vec;
@@ -17,16 +17,17 @@ fn survives(name: &str, bytes: &[u8], plots: bool) -> bool {
     fs::create_dir(&place).expect("a folder");
     let path = place.join(name);
     fs::write(&path, bytes).expect("can be written");
-    match measured::read(&[path], &Calibration::default()) {
+    match measured::read(&[path], &FileFormat::default()) {
         Err(malformed) => {
             assert!(malformed.to_string().contains(name) && !malformed.fault.remedy().is_empty());
             false
         }
         Ok(set) => {
-            let groups = measured::drops(&set);
-            assert!(!measure_data::json(&set, &groups).to_string().is_empty());
-            assert!(measure_data::heights_csv(&groups).expect("is a table").lines().count() == groups.len() + 1);
-            assert!(measure_data::drops_csv(&groups).expect("is a table").lines().count() > groups.len());
+            let judged = measured::JudgedDrops::of(&set);
+            let groups = &judged.groups;
+            assert!(!measure_data::json(&set, &judged).to_string().is_empty());
+            assert!(measure_data::heights_csv(groups).expect("is a table").lines().count() == groups.len() + 1);
+            assert!(measure_data::drops_csv(groups).expect("is a table").lines().count() > groups.len());
             if plots {
                 measure_plots::plots(&groups).expect("can be drawn");
             }

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use flexframe::checks::gate::Baseline;
 use flexframe::impact::effects::Model;
-use flexframe::impact::measured::{Calibration, read};
+use flexframe::impact::measured::{FileFormat, read};
 use flexframe::impact::synthetic::Plan;
 use flexframe::params::{Frame, FrameFile, ImpactFile};
 use flexframe::variant::{Goal, Increase};
@@ -197,7 +197,7 @@ fn planted_records_of_drops() {
         let path = place.join(name);
         move |bytes: &[u8]| {
             fs::write(&path, bytes).expect("can be written");
-            read(std::slice::from_ref(&path), &Calibration::default()).map_err(|malformed| malformed.to_string()).is_ok()
+            read(std::slice::from_ref(&path), &FileFormat::default()).map_err(|malformed| malformed.to_string()).is_ok()
         }
     };
     let rows: String = (0..60).map(|at| format!("1,0.5,{:.3},{:.2}\n", f64::from(at) * 1e-3, 1.0 + f64::from(at % 7))).collect();

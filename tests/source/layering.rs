@@ -25,7 +25,7 @@ const WINGS: [&str; 16] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 30] = [
+const LAYERS: [(&str, &[&str]); 31] = [
     ("units", &[]),
     ("figures", &[]),
     ("memo", &[]),
@@ -66,6 +66,7 @@ const LAYERS: [(&str, &[&str]); 30] = [
     ("impact/synthetic", &["units", "params", "impact/effects"]),
     ("impact/frame_fit", &["units", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
     ("impact/diagnose", &["units", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
+    ("impact/landing", &["units", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose"]),
     (
         "variant",
         &[
@@ -105,6 +106,7 @@ const LAYERS: [(&str, &[&str]); 30] = [
             "impact/fit",
             "impact/frame_fit",
             "impact/diagnose",
+            "impact/landing",
             "variant",
         ],
     ),
@@ -169,7 +171,7 @@ const CONFINED: [(&str, &str); 42] = [
     ("Command::new", "cli"),
     ("amd::", "mechanics"),
     ("toml_edit", "cli"),
-    ("statrs", "printing/weighing mechanics impact/frame_fit"),
+    ("statrs", "printing/weighing mechanics impact/frame_fit impact/landing"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

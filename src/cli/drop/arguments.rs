@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::options::CalibrationOptions;
+use crate::cli::options::FormatOptions;
 
 /// Simulate drops of an impact model, or of a frame, and write peaks, energies and plots.
 #[derive(Debug, clap::Args)]
@@ -27,7 +27,7 @@ pub(in crate::cli) struct Args {
     pub fit: Vec<PathBuf>,
     /// The logger.
     #[command(flatten)]
-    pub calibration: CalibrationOptions,
+    pub format: FormatOptions,
     /// With --model frame: degrees that the frame is turned about X and Y when it touches, -30 to 30; four to five times as slow.
     #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
     pub tilt: Vec<f64>,

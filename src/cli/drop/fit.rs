@@ -5,14 +5,14 @@ use std::process::ExitCode;
 use super::arguments::Args;
 use super::frame::frame;
 use crate::cli::failure::{Failure, mechanics_refused};
-use crate::cli::given_drops::calibration;
+use crate::cli::given_drops::file_format;
 use crate::cli::options::Common;
 use crate::cli::progress::Progress;
 use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
 use crate::impact::frame_fit::{Height, ResponseSurface, Subject, fit};
 use crate::impact::measured;
-use crate::impact::measured::{DropSet, Summary};
+use crate::impact::measured::{DropSet, JudgedDrops, Summary};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::report::data::impact_fit_data;
@@ -22,7 +22,7 @@ use crate::report::data::impact_fit_data::Fitted;
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(args)?;
     let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
-    let set = measured::read(&args.fit, &calibration(&args.calibration)?)?;
+    let set = measured::read(&args.fit, &file_format(&args.format)?)?;
     let heights = heights(&set)?;
     let working = Progress::of("fitting", common);
     let design = session::design(&frame, common)?;
@@ -60,5 +60,5 @@ fn heights(set: &DropSet) -> Result<Vec<Height>, Failure> {
         let height = Height::of(&Summary::of(group, drops));
         height.ok_or_else(|| Failure::Usage { message: format!("no drop from {} m has an impact without a flag", group.height_m) })
     };
-    measured::drops(set).iter().map(of).collect()
+    JudgedDrops::of(set).groups.iter().map(of).collect()
 }

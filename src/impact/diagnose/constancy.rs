@@ -58,7 +58,7 @@ pub fn constancy(problem: &FitProblem, candidate: &Candidate) -> Option<Constanc
                 .map(|(height, fit)| {
                     let normal = fit.minimum.jacobian.transpose() * &fit.minimum.jacobian;
                     let sd = crate::impact::fit::inverse(&normal).map_or(f64::INFINITY, |inverse| inverse[(i, i)].sqrt());
-                    (problem.means[*height].0, free.outward(fit.minimum.at[i]), sd)
+                    (problem.means[*height].height_m, free.outward(fit.minimum.at[i]), sd)
                 })
                 .collect();
             ByHeight { effect: free.spec.id, key: free.key(), slope: slope(&values), values }

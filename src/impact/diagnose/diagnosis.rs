@@ -183,7 +183,7 @@ const SUPPORT: [f64; 3] = [0.7, 0.7, 0.95];
 /// p-value below which a trend over trials is significant.
 const TREND: f64 = 0.002;
 /// p-value below which parameters are not the same at all heights.
-const UNSTEADY: f64 = 1e-4;
+pub const UNSTEADY: f64 = 1e-4;
 /// Sets whose parameters are looked at height by height.
 const LOOKED_AT: usize = 6;
 

@@ -44,7 +44,7 @@ pub fn experiments(problem: &FitProblem, trial_covariance: &TrialCovariance, fir
     let relative = relative_error(problem, trial_covariance);
     let mut all = Vec::new();
     for height_m in HEIGHTS_M {
-        let known = problem.means.iter().any(|(known, _)| (known - height_m).abs() < 0.05 * height_m);
+        let known = problem.means.iter().any(|mean| (mean.height_m - height_m).abs() < 0.05 * height_m);
         if let (false, Some(discrimination)) = (known, squared_distance(a, b, height_m, problem.expected.step_s, None, relative)) {
             all.push(Experiment {
                 what: format!("drop the frame {DROPS} times from {height_m} m with the same sensor"),
@@ -55,7 +55,7 @@ pub fn experiments(problem: &FitProblem, trial_covariance: &TrialCovariance, fir
             });
         }
     }
-    let tallest = problem.means.iter().map(|(height_m, _)| *height_m).fold(0.0, f64::max);
+    let tallest = problem.means.iter().map(|mean| mean.height_m).fold(0.0, f64::max);
     if let Some(discrimination) = squared_distance(a, b, tallest, FAST.0, Some(FAST_CUTOFF_HZ), relative) {
         all.push(Experiment {
             what: format!("drop it {DROPS} times from {tallest} m with a sensor of {FAST_CUTOFF_HZ} Hz read 10,000 times a second"),
@@ -84,7 +84,7 @@ fn squared(value: f64) -> f64 {
 fn relative_error(problem: &FitProblem, trial_covariance: &TrialCovariance) -> f64 {
     let counts = trial_covariance.counts();
     let of = |(at, errors): (usize, Vec<f64>)| {
-        let peak = problem.means[at].1.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
+        let peak = problem.means[at].wave.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
         let square = errors.iter().map(|error| error * error * counts[at] as f64).sum::<f64>() / errors.len() as f64;
         square.sqrt() / peak.max(1e-9)
     };

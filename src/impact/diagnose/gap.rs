@@ -4,10 +4,10 @@ use nalgebra::DVector;
 
 use super::candidate::Candidate;
 use crate::impact::effects::Model;
-use crate::impact::fit::{FitProblem, Layout, Waves};
+use crate::impact::fit::{FitProblem, Layout, MeanWave, Waves};
 
 /// A gap in g.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct Gap {
     /// Root of the mean over samples of (mean wave - model)² - SE², not below zero.
     pub net_g: f64,
@@ -56,6 +56,17 @@ impl Sums {
     }
 }
 
+impl Gap {
+    /// Of mean windows and what is predicted for them, with the standard errors of the means and the number of their records.
+    pub fn between<'a>(means: impl IntoIterator<Item = (&'a [f64], &'a [f64], &'a [f64], usize)>) -> Self {
+        let mut sums = Sums::default();
+        for (measured, predicted, errors, drops) in means {
+            sums.add(measured, predicted, errors, drops);
+        }
+        if sums.count > 0.0 { sums.gap() } else { Self::default() }
+    }
+}
+
 /// The gap of a model at all heights of measured waves.
 pub fn gap(problem: &FitProblem, waves: &Waves, model: &Model) -> Option<Gap> {
     let mut sums = Sums::default();
@@ -85,7 +96,7 @@ pub fn left_out_trials(problem: &FitProblem, waves: &Waves, candidate: &Candidat
     for out in 0..2 {
         let halves = |keep: bool| waves.half(|drop| (drop % 2 == out) == keep);
         let (fitted, judged) = (halves(false), halves(true));
-        let means = fitted.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
+        let means = fitted.groups.iter().map(MeanWave::of).collect();
         let half = FitProblem { means, ..problem.clone() };
         let refitted = half.fit(Layout::clone(&candidate.fitted.layout), STEPS)?;
         let predicted: DVector<f64> = half.prediction(refitted.model())?;

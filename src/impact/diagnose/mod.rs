@@ -24,18 +24,18 @@ mod stage;
 mod static_comparison;
 mod trend;
 
-pub use adequacy::{Adequacy, Statistics};
+pub use adequacy::{Adequacy, LinearisedFit, Statistics, judge};
 pub use bootstrap::{Bootstrap, Replicate};
 pub use candidate::Candidate;
 pub use channel_choice::ChannelChoice;
 pub use clipping::{Clipping, clipping};
 pub use constancy::{ByHeight, Constancy, constancy};
 pub use diagnosis::{
-    Alternative, Diagnosis, DiagnosisError, DiagnosisOptions, EffectEstimate, Gaps, Ranked, Verdict, diagnose, joined, watched,
+    Alternative, Diagnosis, DiagnosisError, DiagnosisOptions, EffectEstimate, Gaps, Ranked, UNSTEADY, Verdict, diagnose, joined, watched,
 };
 pub use experiment::Experiment;
 pub use frame_mode::FrameMode;
-pub use gap::{Gap, gap};
+pub use gap::{Gap, errors, gap};
 pub use observable::{Observable, observables};
 pub use prepared_drops::PreparedDrops;
 pub use residual_force::ForceCell;

@@ -2,7 +2,7 @@
 
 use super::waves::{Unusable, Waves};
 use crate::impact::effects::Channel;
-use crate::impact::measured::{Drop, DropSet, Flag, Record, drops};
+use crate::impact::measured::{Drop, DropSet, Flag, Hint, JudgedDrops, Record};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -13,6 +13,9 @@ pub enum FitError {
         /// Their names.
         frames: Vec<String>,
     },
+    /// Readings that are not what the model predicts.
+    #[error(transparent)]
+    Readings(#[from] Hint),
     /// All left out.
     #[error("none of the {count} drops can be fitted; `flexframe measure` says why")]
     NoDrops {
@@ -80,17 +83,20 @@ impl<'a> Chosen<'a> {
     /// Chooses.
     ///
     /// # Errors
-    /// When none is left, or the drops are of several frames.
+    /// When none is left, the drops are of several frames, or their unit or sign is another.
     pub fn of(set: &'a DropSet, channel: Channel, keep: Keep) -> Result<Self, FitError> {
         let frames = set.frames();
         if frames.len() > 1 {
             let frames = frames.into_iter().map(|frame| frame.unwrap_or("without a name").to_string()).collect();
             return Err(FitError::Frames { frames });
         }
-        let judged = drops(set);
+        if let Some(hint) = Hint::of(set) {
+            return Err(hint.into());
+        }
+        let judged = JudgedDrops::of(set).groups;
         let impulses_kept = keep != Keep::Clean || judged.iter().any(|(_, drops)| most_impulses_impossible(drops));
         let unwanted = |flag: &Flag| match flag {
-            Flag::DoubleHit { .. } => keep != Keep::Every,
+            Flag::ClockStall { .. } | Flag::DoubleHit { .. } => keep != Keep::Every,
             Flag::Impulse { .. } => !impulses_kept,
             Flag::Saturated { .. } => false,
             flag => is_unusable(flag),
@@ -130,9 +136,9 @@ impl<'a> Chosen<'a> {
         }
     }
 
-    /// Whether the model wants a magnitude that was not measured: the axial channel's stands for it.
-    pub fn lacks_axes(&self) -> bool {
-        self.channel == Channel::Magnitude && self.drops.iter().any(|drop| drop.record.magnitude_g.is_none())
+    /// Whether all axes of every drop were measured.
+    pub fn has_all_axes(&self) -> bool {
+        self.drops.iter().all(|drop| drop.record.axes_g.is_some())
     }
 }
 

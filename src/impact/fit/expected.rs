@@ -94,10 +94,15 @@ impl Expected {
         Some(FineWave::of(&self.fine(&ready.systems.first()?.1, height_m)?).crossing_s)
     }
 
+    /// How many points a wave needs for the window.
+    pub fn fine_points(&self) -> usize {
+        let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
+        (end_s / FINE_S) as usize + 2
+    }
+
     /// The wave itself, at steps of 0.05 ms; `None` where the simulation diverges.
     pub fn fine(&self, system: &System, height_m: f64) -> Option<Vec<f64>> {
-        let end_s = ONSET_S + self.step_s * (self.samples - BEFORE + 1) as f64;
-        let mut fine = vec![0.0; (end_s / FINE_S) as usize + 2];
+        let mut fine = vec![0.0; self.fine_points()];
         (wave(system, height_m, FINE_S, &SolverOptions::FIT, &mut fine) == Stop::End).then_some(fine)
     }
 

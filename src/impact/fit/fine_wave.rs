@@ -3,7 +3,7 @@
 use super::waves::TRIGGER_G;
 
 /// Time between the points of a wave, s.
-pub(super) const FINE_S: f64 = 5e-5;
+pub const FINE_S: f64 = 5e-5;
 /// Longest time from first touch to the trigger that is followed, s.
 pub(super) const ONSET_S: f64 = 5e-3;
 

@@ -11,6 +11,7 @@
 
 mod chosen;
 mod covariance_model;
+mod decimation;
 mod expected;
 mod fine_wave;
 mod fitting;
@@ -25,13 +26,15 @@ mod waves;
 
 pub use chosen::{Chosen, FitError, Keep, LeftOut};
 pub use covariance_model::{CovarianceModel, inverse_root};
+pub use decimation::Decimation;
 pub use expected::{Expected, Ready};
+pub use fine_wave::FINE_S;
 pub use fitting::{Fit, Objective, ParameterEstimate, fit};
 pub use free::{Free, Layout};
 pub use least_squares::{Minimum, inverse, minimise};
 pub use likelihood::Likelihood;
 pub use paper::PaperObjective;
-pub use problem::{FitProblem, Fitted};
+pub use problem::{FitProblem, Fitted, MeanWave};
 pub use trial_covariance::{TrialCovariance, Whitening};
 pub use trigger_jitter::TriggerJitter;
 pub use waves::{BEFORE, FittedDrop, Unusable, WaveGroup, Waves};

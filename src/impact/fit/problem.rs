@@ -6,16 +6,32 @@ use super::expected::Expected;
 use super::free::Layout;
 use super::least_squares::{Minimum, minimise};
 use super::trial_covariance::Whitening;
-use super::waves::Waves;
+use super::waves::{WaveGroup, Waves};
 use crate::impact::effects::Model;
+
+/// The mean wave of a height.
+#[derive(Clone, Debug)]
+pub struct MeanWave {
+    /// Height, m.
+    pub height_m: f64,
+    /// Mean window, g.
+    pub wave: Vec<f64>,
+}
+
+impl MeanWave {
+    /// Of a group.
+    pub fn of(group: &WaveGroup) -> Self {
+        Self { height_m: group.height_m, wave: group.mean.clone() }
+    }
+}
 
 /// Mean waves of some heights and their covariance.
 #[derive(Clone, Debug)]
 pub struct FitProblem {
     /// What a model has to predict.
     pub expected: Expected,
-    /// Height, m, and mean wave, g.
-    pub means: Vec<(f64, Vec<f64>)>,
+    /// A height each.
+    pub means: Vec<MeanWave>,
     /// A height each.
     pub whitening: Whitening,
     /// Which heights are compared; the others are held out.
@@ -46,7 +62,7 @@ impl Fitted {
 impl FitProblem {
     /// All heights of measured waves.
     pub fn of(waves: &Waves, whitening: Whitening, spread: f64) -> Self {
-        let means = waves.groups.iter().map(|group| (group.height_m, group.mean.clone())).collect();
+        let means = waves.groups.iter().map(MeanWave::of).collect();
         let expected = Expected { spread, ..Expected::plain(waves.step_s, waves.samples) };
         Self { expected, means, whitening, chosen: (0..waves.groups.len()).collect() }
     }
@@ -72,14 +88,15 @@ impl FitProblem {
         let system = self.expected.system(model);
         let mut all = Vec::with_capacity(self.len());
         for height in &self.chosen {
-            all.extend(self.expected.window(&system, self.means[*height].0)?);
+            let mean = &self.means[*height];
+            all.extend(self.expected.window(&system, mean.height_m)?);
         }
         Some(DVector::from_vec(all))
     }
 
     /// Measured mean windows of the chosen heights, one below the other, g.
     pub fn measured(&self) -> DVector<f64> {
-        DVector::from_iterator(self.len(), self.chosen.iter().flat_map(|height| self.means[*height].1.iter().copied()))
+        DVector::from_iterator(self.len(), self.chosen.iter().flat_map(|height| self.means[*height].wave.iter().copied()))
     }
 
     /// Deviations in g to whitened deviations.

@@ -1,5 +1,7 @@
 //! Trigger-aligned records, gathered by height.
 
+use super::decimation::Decimation;
+
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FittedDrop {
@@ -18,6 +20,8 @@ pub struct FittedDrop {
 pub struct WaveGroup {
     /// Height, m.
     pub height_m: f64,
+    /// How its readings were averaged and thinned out.
+    pub decimation: Decimation,
     /// Names of the drops in the order of the windows.
     pub trials: Vec<String>,
     /// A window a drop: `BEFORE` samples, then those from the trigger on.
@@ -31,7 +35,7 @@ pub struct WaveGroup {
 pub struct Waves {
     /// Rising height.
     pub groups: Vec<WaveGroup>,
-    /// Time between samples, s.
+    /// Time between the samples of a window, s.
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
@@ -61,7 +65,7 @@ pub enum Unusable {
         samples: usize,
     },
     /// Samples are not equally spaced, or not like the others'.
-    #[error("drop `{trial}` from {height_m} m is sampled every {step_ms:.4} ms, the first drop every {first_ms:.4} ms")]
+    #[error("drop `{trial}` from {height_m} m is sampled every {step_ms:.4} ms, the first drop of this height every {first_ms:.4} ms")]
     Rate {
         /// Its name.
         trial: String,
@@ -69,7 +73,7 @@ pub enum Unusable {
         height_m: f64,
         /// Its time between samples, ms.
         step_ms: f64,
-        /// The first drop's, ms.
+        /// That of the height's first drop, ms.
         first_ms: f64,
     },
     /// The trial covariance, in whose units a gap is judged, cannot be estimated.
@@ -104,16 +108,20 @@ impl Waves {
     /// # Errors
     /// [`Unusable`] with the drop that cannot be used.
     pub fn of(drops: &[FittedDrop]) -> Result<Self, Unusable> {
-        let first = drops.first().ok_or(Unusable::Empty)?;
-        let step_s = step_s(first);
+        if drops.is_empty() {
+            return Err(Unusable::Empty);
+        }
+        let native_s = same_rate_by_height(drops)?;
+        let step_s = Decimation::common_step_s(native_s.iter().map(|(_, native_s)| *native_s));
+        let decimation = |height_m: f64| {
+            let native_s = native_s.iter().find(|(of, _)| *of == height_m).map_or(step_s, |(_, native_s)| *native_s);
+            Decimation { native_s, kept_s: step_s }
+        };
         let mut samples = (AFTER_S / step_s).round() as usize + BEFORE;
         for drop in drops {
-            let (trial, height_m, own_s) = (drop.trial.clone(), drop.height_m, self::step_s(drop));
-            if (own_s / step_s - 1.0).abs() > 1e-2 || own_s.is_nan() {
-                return Err(Unusable::Rate { trial, height_m, step_ms: own_s * 1e3, first_ms: step_s * 1e3 });
-            }
+            let (trial, height_m) = (drop.trial.clone(), drop.height_m);
             let trigger = trigger(&drop.accel_g).ok_or(Unusable::NoImpact { trial: trial.clone(), height_m })?;
-            let left = drop.accel_g.len() - trigger;
+            let left = ((drop.accel_g.len() - trigger) as f64 / decimation(height_m).readings()) as usize;
             if left < LEAST {
                 return Err(Unusable::TooShort { trial, height_m, samples: left });
             }
@@ -122,7 +130,8 @@ impl Waves {
         let mut heights: Vec<f64> = drops.iter().map(|drop| drop.height_m).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup();
-        let groups: Vec<WaveGroup> = heights.iter().map(|height_m| WaveGroup::of(*height_m, drops, samples)).collect();
+        let groups: Vec<WaveGroup> =
+            heights.iter().map(|height_m| WaveGroup::of(*height_m, decimation(*height_m), drops, samples)).collect();
         if let Some(few) = groups.iter().find(|group| group.windows.len() < FEWEST) {
             return Err(Unusable::TooFew { height_m: few.height_m, count: few.windows.len() });
         }
@@ -142,7 +151,7 @@ impl Waves {
             let kept: Vec<usize> = (0..group.windows.len()).filter(|drop| keep(*drop)).collect();
             let windows: Vec<Vec<f64>> = kept.iter().map(|drop| group.windows[*drop].clone()).collect();
             let trials = kept.iter().map(|drop| group.trials[*drop].clone()).collect();
-            WaveGroup { height_m: group.height_m, trials, mean: mean(&windows, self.samples), windows }
+            WaveGroup { trials, mean: mean(&windows, self.samples), windows, ..*group }
         };
         Self { groups: self.groups.iter().map(some).collect(), ..*self }
     }
@@ -154,10 +163,11 @@ impl Waves {
 }
 
 impl WaveGroup {
-    fn of(height_m: f64, drops: &[FittedDrop], samples: usize) -> Self {
+    fn of(height_m: f64, decimation: Decimation, drops: &[FittedDrop], samples: usize) -> Self {
         let of_height = || drops.iter().filter(|drop| drop.height_m == height_m);
-        let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, samples)).collect();
-        Self { height_m, trials: of_height().map(|drop| drop.trial.clone()).collect(), mean: mean(&windows, samples), windows }
+        let windows: Vec<Vec<f64>> = of_height().map(|drop| window(drop, &decimation, samples)).collect();
+        let trials = of_height().map(|drop| drop.trial.clone()).collect();
+        Self { height_m, decimation, trials, mean: mean(&windows, samples), windows }
     }
 }
 
@@ -171,9 +181,25 @@ fn trigger(accel_g: &[f64]) -> Option<usize> {
 }
 
 /// The drop's window; readings before a record's begin are those of free fall.
-fn window(drop: &FittedDrop, samples: usize) -> Vec<f64> {
-    let at = trigger(&drop.accel_g).unwrap_or(0);
-    (0..samples).map(|i| (at + i).checked_sub(BEFORE).map_or(0.0, |i| drop.accel_g[i])).collect()
+fn window(drop: &FittedDrop, decimation: &Decimation, samples: usize) -> Vec<f64> {
+    let mut window = decimation.kept(&drop.accel_g, trigger(&drop.accel_g).unwrap_or(0), BEFORE);
+    window.truncate(samples);
+    window
+}
+
+/// Each height with the time between the samples of its drops, s.
+fn same_rate_by_height(drops: &[FittedDrop]) -> Result<Vec<(f64, f64)>, Unusable> {
+    let mut by_height: Vec<(f64, f64)> = Vec::new();
+    for drop in drops {
+        let (height_m, own_s) = (drop.height_m, step_s(drop));
+        let first_s = by_height.iter().find(|(of, _)| *of == height_m).map_or(own_s, |(_, first_s)| *first_s);
+        if (own_s / first_s - 1.0).abs() > 1e-2 || own_s.is_nan() {
+            return Err(Unusable::Rate { trial: drop.trial.clone(), height_m, step_ms: own_s * 1e3, first_ms: first_s * 1e3 });
+        }
+        by_height.push((height_m, first_s));
+    }
+    by_height.dedup();
+    Ok(by_height)
 }
 
 /// Mean time between samples, s.

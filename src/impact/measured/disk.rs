@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::logger::{self, Calibration};
+use super::file_format::FileFormat;
+use super::logger;
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::{self, Kind, malformed};
 use super::record::DropSet;
@@ -28,7 +29,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Malformed {
 ///
 /// # Errors
 /// The first file, in order of the paths and of names, that is no record though it should be one.
-pub fn read(paths: &[PathBuf], calibration: &Calibration) -> Result<DropSet, Malformed> {
+pub fn read(paths: &[PathBuf], format: &FileFormat) -> Result<DropSet, Malformed> {
     let mut found = Found::default();
     for path in paths {
         let meta = fs::metadata(path).map_err(|error| unreadable(path, &error))?;
@@ -46,7 +47,7 @@ pub fn read(paths: &[PathBuf], calibration: &Calibration) -> Result<DropSet, Mal
     // A file that is named twice, or once with its folder, is one drop.
     let mut seen = std::collections::BTreeSet::new();
     found.files.retain(|(path, _)| seen.insert(fs::canonicalize(path).unwrap_or_else(|_| path.clone())));
-    let all = found.files.par_iter().map(|(path, kind)| read_file(path, *kind, calibration)).collect::<Vec<_>>();
+    let all = found.files.par_iter().map(|(path, kind)| read_file(path, *kind, format)).collect::<Vec<_>>();
     let mut set = reading::gathered(all)?;
     if found.others > 0 {
         set.notes.push(format!("{} other files in the folders were left aside", found.others));
@@ -99,6 +100,6 @@ fn folder_of(path: &Path) -> String {
     given.or_else(|| name(fs::canonicalize(parent).ok()?)).unwrap_or_default()
 }
 
-fn read_file(path: &Path, kind: Kind, calibration: &Calibration) -> Result<reading::Read, Malformed> {
-    reading::records(path, kind, &folder_of(path), calibration, || bytes_of(path, kind.most_bytes()))
+fn read_file(path: &Path, kind: Kind, format: &FileFormat) -> Result<reading::Read, Malformed> {
+    reading::records(path, kind, &folder_of(path), format, || bytes_of(path, kind.most_bytes()))
 }

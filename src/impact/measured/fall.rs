@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use super::DropGroup;
+use super::judged::{Drop, JudgedDrops};
 use super::record::DropSet;
 use super::spread::Spread;
-use super::summary::{Drop, drops};
 use crate::units::GRAVITY_M_S2;
 
 /// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is detected by a threshold.
@@ -31,7 +31,7 @@ pub struct Fall {
 impl Fall {
     /// Of every height from which releases were recorded. Clean drops alone: others may have touched something.
     pub fn of(set: &DropSet) -> Vec<Self> {
-        drops(set).into_iter().filter_map(|(group, all)| Self::of_group(group, &all)).collect()
+        JudgedDrops::of(set).groups.into_iter().filter_map(|(group, all)| Self::of_group(group, &all)).collect()
     }
 
     fn of_group(group: &DropGroup, all: &[Drop]) -> Option<Self> {

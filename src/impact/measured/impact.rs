@@ -1,5 +1,7 @@
 //! The parts of a record: free fall, impact, what comes after.
 
+use std::ops::Range;
+
 use super::impact_speed_m_s;
 use super::record::Record;
 use crate::units::GRAVITY_M_S2;
@@ -10,10 +12,13 @@ pub(super) const TRIGGER_G: f64 = 3.0;
 pub(super) const WINDOW_S: f64 = 0.025;
 /// Below this mean magnitude over [`FALL_SAMPLES`] a frame falls, g: held it feels 1 g, in free fall 0.3 g of noise.
 const FALL_G: f64 = 0.6;
-/// Samples by which a fall is recognised.
+/// Time over which a fall is recognised, s, and the fewest samples of it.
+const FALL_S: f64 = 0.005;
 const FALL_SAMPLES: usize = 5;
-/// Samples of the fall, its last, from which the noise is estimated: the first may hold the release.
-const NOISE_SAMPLES: usize = 200;
+/// The last of the fall, from which the noise is estimated, s: the first may hold the release.
+const NOISE_S: f64 = 0.2;
+/// Before the trigger the ground may touch already, s.
+const TOUCH_S: f64 = 0.002;
 /// The frame has left the ground when no reading is above [`TRIGGER_G`] for this long, s.
 const QUIET_S: f64 = 0.005;
 
@@ -40,6 +45,8 @@ pub struct Impact {
     pub second_hit: Option<usize>,
     /// From release to second hit, s: how long the frame flew.
     pub flight_s: Option<f64>,
+    /// Samples of the free fall, without the last 2 ms.
+    pub falling: Range<usize>,
     /// Length of the free fall, s; `None` when the record begins in it.
     pub fall_s: Option<f64>,
     /// Standard deviation along the axis in free fall, g; `None` with fewer than five samples of it.
@@ -62,9 +69,8 @@ impl Impact {
         };
         let (release, second_hit) = second_hit(record, trigger, window_end);
         let (begin, seen) = fall(record, trigger);
-        // The two samples before the trigger may hold the first touch.
-        let end = trigger.saturating_sub(2).max(begin);
-        let falling = &record.accel_g[begin.max(end.saturating_sub(NOISE_SAMPLES))..end];
+        let falling = begin..last_of_fall(record, trigger).max(begin);
+        let last = falling.start.max(falling.end.saturating_sub(record.samples_in(NOISE_S)))..falling.end;
         Some(Self {
             trigger,
             peak,
@@ -77,7 +83,8 @@ impl Impact {
             second_hit,
             flight_s: second_hit.zip(release).map(|(hit, release)| record.t_s[hit] - record.t_s[release]),
             fall_s: seen.then(|| record.t_s[trigger] - record.t_s[begin]),
-            noise_g: deviation(falling),
+            noise_g: deviation(&record.accel_g[last]),
+            falling,
         })
     }
 
@@ -115,15 +122,21 @@ fn second_hit(record: &Record, trigger: usize, window_end: usize) -> (Option<usi
 
 /// First sample of the free fall before the trigger, and whether its begin is in the record.
 fn fall(record: &Record, trigger: usize) -> (usize, bool) {
-    let mut begin = trigger.saturating_sub(2);
-    while begin >= FALL_SAMPLES {
-        let before = begin - FALL_SAMPLES..begin;
-        if before.map(|sample| record.size_g(sample)).sum::<f64>() > FALL_G * FALL_SAMPLES as f64 {
+    let count = record.samples_in(FALL_S).max(FALL_SAMPLES);
+    let mut begin = last_of_fall(record, trigger);
+    while begin >= count {
+        let before = begin - count..begin;
+        if before.map(|sample| record.size_g(sample)).sum::<f64>() > FALL_G * count as f64 {
             return (begin, true);
         }
         begin -= 1;
     }
     (0, false)
+}
+
+/// The sample with which the fall ends before the ground may touch.
+fn last_of_fall(record: &Record, trigger: usize) -> usize {
+    trigger.saturating_sub(record.samples_in(TOUCH_S).max(2))
 }
 
 /// Standard deviation of at least five values.

@@ -57,7 +57,7 @@ pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> R
     }
     let Label { trial, source, frame, height_m } = label;
     let count = bytes.len() / SAMPLE;
-    let (mut t_s, mut accel_g, mut magnitude_g) = (Vec::with_capacity(count), Vec::with_capacity(count), Vec::with_capacity(count));
+    let (mut t_s, mut axes_g) = (Vec::with_capacity(count), [0; 3].map(|_| Vec::with_capacity(count)));
     let (mut at_full_scale, mut before_us) = (0, None);
     for (at, sample) in bytes.chunks_exact(SAMPLE).enumerate() {
         let place = SourcePosition::Sample(at + 1);
@@ -72,14 +72,14 @@ pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> R
             return Err((place, Fault::Unsorted { trial, before_s, t_s }));
         }
         before_us = Some(t_us);
-        let g = |axis: usize| (f64::from(counts[axis]) - calibration.offset_counts[axis]) / calibration.counts_per_g[axis];
-        let [x, y, z] = [g(0), g(1), g(2)];
         at_full_scale += usize::from(counts.iter().any(|count| *count == 0 || *count == most));
         t_s.push(f64::from(t_us) * 1e-6);
-        accel_g.push(z);
-        magnitude_g.push((x * x + y * y + z * z).sqrt());
+        for (axis, readings) in axes_g.iter_mut().enumerate() {
+            readings.push((f64::from(counts[axis]) - calibration.offset_counts[axis]) / calibration.counts_per_g[axis]);
+        }
     }
-    Ok(Record { trial, height_m, frame, source, t_s, accel_g, magnitude_g: Some(magnitude_g), at_full_scale })
+    let accel_g = axes_g[2].clone();
+    Ok(Record { trial, height_m, frame, session: None, source, t_s, accel_g, axes_g: Some(axes_g), at_full_scale })
 }
 
 #[cfg(test)]

@@ -1,31 +1,49 @@
 //! Drops as they were measured: reading records, finding the impact in each, judging it, summing up a height.
 //!
-//! [`read_bytes`] takes files' names and bytes: the logger's `.bin` files, calibrated by a [`Calibration`], and CSV tables; `read`,
-//! with the feature `cli`, takes paths of files and folders. They give a [`DropSet`], records grouped by frame and height. [`Impact`] is the impact in a record, [`Flag`] what is wrong with it,
-//! [`Summary`] what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
+//! [`read_bytes`] takes files' names and bytes: the logger's `.bin` files and CSV tables, written as a [`FileFormat`] says; `read`,
+//! with the feature `cli`, takes paths of files and folders. They give a [`DropSet`], records grouped by frame and height.
+//! [`JudgedDrops`] judges them together: the [`Impact`] in each record, each [`Flag`] with its evidence, and the [`Session`] it
+//! belongs to. [`Summary`] is what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
 //! positive while the ground pushes, 0 in free fall. Static tests and readings of a scale are read here, too.
 
+mod clock_check;
+mod clock_period;
+mod clock_sign;
+mod clock_trace;
 #[cfg(feature = "cli")]
 mod disk;
 mod fall;
+mod fall_length;
+mod file_format;
 mod flag;
+mod hint;
 mod impact;
+mod judged;
 mod logger;
 mod malformed;
 mod reading;
 mod record;
 mod scale;
+mod session;
 mod sheet;
+mod shorth;
 mod spread;
 mod static_test;
 mod summary;
 mod table;
+mod table_format;
+mod table_header;
 
+pub use clock_period::ClockPeriod;
+pub use clock_sign::ClockSign;
 #[cfg(feature = "cli")]
 pub use disk::read;
 pub use fall::Fall;
+pub use file_format::FileFormat;
 pub use flag::{Flag, flags};
+pub use hint::Hint;
 pub use impact::Impact;
+pub use judged::{Drop, JudgedDrops};
 pub use logger::Calibration;
 pub use malformed::{Fault, Malformed, SourcePosition};
 pub use reading::read_bytes;
@@ -33,11 +51,13 @@ pub use record::{DropGroup, DropSet, Record};
 #[cfg(feature = "cli")]
 pub use scale::read_scale;
 pub use scale::{ScaleReading, scale_readings};
+pub use session::{Session, Zero};
 pub use spread::Spread;
 pub use static_test::StaticTest;
 #[cfg(feature = "cli")]
 pub use static_test::read_static_test;
-pub use summary::{Drop, Summary, drops};
+pub use summary::Summary;
+pub use table_format::{Column, FormatError, Quantity, TableFormat};
 
 use crate::units::GRAVITY_M_S2;
 

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use super::logger::{self, Calibration, Label};
+use super::file_format::FileFormat;
+use super::hint::Hint;
+use super::logger::{self, Label};
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
 use super::table;
@@ -56,21 +58,21 @@ pub(super) fn records(
     path: &Path,
     kind: Kind,
     folder: &str,
-    calibration: &Calibration,
+    format: &FileFormat,
     bytes: impl FnOnce() -> Result<Vec<u8>, Malformed>,
 ) -> Result<Read, Malformed> {
     let source = path.display().to_string();
     let refused = |(place, fault)| malformed(path, place, fault);
+    let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
+    let label = logger::frame_and_height(folder).map(|(frame, height_m)| Label { trial, source: source.clone(), frame, height_m });
     match kind {
         Kind::Logger => {
             let no_height = || malformed(path, SourcePosition::Whole, Fault::NoHeight { folder: folder.into() });
-            let (frame, height_m) = logger::frame_and_height(folder).ok_or_else(no_height)?;
-            let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
-            let record = logger::record(&bytes()?, Label { trial, source, frame, height_m }, calibration).map_err(refused)?;
+            let record = logger::record(&bytes()?, label.ok_or_else(no_height)?, &format.calibration).map_err(refused)?;
             Ok((vec![record], Vec::new()))
         }
         Kind::Table => {
-            let (records, others) = table::records(&bytes()?, &source, None).map_err(refused)?;
+            let (records, others) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
             let note = (!others.is_empty()).then(|| format!("{source}: columns left aside: {}", others.join(", ")));
             Ok((records, note.into_iter().collect()))
         }
@@ -85,7 +87,9 @@ pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Mal
         records.extend(some);
         notes.extend(said);
     }
-    Ok(DropSet::of(records, notes))
+    let mut set = DropSet::of(records, notes);
+    set.notes.extend(Hint::of(&set).map(|hint| hint.to_string()));
+    Ok(set)
 }
 
 /// Reads records from files' bytes, each with its path: the ending says what it is, and the last folder of a logger's file,
@@ -93,7 +97,7 @@ pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Mal
 ///
 /// # Errors
 /// The first file that is no record.
-pub fn read_bytes(files: &[(String, Vec<u8>)], calibration: &Calibration) -> Result<DropSet, Malformed> {
+pub fn read_bytes(files: &[(String, Vec<u8>)], format: &FileFormat) -> Result<DropSet, Malformed> {
     let read = |(name, bytes): &(String, Vec<u8>)| {
         let path = Path::new(name);
         let kind = Kind::known(path)?;
@@ -102,7 +106,7 @@ pub fn read_bytes(files: &[(String, Vec<u8>)], calibration: &Calibration) -> Res
             return Err(malformed(path, SourcePosition::Whole, Fault::Huge { bytes: len, most }));
         }
         let folder = path.parent().and_then(Path::file_name).map_or(String::new(), |folder| folder.to_string_lossy().into_owned());
-        records(path, kind, &folder, calibration, || Ok(bytes.clone()))
+        records(path, kind, &folder, format, || Ok(bytes.clone()))
     };
     gathered(files.iter().map(read).collect())
 }
@@ -116,7 +120,7 @@ mod tests {
         let table = b"trial,height_m,t_s,accel_g\n1,0.5,0,0\n".to_vec();
         let sample = [0, 0, 0, 0, 0xe4, 7, 0xe4, 7, 0xe4, 7].to_vec();
         let files = [("a.CSV".to_string(), table), ("drops/soft_100cm/7.bin".to_string(), sample)];
-        let set = read_bytes(&files, &Calibration::default()).expect("reads");
+        let set = read_bytes(&files, &FileFormat::default()).expect("reads");
         let told: Vec<(Option<&str>, f64, &str)> =
             set.groups.iter().map(|group| (group.frame.as_deref(), group.height_m, group.records[0].trial.as_str())).collect();
         assert_eq!(told, [(None, 0.5, "1"), (Some("soft"), 1.0, "7")]);
@@ -130,7 +134,7 @@ mod tests {
             ("7.bin", b"0123456789", "height"),
             ("soft_100cm/7.bin", b"0123", "middle of a sample"),
         ] {
-            let error = read_bytes(&[(name.into(), bytes.to_vec())], &Calibration::default()).expect_err("is refused");
+            let error = read_bytes(&[(name.into(), bytes.to_vec())], &FileFormat::default()).expect_err("is refused");
             assert!(error.file == name && error.to_string().contains(says), "{name}: {error}");
         }
     }

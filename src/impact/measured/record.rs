@@ -9,14 +9,17 @@ pub struct Record {
     pub height_m: f64,
     /// What was dropped, where a folder's name says it.
     pub frame: Option<String>,
+    /// Where and when it was measured, as a table says it: records of one session share mount, zero and scale.
+    pub session: Option<String>,
     /// The file.
     pub source: String,
-    /// Time, s, strictly ascending.
+    /// Time as the logger stamped it, s, strictly ascending.
     pub t_s: Vec<f64>,
     /// Proper acceleration along the axis, g; positive while the ground pushes.
     pub accel_g: Vec<f64>,
-    /// Magnitude of all three axes, g, where they were measured.
-    pub magnitude_g: Option<Vec<f64>>,
+    /// Proper acceleration along the sensor's x, y and z, g, where they were measured. The third is [`Self::accel_g`] where a file
+    /// has no other.
+    pub axes_g: Option<[Vec<f64>; 3]>,
     /// How many samples stand at an end of the converter's range.
     pub at_full_scale: usize,
 }
@@ -24,7 +27,18 @@ pub struct Record {
 impl Record {
     /// Magnitude of the acceleration, g: of all axes, or of the one there is.
     pub fn size_g(&self, sample: usize) -> f64 {
-        self.magnitude_g.as_ref().map_or_else(|| self.accel_g[sample].abs(), |magnitude| magnitude[sample])
+        let magnitude = |axes: &[Vec<f64>; 3]| axes.iter().map(|axis| axis[sample] * axis[sample]).sum::<f64>().sqrt();
+        self.axes_g.as_ref().map_or_else(|| self.accel_g[sample].abs(), magnitude)
+    }
+
+    /// Every axis there is: x, y and z, or the one.
+    pub fn axes(&self) -> Vec<&[f64]> {
+        self.axes_g.as_ref().map_or_else(|| vec![&self.accel_g[..]], |axes| axes.iter().map(Vec::as_slice).collect())
+    }
+
+    /// How many samples last so long; at least one.
+    pub fn samples_in(&self, time_s: f64) -> usize {
+        self.step_s().map_or(1, |step_s| (time_s / step_s).round().max(1.0) as usize)
     }
 
     /// Number of samples.

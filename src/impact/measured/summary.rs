@@ -1,43 +1,12 @@
-//! Records judged one by one, and what those of a height say together.
+//! What the judged records of a height say together.
 
 use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::flag::{Flag, flags};
-use super::impact::Impact;
-use super::record::{DropGroup, DropSet, Record};
+use super::judged::Drop;
+use super::record::DropGroup;
 use super::spread::Spread;
-
-/// A record with what was found in it.
-#[derive(Clone, Debug)]
-pub struct Drop<'a> {
-    /// The record.
-    pub record: &'a Record,
-    /// Its impact.
-    pub impact: Option<Impact>,
-    /// What is wrong with it.
-    pub flags: Vec<Flag>,
-}
-
-impl<'a> Drop<'a> {
-    /// Judges a record.
-    pub fn of(record: &'a Record) -> Self {
-        let impact = Impact::of(record);
-        let flags = flags(record, impact.as_ref());
-        Self { record, impact, flags }
-    }
-
-    /// Its impact, if nothing is wrong with it.
-    pub fn clean(&self) -> Option<&Impact> {
-        self.impact.as_ref().filter(|_| self.flags.is_empty())
-    }
-}
-
-/// Every record judged, group by group.
-pub fn drops(set: &DropSet) -> Vec<(&DropGroup, Vec<Drop<'_>>)> {
-    set.groups.iter().map(|group| (group, group.records.iter().map(Drop::of).collect())).collect()
-}
 
 /// The drops of one frame from one height.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -83,7 +52,7 @@ impl Summary {
         for flag in drops.iter().flat_map(|drop| &drop.flags) {
             *flags.entry(flag.name()).or_default() += 1;
         }
-        let measured = group.records.iter().any(|record| record.magnitude_g.is_some());
+        let measured = group.records.iter().any(|record| record.axes_g.is_some());
         Self {
             frame: group.frame.clone(),
             height_m,

@@ -1,19 +1,25 @@
 //! CSV tables of drops: `trial,height_m,t_s,accel_g`, and `x`, `y`, `z` where all axes were measured.
 //!
-//! Rows of a trial may lie apart, but their time ascends. Trials may be numbered anew at each height.
+//! Columns are parted by commas, semicolons or tabs; with the last two, numbers may have decimal commas. A [`TableFormat`] says
+//! which names and units a logger uses instead. Rows of a trial may lie apart, but their time ascends. Trials may be numbered anew
+//! at each height. A file in a folder such as `soft_050cm` needs no columns of trial and height.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
+use super::table_format::TableFormat;
+use super::table_header::{Header, separator};
+use crate::units::GRAVITY_M_S2;
 
-/// Columns that must be there.
-const COLUMNS: [&str; 4] = ["trial", "height_m", "t_s", "accel_g"];
-/// Columns that may be there.
-const AXES: [&str; 3] = ["x", "y", "z"];
 /// Drop heights, m.
 const HEIGHTS_M: RangeInclusive<f64> = 0.01..=100.0;
+/// Speeds at first touch, m/s.
+const SPEEDS_M_S: RangeInclusive<f64> = 0.4..=45.0;
+/// Heights of speeds are told apart by this, m.
+const HEIGHT_STEP_M: f64 = 1e-4;
 /// Times, s.
 const TIMES_S: RangeInclusive<f64> = -1e7..=1e7;
 /// Accelerations, g.
@@ -22,31 +28,6 @@ const ACCELS_G: RangeInclusive<f64> = -1e5..=1e5;
 const FULL_SCALE_G: f64 = 229.5;
 
 type Refused = (SourcePosition, Fault);
-
-/// Where the columns stand.
-struct Header {
-    columns: [usize; 4],
-    axes: [Option<usize>; 3],
-    others: Vec<String>,
-}
-
-impl Header {
-    fn of(names: &csv::ByteRecord) -> Result<Self, Fault> {
-        let names: Vec<String> = names.iter().map(|name| String::from_utf8_lossy(name).trim().to_string()).collect();
-        let place = |wanted: &str| names.iter().position(|name| name == wanted);
-        let known = || COLUMNS.iter().chain(&AXES);
-        if let Some(twice) = known().find(|known| names.iter().filter(|name| name == *known).count() > 1) {
-            return Err(Fault::TwoColumns { name: (*twice).into() });
-        }
-        let missing: Vec<String> = COLUMNS.iter().filter(|column| place(column).is_none()).map(|column| (*column).into()).collect();
-        let columns = match COLUMNS.map(place) {
-            [Some(trial), Some(height), Some(time), Some(accel)] => [trial, height, time, accel],
-            _ => return Err(Fault::NoColumn { missing, known: "trial,height_m,t_s,accel_g, and x,y,z if they are there" }),
-        };
-        let others = names.iter().filter(|name| known().all(|known| known != name)).cloned().collect();
-        Ok(Self { columns, axes: AXES.map(place), others })
-    }
-}
 
 /// A number of a row.
 pub(super) fn number(
@@ -57,7 +38,10 @@ pub(super) fn number(
     unit: &'static str,
 ) -> Result<f64, Fault> {
     let field = row.get(at).unwrap_or_default().trim_ascii();
-    let parsed = std::str::from_utf8(field).ok().and_then(|text| text.parse::<f64>().ok()).filter(|value| value.is_finite());
+    let text = std::str::from_utf8(field).ok();
+    // A comma in a number is a decimal one: where commas part the columns, no field has any.
+    let parse = |text: &str| text.parse::<f64>().or_else(|_| text.replacen(',', ".", 1).parse::<f64>()).ok();
+    let parsed = text.and_then(parse).filter(|value| value.is_finite());
     let Some(value) = parsed else {
         let value = String::from_utf8_lossy(&field[..field.len().min(40)]).into_owned();
         return Err(Fault::NoNumber { column, value });
@@ -71,7 +55,9 @@ pub(super) fn number(
 /// Records in the making.
 struct Builder<'a> {
     source: &'a str,
-    frame: Option<&'a str>,
+    /// What the file's own place says.
+    label: Option<&'a Label>,
+    format: &'a TableFormat,
     header: Header,
     records: Vec<Record>,
     /// By trial and bits of the height.
@@ -82,63 +68,80 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn row(&mut self, row: &csv::ByteRecord) -> Result<(), Fault> {
-        let [_, _, time, accel] = self.header.columns;
-        let t_s = number(row, time, "t_s", &TIMES_S, "s")?;
-        let accel_g = number(row, accel, "accel_g", &ACCELS_G, "g")?;
+        let accel = |(at, sign): (usize, f64), column: &'static str| scaled(row, at, column, &ACCELS_G, "g", sign * self.format.accel_g);
+        let accel_g = accel(self.header.axial, "accel_g")?;
         let mut axes = [None, None, None];
-        for ((value, at), column) in axes.iter_mut().zip(self.header.axes).zip(AXES) {
-            if let Some(at) = at {
-                *value = Some(number(row, at, column, &ACCELS_G, "g")?);
-            }
+        for ((value, place), column) in axes.iter_mut().zip(self.header.axes).zip(["x", "y", "z"]) {
+            *value = place.map(|place| accel(place, column)).transpose()?;
         }
-        let at = self.place(row, t_s)?;
+        let stamp_s = self.header.time.map(|at| scaled(row, at, "t_s", &TIMES_S, "s", self.format.time_s)).transpose()?;
+        let at = self.place(row, stamp_s)?;
         let record = &mut self.records[at];
+        let t_s = stamp_s.unwrap_or(record.len() as f64 / self.format.rate_hz.unwrap_or(1.0));
         if let Some(before_s) = record.t_s.last().copied().filter(|before_s| *before_s >= t_s) {
             return Err(Fault::Unsorted { trial: record.trial.clone(), before_s, t_s });
         }
         record.t_s.push(t_s);
         record.accel_g.push(accel_g);
         record.at_full_scale += usize::from(accel_g.abs() >= FULL_SCALE_G);
-        if let ([Some(x), Some(y), z], Some(magnitude_g)) = (axes, &mut record.magnitude_g) {
-            let z = z.unwrap_or(accel_g);
-            magnitude_g.push((x * x + y * y + z * z).sqrt());
+        if let ([Some(x), Some(y), z], Some(all)) = (axes, &mut record.axes_g) {
+            for (axis, value) in all.iter_mut().zip([x, y, z.unwrap_or(accel_g)]) {
+                axis.push(value);
+            }
         }
         Ok(())
     }
 
     /// The record that a row belongs to.
-    fn place(&mut self, row: &csv::ByteRecord, t_s: f64) -> Result<usize, Fault> {
-        let [trial, height] = [0, 1].map(|column| row.get(self.header.columns[column]).unwrap_or_default().trim_ascii());
+    fn place(&mut self, row: &csv::ByteRecord, t_s: Option<f64>) -> Result<usize, Fault> {
+        let field = |column: Option<usize>| column.and_then(|column| row.get(column)).unwrap_or_default().trim_ascii();
+        let (trial, height) = (field(self.header.trial), field(self.header.height.or(self.header.speed)));
         let before = self.before.as_ref();
         if let Some((_, _, at)) = before.filter(|(of, from, _)| of == trial && from == height) {
             return Ok(*at);
         }
-        if trial.is_empty() {
+        if trial.is_empty() && self.header.trial.is_some() {
             return Err(Fault::NoTrial);
         }
-        let height_m = number(row, self.header.columns[1], "height_m", &HEIGHTS_M, "m")?;
+        let height_m = self.height_m(row)?;
         if let Some((_, _, at)) = before.filter(|(of, ..)| of == trial) {
             let record = &self.records[*at];
-            let goes_on = record.t_s.last().is_some_and(|last_s| t_s > *last_s);
+            let goes_on = t_s.is_some_and(|t_s| record.t_s.last().is_some_and(|last_s| t_s > *last_s));
             if goes_on && record.height_m != height_m {
                 return Err(Fault::MixedHeights { trial: record.trial.clone(), before_m: record.height_m, height_m });
             }
         }
         let at = *self.places.entry((trial.to_vec(), height_m.to_bits())).or_insert(self.records.len());
         if at == self.records.len() {
+            let session = self.header.session.map(|column| String::from_utf8_lossy(field(Some(column))).into_owned());
+            let named = self.header.trial.map(|_| String::from_utf8_lossy(trial).into_owned());
             self.records.push(Record {
-                trial: String::from_utf8_lossy(trial).into_owned(),
+                trial: named.or_else(|| self.label.map(|label| label.trial.clone())).unwrap_or_default(),
                 height_m,
-                frame: self.frame.map(String::from),
+                frame: self.label.and_then(|label| label.frame.clone()),
+                session: session.filter(|session| !session.is_empty()),
                 source: self.source.to_string(),
                 t_s: Vec::new(),
                 accel_g: Vec::new(),
-                magnitude_g: matches!(self.header.axes, [Some(_), Some(_), _]).then(Vec::new),
+                axes_g: matches!(self.header.axes, [Some(_), Some(_), _]).then(<[Vec<f64>; 3]>::default),
                 at_full_scale: 0,
             });
         }
         self.before = Some((trial.to_vec(), height.to_vec(), at));
         Ok(at)
+    }
+
+    /// The height of a row: stated, that of its speed, or that of the file's folder.
+    fn height_m(&self, row: &csv::ByteRecord) -> Result<f64, Fault> {
+        let Header { height, speed, .. } = self.header;
+        match (height, speed, self.label) {
+            (Some(at), ..) => scaled(row, at, "height_m", &HEIGHTS_M, "m", self.format.height_m),
+            (None, Some(at), _) => {
+                let v_m_s = number(row, at, "speed_m_s", &SPEEDS_M_S, "m/s")?;
+                Ok((v_m_s * v_m_s / (2.0 * GRAVITY_M_S2) / HEIGHT_STEP_M).round() * HEIGHT_STEP_M)
+            }
+            (None, None, label) => Ok(label.map_or(0.0, |label| label.height_m)),
+        }
     }
 
     /// A trial whose heights follow each other in time is one drop with two heights, not two drops with one number.
@@ -161,15 +164,38 @@ impl Builder<'_> {
     }
 }
 
-/// Reads a table: its records, and the names of the columns that were left aside.
-pub(super) fn records(bytes: &[u8], source: &str, frame: Option<&str>) -> Result<(Vec<Record>, Vec<String>), Refused> {
+/// A number in another unit.
+fn scaled(
+    row: &csv::ByteRecord,
+    at: usize,
+    column: &'static str,
+    bounds: &RangeInclusive<f64>,
+    unit: &'static str,
+    factor: f64,
+) -> Result<f64, Fault> {
+    let value = factor * number(row, at, column, &(f64::MIN..=f64::MAX), unit)?;
+    if bounds.contains(&value) {
+        return Ok(value);
+    }
+    Err(Fault::OutOfBounds { column, value, min: *bounds.start(), max: *bounds.end(), unit })
+}
+
+/// Reads a table: its records, and the names of the columns that were left aside. A label says trial, frame and height where the
+/// table does not.
+pub(super) fn records(
+    bytes: &[u8],
+    source: &str,
+    label: Option<&Label>,
+    format: &TableFormat,
+) -> Result<(Vec<Record>, Vec<String>), Refused> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.trim_ascii().is_empty() {
         return Err((SourcePosition::Whole, Fault::Empty));
     }
-    let mut reader = csv::ReaderBuilder::new().buffer_capacity(1 << 16).from_reader(bytes);
-    let header = Header::of(reader.byte_headers().map_err(|error| refused(&error))?).map_err(|fault| (SourcePosition::Line(1), fault))?;
-    let mut builder = Builder { source, frame, header, records: Vec::new(), places: BTreeMap::new(), before: None };
+    let mut reader = csv::ReaderBuilder::new().delimiter(separator(bytes)).buffer_capacity(1 << 16).from_reader(bytes);
+    let names = reader.byte_headers().map_err(|error| refused(&error))?;
+    let header = Header::of(names, format, label.is_some()).map_err(|fault| (SourcePosition::Line(1), fault))?;
+    let mut builder = Builder { source, label, format, header, records: Vec::new(), places: BTreeMap::new(), before: None };
     let mut row = csv::ByteRecord::new();
     while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
         let line = row.position().map_or(0, csv::Position::line);
@@ -195,7 +221,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str) -> Result<(Vec<Record>, Vec<String>), Refused> {
-        records(text.as_bytes(), "a.csv", None)
+        records(text.as_bytes(), "a.csv", None, &TableFormat::default())
     }
 
     #[test]
@@ -203,7 +229,7 @@ mod tests {
         let (records, others) =
             read("t_s,y,accel_g,x,trial,height_m,mood\r\n0,3,12,4,a,0.5,good\r\n0.001,0,-1,0,a,0.5,bad\r\n").expect("reads");
         assert_eq!((records.len(), others), (1, vec!["mood".to_string()]));
-        assert_eq!((records[0].accel_g.clone(), records[0].magnitude_g.clone()), (vec![12.0, -1.0], Some(vec![13.0, 1.0])));
+        assert_eq!((records[0].accel_g.clone(), [records[0].size_g(0), records[0].size_g(1)]), (vec![12.0, -1.0], [13.0, 1.0]));
     }
 
     #[test]
@@ -216,12 +242,30 @@ mod tests {
     }
 
     #[test]
+    fn analytic_tables_of_other_loggers_are_read() {
+        let strings = |all: &[&str]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let format = TableFormat::new(&strings(&["t=Zeit", "z=-Az", "v=v0"]), &strings(&["m/s2", "ms"]), None).expect("is one");
+        let text = "trial;v0;Zeit;Az\n1;4,4294;0,5;-98,0665\n1;4,4294;1,5;9,80665\n";
+        let (all, _) = records(text.as_bytes(), "a.csv", None, &format).expect("reads");
+        assert!((all[0].height_m - 1.0).abs() < 2e-4, "{}", all[0].height_m);
+        assert!(
+            (all[0].accel_g[0] - 10.0).abs() < 1e-9 && (all[0].accel_g[1] + 1.0).abs() < 1e-9 && (all[0].t_s[1] - 0.0015).abs() < 1e-12
+        );
+        // One file a drop: the folder says frame and height, the rate says the time.
+        let format = TableFormat { rate_hz: Some(2000.0), ..TableFormat::default() };
+        let label = Label { trial: "7".into(), source: "7.csv".into(), frame: Some("soft".into()), height_m: 0.5 };
+        let (all, others) = records(b"x\ty\tz\ttemperature\n3\t4\t0\t20\n0\t0\t1\t20\n", "7.csv", Some(&label), &format).expect("reads");
+        assert_eq!((all[0].trial.as_str(), all[0].height_m, all[0].t_s.clone()), ("7", 0.5, vec![0.0, 0.0005]));
+        assert_eq!((all[0].size_g(0), all[0].accel_g.clone(), others), (5.0, vec![0.0, 1.0], vec!["temperature".to_string()]));
+    }
+
+    #[test]
     fn planted_faults_are_named_with_their_line() {
         let head = "trial,height_m,t_s,accel_g\n";
         let cases = [
             ("", SourcePosition::Whole, "is empty"),
             (head, SourcePosition::Whole, "is empty"),
-            ("trial;height_m;t_s;accel_g\n1;2;3;4\n", SourcePosition::Line(1), "lacks the columns `trial`, `height_m`, `t_s`, `accel_g`"),
+            ("trial:height_m:t_s:accel_g\n1:2:3:4\n", SourcePosition::Line(1), "lacks the columns `trial`, `height_m`, `t_s`, `accel_g`"),
             ("trial,height_m,t_s\n1,2,3\n", SourcePosition::Line(1), "lacks the column `accel_g`"),
             ("trial,trial,height_m,t_s,accel_g\n1,1,2,3,4\n", SourcePosition::Line(1), "twice"),
             (&format!("{head}1,0.5,0,0\n1,0.5,0.001\n"), SourcePosition::Line(3), "has 3 fields, the header has 4"),

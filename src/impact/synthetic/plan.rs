@@ -1,6 +1,6 @@
 //! A plan of synthetic drops, from a file.
 
-use super::Hidden;
+use super::{Hidden, Landings, Stalls};
 use crate::impact::effects::Model;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
@@ -39,12 +39,16 @@ pub struct Plan {
     pub counts_per_g: f64,
     /// Samples a second.
     pub rate_hz: f64,
+    /// A logger that writes whole records and whose clock may stall; `None` for 52 ms around the impact.
+    pub stalls: Option<Stalls>,
+    /// Lateral axes, and landings that may not be level; `None` for readings along the axis alone.
+    pub landings: Option<Landings>,
     /// Of all that is random.
     pub seed: u64,
 }
 
 /// A plain number of a plan: key, bounds, unit, and default.
-pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
+pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 21] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
     ("drops.seed", [0.0, 9e15], "1", 1.0),
     ("scatter.share", [0.0, 2.0], "1", 0.1),
@@ -54,7 +58,17 @@ pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 11] = [
     ("scatter.tilt_deg", [0.0, 45.0], "deg", 0.0),
     ("logger.noise_g", [0.0, 50.0], "g", 0.17),
     ("logger.counts_per_g", [0.1, 1e6], "1/g", 8.877),
-    ("logger.rate_hz", [200.0, 100_000.0], "Hz", 1000.0),
+    ("logger.rate_hz", [200.0, 200_000.0], "Hz", 1000.0),
+    ("logger.record_s", [0.0, 20.0], "s", 0.0),
+    ("logger.stall_ms", [0.0, 1000.0], "ms", 0.0),
+    ("logger.sector_samples", [50.0, 1e6], "1", 409.6),
+    ("logger.catch_up", [1.1, 100.0], "1", 2.7),
+    ("landing.rate_rad_s", [0.0, 3.0], "rad/s", 0.0),
+    ("landing.at_release_rad", [0.0, 0.5], "rad", 0.0),
+    ("landing.inertia_kg_m2", [1e-5, 0.1], "kg m2", 8e-4),
+    ("landing.foot_radius_mm", [20.0, 1000.0], "mm", 144.5),
+    ("landing.touch_g", [0.0, 500.0], "g", 0.0),
+    ("landing.ringing_g", [0.0, 500.0], "g", 0.0),
     ("hidden.loss", [0.0, 1.0], "1", 0.5),
 ];
 /// What a hidden truth takes: key, bounds, unit.
@@ -73,10 +87,10 @@ pub const HEIGHTS: &str = "drops.heights_m";
 pub const HEIGHT_BOUNDS_M: [f64; 2] = [0.01, 100.0];
 /// Key of what is hidden.
 pub const KIND: &str = "hidden.kind";
-const OWN: [&str; 4] = ["drops.", "scatter.", "logger.", "hidden."];
+const OWN: [&str; 5] = ["drops.", "scatter.", "logger.", "landing.", "hidden."];
 
 impl Plan {
-    /// Reads a plan: a model file with the tables `drops`, `scatter`, `logger` and `hidden` beside it.
+    /// Reads a plan: a model file with the tables `drops`, `scatter`, `logger`, `landing` and `hidden` beside it.
     ///
     /// # Errors
     /// When it cannot be read, or is refused.
@@ -125,9 +139,50 @@ impl Plan {
             noise_g: number("logger.noise_g")?,
             counts_per_g: number("logger.counts_per_g")?,
             rate_hz: number("logger.rate_hz")?,
+            stalls: stalls(file, &number)?,
+            landings: landings(file, &number)?,
             seed: whole("drops.seed")?,
         })
     }
+}
+
+/// A logger of whole records; one that stalls has to write such.
+fn stalls(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<Stalls>, Refusal> {
+    let stalls = Stalls {
+        lost_s: number("logger.stall_ms")? * 1e-3,
+        sector: number("logger.sector_samples")?,
+        catch_up: number("logger.catch_up")?,
+        record_s: number("logger.record_s")?,
+    };
+    if stalls.lost_s > 0.0 && stalls.record_s == 0.0 {
+        let message = "`logger.stall_ms` needs whole records, and `logger.record_s` is 0".into();
+        return Err(file.refuse("logger.stall_ms", Reason::Impossible { message, remedy: "give `logger.record_s`, such as 2".into() }));
+    }
+    Ok((stalls.record_s > 0.0).then_some(stalls))
+}
+
+/// Lateral axes. A landing that is not level knows spring and damper alone, and writes no whole records.
+fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<Landings>, Refusal> {
+    let landings = Landings {
+        rate_rad_s: number("landing.rate_rad_s")?,
+        at_release_rad: number("landing.at_release_rad")?,
+        inertia_kg_m2: number("landing.inertia_kg_m2")?,
+        foot_radius_m: number("landing.foot_radius_mm")? * 1e-3,
+        touch_g: number("landing.touch_g")?,
+        ringing_g: number("landing.ringing_g")?,
+    };
+    let stated = file.entries.keys().find(|key| key.starts_with("landing.")).cloned();
+    let clash = |key: &str| -> Refusal {
+        let message = format!("`landing` and `{key}` are both given; they cannot be combined");
+        file.refuse(key, Reason::Impossible { message, remedy: format!("take `{key}` out, or the table `landing`") })
+    };
+    if stated.is_some() && number("logger.record_s")? > 0.0 {
+        return Err(clash("logger.record_s"));
+    }
+    if stated.is_some() && landings.is_tilted() && file.entries.contains_key(KIND) {
+        return Err(clash(KIND));
+    }
+    Ok(stated.map(|_| landings))
 }
 
 fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {

@@ -4,14 +4,14 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
-use super::{Hidden, Plan, ReferenceTrajectory};
+use super::{Hidden, Landings, Plan, ReferenceTrajectory};
 
 /// Time between the points of a wave, s.
 const FINE_S: f64 = 5e-5;
 /// Logged before first touch, s.
 const BEFORE_S: f64 = 0.012;
 /// Logged from first touch on, s.
-const AFTER_S: f64 = 0.040;
+pub(super) const AFTER_S: f64 = 0.040;
 
 /// One synthetic drop.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +24,10 @@ pub struct SyntheticRecord {
     pub t_s: Vec<f64>,
     /// Readings along the axis, g.
     pub accel_g: Vec<f64>,
+    /// Readings along the other two axes, g, where the plan has them.
+    pub lateral_g: Option<[Vec<f64>; 2]>,
+    /// Whether the clock stalled in the impact.
+    pub stalled: bool,
 }
 
 /// All drops of a plan; the same plan gives the same drops.
@@ -31,13 +35,20 @@ pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
     let mut rng = Pcg64::seed_from_u64(plan.seed);
     let mut all = Vec::new();
     let varied = plan.scatter.stiffness > 0.0 || plan.scatter.damping > 0.0 || matches!(plan.hidden, Some(Hidden::Wear { .. }));
+    let plain = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
     for height_m in &plan.heights_m {
-        let common = (!varied).then(|| wave(&ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0), *height_m));
+        let common = (!varied).then(|| wave(&plain, *height_m));
         for trial in 0..plan.drops {
-            let own = common.is_none().then(|| wave(&one_frame(plan, trial, &mut rng), *height_m));
-            let shape = ReferenceTrajectory::of(&plan.model, plan.hidden, 1.0, 1.0);
-            let Some(fine) = own.as_ref().or(common.as_ref()) else { continue };
-            all.push(record(plan, &shape, fine, *height_m, trial, &mut rng));
+            let own = common.is_none().then(|| one_frame(plan, trial, &mut rng));
+            let shape = own.as_ref().unwrap_or(&plain);
+            let fine = own.as_ref().map(|own| wave(own, *height_m));
+            let Some(fine) = fine.as_ref().or(common.as_ref()) else { continue };
+            let place = Place { height_m: *height_m, trial: name(*height_m, trial) };
+            all.push(match (&plan.stalls, &plan.landings) {
+                (Some(stalls), _) => stalls.record(plan, (shape, fine, FINE_S), *height_m, place.trial, &mut rng),
+                (None, Some(landings)) => landed(plan, landings, shape, fine, place, &mut rng),
+                (None, None) => record(plan, shape, fine, None, place, &mut rng),
+            });
         }
     }
     all
@@ -58,7 +69,43 @@ fn one_frame(plan: &Plan, trial: usize, rng: &mut impl Rng) -> ReferenceTrajecto
     ReferenceTrajectory::of(&plan.model, plan.hidden, stiffness, damping)
 }
 
-fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m: f64, trial: usize, rng: &mut impl Rng) -> SyntheticRecord {
+/// What a record is called, and the height that it states.
+struct Place {
+    height_m: f64,
+    trial: String,
+}
+
+/// A record with lateral axes.
+fn landed(
+    plan: &Plan,
+    landings: &Landings,
+    trajectory: &ReferenceTrajectory,
+    level: &[f64],
+    place: Place,
+    rng: &mut impl Rng,
+) -> SyntheticRecord {
+    let [mut x, mut y, z] = if landings.is_tilted() {
+        landings.tilted(&trajectory.vertical(place.height_m), FINE_S, level.len(), rng)
+    } else {
+        [vec![0.0; level.len()], vec![0.0; level.len()], level.to_vec()]
+    };
+    if landings.ringing_g > 0.0 {
+        let [along_x, along_y] = landings.ringing(FINE_S, level.len(), rng);
+        x.iter_mut().zip(along_x).for_each(|(sum, ringing)| *sum += ringing);
+        y.iter_mut().zip(along_y).for_each(|(sum, ringing)| *sum += ringing);
+    }
+    record(plan, trajectory, &z, Some([&x, &y]), place, rng)
+}
+
+fn record(
+    plan: &Plan,
+    trajectory: &ReferenceTrajectory,
+    fine: &[f64],
+    lateral: Option<[&[f64]; 2]>,
+    place: Place,
+    rng: &mut impl Rng,
+) -> SyntheticRecord {
+    let Place { height_m, trial } = place;
     let step_s = 1.0 / plan.rate_hz;
     let before = (BEFORE_S / step_s).round() as usize;
     let count = before + (AFTER_S / step_s).floor() as usize;
@@ -77,12 +124,27 @@ fn record(plan: &Plan, trajectory: &ReferenceTrajectory, fine: &[f64], height_m:
         let limited = true_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
         readings.push((limited * plan.counts_per_g).round() / plan.counts_per_g);
     }
+    let lateral_g = lateral.map(|axes| {
+        axes.map(|fine| {
+            let reading = |i: usize| {
+                let noise: f64 = StandardNormal.sample(rng);
+                let true_g = at(fine, (i as f64 - before as f64 + phase) * step_s);
+                let limited = true_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
+                (limited * plan.counts_per_g).round() / plan.counts_per_g
+            };
+            (0..count).map(reading).collect()
+        })
+    });
     let t_s = (0..count).map(|i| i as f64 * step_s).collect();
-    SyntheticRecord { trial: format!("{:03.0}cm-{trial:04}", height_m * 100.0), height_m, t_s, accel_g: readings }
+    SyntheticRecord { trial, height_m, t_s, accel_g: readings, lateral_g, stalled: false }
+}
+
+fn name(height_m: f64, trial: usize) -> String {
+    format!("{:03.0}cm-{trial:04}", height_m * 100.0)
 }
 
 /// The wave between its points.
-fn at(fine: &[f64], t_s: f64) -> f64 {
+pub(super) fn at(fine: &[f64], t_s: f64) -> f64 {
     if t_s <= 0.0 {
         return 0.0;
     }

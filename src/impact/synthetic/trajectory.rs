@@ -40,6 +40,20 @@ impl Term {
     }
 }
 
+/// What a landing in space takes of a plan's model: spring, damper, fall and sensor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct VerticalConditions {
+    pub mass_kg: f64,
+    pub stiffness_n_m: f64,
+    pub damping_n_s_m: f64,
+    pub speed_m_s: f64,
+    pub fall_s: f64,
+    /// Rate of each stage of the sensor's filter, 1/s.
+    pub filter_1_s: f64,
+    pub stages: usize,
+    pub gain: f64,
+}
+
 /// A drop with a known truth: the numbers of a model, ready to run.
 #[derive(Clone, Debug)]
 pub struct ReferenceTrajectory {
@@ -94,6 +108,20 @@ impl ReferenceTrajectory {
     /// The sensor's largest reading, g.
     pub fn limit_g(&self) -> f64 {
         self.conditions.limit_g
+    }
+
+    /// What a landing in space takes of it. The fall's duration is that without drag.
+    pub(super) fn vertical(&self, stated_m: f64) -> VerticalConditions {
+        VerticalConditions {
+            mass_kg: self.mass_kg,
+            stiffness_n_m: self.conditions.stiffness_n_m,
+            damping_n_s_m: self.conditions.damping_n_s_m,
+            speed_m_s: self.impact_speed_m_s(stated_m),
+            fall_s: (2.0 * stated_m / GRAVITY_M_S2).sqrt(),
+            filter_1_s: circular(self.conditions.cutoff_hz),
+            stages: self.order,
+            gain: self.conditions.gain,
+        }
     }
 
     /// Speed at first touch, m/s.

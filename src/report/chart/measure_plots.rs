@@ -27,7 +27,7 @@ pub fn plots(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<Vec<(String, Vec<u8>)
 }
 
 fn peak(groups: &[(&DropGroup, Vec<Drop>)]) -> Boxes {
-    let all_axes = groups.iter().any(|(group, _)| group.records.iter().any(|record| record.magnitude_g.is_some()));
+    let all_axes = groups.iter().any(|(group, _)| group.records.iter().any(|record| record.axes_g.is_some()));
     let values = |drops: &[Drop], value: fn(&crate::impact::measured::Impact) -> f64| {
         let values: Vec<(f64, bool)> =
             drops.iter().filter_map(|drop| Some((value(drop.impact.as_ref()?), drop.flags.is_empty()))).collect();

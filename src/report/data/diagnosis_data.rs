@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 
 use super::drop_data;
+use super::landing_data;
 use crate::impact::diagnose::{Adequacy, ByHeight, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict};
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
-use crate::impact::fit::LeftOut;
+use crate::impact::fit::{Decimation, LeftOut};
+use crate::impact::landing::LandingAssessment;
 use crate::impact::measured::Fall;
 
 /// What was compared, for the record.
@@ -17,10 +19,12 @@ pub struct Compared {
     pub channel: &'static str,
     /// Channel that the model states.
     pub stated_channel: &'static str,
-    /// Why another was used.
-    pub channel_reason: Option<String>,
+    /// Why it was used.
+    pub channel_reason: String,
     /// Drops used, by height, m.
     pub drops: Vec<(f64, usize)>,
+    /// How the readings of each height, m, were averaged and thinned out.
+    pub sampling: Vec<(f64, Decimation)>,
     /// Drops left out, with the reason.
     pub left_out: Vec<LeftOut>,
     /// Held-out heights, m.
@@ -33,9 +37,16 @@ pub struct Compared {
     pub static_test: Option<StaticComparison>,
     /// A frame's own mode beside the one found.
     pub frame_mode: Option<FrameMode>,
+    /// Landings that are not level, where the drops have lateral axes.
+    pub landing: Option<LandingAssessment>,
 }
 
 impl Compared {
+    /// How the readings of each height are compared, in sentences.
+    pub fn sampling(&self) -> Vec<String> {
+        self.sampling.iter().map(|(height_m, decimation)| format!("readings from {height_m} m: {decimation}")).collect()
+    }
+
     /// Falls, static test and frame mode, in sentences.
     pub fn observed(&self) -> Vec<String> {
         let falls = self.falls.iter().map(|fall| {
@@ -49,7 +60,8 @@ impl Compared {
             )
         });
         let static_test = self.static_test.iter().flat_map(static_sentences);
-        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).collect()
+        let landing = self.landing.iter().flat_map(landing_data::sentences);
+        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).chain(landing).collect()
     }
 }
 
@@ -125,6 +137,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "experiments": diagnosis.experiments,
         "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
         "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
+        "sampling": compared.sampling.iter().map(sampling).collect::<Vec<_>>(),
         "left_out": compared.left_out,
         "held_out_heights_m": compared.held_out_heights_m,
         "seed": compared.seed,
@@ -132,7 +145,22 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     if let Some(mode) = &compared.frame_mode {
         all["frame_mode"] = json!(mode);
     }
+    if let Some(landing) = &compared.landing {
+        all["landing"] = rounded(landing_data::landing(landing));
+        if landing.decides() {
+            all["effects"] = rounded(json!([landing_data::effect(landing)]));
+            all["gap"]["after"] = rounded(landing.gaps.fitted.net_g);
+            all["gap"]["held_out_after"] = rounded(landing.gaps.held_out.net_g);
+            all["lack_of_fit_p"] = rounded(landing.lack_of_fit_p);
+        }
+        all["covariates"] = rounded(json!(landing.covariates));
+    }
     all
+}
+
+fn sampling((height_m, decimation): &(f64, Decimation)) -> Value {
+    let Decimation { native_s, kept_s } = decimation;
+    rounded(json!({ "height_m": height_m, "rate_hz": 1.0 / native_s, "mean_of": decimation.readings(), "compared_hz": 1.0 / kept_s }))
 }
 
 fn ranked(ranked: &Ranked) -> Value {

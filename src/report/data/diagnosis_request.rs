@@ -4,7 +4,8 @@ use super::diagnosis_data::Compared;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison};
 use crate::impact::effects::{Channel, Model};
-use crate::impact::fit::FitError;
+use crate::impact::fit::{FitError, Keep, Waves};
+use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
 use crate::impact::measured::{DropSet, Fall, StaticTest};
 
 /// Most effects on top of spring and damper.
@@ -17,6 +18,8 @@ pub struct DiagnosisRequest<'a> {
     pub model: Model,
     /// The drops.
     pub drops: &'a DropSet,
+    /// The channel that is compared, instead of the one that the drops support.
+    pub channel: Option<Channel>,
     /// Heights that no fit sees, m.
     pub hold_out_heights_m: &'a [f64],
     /// A static test of the same frame, compared with each model and not fitted.
@@ -67,7 +70,7 @@ impl DiagnosisRequest<'_> {
     /// [`RequestError`] when the drops or the heights do not allow one.
     pub fn diagnosed(mut self, stage: &dyn Fn(Stage)) -> Result<(Diagnosis, Compared), RequestError> {
         Self::bounds(self.max_effects)?;
-        let choice = ChannelChoice::of(self.drops, &self.model)?;
+        let choice = ChannelChoice::of(self.drops, &self.model, Keep::Evidence, self.channel)?;
         self.model.sensor.channel = choice.chosen.channel;
         let waves = &choice.waves;
         let same = |a: f64, b: f64| (a - b).abs() < 1e-6;
@@ -83,11 +86,25 @@ impl DiagnosisRequest<'_> {
         }
         let settings = DiagnosisOptions::new(self.max_effects, self.seed);
         let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
-        let found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
+        let mut found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
         let mut compared = self.compared(&choice);
+        compared.landing = self.landing(&choice, &fitted, held_out, &found);
+        if let Some(landing) = &compared.landing {
+            (found.verdict, found.reasons) = landing.verdict(&found);
+        }
         compared.frame_mode = self.model.frame_mode.map(|mode| FrameMode::of(mode, &found));
         compared.static_test = self.static_test.map(|test| StaticComparison::of(test, &found));
         Ok((found, compared))
+    }
+
+    /// Landings that are not level, where the drops have lateral axes and are compared along the vertical.
+    fn landing(&self, choice: &ChannelChoice, fitted: &Waves, held_out: Option<&Waves>, found: &Diagnosis) -> Option<LandingAssessment> {
+        if choice.chosen.channel != Channel::Axial {
+            return None;
+        }
+        let observed = ObservedLandings::of(&choice.chosen, &choice.waves)?;
+        let evidence = LandingEvidence { fitted, held_out, observed: &observed, model: &self.model, diagnosis: found, seed: self.seed };
+        LandingAssessment::of(&evidence)
     }
 
     /// The record of what was compared.
@@ -98,12 +115,14 @@ impl DiagnosisRequest<'_> {
             stated_channel: word(choice.stated),
             channel_reason: choice.reason.clone(),
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
+            sampling: choice.waves.groups.iter().map(|group| (group.height_m, group.decimation)).collect(),
             left_out: chosen.left_out.clone(),
             held_out_heights_m: self.hold_out_heights_m.to_vec(),
             seed: self.seed,
             falls: Fall::of(self.drops),
             static_test: None,
             frame_mode: None,
+            landing: None,
         }
     }
 }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::export::ExportError;
 use crate::export::table::{csv, number};
-use crate::impact::measured::{Drop, DropGroup, DropSet, Spread, Summary};
+use crate::impact::measured::{ClockPeriod, Drop, DropGroup, DropSet, Flag, JudgedDrops, Spread, Summary};
 
 /// What a group is called.
 pub fn name(group: &DropGroup) -> String {
@@ -15,18 +15,22 @@ pub fn name(group: &DropGroup) -> String {
 }
 
 /// Everything as JSON.
-pub fn json(set: &DropSet, groups: &[(&DropGroup, Vec<Drop>)]) -> Value {
+pub fn json(set: &DropSet, judged: &JudgedDrops) -> Value {
+    let groups = &judged.groups;
+    let period = |(frame, period): &(Option<String>, ClockPeriod)| json!({ "frame": frame, "samples": period.samples, "begin": period.begin, "stretch": period.stretch, "rise": period.rise });
     json!({
         "schema_version": 1,
         "heights": groups.iter().map(|(group, drops)| Summary::of(group, drops)).collect::<Vec<_>>(),
         "drops": groups.iter().flat_map(|(_, drops)| drops).map(of_drop).collect::<Vec<_>>(),
+        "sessions": judged.sessions,
+        "clock_periods": judged.periods.iter().map(period).collect::<Vec<_>>(),
         "notes": set.notes,
     })
 }
 
 fn of_drop(drop: &Drop) -> Value {
     let record = drop.record;
-    let flags: Vec<Value> = drop.flags.iter().map(|flag| json!({ "flag": flag.name(), "reason": flag.to_string() })).collect();
+    let flags: Vec<Value> = drop.flags.iter().map(of_flag).collect();
     let mut value = json!({
         "trial": record.trial,
         "frame": record.frame,
@@ -37,7 +41,7 @@ fn of_drop(drop: &Drop) -> Value {
     });
     if let Some(impact) = &drop.impact {
         value["trigger_s"] = json!(record.t_s[impact.trigger]);
-        value["peak_g"] = json!(record.magnitude_g.as_ref().map(|_| impact.peak_g));
+        value["peak_g"] = json!(record.axes_g.as_ref().map(|_| impact.peak_g));
         value["peak_axial_g"] = json!(impact.peak_axial_g);
         value["to_peak_ms"] = json!(impact.to_peak_s * 1e3);
         value["impulse_over_v0"] = json!(impact.impulse_over_v0(record.height_m));
@@ -46,6 +50,14 @@ fn of_drop(drop: &Drop) -> Value {
         value["second_hit_s"] = json!(impact.second_hit.map(|hit| record.t_s[hit]));
         value["fall_s"] = json!(impact.fall_s);
         value["noise_g"] = json!(impact.noise_g);
+    }
+    value
+}
+
+fn of_flag(flag: &Flag) -> Value {
+    let mut value = json!({ "flag": flag.name(), "reason": flag.to_string() });
+    if let Flag::ClockStall { signs } = flag {
+        value["evidence"] = json!(signs);
     }
     value
 }
@@ -88,7 +100,7 @@ pub fn drops_csv(groups: &[(&DropGroup, Vec<Drop>)]) -> Result<String, ExportErr
     let rows = groups.iter().flat_map(|(_, drops)| drops).map(|drop| {
         let (record, impact) = (drop.record, drop.impact.as_ref());
         let numbers = [
-            impact.filter(|_| record.magnitude_g.is_some()).map(|impact| impact.peak_g),
+            impact.filter(|_| record.axes_g.is_some()).map(|impact| impact.peak_g),
             impact.map(|impact| impact.peak_axial_g),
             impact.map(|impact| impact.to_peak_s * 1e3),
             impact.map(|impact| impact.impulse_over_v0(record.height_m)),

@@ -6,5 +6,6 @@ pub mod drop_data;
 pub mod fit_data;
 pub mod impact_data;
 pub mod impact_fit_data;
+pub mod landing_data;
 pub mod measure_data;
 pub mod stiffness_data;

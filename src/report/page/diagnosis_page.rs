@@ -1,13 +1,18 @@
 //! A diagnosis as a page to read.
 
+use super::landing_section;
 use crate::impact::diagnose::{Diagnosis, Point, Verdict, joined};
+use crate::impact::landing::{LANDING_TILT, LandingAssessment};
 use crate::report::chart::lines::{Lines, Series};
 use crate::report::chart::plot::{PlotError, files};
 use crate::report::data::diagnosis_data::Compared;
 use crate::report::page::document::Block;
 
 /// Title of the page.
-pub fn title(diagnosis: &Diagnosis) -> String {
+pub fn title(diagnosis: &Diagnosis, compared: &Compared) -> String {
+    if compared.landing.as_ref().is_some_and(LandingAssessment::decides) {
+        return format!("Missing: {LANDING_TILT}");
+    }
     let chosen = joined(&diagnosis.chosen);
     match diagnosis.verdict {
         Verdict::NothingMissing => "Nothing is missing".into(),
@@ -26,6 +31,9 @@ pub fn blocks(diagnosis: &Diagnosis, compared: &Compared) -> Result<Vec<Block>, 
     blocks.extend(drops(diagnosis, compared));
     blocks.extend(gaps(diagnosis));
     blocks.extend(waves(diagnosis)?);
+    if let Some(landing) = &compared.landing {
+        blocks.extend(landing_section::blocks(landing)?);
+    }
     blocks.extend(residual_map(diagnosis));
     blocks.extend(ranking(diagnosis));
     blocks.extend(estimates(diagnosis));
@@ -56,7 +64,8 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     let head = cells(["height, m", "drops", "median peak, g", "impulse / v0", "at most"]);
     let mut blocks = vec![Block::Heading("Observations without a model".into()), Block::Table(head, rows)];
     let mut lines = vec![format!("Channel: {} (the model states: {}).", compared.channel, compared.stated_channel)];
-    lines.extend(compared.channel_reason.clone());
+    lines.push(compared.channel_reason.clone());
+    lines.extend(compared.sampling());
     lines.extend(compared.observed());
     if let Some(clipping) = diagnosis.clipping {
         lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));

@@ -5,6 +5,8 @@ pub mod coupon_page;
 pub mod diagnosis_page;
 pub mod diff_page;
 pub mod document;
+#[cfg(feature = "charts")]
+mod landing_section;
 pub mod print_settings;
 pub mod summary;
 pub mod weighing_page;

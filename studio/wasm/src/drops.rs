@@ -3,7 +3,7 @@
 use flexframe::impact::body::DropBody;
 use flexframe::impact::diagnose::Stage;
 use flexframe::impact::effects::Model;
-use flexframe::impact::measured::{Calibration, read_bytes};
+use flexframe::impact::measured::{FileFormat, read_bytes};
 use flexframe::impact::sim::{SolverOptions, System, Trace, check_heights, simulate};
 use flexframe::report::data::diagnosis_request::DiagnosisRequest;
 use flexframe::report::data::{diagnosis_data, drop_data};
@@ -55,8 +55,8 @@ pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Ans
     let Course { hold_out_heights_m, max_effects, seed } = *course;
     DiagnosisRequest::bounds(max_effects).map_err(Refused::plain)?;
     let files: Vec<(String, Vec<u8>)> = request.attached.iter().filter(|(path, _)| !path.ends_with(".toml")).cloned().collect();
-    let drops = read_bytes(&files, &Calibration::default())?;
-    let asked = DiagnosisRequest { model, drops: &drops, hold_out_heights_m, static_test: None, max_effects, seed };
+    let drops = read_bytes(&files, &FileFormat::default())?;
+    let asked = DiagnosisRequest { model, drops: &drops, channel: None, hold_out_heights_m, static_test: None, max_effects, seed };
     let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());
     let (found, compared) = asked.diagnosed(&stage).map_err(Refused::plain)?;
     let mut answer = with_file("diagnosis.json", diagnosis_data::json(&found, &compared));

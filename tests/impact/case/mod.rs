@@ -9,7 +9,7 @@ use flexframe::impact::diagnose::{Diagnosis, DiagnosisOptions, Observable, diagn
 use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
 use flexframe::impact::fit::{Chosen, Keep, Layout, PaperObjective, Waves, fit};
 use flexframe::impact::measured;
-use flexframe::impact::measured::{Calibration, DropSet};
+use flexframe::impact::measured::{DropSet, FileFormat};
 use flexframe::mechanics;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::result::reduction::Reduction;
@@ -49,7 +49,7 @@ pub struct Study {
 
 fn drops() -> DropSet {
     let paths: Vec<_> = ["soft_050cm", "soft_100cm", "soft_150cm"].iter().map(|name| folder().join(name)).collect();
-    measured::read(&paths, &Calibration::default()).expect("reads")
+    measured::read(&paths, &FileFormat::default()).expect("reads")
 }
 
 fn paper(channel: Channel) -> Model {

@@ -117,6 +117,8 @@ fn planted_a_toy_effect_is_fitted_and_named() {
         noise_g: 0.17,
         counts_per_g: 8.877,
         rate_hz: 1000.0,
+        stalls: None,
+        landings: None,
         seed: 7,
     };
     let drop = |record: flexframe::impact::synthetic::SyntheticRecord| FittedDrop {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use flexframe::impact::effects::{Channel, Model};
 use flexframe::impact::fit::{Chosen, Fit, Keep, Layout, Likelihood, PaperObjective, ParameterEstimate, fit};
 use flexframe::impact::measured;
-use flexframe::impact::measured::{Calibration, DropSet};
+use flexframe::impact::measured::{DropSet, FileFormat};
 
 use super::figures::{DAMPING_500_HZ, DAMPING_N_S_M, OBJECTIVE, RIGID_500_HZ, STIFFNESS_N_M};
 use super::model::{paper, shares, traces};
@@ -24,7 +24,7 @@ pub struct Drops(DropSet);
 impl Drops {
     pub fn read() -> Self {
         let paths: Vec<_> = ["soft_050cm", "soft_100cm", "soft_150cm"].iter().map(|name| folder().join(name)).collect();
-        Self(measured::read(&paths, &Calibration::default()).expect("reads"))
+        Self(measured::read(&paths, &FileFormat::default()).expect("reads"))
     }
 
     pub fn every(&self, channel: Channel) -> Chosen<'_> {

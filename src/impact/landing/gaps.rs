@@ -1,0 +1,148 @@
+//! How far landings as simulated lie from drops that no fit saw.
+
+use nalgebra::DVector;
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_pcg::Pcg64;
+
+use super::fitting::{LandingFit, LandingProblem};
+use super::observed::{ObservedLanding, ObservedLandings};
+use super::population::Population;
+use super::posterior::given_touches;
+use crate::impact::diagnose::{Gap, errors};
+use crate::impact::fit::{FitProblem, MeanWave, WaveGroup, Waves};
+
+/// Permutations of the touches among the drops of a height.
+const PERMUTED: usize = 199;
+
+/// How far landings as simulated lie from the drops.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct LandingGaps {
+    /// Mean waves of random slopes, at the fitted heights.
+    pub fitted: Gap,
+    /// The same at held-out heights, or at each height, fitted to the others.
+    pub held_out: Gap,
+    /// Single drops there, each predicted from its own touches.
+    pub given_touches: Gap,
+    /// Root mean square of the same when touches are dealt to other drops of the height, median, g.
+    pub dealt_g: f64,
+    /// p-value of the single drops' error under dealing.
+    pub dealt_p: f64,
+}
+
+/// Mean windows of a height that no fit saw, and its drops given their touches.
+struct Unseen {
+    group: WaveGroup,
+    predicted: Vec<f64>,
+    left: Vec<DVector<f64>>,
+    dealt: Vec<f64>,
+}
+
+impl Unseen {
+    /// Of one height of a problem.
+    fn of(problem: &LandingProblem, group: &WaveGroup, height: usize, fit: &LandingFit, by_drops: &LandingFit, seed: u64) -> Option<Self> {
+        let at = problem.waves.at(&[height]);
+        let own = problem.at(&at);
+        let predicted = own.mean_windows(&fit.legs, &fit.slopes)?.as_slice().to_vec();
+        let tables = own.tables(&by_drops.legs)?;
+        let left = own.left_by_drops(height, &tables[0], &by_drops.slopes);
+        let population = Population::of(&tables[0], &by_drops.slopes);
+        let drops = &problem.observed.heights[height].drops;
+        let waves: Vec<DVector<f64>> = drops.iter().map(|drop| given_touches(&tables[0], &population, &drop.touches).window).collect();
+        let mut rng = Pcg64::seed_from_u64(seed);
+        let mut order: Vec<usize> = (0..drops.len()).collect();
+        let dealt = (0..PERMUTED).map(|_| {
+            order.shuffle(&mut rng);
+            let one = |(drop, from): (&ObservedLanding, &usize)| (DVector::from_column_slice(&drop.window) - &waves[*from]).norm_squared();
+            drops.iter().zip(&order).map(one).sum::<f64>()
+        });
+        let dealt = dealt.collect();
+        Some(Self { group: group.clone(), predicted, left, dealt })
+    }
+}
+
+fn gaps_of(unseen: &[Unseen], fitted: Gap) -> LandingGaps {
+    let means: Vec<Vec<f64>> = unseen.iter().map(|one| errors(&one.group)).collect();
+    let held_out = Gap::between(
+        unseen.iter().zip(&means).map(|(one, errors)| (&one.group.mean[..], &one.predicted[..], &errors[..], one.group.windows.len())),
+    );
+    let groups: Vec<WaveGroup> = unseen.iter().map(residual_group).collect();
+    let left_errors: Vec<Vec<f64>> = groups.iter().map(errors).collect();
+    let zeros = vec![0.0; groups.first().map_or(0, |group| group.mean.len())];
+    let given_touches = Gap::between(
+        groups.iter().zip(&left_errors).map(|(group, errors)| (&group.mean[..], &zeros[..], &errors[..], group.windows.len())),
+    );
+    let sum: f64 = unseen.iter().flat_map(|one| &one.left).map(DVector::norm_squared).sum();
+    let count: usize = unseen.iter().flat_map(|one| &one.left).map(DVector::len).sum();
+    let mut dealt: Vec<f64> = (0..PERMUTED).map(|at| unseen.iter().map(|one| one.dealt[at]).sum()).collect();
+    dealt.sort_by(f64::total_cmp);
+    let as_small = dealt.partition_point(|other| *other <= sum);
+    LandingGaps {
+        fitted,
+        held_out,
+        given_touches,
+        dealt_g: (dealt[PERMUTED / 2] / count.max(1) as f64).sqrt(),
+        dealt_p: (as_small + 1) as f64 / (PERMUTED + 1) as f64,
+    }
+}
+
+/// What is left of each drop, as a group of its own.
+fn residual_group(one: &Unseen) -> WaveGroup {
+    let windows: Vec<Vec<f64>> = one.left.iter().map(|left| left.as_slice().to_vec()).collect();
+    let count = windows.len().max(1) as f64;
+    let samples = one.predicted.len();
+    let mean = (0..samples).map(|i| windows.iter().map(|window| window[i]).sum::<f64>() / count).collect();
+    WaveGroup { trials: one.group.trials.clone(), windows, mean, ..one.group }
+}
+
+fn fitted_gap(problem: &LandingProblem, waves: &Waves, fit: &LandingFit) -> Option<Gap> {
+    let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
+    let samples = problem.waves.expected.samples;
+    let each: Vec<Vec<f64>> = waves.groups.iter().map(errors).collect();
+    let parts = waves.groups.iter().zip(&each).enumerate().map(|(at, (group, errors))| {
+        (&group.mean[..], &predicted.as_slice()[at * samples..(at + 1) * samples], &errors[..], group.windows.len())
+    });
+    Some(Gap::between(parts))
+}
+
+/// At heights that were named for it.
+pub fn held_out_gaps(
+    problem: &LandingProblem,
+    fitted: &Waves,
+    fit: &LandingFit,
+    by_drops: &LandingFit,
+    held: &Waves,
+    touches: &ObservedLandings,
+    seed: u64,
+) -> Option<LandingGaps> {
+    // Whitening is of the fitted heights and not asked for here.
+    let waves = FitProblem {
+        means: held.groups.iter().map(MeanWave::of).collect(),
+        chosen: (0..held.groups.len()).collect(),
+        ..problem.waves.clone()
+    };
+    let other = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
+    let unseen: Option<Vec<Unseen>> =
+        held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, by_drops, seed)).collect();
+    Some(gaps_of(&unseen?, fitted_gap(problem, fitted, fit)?))
+}
+
+/// At each height, fitted to the others.
+pub fn left_out_gaps(problem: &LandingProblem, fitted: &Waves, fit: &LandingFit, by_drops: &LandingFit, seed: u64) -> Option<LandingGaps> {
+    let all = problem.waves.chosen.clone();
+    let mut unseen = Vec::new();
+    for out in &all {
+        let others: Vec<usize> = all.iter().copied().filter(|height| height != out).collect();
+        let (refit, drops) = if others.is_empty() {
+            (fit.clone(), by_drops.clone())
+        } else {
+            let waves = problem.waves.at(&others);
+            let rest = problem.at(&waves);
+            let refit = rest.fitted(Some(fit))?;
+            let drops = rest.fitted_to_drops(&refit, Some(by_drops))?;
+            (refit, drops)
+        };
+        unseen.push(Unseen::of(problem, &fitted.groups[*out], *out, &refit, &drops, seed)?);
+    }
+    Some(gaps_of(&unseen, fitted_gap(problem, fitted, fit)?))
+}

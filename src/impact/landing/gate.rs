@@ -1,0 +1,12 @@
+//! The tests that a name has to pass.
+
+/// One of them.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Gate {
+    /// Its name: `touches`, `held_out`, `drops`, `constant`, `plausible` or `enough`.
+    pub id: &'static str,
+    /// Whether it was passed.
+    pub passed: bool,
+    /// What was found, in a sentence.
+    pub found: String,
+}

@@ -1,0 +1,67 @@
+//! What lands: a rigid body on four legs, and how its slope varies between drops.
+
+use crate::impact::effects::Fall;
+use crate::impact::effects::Model;
+
+/// From the hub's axis to a foot of CogniFly v8, m. Source: its parts as measured; 0.14 m to the middle of the foot's contact.
+pub const COGNIFLY_FOOT_RADIUS_M: f64 = 0.1445;
+
+/// From the lower ring up to the arms of CogniFly v8, m, near which the centre of mass lies.
+pub const COGNIFLY_CENTRE_HEIGHT_M: f64 = 0.043;
+
+/// A rigid body with a foot at each end of two diagonals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeggedBody {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// From the vertical axis to each foot, m.
+    pub foot_radius_m: f64,
+    /// From the feet up to the centre of mass, m.
+    pub centre_height_m: f64,
+}
+
+impl LeggedBody {
+    /// A model's body; without a frame it has CogniFly's feet. The centre of mass is taken in the plane of the arms.
+    pub fn of(model: &Model) -> Self {
+        Self {
+            mass_kg: model.body.mass_kg,
+            foot_radius_m: model.body.foot_radius_m.unwrap_or(COGNIFLY_FOOT_RADIUS_M),
+            centre_height_m: model.body.travel_m.unwrap_or(COGNIFLY_CENTRE_HEIGHT_M),
+        }
+    }
+}
+
+/// The legs: each carries a quarter, pushes and never pulls.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Legs {
+    /// Stiffness of all four together, N/m.
+    pub stiffness_n_m: f64,
+    /// Damping of all four together, N s/m.
+    pub damping_n_s_m: f64,
+    /// Moment of inertia of the body about a horizontal axis, kg m².
+    pub inertia_kg_m2: f64,
+}
+
+/// How the landing's slope varies between drops: along each diagonal a normal quantity with mean 0.
+///
+/// Part of it grows with the fall, as that of a body that turns from its release on; part of it does not.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Slopes {
+    /// Standard deviation of the turning rate at release, a diagonal, rad/s.
+    pub rate_rad_s: f64,
+    /// Standard deviation of the slope at release, a diagonal, rad.
+    pub at_release_rad: f64,
+}
+
+impl Slopes {
+    /// Standard deviation of the slope along a diagonal after a fall, rad.
+    pub fn deviation_rad(&self, fall_s: f64) -> f64 {
+        (self.rate_rad_s * fall_s).hypot(self.at_release_rad)
+    }
+}
+
+/// Speed at first touch, m/s, and how long the fall took, s, of a fall from the stated height.
+pub(super) fn fall(model: &Model, height_m: f64) -> [f64; 2] {
+    let fall: Fall = model.arrangement().fall;
+    [fall.impact_speed_m_s(height_m), fall.duration_s(height_m)]
+}

@@ -1,0 +1,39 @@
+//! Landings that are not level: one foot touches first, the frame turns, the others follow.
+//!
+//! A drop's lateral axes show when each foot touches ([`LegTouches`]). [`TouchEvidence`] asks of these times alone, without a
+//! model, whether four feet in one plane would give them. [`simulate`] drops a rigid body on four legs; [`LandingTable`] holds its
+//! waves and touch times over all slopes at one speed. [`Population`] averages over random slopes, and [`given_touches`] predicts a
+//! single drop from its own touch times. [`LandingFit`] fits stiffness, damping, inertia and the spread of slopes.
+//! [`LandingAssessment`] puts the effect `landing_tilt` to the tests that every named effect has to pass.
+
+mod assessment;
+mod covariate;
+mod evidence;
+mod fitting;
+mod gaps;
+mod gate;
+mod legged_body;
+mod observed;
+mod population;
+mod posterior;
+mod simulation;
+mod slope_grid;
+mod table;
+mod touches;
+
+pub use assessment::{LandingAssessment, LandingEvidence, SlopesAtHeight};
+pub use covariate::{Covariate, CovariateEffect};
+pub use evidence::TouchEvidence;
+pub use fitting::{LandingEstimate, LandingFit, LandingProblem};
+pub use gaps::LandingGaps;
+pub use gate::Gate;
+pub use legged_body::{COGNIFLY_FOOT_RADIUS_M, LeggedBody, Legs, Slopes};
+pub use observed::{HeightLandings, ObservedLanding, ObservedLandings};
+pub use population::Population;
+pub use posterior::{SlopeEstimate, given_touches};
+pub use simulation::{Landing, simulate};
+pub use table::LandingTable;
+pub use touches::{LegTouches, Touch};
+
+/// The effect's id.
+pub const LANDING_TILT: &str = "landing_tilt";

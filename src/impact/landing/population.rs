@@ -1,0 +1,72 @@
+//! Many landings with random slopes: the mean wave, and how the touch times spread.
+
+use nalgebra::DVector;
+
+use super::legged_body::Slopes;
+use super::table::LandingTable;
+use super::touches::LAST_S;
+
+/// Landings from one height whose slopes are random.
+#[derive(Clone, Debug)]
+pub struct Population<'a> {
+    table: &'a LandingTable,
+    weights: DVector<f64>,
+}
+
+impl<'a> Population<'a> {
+    /// Weighs a table's landings by how frequent their slopes are.
+    pub fn of(table: &'a LandingTable, slopes: &Slopes) -> Self {
+        Self { table, weights: weights(table, slopes.deviation_rad(table.fall_s)) }
+    }
+
+    /// Mean window, g.
+    pub fn mean_window(&self) -> DVector<f64> {
+        &self.table.windows * &self.weights
+    }
+
+    /// Quantile of the time from the first foot to the opposite one, s, of the landings in which it touches as soon as it is looked for.
+    pub fn opposite_delay_s(&self, share: f64) -> f64 {
+        let times = self.table.delays_s.iter().zip(self.weights.iter()).map(|(delays, weight)| (delays[0], *weight));
+        let mut delays: Vec<(f64, f64)> = times.filter(|(delay_s, _)| *delay_s < LAST_S).collect();
+        delays.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let all: f64 = delays.iter().map(|(_, weight)| weight).sum();
+        // Half of a landing's weight lies before it.
+        let (mut before, mut last) = (0.0, (0.0, 0.0));
+        for (delay_s, weight) in delays {
+            let middle = (before + 0.5 * weight) / all;
+            if middle >= share {
+                let (left, left_s) = last;
+                return if middle > left { left_s + (delay_s - left_s) * (share - left) / (middle - left) } else { delay_s };
+            }
+            before += weight;
+            last = (middle, delay_s);
+        }
+        last.1
+    }
+
+    /// How frequent each of the table's slopes is.
+    pub fn weights(&self) -> &DVector<f64> {
+        &self.weights
+    }
+}
+
+/// Rayleigh's density times the slopes that each point stands for; the steepest one takes what lies beyond.
+fn weights(table: &LandingTable, deviation_rad: f64) -> DVector<f64> {
+    let sigma = deviation_rad.max(1e-6);
+    let density = |slope: f64| slope / (sigma * sigma) * libm::exp(-0.5 * (slope / sigma).powi(2));
+    let raw: Vec<f64> = table.points.iter().map(|point| point.cell * density(point.slope_rad)).collect();
+    let sum: f64 = raw.iter().sum();
+    let level: f64 = table.points.iter().filter(|point| point.slope_rad == 0.0).map(|_| 1.0).sum();
+    // Slopes far below the first step: all landings are level.
+    if sum < 1e-3 {
+        return DVector::from_iterator(raw.len(), table.points.iter().map(|p| if p.slope_rad == 0.0 { 1.0 / level } else { 0.0 }));
+    }
+    let steepest = table.points.iter().map(|point| point.slope_rad).fold(0.0, f64::max);
+    let lost = if sum < 1.0 && sigma > 0.2 * steepest { libm::exp(-0.5 * (steepest / sigma).powi(2)) } else { 0.0 };
+    let ends: f64 = table.points.iter().filter(|point| point.slope_rad == steepest).map(|point| point.cell).sum();
+    let share = |point: &super::slope_grid::GridPoint, raw: f64| {
+        let beyond = if point.slope_rad == steepest { lost * point.cell / ends } else { 0.0 };
+        raw / sum * (1.0 - lost) + beyond
+    };
+    DVector::from_iterator(raw.len(), table.points.iter().zip(raw).map(|(point, raw)| share(point, raw)))
+}

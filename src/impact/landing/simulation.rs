@@ -1,0 +1,128 @@
+//! A rigid body that lands on four legs, followed through time.
+//!
+//! The body's height above the ground of a level landing, and its slopes along the two diagonals, are three coordinates. A foot stands
+//! d = z + r sin p - h (1 - cos p cos q) below the ground, r being its radius and h the height of the centre of mass, and its force acts on
+//! each coordinate by d's derivative with respect to it. A foot is pressed by (stiffness/4) d + (damping/4) d', d being how far it stands below the ground, and never pulled. In
+//! every step the forces are taken at its middle (the explicit midpoint method, order 2).
+//!
+//! *When it is wrong:* beyond slopes of about 0.3 rad along both diagonals, as turns about the two are taken to be independent; where feet slide
+//! far; where the frame between the feet and the hub bends long after the touch.
+
+use super::legged_body::{LeggedBody, Legs};
+use crate::units::GRAVITY_M_S2;
+
+/// Time between the points of a wave, s.
+pub use crate::impact::fit::FINE_S as STEP_S;
+
+/// Feet: at the positive and the negative end of the first diagonal, then of the second.
+pub const FEET: usize = 4;
+
+/// How the body landed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Landing {
+    /// Proper acceleration along the vertical from first touch on, g, every [`STEP_S`].
+    pub accel_g: Vec<f64>,
+    /// From first touch to that of each foot, s; `None` for a foot that does not touch within the time followed.
+    pub touch_s: [Option<f64>; FEET],
+}
+
+/// Height and slopes with their rates: z, p, q, z', p', q'; z in m, downward from where a level body's feet touch.
+type State = [f64; 6];
+
+/// Lands with a speed, m/s, and slopes along the two diagonals, rad; followed for so many points.
+///
+/// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
+pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
+    let [p, q] = slopes;
+    let raised_m = body.centre_height_m * (1.0 - libm::cos(p) * libm::cos(q));
+    let lowest_m = body.foot_radius_m * libm::sin(p.abs().max(q.abs())) - raised_m;
+    let mut state: State = [-lowest_m, p, q, speed_m_s, 0.0, 0.0];
+    let mut landing = Landing { accel_g: Vec::with_capacity(points), touch_s: [None; FEET] };
+    for point in 0..points {
+        let (rate, pressed_n, depth_m) = change(body, legs, &state);
+        landing.accel_g.push(pressed_n / body.mass_kg / GRAVITY_M_S2);
+        for (touch_s, depth_m) in landing.touch_s.iter_mut().zip(depth_m) {
+            if touch_s.is_none() && depth_m >= -1e-12 {
+                *touch_s = Some(point as f64 * STEP_S);
+            }
+        }
+        let middle = moved(&state, &rate, 0.5 * STEP_S);
+        state = moved(&state, &change(body, legs, &middle).0, STEP_S);
+    }
+    state.iter().all(|value| value.is_finite()).then_some(landing)
+}
+
+/// Rates of change, the force of all feet, N, and how far each foot stands below the ground, m.
+fn change(body: &LeggedBody, legs: &Legs, state: &State) -> (State, f64, [f64; FEET]) {
+    let [z, p, q, z_rate, p_rate, q_rate] = *state;
+    let (r, h) = (body.foot_radius_m, body.centre_height_m);
+    let [(sin_p, cos_p), (sin_q, cos_q)] = [p, q].map(|slope| (libm::sin(slope), libm::cos(slope)));
+    let sunk_m = z - h * (1.0 - cos_p * cos_q);
+    let depth_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
+    // How each slope lowers all feet, and the two at the ends of its own diagonal.
+    let (all_p, all_q) = (-h * sin_p * cos_q, -h * cos_p * sin_q);
+    let (own_p, own_q) = (r * cos_p, r * cos_q);
+    let common_m_s = z_rate + all_p * p_rate + all_q * q_rate;
+    let [along_p, along_q] = [own_p * p_rate, own_q * q_rate];
+    let speed_m_s = [common_m_s + along_p, common_m_s - along_p, common_m_s + along_q, common_m_s - along_q];
+    let force_n: [f64; FEET] = std::array::from_fn(|foot| {
+        let pressed = 0.25 * (legs.stiffness_n_m * depth_m[foot] + legs.damping_n_s_m * speed_m_s[foot]);
+        if depth_m[foot] > 0.0 { pressed.max(0.0) } else { 0.0 }
+    });
+    let [a, b, c, d] = force_n;
+    let all_n = a + b + c + d;
+    let p_turn = -(own_p * (a - b) + all_p * all_n) / legs.inertia_kg_m2;
+    let q_turn = -(own_q * (c - d) + all_q * all_n) / legs.inertia_kg_m2;
+    ([z_rate, p_rate, q_rate, GRAVITY_M_S2 - all_n / body.mass_kg, p_turn, q_turn], all_n, depth_m)
+}
+
+fn moved(state: &State, rate: &State, step_s: f64) -> State {
+    std::array::from_fn(|i| state[i] + step_s * rate[i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BODY: LeggedBody = LeggedBody { mass_kg: 0.241, foot_radius_m: 0.1445, centre_height_m: 0.05 };
+    const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, inertia_kg_m2: 1e-3 };
+
+    #[test]
+    fn analytic_a_level_landing_is_that_of_one_spring_and_damper() {
+        let landing = simulate(&BODY, &LEGS, 4.0, [0.0; 2], 100).expect("it lands");
+        assert_eq!(landing.touch_s, [Some(0.0); FEET]);
+        let (m, k, c) = (BODY.mass_kg, LEGS.stiffness_n_m, LEGS.damping_n_s_m);
+        let (decay, swing) = (0.5 * c / m, (k / m - (0.5 * c / m).powi(2)).sqrt());
+        // x about the rest position: x(0) = -mg/k, x'(0) = v.
+        let rest = m * GRAVITY_M_S2 / k;
+        let sine = (4.0 - decay * rest) / swing;
+        for (point, accel_g) in landing.accel_g.iter().enumerate().skip(1) {
+            let t = point as f64 * STEP_S;
+            let e = libm::exp(-decay * t);
+            let x = e * (sine * libm::sin(swing * t) - rest * libm::cos(swing * t));
+            let v = e
+                * (swing * (sine * libm::cos(swing * t) + rest * libm::sin(swing * t))
+                    - decay * (sine * libm::sin(swing * t) - rest * libm::cos(swing * t)));
+            let expected = (k * (x + rest) + c * v).max(0.0) / m / GRAVITY_M_S2;
+            assert!((accel_g - expected).abs() < 2e-2, "{point}: {accel_g} {expected}");
+        }
+    }
+
+    #[test]
+    fn analytic_a_sloped_landing_touches_in_order_and_keeps_its_impulse() {
+        let landing = simulate(&BODY, &LEGS, 4.0, [0.1, 0.04], 1000).expect("it lands");
+        let [first, last, near, far] = landing.touch_s.map(|touch| touch.expect("all feet touch"));
+        assert!(first == 0.0 && 0.0 < near && near < far && far < last, "{:?}", landing.touch_s);
+        // Before anything pushes, a foot comes down by its height over the speed.
+        assert!((near - 0.1445 * 0.06 / 4.0).abs() < 4e-4);
+        let impulse = landing.accel_g.iter().sum::<f64>() * STEP_S * GRAVITY_M_S2;
+        assert!((1.0..2.2).contains(&(impulse / 4.0)), "{impulse}");
+    }
+
+    #[test]
+    fn analytic_mirrored_slopes_land_alike() {
+        let wave = |slopes| simulate(&BODY, &LEGS, 4.0, slopes, 300).expect("it lands").accel_g;
+        let same = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9);
+        assert!(same(wave([0.1, 0.05]), wave([-0.1, 0.05])) && same(wave([0.1, 0.05]), wave([0.05, 0.1])));
+    }
+}

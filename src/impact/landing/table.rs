@@ -1,0 +1,69 @@
+//! Landings at one speed over all slopes: mean windows and touch times.
+
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+
+use super::legged_body::{LeggedBody, Legs, fall};
+use super::simulation::{STEP_S, simulate};
+use super::slope_grid::{GridPoint, points, simulated};
+use crate::impact::effects::{Model, Sensor};
+use crate::impact::fit::Expected;
+
+/// Touch time of a foot that does not touch, s.
+pub const NEVER_S: f64 = 0.03;
+
+/// Landings from one height.
+#[derive(Clone, Debug)]
+pub struct LandingTable {
+    /// The slopes.
+    pub points: Vec<GridPoint>,
+    /// A column for each: readings of a trigger-aligned record, averaged over the clock's phase, g.
+    pub windows: DMatrix<f64>,
+    /// Touch times of each, s: the foot opposite to the first, the two beside it, the earlier one first.
+    pub delays_s: Vec<[f64; 3]>,
+    /// How long the fall took, s.
+    pub fall_s: f64,
+}
+
+impl LandingTable {
+    /// Simulates; `None` where a landing is lost. The model gives fall and sensor.
+    pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
+        let [speed_m_s, fall_s] = fall(model, height_m);
+        let sensor = model.arrangement().sensor;
+        let count = expected.fine_points();
+        let land = |slopes: [f64; 2]| {
+            let landing = simulate(body, legs, speed_m_s, slopes, count)?;
+            let window = expected.mean_over_phases(&filtered(&landing.accel_g, &sensor));
+            let [_, opposite, beside, far] = landing.touch_s.map(|touch| touch.unwrap_or(NEVER_S));
+            Some((window, [opposite, beside.min(far), beside.max(far)]))
+        };
+        let landings = simulated().into_par_iter().map(land).collect::<Option<Vec<_>>>()?;
+        let points = points();
+        let mut windows = DMatrix::zeros(expected.samples, points.len());
+        let mut delays_s = Vec::with_capacity(points.len());
+        for (at, point) in points.iter().enumerate() {
+            let mut delays = [0.0; 3];
+            for (node, weight) in point.around {
+                let (window, node_delays) = &landings[node];
+                windows.column_mut(at).axpy(weight, &DVector::from_column_slice(window), 1.0);
+                delays.iter_mut().zip(node_delays).for_each(|(sum, delay)| *sum += weight * delay);
+            }
+            delays_s.push(delays);
+        }
+        Some(Self { points, windows, delays_s, fall_s })
+    }
+}
+
+/// What the sensor reads: its stages one after the other, gain and limit.
+fn filtered(accel_g: &[f64], sensor: &Sensor) -> Vec<f64> {
+    let kept = libm::exp(-sensor.rate_1_s() * STEP_S);
+    let mut wave = accel_g.to_vec();
+    for _ in 0..sensor.order {
+        let mut state = 0.0;
+        for reading in &mut wave {
+            state = kept * state + (1.0 - kept) * *reading;
+            *reading = state;
+        }
+    }
+    wave.iter().map(|reading| (sensor.gain * reading).clamp(-sensor.limit_g, sensor.limit_g)).collect()
+}

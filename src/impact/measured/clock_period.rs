@@ -1,0 +1,181 @@
+//! A period of stalls that shows across records, such as that of a flash memory's sectors.
+//!
+//! Behind a stall a logger catches up: samples follow each other faster than they are stamped, and the sensor's noise is then
+//! correlated from sample to sample. The correlation is averaged over all records at each sample of the file, and folded with every
+//! period. *When it is wrong:* where records do not begin at the begin of a period, where the noise is white down to the faster
+//! rate, and for fewer than three periods a record. No period is found there.
+
+use super::record::Record;
+
+/// Cells into which a record is divided at most.
+const CELLS: usize = 2000;
+/// Mean that is taken off a reading, samples.
+const SMOOTHED: usize = 7;
+/// Readings further than this from their mean, in units of the noise, are no noise.
+const NOISY: f64 = 4.0;
+/// Least noise, g.
+const LEAST_NOISE_G: f64 = 0.06;
+/// Samples on either side that must be quiet, too.
+const AROUND: usize = 4;
+/// Cells over which the baseline's median is taken, on either side.
+const BASELINE: usize = 200;
+/// Shortest period, cells, steps between periods, cells, and the fewest periods in a record.
+const SHORTEST: f64 = 60.0;
+const STEP: f64 = 0.2;
+const FEWEST_PERIODS: f64 = 3.0;
+/// Cells of a bin of the folded correlation.
+const BIN: f64 = 8.0;
+/// Shortest stretch, cells.
+const SHORTEST_STRETCH: f64 = 20.0;
+/// How far the correlation rises in the stall, in standard errors, and over the median of all periods.
+const RISE: f64 = 8.0;
+const RISE_OVER_MEDIAN: f64 = 1.3;
+/// Standard errors by which it rises in each single period, for the fewest of them.
+const RISE_OF_ONE: f64 = 2.0;
+
+/// Where the clock stalls, period by period.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct ClockPeriod {
+    /// Length, samples of the file.
+    pub samples: f64,
+    /// Begin of the stretch in which the clock catches up, samples from the begin of a period.
+    pub begin: f64,
+    /// Length of that stretch, samples.
+    pub stretch: f64,
+    /// How far the noise's lag-1 correlation rises there, in standard errors.
+    pub rise: f64,
+}
+
+impl ClockPeriod {
+    /// Where a sample lies from the begin of a stretch on; negative in the half of the period before it.
+    pub fn from_begin(&self, sample: usize) -> f64 {
+        let behind = (sample as f64 - self.begin).rem_euclid(self.samples);
+        let before = 0.5 * (self.samples - self.stretch);
+        if behind > self.samples - before { behind - self.samples } else { behind }
+    }
+
+    /// The period that records show together; `None` when they show none.
+    pub fn of(records: &[&Record]) -> Option<Self> {
+        let longest = records.iter().map(|record| record.len()).max()?;
+        let cell = longest.div_ceil(CELLS);
+        let pooled = Pooled::of(records, longest, cell);
+        let cells = longest as f64 / cell as f64;
+        let scanned = ((cells / FEWEST_PERIODS - SHORTEST) / STEP).max(0.0) as usize;
+        let all: Vec<Self> = (0..scanned).filter_map(|at| pooled.folded(SHORTEST + STEP * at as f64)).collect();
+        let mut rises: Vec<f64> = all.iter().map(|period| period.rise).collect();
+        rises.sort_by(f64::total_cmp);
+        let needed = RISE.max(RISE_OVER_MEDIAN * rises.get(rises.len() / 2)?);
+        let best = all.into_iter().filter(|period| pooled.rises_in_each(period)).max_by(|a, b| a.rise.total_cmp(&b.rise))?;
+        let cell = cell as f64;
+        (best.rise >= needed).then(|| Self { samples: best.samples * cell, begin: best.begin * cell, stretch: best.stretch * cell, ..best })
+    }
+}
+
+/// The lag-1 correlation above its baseline, cell by cell, and its weight.
+struct Pooled {
+    excess: Vec<f64>,
+    weight: Vec<f64>,
+}
+
+impl Pooled {
+    fn of(records: &[&Record], longest: usize, cell: usize) -> Self {
+        let count = longest.div_ceil(cell);
+        let (mut product, mut weight) = (vec![0.0; count], vec![0.0; count]);
+        for record in records {
+            for axis in record.axes() {
+                pool(axis, cell, &mut product, &mut weight);
+            }
+        }
+        let mean: Vec<f64> = product.iter().zip(&weight).map(|(sum, weight)| if *weight > 0.0 { sum / weight } else { 0.0 }).collect();
+        let excess = (0..count)
+            .map(|at| {
+                let mut around: Vec<f64> = mean[at.saturating_sub(BASELINE)..(at + BASELINE + 1).min(count)].to_vec();
+                let middle = around.len() / 2;
+                mean[at] - *around.select_nth_unstable_by(middle, f64::total_cmp).1
+            })
+            .collect();
+        Self { excess, weight }
+    }
+
+    /// Sum of the excess and of the weights from a cell to another.
+    fn sums(&self, cells: impl Iterator<Item = usize>) -> (f64, f64) {
+        cells.fold((0.0, 0.0), |(sum, weight), at| (sum + self.excess[at] * self.weight[at], weight + self.weight[at]))
+    }
+
+    /// The stretch of a period in which the correlation rises most.
+    fn folded(&self, period: f64) -> Option<ClockPeriod> {
+        let bins = (period / BIN).round().max(8.0) as usize;
+        let (mut sums, mut weights) = (vec![0.0; bins], vec![0.0; bins]);
+        for (at, (excess, weight)) in self.excess.iter().zip(&self.weight).enumerate() {
+            let bin = ((at as f64).rem_euclid(period) / period * bins as f64) as usize % bins;
+            sums[bin] += excess * weight;
+            weights[bin] += weight;
+        }
+        let width = period / bins as f64;
+        let mut best: Option<ClockPeriod> = None;
+        for begin in 0..bins {
+            let (mut sum, mut weight) = (0.0, 0.0);
+            for length in 1..=bins / 2 {
+                let bin = (begin + length - 1) % bins;
+                sum += sums[bin];
+                weight += weights[bin];
+                let rise = sum / f64::max(weight, 1.0).sqrt();
+                if length as f64 * width >= SHORTEST_STRETCH && best.is_none_or(|best| rise > best.rise) {
+                    best = Some(ClockPeriod { samples: period, begin: begin as f64 * width, stretch: length as f64 * width, rise });
+                }
+            }
+        }
+        best
+    }
+
+    /// Whether the correlation rises in most of the single periods, too.
+    fn rises_in_each(&self, period: &ClockPeriod) -> bool {
+        let count = self.excess.len();
+        let begins = (0..).map(|turn| period.begin + f64::from(turn) * period.samples).take_while(|begin| *begin < count as f64);
+        let rises: Vec<bool> = begins
+            .filter(|begin| begin + period.stretch <= count as f64)
+            .map(|begin| {
+                let (sum, weight) = self.sums(begin as usize..((begin + period.stretch) as usize).min(count));
+                sum / weight.max(1.0).sqrt() > RISE_OF_ONE
+            })
+            .collect();
+        let rising = rises.iter().filter(|rises| **rises).count();
+        rising >= 3 && 4 * rising >= 3 * rises.len()
+    }
+}
+
+/// Adds an axis' products of neighbouring noise over its variance, where it is quiet.
+fn pool(axis: &[f64], cell: usize, product: &mut [f64], weight: &mut [f64]) {
+    let count = axis.len();
+    if count < 4 * SMOOTHED {
+        return;
+    }
+    let half = SMOOTHED / 2;
+    let mut curved: Vec<f64> = axis.windows(3).map(|three| (three[2] - 2.0 * three[1] + three[0]).abs()).collect();
+    let middle = curved.len() / 2;
+    // The second difference of white noise has six times its variance.
+    let noise_g = (1.4826 * *curved.select_nth_unstable_by(middle, f64::total_cmp).1 / 6f64.sqrt()).max(LEAST_NOISE_G);
+    let noise: Vec<f64> = (0..count)
+        .map(|at| {
+            let around = &axis[at.saturating_sub(half)..(at + half + 1).min(count)];
+            axis[at] - around.iter().sum::<f64>() / around.len() as f64
+        })
+        .collect();
+    let loud: Vec<usize> = noise
+        .iter()
+        .scan(0, |sum, reading| {
+            Some(*{
+                *sum += usize::from(reading.abs() > NOISY * noise_g);
+                sum
+            })
+        })
+        .collect();
+    let quiet = |at: usize| loud[at + 1 + AROUND] == loud[at - AROUND - 1];
+    let variance = noise_g * noise_g;
+    for at in AROUND + 1..count - AROUND - 2 {
+        if quiet(at) {
+            product[at / cell] += noise[at] * noise[at + 1] / variance;
+            weight[at / cell] += 0.5 * (noise[at] * noise[at] + noise[at + 1] * noise[at + 1]) / variance;
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! How long a fall lasts, compared with others from the same height.
+
+use super::clock_sign::ClockSign;
+use super::shorth::Shorth;
+use crate::units::GRAVITY_M_S2;
+
+/// How much shorter than others a fall must be: deviations, and s.
+const SHORT: f64 = 5.0;
+const SHORT_S: f64 = 0.008;
+/// A weaker sign: deviations, and s.
+const RATHER_SHORT: f64 = 2.5;
+const RATHER_SHORT_S: f64 = 0.004;
+/// How much shorter than the height says, s, where there are too few others.
+const SHORT_OF_HEIGHT_S: f64 = 0.025;
+/// Falls that vary by more than this are not compared, s.
+const MOST_VARIED_S: f64 = 0.012;
+/// Least deviation of falls, s.
+const LEAST_FALL_S: f64 = 0.001;
+/// Drag of a small frame in its fall, 1/m.
+const DRAG_1_M: f64 = 0.038;
+
+/// How a fall compares with what is usual.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct FallLength {
+    pub own_s: f64,
+    pub usual_s: f64,
+    /// Shorter beyond doubt.
+    pub is_short: bool,
+    /// Shorter, which is a weak sign.
+    pub is_rather_short: bool,
+    pub is_long: bool,
+}
+
+impl FallLength {
+    /// Compares a fall with the usual one, or with that of the height where there are too few others.
+    pub fn of(height_m: f64, own_s: Option<f64>, usual: Option<Shorth>) -> Self {
+        let Some(own_s) = own_s else { return Self::default() };
+        match usual {
+            Some(shorth) if shorth.deviation > MOST_VARIED_S => Self::default(),
+            Some(shorth) => {
+                let (deviations, missing_s) = (-shorth.above(own_s, LEAST_FALL_S), shorth.middle - own_s);
+                Self {
+                    own_s,
+                    usual_s: shorth.middle,
+                    is_short: deviations > SHORT && missing_s > SHORT_S,
+                    is_rather_short: deviations > RATHER_SHORT && missing_s > RATHER_SHORT_S,
+                    is_long: deviations < -SHORT && missing_s < -SHORT_S,
+                }
+            }
+            None => {
+                let usual_s = fall_s(height_m);
+                let (is_rather_short, is_long) = (usual_s - own_s > SHORT_OF_HEIGHT_S, own_s - usual_s > SHORT_OF_HEIGHT_S);
+                Self { own_s, usual_s, is_short: false, is_rather_short, is_long }
+            }
+        }
+    }
+
+    /// What it says of the clock.
+    pub fn sign(&self) -> Option<ClockSign> {
+        let unusual = self.is_rather_short || self.is_long;
+        unusual.then_some(ClockSign::Fall { fall_ms: self.own_s * 1e3, usual_ms: self.usual_s * 1e3 })
+    }
+}
+
+/// How long a fall lasts in air, s: v = √(g/β) tanh(√(g β) t), integrated.
+fn fall_s(height_m: f64) -> f64 {
+    libm::acosh(libm::exp(DRAG_1_M * height_m)) / (GRAVITY_M_S2 * DRAG_1_M).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_a_fall_in_air_lasts_a_little_longer() {
+        let vacuum_s = libm::sqrt(2.0 * 1.5 / GRAVITY_M_S2);
+        // To first order by β h / 6.
+        assert!((fall_s(1.5) / vacuum_s - (1.0 + DRAG_1_M * 1.5 / 6.0)).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,101 @@
+//! What the records of one session share: zero and scale of the sensor.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+use super::impact::Impact;
+use super::record::Record;
+use super::spread::Spread;
+
+/// Fewest samples of a fall that say where zero is.
+const FALLING: usize = 20;
+/// Before the fall begins a hand lets go, s.
+const RELEASE_S: f64 = 0.1;
+/// Held before that for so long at least, s.
+const HELD_S: f64 = 0.1;
+
+/// The mean reading of an axis in free fall.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Zero {
+    /// Mean, g; 0 for a sensor that is calibrated.
+    pub mean_g: f64,
+    /// Its standard error, from the variation between records, g.
+    pub error_g: f64,
+    /// Records with a fall.
+    pub records: usize,
+}
+
+/// Records that were measured in one go.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Session {
+    /// What a table says, or else frame and height.
+    pub name: String,
+    /// How many records.
+    pub records: usize,
+    /// Of x, y and z where all were measured, or of the one axis in the third place.
+    pub zeros: [Option<Zero>; 3],
+    /// Magnitude while the frame is held, less the zeros, g: 1 for a sensor that is calibrated. Where all axes were measured.
+    pub held_g: Option<Spread>,
+}
+
+impl Session {
+    /// The session of a record.
+    pub fn name_of(record: &Record) -> String {
+        let stated = record.session.clone();
+        stated.unwrap_or_else(|| match &record.frame {
+            Some(frame) => format!("{frame} {} m", record.height_m),
+            None => format!("{} m", record.height_m),
+        })
+    }
+
+    /// All sessions of some records with their impacts, by name.
+    pub fn all<'a>(records: impl Iterator<Item = (&'a Record, &'a Option<Impact>)>) -> Vec<Self> {
+        let mut by_name: BTreeMap<String, Vec<(&Record, Option<&Impact>)>> = BTreeMap::new();
+        for (record, impact) in records {
+            by_name.entry(Self::name_of(record)).or_default().push((record, impact.as_ref()));
+        }
+        by_name.into_iter().map(|(name, records)| Self::of(name, &records)).collect()
+    }
+
+    fn of(name: String, records: &[(&Record, Option<&Impact>)]) -> Self {
+        let zeros = [0, 1, 2].map(|axis| zero(records, axis));
+        let session = Self { name, records: records.len(), zeros, held_g: None };
+        let held_g = Spread::of(records.iter().filter_map(|(record, impact)| held_g(record, (*impact)?, session.zero_g())));
+        Self { held_g, ..session }
+    }
+
+    /// Mean readings in free fall, g: x, y, z; 0 where they are not known.
+    pub fn zero_g(&self) -> [f64; 3] {
+        self.zeros.map(|zero| zero.map_or(0.0, |zero| zero.mean_g))
+    }
+}
+
+/// Mean over records of the mean over the fall.
+fn zero(records: &[(&Record, Option<&Impact>)], axis: usize) -> Option<Zero> {
+    let of_record = |(record, impact): &(&Record, Option<&Impact>)| {
+        let falling = impact.as_ref()?.falling.clone();
+        // The first fifth may hold the release.
+        let falling = falling.start + falling.len() / 5..falling.end;
+        let readings = match &record.axes_g {
+            Some(axes) => &axes[axis],
+            None if axis == 2 => &record.accel_g,
+            None => return None,
+        };
+        (falling.len() >= FALLING).then(|| readings[falling.clone()].iter().sum::<f64>() / falling.len() as f64)
+    };
+    let means: Vec<f64> = records.iter().filter_map(of_record).collect();
+    let spread = Spread::of(means.iter().copied())?;
+    // The median, because some falls are none; its standard error by the quartiles of a normal quantity.
+    let error_g = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
+    Some(Zero { mean_g: spread.median, error_g, records: spread.count })
+}
+
+/// Median magnitude of the first samples of a record, while the frame is held, g.
+fn held_g(record: &Record, impact: &Impact, zero_g: [f64; 3]) -> Option<f64> {
+    let axes = record.axes_g.as_ref()?;
+    impact.fall_s?;
+    let held = 0..impact.falling.start.checked_sub(record.samples_in(RELEASE_S))?;
+    let size = |sample: usize| (0..3).map(|axis| (axes[axis][sample] - zero_g[axis]).powi(2)).sum::<f64>().sqrt();
+    (held.len() >= record.samples_in(HELD_S)).then(|| Spread::of(held.map(size)).map(|spread| spread.median)).flatten()
+}

@@ -1,0 +1,168 @@
+//! How a table of drops is written, where it is not as this program writes it: names of columns, units, rate.
+
+/// What a column of a table holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    /// Name of the drop.
+    Trial,
+    /// Name of the session.
+    Session,
+    /// Stated drop height.
+    Height,
+    /// Speed at first touch, in place of the height.
+    Speed,
+    /// Time.
+    Time,
+    /// Acceleration along the frame's axis; the sensor's z where there is no other.
+    Axial,
+    /// Acceleration along the sensor's x.
+    X,
+    /// Along y.
+    Y,
+    /// Along z.
+    Z,
+}
+
+impl Quantity {
+    /// Each with its key on the command line and its column's own name.
+    pub const ALL: [(Self, &'static str, &'static str); 9] = [
+        (Self::Trial, "trial", "trial"),
+        (Self::Session, "session", "session"),
+        (Self::Height, "h", "height_m"),
+        (Self::Speed, "v", "speed_m_s"),
+        (Self::Time, "t", "t_s"),
+        (Self::Axial, "a", "accel_g"),
+        (Self::X, "x", "x"),
+        (Self::Y, "y", "y"),
+        (Self::Z, "z", "z"),
+    ];
+
+    /// Its column's own name.
+    pub fn column(self) -> &'static str {
+        Self::ALL.iter().find(|(quantity, ..)| *quantity == self).map_or("", |(.., column)| column)
+    }
+}
+
+/// A column under another name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// What it holds.
+    pub quantity: Quantity,
+    /// Its name in the file.
+    pub name: String,
+    /// Whether its sign is to be changed.
+    pub negated: bool,
+}
+
+/// Why an option does not say how a table is written.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FormatError {
+    /// Not KEY=NAME.
+    #[error("--columns `{given}`: give KEY=NAME with one of the keys {}, as in t=Time,z=-Acc_Z", keys())]
+    Column {
+        /// What was given.
+        given: String,
+    },
+    /// No unit.
+    #[error("--units `{given}`: give one of g, mg, m/s2; s, ms, us; m, cm, mm")]
+    Unit {
+        /// What was given.
+        given: String,
+    },
+    /// No rate.
+    #[error("--rate {given}: give samples a second, 1 to 1000000")]
+    Rate {
+        /// What was given.
+        given: f64,
+    },
+}
+
+fn keys() -> String {
+    Quantity::ALL.map(|(_, key, _)| key).join(", ")
+}
+
+/// How a table is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableFormat {
+    /// Columns whose names are not this program's.
+    pub columns: Vec<Column>,
+    /// Seconds in a unit of time.
+    pub time_s: f64,
+    /// g in a unit of acceleration.
+    pub accel_g: f64,
+    /// Metres in a unit of height.
+    pub height_m: f64,
+    /// Samples a second; the stamps are left aside.
+    pub rate_hz: Option<f64>,
+}
+
+impl Default for TableFormat {
+    fn default() -> Self {
+        Self { columns: Vec::new(), time_s: 1.0, accel_g: 1.0, height_m: 1.0, rate_hz: None }
+    }
+}
+
+/// Metres a second squared in one g, by definition.
+const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
+
+impl TableFormat {
+    /// From what an option each says: `t=Time`, `z=-Acc_Z`; `m/s2`, `ms`; samples a second.
+    ///
+    /// # Errors
+    /// [`FormatError`] with the first that cannot be.
+    pub fn new(columns: &[String], units: &[String], rate_hz: Option<f64>) -> Result<Self, FormatError> {
+        let mut format = Self { columns: columns.iter().map(|given| column(given)).collect::<Result<_, _>>()?, ..Self::default() };
+        for unit in units {
+            match unit.trim() {
+                "g" => format.accel_g = 1.0,
+                "mg" => format.accel_g = 1e-3,
+                "m/s2" | "m/s^2" | "m/s²" => format.accel_g = 1.0 / STANDARD_GRAVITY_M_S2,
+                "s" => format.time_s = 1.0,
+                "ms" => format.time_s = 1e-3,
+                "us" | "µs" => format.time_s = 1e-6,
+                "m" => format.height_m = 1.0,
+                "cm" => format.height_m = 1e-2,
+                "mm" => format.height_m = 1e-3,
+                _ => return Err(FormatError::Unit { given: unit.clone() }),
+            }
+        }
+        if let Some(given) = rate_hz.filter(|rate_hz| !(1.0..=1e6).contains(rate_hz)) {
+            return Err(FormatError::Rate { given });
+        }
+        format.rate_hz = rate_hz;
+        Ok(format)
+    }
+
+    /// The name of a quantity's column, and whether its sign is to be changed.
+    pub(super) fn name(&self, quantity: Quantity) -> (&str, bool) {
+        let other = self.columns.iter().find(|column| column.quantity == quantity);
+        other.map_or((quantity.column(), false), |column| (column.name.as_str(), column.negated))
+    }
+}
+
+fn column(given: &str) -> Result<Column, FormatError> {
+    let refused = || FormatError::Column { given: given.into() };
+    let (key, name) = given.split_once('=').ok_or_else(refused)?;
+    let (quantity, ..) = Quantity::ALL.into_iter().find(|(_, known, _)| *known == key.trim()).ok_or_else(refused)?;
+    let (name, negated) = name.trim().strip_prefix('-').map_or((name.trim(), false), |name| (name, true));
+    if name.is_empty() { Err(refused()) } else { Ok(Column { quantity, name: name.into(), negated }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_options_say_how_a_table_is_written() {
+        let strings = |all: &[&str]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let format = TableFormat::new(&strings(&["t=Time", "z=-Acc Z"]), &strings(&["m/s2", "ms"]), Some(3200.0)).expect("is one");
+        assert_eq!((format.name(Quantity::Time), format.name(Quantity::Z)), (("Time", false), ("Acc Z", true)));
+        assert_eq!((format.name(Quantity::Trial), format.time_s, format.rate_hz), (("trial", false), 1e-3, Some(3200.0)));
+        assert!((format.accel_g * 9.806_65 - 1.0).abs() < 1e-15);
+        for (columns, units, rate) in
+            [(&["q=Time"][..], &[][..], None), (&["t="], &[], None), (&["t"], &[], None), (&[], &["ft"], None), (&[], &[], Some(0.0))]
+        {
+            assert!(TableFormat::new(&strings(columns), &strings(units), rate).is_err(), "{columns:?} {units:?}");
+        }
+    }
+}

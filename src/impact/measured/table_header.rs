@@ -1,0 +1,65 @@
+//! The first line of a table of drops: where each quantity stands.
+
+use super::malformed::Fault;
+use super::table_format::{Quantity, TableFormat};
+
+/// Every column that such a table can have, in words.
+const KNOWN: &str = "trial,height_m,t_s,accel_g, and x,y,z if they are there; --columns gives them other names";
+
+/// A column's place in a row, and the sign of its values.
+pub(super) type Place = (usize, f64);
+
+/// Where the quantities stand.
+pub(super) struct Header {
+    pub trial: Option<usize>,
+    pub session: Option<usize>,
+    pub height: Option<usize>,
+    pub speed: Option<usize>,
+    pub time: Option<usize>,
+    pub axial: Place,
+    /// x, y, z.
+    pub axes: [Option<Place>; 3],
+    /// Columns that hold none of them.
+    pub others: Vec<String>,
+}
+
+impl Header {
+    /// Reads the names. `labelled`: the file's own place says trial and height where the table does not.
+    pub fn of(names: &csv::ByteRecord, format: &TableFormat, labelled: bool) -> Result<Self, Fault> {
+        let names: Vec<String> = names.iter().map(|name| String::from_utf8_lossy(name).trim().trim_matches('"').to_string()).collect();
+        let wanted = Quantity::ALL.map(|(quantity, ..)| format.name(quantity).0);
+        if let Some(twice) = wanted.iter().find(|wanted| names.iter().filter(|name| name == *wanted).count() > 1) {
+            return Err(Fault::TwoColumns { name: (*twice).into() });
+        }
+        let place = |quantity: Quantity| names.iter().position(|name| name == format.name(quantity).0);
+        let signed = |quantity: Quantity| Some((place(quantity)?, if format.name(quantity).1 { -1.0 } else { 1.0 }));
+        let (height, speed) = (place(Quantity::Height), place(Quantity::Speed));
+        let axial = signed(Quantity::Axial).or_else(|| signed(Quantity::Z));
+        let needed = [
+            (Quantity::Trial, place(Quantity::Trial).is_some() || labelled),
+            (Quantity::Height, height.is_some() || speed.is_some() || labelled),
+            (Quantity::Time, place(Quantity::Time).is_some() || format.rate_hz.is_some()),
+            (Quantity::Axial, axial.is_some()),
+        ];
+        let missing: Vec<String> =
+            needed.iter().filter(|(_, there)| !there).map(|(quantity, _)| format.name(*quantity).0.to_string()).collect();
+        let Some(axial) = axial.filter(|_| missing.is_empty()) else { return Err(Fault::NoColumn { missing, known: KNOWN }) };
+        let others = names.iter().filter(|name| !wanted.contains(&name.as_str())).cloned().collect();
+        Ok(Self {
+            trial: place(Quantity::Trial),
+            session: place(Quantity::Session),
+            height,
+            speed,
+            time: place(Quantity::Time).filter(|_| format.rate_hz.is_none()),
+            axial,
+            axes: [Quantity::X, Quantity::Y, Quantity::Z].map(signed),
+            others,
+        })
+    }
+}
+
+/// What parts the columns of a table: the first of tab, semicolon and comma that its first line has.
+pub(super) fn separator(bytes: &[u8]) -> u8 {
+    let line = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+    [b'\t', b';'].into_iter().find(|separator| line.contains(separator)).unwrap_or(b',')
+}

@@ -1,0 +1,175 @@
+//! A landing on one foot first, as the generator follows it: a rigid body in space on four feet.
+//!
+//! Nothing is small here: the body's attitude is a rotation, the feet hang below the centre of mass, and Newton's and Euler's
+//! equations are stepped by the semi-implicit method of Euler, 10 µs a step. The sensor turns with the body. What a foot's touch
+//! does sideways is drawn, not derived: a spike of 1.5 ms away from the foot, and a third of it back.
+
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use rand::{Rng, RngExt};
+use rand_distr::{Distribution, StandardNormal};
+
+use super::trajectory::VerticalConditions;
+use crate::units::GRAVITY_M_S2;
+
+/// Step of the method, s.
+const STEP_S: f64 = 1e-5;
+/// From the centre of mass down to the feet, m.
+const BELOW_M: f64 = 0.05;
+/// Length of a spike, s.
+const SPIKE_S: f64 = 1.5e-3;
+/// What comes back after it.
+const BACK: f64 = 0.33;
+/// Moment of inertia about the vertical axis over that about the others.
+const VERTICAL_AXIS: f64 = 1.7;
+/// A level frame rings sideways at this frequency, Hz, and for so long, s.
+const RINGING_HZ: f64 = 190.0;
+const RINGING_S: f64 = 6e-3;
+
+/// Landings of a plan that has lateral axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landings {
+    /// Standard deviation of the turning rate at release about each horizontal axis, rad/s.
+    pub rate_rad_s: f64,
+    /// Standard deviation of the slope at release about each horizontal axis, rad.
+    pub at_release_rad: f64,
+    /// Moment of inertia about a horizontal axis, kg m².
+    pub inertia_kg_m2: f64,
+    /// From the vertical axis to each foot, m.
+    pub foot_radius_m: f64,
+    /// Mean height of a touch's spike, g; 0 for none.
+    pub touch_g: f64,
+    /// Sideways ringing from first touch on, in any direction, standard deviation of its height, g.
+    pub ringing_g: f64,
+}
+
+/// Readings along the sensor's x, y and z, g, evenly spaced from first touch on.
+pub(super) type Axes = [Vec<f64>; 3];
+
+impl Landings {
+    /// Whether landings differ in slope.
+    pub fn is_tilted(&self) -> bool {
+        self.rate_rad_s > 0.0 || self.at_release_rad > 0.0
+    }
+
+    /// One landing with a random slope.
+    pub(super) fn tilted(&self, drop: &VerticalConditions, every_s: f64, count: usize, rng: &mut impl Rng) -> Axes {
+        let sd = (self.rate_rad_s * drop.fall_s).hypot(self.at_release_rad);
+        let [about_x, about_y]: [f64; 2] =
+            std::array::from_fn(|_| sd * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng));
+        let mut body = Body::of(self, drop, [about_x, about_y]);
+        let spikes: [f64; 4] = std::array::from_fn(|_| self.touch_g * rng.random_range(0.7..1.3));
+        let steps = (every_s / STEP_S).round().max(1.0) as usize;
+        let mut axes: Axes = std::array::from_fn(|_| Vec::with_capacity(count));
+        for point in 0..count {
+            let t_s = point as f64 * every_s;
+            let [x, y] = sideways_g(&body, &spikes, t_s);
+            let own = body.reading_g();
+            axes[0].push(own.x + x);
+            axes[1].push(own.y + y);
+            axes[2].push(drop.gain * body.filtered.last().copied().unwrap_or(own.z));
+            for step in 0..steps {
+                body.step(drop, t_s + step as f64 * STEP_S);
+            }
+        }
+        axes
+    }
+
+    /// Sideways ringing of a frame that lands level, from first touch on, g.
+    pub(super) fn ringing(&self, every_s: f64, count: usize, rng: &mut impl Rng) -> [Vec<f64>; 2] {
+        let angle = rng.random_range(0.0..std::f64::consts::TAU);
+        let size: f64 = StandardNormal.sample(rng);
+        let phase = rng.random_range(0.0..std::f64::consts::TAU);
+        let at = |t: f64| self.ringing_g * size * libm::exp(-t / RINGING_S) * libm::sin(std::f64::consts::TAU * RINGING_HZ * t + phase);
+        let along = |share: f64| (0..count).map(|point| share * at(point as f64 * every_s)).collect();
+        [along(libm::cos(angle)), along(libm::sin(angle))]
+    }
+}
+
+/// The sum of the feet's spikes, g.
+fn sideways_g(body: &Body, spikes: &[f64; 4], t_s: f64) -> [f64; 2] {
+    let mut sum = [0.0; 2];
+    for (foot, (touched_s, size)) in body.touched_s.iter().zip(spikes).enumerate() {
+        let Some(age) = touched_s.map(|touched_s| t_s - touched_s) else { continue };
+        let shape = match age / SPIKE_S {
+            place if (0.0..1.0).contains(&place) => libm::sin(std::f64::consts::PI * place),
+            place if (1.0..2.0).contains(&place) => -BACK * libm::sin(std::f64::consts::PI * (place - 1.0)),
+            _ => 0.0,
+        };
+        let away = -body.feet[foot];
+        sum[0] += size * shape * away.x / body.radius_m;
+        sum[1] += size * shape * away.y / body.radius_m;
+    }
+    sum
+}
+
+/// A rigid body in space.
+struct Body {
+    /// Feet in the body's axes, m.
+    feet: [Vector3<f64>; 4],
+    radius_m: f64,
+    inertia: Matrix3<f64>,
+    height_m: f64,
+    speed_m_s: f64,
+    attitude: UnitQuaternion<f64>,
+    turning_rad_s: Vector3<f64>,
+    acceleration_m_s2: f64,
+    filtered: Vec<f64>,
+    touched_s: [Option<f64>; 4],
+}
+
+impl Body {
+    fn of(landings: &Landings, drop: &VerticalConditions, slopes: [f64; 2]) -> Self {
+        let side = landings.foot_radius_m * std::f64::consts::FRAC_1_SQRT_2;
+        let feet = [(1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0)].map(|(x, y)| Vector3::new(x * side, y * side, -BELOW_M));
+        let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(slopes[0], slopes[1], 0.0));
+        let lowest = feet.iter().map(|foot| (attitude * foot).z).fold(f64::INFINITY, f64::min);
+        let i = landings.inertia_kg_m2;
+        Self {
+            feet,
+            radius_m: landings.foot_radius_m,
+            inertia: Matrix3::from_diagonal(&Vector3::new(i, i, VERTICAL_AXIS * i)),
+            height_m: -lowest,
+            speed_m_s: -drop.speed_m_s,
+            attitude,
+            turning_rad_s: Vector3::zeros(),
+            acceleration_m_s2: -GRAVITY_M_S2,
+            filtered: vec![0.0; drop.stages],
+            touched_s: [None; 4],
+        }
+    }
+
+    /// Proper acceleration in the body's axes, g.
+    fn reading_g(&self) -> Vector3<f64> {
+        self.attitude.inverse() * Vector3::new(0.0, 0.0, self.acceleration_m_s2 / GRAVITY_M_S2 + 1.0)
+    }
+
+    fn step(&mut self, drop: &VerticalConditions, t_s: f64) {
+        let turning = self.attitude * self.turning_rad_s;
+        let (mut lift_n, mut torque) = (0.0, Vector3::zeros());
+        for (foot, touched_s) in self.feet.iter().zip(&mut self.touched_s) {
+            let arm = self.attitude * foot;
+            let above_m = self.height_m + arm.z;
+            if above_m > 0.0 {
+                continue;
+            }
+            touched_s.get_or_insert(t_s);
+            let sinking_m_s = -(self.speed_m_s + turning.cross(&arm).z);
+            let push_n = (0.25 * drop.stiffness_n_m * -above_m + 0.25 * drop.damping_n_s_m * sinking_m_s).max(0.0);
+            lift_n += push_n;
+            torque += arm.cross(&Vector3::new(0.0, 0.0, push_n));
+        }
+        self.acceleration_m_s2 = lift_n / drop.mass_kg - GRAVITY_M_S2;
+        let own = self.attitude.inverse() * torque;
+        let spin = self.turning_rad_s.cross(&(self.inertia * self.turning_rad_s));
+        let inverse = self.inertia.map_diagonal(|i| 1.0 / i);
+        self.turning_rad_s += STEP_S * (own - spin).component_mul(&inverse);
+        self.speed_m_s += STEP_S * self.acceleration_m_s2;
+        self.height_m += STEP_S * self.speed_m_s;
+        self.attitude *= UnitQuaternion::from_scaled_axis(STEP_S * self.turning_rad_s);
+        let mut input = self.reading_g().z;
+        for stage in &mut self.filtered {
+            *stage += STEP_S * drop.filter_1_s * (input - *stage);
+            input = *stage;
+        }
+    }
+}
