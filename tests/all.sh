@@ -190,7 +190,7 @@ engine_gives_the_same_bytes() {
     heading "the engine in WebAssembly gives the program's bytes"
     if ! rust_for_wasm || ! from_debian node nodejs; then
         skipped "the engine in WebAssembly" "no Rust for wasm32-unknown-unknown, or no node"
-    elif CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick; then
+    elif CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick engine; then
         node tests/external/check_engine.mjs "$engine" "$PWD/$binary" "$built" "$work/same/once" "$work/engine" | tee -a "$results" ||
             failed "the engine in WebAssembly" "exit code $?"
     else

@@ -10,7 +10,7 @@ use super::options::Common;
 use super::output;
 use super::progress::Progress;
 use super::terminal;
-use crate::impact::synthetic::{Plan, records};
+use crate::impact::synthetic::{Plan, records, table};
 
 /// Write synthetic drops with a known truth, to test a diagnosis on.
 #[derive(Debug, clap::Args)]
@@ -36,13 +36,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         plan.seed = seed;
     }
     let working = Progress::of("synthesizing", common);
-    let mut table = String::from("trial,height_m,t_s,accel_g\n");
     let all = records(&plan);
-    for record in &all {
-        for (t_s, accel_g) in record.t_s.iter().zip(&record.accel_g) {
-            table += &format!("{},{},{t_s:.6},{accel_g:.5}\n", record.trial, record.height_m);
-        }
-    }
     let truth = json!({
         "schema_version": 1,
         "effects": plan.model.effects.iter().skip(2).map(|listed| json!({
@@ -56,7 +50,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     });
     let name = format!("synthesize-{}", plan.model.name);
     let files = vec![
-        ("drops/drops.csv".to_string(), table.into_bytes()),
+        ("drops/drops.csv".to_string(), table(&all).into_bytes()),
         ("truth/truth.json".to_string(), format!("{truth:#}\n").into_bytes()),
         ("truth/model.toml".to_string(), plan.model.to_toml().into_bytes()),
     ];

@@ -12,5 +12,5 @@ mod trajectory;
 
 pub use hidden::Hidden;
 pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, TrialVariation};
-pub use records::{SyntheticRecord, records};
+pub use records::{SyntheticRecord, records, table};
 pub use trajectory::ReferenceTrajectory;

@@ -26,6 +26,17 @@ pub struct SyntheticRecord {
     pub accel_g: Vec<f64>,
 }
 
+/// Drops as a table that `measure` and `diagnose` read.
+pub fn table(records: &[SyntheticRecord]) -> String {
+    let mut table = String::from("trial,height_m,t_s,accel_g\n");
+    for record in records {
+        for (t_s, accel_g) in record.t_s.iter().zip(&record.accel_g) {
+            table += &format!("{},{},{t_s:.6},{accel_g:.5}\n", record.trial, record.height_m);
+        }
+    }
+    table
+}
+
 /// All drops of a plan; the same plan gives the same drops.
 pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
     let mut rng = Pcg64::seed_from_u64(plan.seed);
