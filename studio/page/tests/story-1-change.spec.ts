@@ -30,7 +30,7 @@ test("a preset is chosen, values change the frame, and each can be reset", async
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("90");
-  for (const _ of [1, 2]) {
+  for (let steps = 0; steps < 2; steps++) {
     await page.getByRole("button", { name: "Undo" }).click();
     await settled(page);
   }

@@ -235,18 +235,18 @@ function Verdict({ found, files }: { found: Diagnosed; files: EngineFile[] }) {
         </p>
       ))}
       <table>
-        <caption>Ranking</caption>
+        <caption>Ranking: what each leaves of the other heights</caption>
         <thead>
           <tr>
             <th scope="col">effects</th>
-            <th scope="col">left of other heights, g</th>
+            <th scope="col">left, g</th>
             <th scope="col">why not</th>
           </tr>
         </thead>
         <tbody>
           {found.ranking.slice(0, 8).map(({ id, left_out_g, reason_rejected }) => (
             <tr key={id}>
-              <th scope="row">{id}</th>
+              <th scope="row">{id.replaceAll("_", " ")}</th>
               <td>{short(left_out_g, 2)}</td>
               <td>{reason_rejected}</td>
             </tr>

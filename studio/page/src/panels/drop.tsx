@@ -4,7 +4,7 @@ import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity, ofPreset } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
-import { hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
+import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, doc, presets, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import type { Curve } from "../ui/plot.tsx";
@@ -209,12 +209,12 @@ export function Drop() {
             <button
               type="button"
               onClick={async () => {
-                if (owner.value !== "drop") await showMotion("drop", motion);
+                if (owner.value !== "drop") await showMotion("drop", motion, 5);
                 if (seconds.value >= length.value) seconds.value = 0;
                 playing.value = !playing.value;
               }}
             >
-              {playing.value ? "Stop" : "Slow motion, 1 : 100"}
+              {playing.value ? "Stop" : "Slow motion, 1 : 500"}
             </button>
             {owner.value === "drop" && (
               <>
@@ -225,7 +225,7 @@ export function Drop() {
                   max={length.value}
                   step="0.01"
                   value={seconds.value}
-                  onInput={(event) => (seconds.value = Number(event.currentTarget.value))}
+                  onInput={(event) => goTo(Number(event.currentTarget.value))}
                 />
                 <span>{short(seconds.value * 10, 1)} ms</span>
                 <button type="button" onClick={() => hideMotion("drop")}>

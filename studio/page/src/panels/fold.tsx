@@ -4,7 +4,7 @@ import type { Fold as Sequence } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
-import { hideMotion, length, playing, seconds, showMotion } from "../state/player.ts";
+import { goTo, hideMotion, length, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import { download } from "../state/downloads.ts";
@@ -85,7 +85,7 @@ export function Fold() {
             max={length.value}
             step="0.02"
             value={seconds.value}
-            onInput={(event) => (seconds.value = Number(event.currentTarget.value))}
+            onInput={(event) => goTo(Number(event.currentTarget.value))}
           />
           <h3>{now.value.step.title}</h3>
           <p>{now.value.step.text}</p>

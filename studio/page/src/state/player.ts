@@ -8,13 +8,26 @@ export const playing = signal(false);
 /** Whose motion is shown. */
 export const owner = signal<"fold" | "drop" | null>(null);
 
-export async function showMotion(by: "fold" | "drop", bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+/** Seconds of the motion in a second. */
+let rate = 1;
+
+/** Shows a motion; `slower` plays it so many times slower than its file says. */
+export async function showMotion(by: "fold" | "drop", bytes: Uint8Array<ArrayBuffer>, slower = 1): Promise<void> {
   const taken = await viewer.value?.move(bytes.slice());
   length.value = taken ?? 0;
+  rate = 1 / slower;
   owner.value = by;
   stage.value = "motion";
   seconds.value = 0;
   viewer.value?.moveTo(0);
+  // Modules that are not together yet take more room than the frame.
+  if (by === "fold") viewer.value?.fit();
+}
+
+/** Puts the motion at a time, by hand. */
+export function goTo(at: number): void {
+  playing.value = false;
+  seconds.value = at;
 }
 
 export function hideMotion(by: "fold" | "drop"): void {
@@ -22,7 +35,7 @@ export function hideMotion(by: "fold" | "drop"): void {
   owner.value = null;
   playing.value = false;
   stage.value = "frame";
-  void viewer.value?.move(null);
+  void viewer.value?.move(null).then(() => by === "fold" && viewer.value?.fit());
 }
 
 effect(() => {
@@ -36,7 +49,7 @@ effect(() => {
   let stopped = false;
   const tick = (now: number) => {
     if (stopped) return;
-    const next = seconds.peek() + (now - last) / 1000;
+    const next = seconds.peek() + ((now - last) / 1000) * rate;
     last = now;
     seconds.value = Math.min(next, length.peek());
     if (next >= length.peek()) playing.value = false;

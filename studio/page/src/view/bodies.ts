@@ -1,7 +1,7 @@
 // The bodies of a picture: GLB bytes as objects of three.js, each with what the file says of it.
-import { Box3, Group, Mesh, Object3D, Vector3 } from "three";
+import { Box3, Mesh, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import type { AnimationClip } from "three";
+import type { AnimationClip, Group, Object3D } from "three";
 
 /** What the file says of a body. */
 export type BodyFacts = {

@@ -5,7 +5,6 @@ import {
   DirectionalLight,
   Group,
   HemisphereLight,
-  Mesh,
   PerspectiveCamera,
   Plane,
   Raycaster,
@@ -15,6 +14,7 @@ import {
   Vector3,
   WebGLRenderer,
 } from "three";
+import type { Mesh } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Body, BodyFacts, Picture } from "./bodies.ts";
 import { dispose, isDisc, readPicture } from "./bodies.ts";
@@ -174,9 +174,9 @@ export class Viewer {
     this.draw();
   }
 
-  /** The camera looks at everything. */
+  /** The camera looks at everything that is shown. */
   fit(): void {
-    this.#lookAt(this.#bounds());
+    this.#lookAt(this.#motion ? new Box3().setFromObject(this.#motion.picture.root) : this.#bounds());
   }
 
   /** The camera goes to the bodies of these names, and keeps its direction. */
@@ -212,12 +212,22 @@ export class Viewer {
   }
 
   #dress(body: Body, look: Look, ghost: boolean, moving: boolean): void {
-    const { facts, mesh } = body;
+    const { mesh } = body;
+    const facts = moving ? this.#knownAs(body.facts) : body.facts;
     const severity = look.severities.get(facts.name) ?? look.severities.get(facts.part);
     const lit = look.lit.has(facts.part) || look.lit.has(facts.name);
     mesh.material = this.#colours.material(facts, look.colourBy, severity, lit && !ghost, ghost);
     mesh.visible = look.discs || !isDisc(facts);
     if (!moving) mesh.position.copy(body.rest).addScaledVector(body.middle, look.explode);
+  }
+
+  /** The files of motions say less of a body than that of the frame. */
+  #knownAs(facts: BodyFacts): BodyFacts {
+    const bodies = this.#picture?.bodies ?? [];
+    const known =
+      bodies.find((body) => body.facts.name === facts.name) ??
+      bodies.find((body) => facts.name.startsWith(body.facts.part));
+    return known?.facts ?? facts;
   }
 
   #lowest(): number {
