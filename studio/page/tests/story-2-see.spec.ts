@@ -31,9 +31,9 @@ test("assembled, apart and on the bed, in three colourings", async ({ page }) =>
   await page.getByLabel("Preset").selectOption("cognifly-v8");
   await settled(page);
   await page.getByLabel("Colour by").selectOption("finding");
-  await page.getByRole("button", { name: "Envelope" }).click();
-  await page.getByRole("button", { name: "Propeller discs" }).click();
-  await page.getByRole("button", { name: "Centre of mass" }).click();
+  await page.getByRole("button", { name: "Envelope", exact: true }).click();
+  await page.getByRole("button", { name: "Propeller discs", exact: true }).click();
+  await page.getByRole("button", { name: "Centre of mass", exact: true }).click();
   await page.waitForTimeout(1000);
   await shot(page, "2-finding");
 });
