@@ -1,6 +1,5 @@
 //! `flexframe studio`: the page of the studio, served to the browser of this machine.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 
@@ -9,6 +8,7 @@ use tiny_http::{Header, Method, Request, Response, Server};
 use super::failure::Failure;
 use super::options::Common;
 use super::terminal;
+use crate::params::files::{Disk, Files};
 
 /// Open the studio in the browser: the frame live, with everything the command line knows.
 #[derive(Debug, clap::Args)]
@@ -30,6 +30,9 @@ pub(super) struct Args {
 /// What the page may load: itself and its WebAssembly, nothing from elsewhere. The page's head says the same for other hosts.
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; \
                       worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// Largest file of the page, bytes.
+const LARGEST: u64 = 64 << 20;
 
 /// Serves the page until it is ended.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
@@ -73,7 +76,7 @@ fn open(address: &str) -> bool {
 /// Answers a request; a browser that went away is nobody's failure.
 fn answer(folder: &Path, request: Request) {
     let read = matches!(request.method(), Method::Get | Method::Head).then(|| file_of(folder, request.url())).flatten();
-    let found = read.and_then(|path| Some((media_type(&path), fs::read(&path).ok()?)));
+    let found = read.and_then(|path| Some((media_type(&path), Disk.bytes(&path, LARGEST).ok()?)));
     let headers = [("Content-Security-Policy", POLICY), ("X-Content-Type-Options", "nosniff"), ("Cache-Control", "no-cache")];
     let headers = headers.into_iter().filter_map(|(name, value)| Header::from_bytes(name, value).ok());
     let (status, kind, bytes) = found.map_or((404, "text/plain", b"not found\n".to_vec()), |(kind, bytes)| (200, kind, bytes));
@@ -108,6 +111,8 @@ fn media_type(path: &Path) -> &'static str {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

@@ -21,10 +21,17 @@ export function touched(words: string, facts: BodyFacts[]): string[] {
   );
 }
 
+const known = new Map<string, string>();
+
 /** In small letters and single spaces, one at either end, so that whole words are found. */
 function spaced(words: string): string {
-  return ` ${words
+  const before = known.get(words);
+  if (before !== undefined) return before;
+  const made = ` ${words
     .toLowerCase()
     .replace(/[^a-z0-9]+/g, " ")
     .trim()} `;
+  // Names come again, sentences do not.
+  if (words.length < 40) known.set(words, made);
+  return made;
 }

@@ -22,6 +22,7 @@ export const stage = signal<"frame" | "bed" | "motion">("frame");
 /** The worst that the checks found of each body or part. */
 const severities = computed(() => {
   const worst = new Map<string, Severity>();
+  if (colourBy.value !== "finding") return worst;
   const facts = frame.value ? (viewer.value?.facts() ?? []) : [];
   for (const finding of findings.value?.of ?? []) {
     for (const name of touched(finding.subject, facts)) {

@@ -234,10 +234,14 @@ export class Viewer {
     return this.#bounds().min.y;
   }
 
+  /** What bounds everything but the discs. */
   #bounds(): Box3 {
     const box = new Box3();
-    // By the corners themselves: boxes of turned boxes are too large.
-    for (const { facts, mesh } of this.#picture?.bodies ?? []) if (!isDisc(facts)) box.expandByObject(mesh, true);
+    const loose = new Box3();
+    // By the corners themselves, as boxes of turned boxes are too large; a body whose large box lies inside adds nothing.
+    for (const { facts, mesh } of this.#picture?.bodies ?? []) {
+      if (!isDisc(facts) && !box.containsBox(loose.setFromObject(mesh))) box.expandByObject(mesh, true);
+    }
     return box;
   }
 
