@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its library as a WebAssembly module in Node, and the steps of
+# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its library as a WebAssembly module in Node, the studio in a
+# browser, and the steps of
 # docs/ci on a sample repository.
 #
 # What those need is installed from Debian, npm and PyPI when it is missing; what cannot be installed is
@@ -190,11 +191,27 @@ engine_gives_the_same_bytes() {
     heading "the engine in WebAssembly gives the program's bytes"
     if ! rust_for_wasm || ! from_debian node nodejs; then
         skipped "the engine in WebAssembly" "no Rust for wasm32-unknown-unknown, or no node"
-    elif CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick; then
+    elif CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick engine; then
         node tests/external/check_engine.mjs "$engine" "$PWD/$binary" "$built" "$work/same/once" "$work/engine" | tee -a "$results" ||
             failed "the engine in WebAssembly" "exit code $?"
     else
         failed "the engine in WebAssembly" "it does not build"
+    fi
+}
+
+# The studio's page in a browser, on the engine that was just built: its eight stories, clicked through.
+page_works_in_a_browser() {
+    heading "the studio in Chromium"
+    if [[ ! -f $engine/engine.wasm ]] || ! from_debian npm npm || ! from_debian chromium chromium; then
+        skipped "the studio in Chromium" "no engine, no npm or no chromium"
+    elif ! bash studio/build.sh quick page >"$work/page.log" 2>&1; then
+        tail -20 "$work/page.log"
+        failed "the studio in Chromium" "the page does not build"
+    else
+        step "the studio's lints" npm run --silent --prefix studio/page lint
+        rm -rf "$work/studio-pictures"
+        (cd studio/page && FLEXFRAME=$OLDPWD/$binary STUDIO_WORK=$work/studio npx playwright test) | tee -a "$results" ||
+            failed "the studio in Chromium" "exit code $?"
     fi
 }
 
@@ -371,6 +388,7 @@ outside() {
     build_presets
     same_bytes
     engine_gives_the_same_bytes
+    page_works_in_a_browser
     admesh_reads_stls
     khronos_validates_glbs
     qpdf_reads_instructions

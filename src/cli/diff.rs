@@ -17,9 +17,10 @@ use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::FrameFile;
 use crate::params::files::{Disk, Files};
+use crate::report::data::difference_data;
 use crate::report::page::diff_page;
 use crate::report::picture::side_by_side;
-use crate::variant::{Difference, Evaluation, Increase, MECHANICS_CAVEAT, PEAK_CAVEAT, Side};
+use crate::variant::{Difference, Evaluation, Increase, Side};
 
 /// Compare two frames, or a frame with its former self: what differs, and what is better or worse.
 #[derive(Debug, clap::Args)]
@@ -60,7 +61,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let difference = Difference::of(&sides);
     drop(working);
     let page = diff_page::markdown(&difference);
-    let json = json(&difference);
+    let json = difference_data::json(&difference);
     let place = match &args.output {
         None => None,
         Some(folder) => {
@@ -118,16 +119,6 @@ fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&Mechanic
 
 fn folder_name(name: &str) -> String {
     name.chars().map(|c| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '-' }).collect()
-}
-
-fn json(difference: &Difference) -> serde_json::Value {
-    let mut value = serde_json::json!(difference);
-    value["schema_version"] = 1.into();
-    value["peak"] = PEAK_CAVEAT.into();
-    if difference.measures.iter().any(|change| change.name == "stiffness") {
-        value["mechanics"] = MECHANICS_CAVEAT.into();
-    }
-    value
 }
 
 /// What to say when a measure grew by more than allowed. Growth counts as it is printed: one of 0.00 mm is none.

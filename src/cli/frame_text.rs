@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use toml_edit::{DocumentMut, Item, Key, Table, TableLike, TomlError};
+use toml_edit::Key;
 
 use super::failure::Failure;
 use super::output;
+use crate::params::amend::{Amendment, amended, formatted, quoted};
 use crate::params::frame_file::Value;
 use crate::params::{FrameFile, preset};
 
@@ -60,35 +61,9 @@ pub(super) fn amend(place: &Path, frame: &str, description: &str, lines: &[Line]
     let failed = |what: &str| format!("cannot {what} {}", place.display());
     let former = FrameFile::load(&place.display().to_string())?;
     let text = former.files.first().map_or("", |source| &source.text);
-    let text = amended(text, lines).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
+    let amendments: Vec<Amendment> = lines.iter().map(|Line { key, value, why }| Amendment { key, value: Some(value), why }).collect();
+    let text = amended(text, &amendments).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
     output::replace_file(place, text.as_bytes()).map_err(|error| Failure::Machine { what: failed("write"), error })
-}
-
-/// A file's text with other values.
-fn amended(text: &str, lines: &[Line]) -> Result<String, String> {
-    let mut document: DocumentMut = text.parse().map_err(|error: TomlError| error.to_string())?;
-    for Line { key, value, why } in lines {
-        let mut item: Item = formatted(value).parse::<toml_edit::Value>().map_err(|error| error.to_string())?.into();
-        if let Some(value) = item.as_value_mut() {
-            value.decor_mut().set_suffix(format!(" # {}", why.replace(['\n', '\r'], " ")));
-        }
-        let steps = Key::parse(key).map_err(|error| error.to_string())?;
-        let Some((name, tables)) = steps.split_last() else { continue };
-        let mut table = document.as_table_mut() as &mut dyn TableLike;
-        for step in tables {
-            let inner = table.entry(step.get()).or_insert_with(implicit_table);
-            table = inner.as_table_like_mut().ok_or_else(|| format!("`{}` is no table there", step.get()))?;
-        }
-        table.insert(name.get(), item);
-    }
-    Ok(document.to_string())
-}
-
-/// A table that shows only when it holds values.
-fn implicit_table() -> Item {
-    let mut table = Table::new();
-    table.set_implicit(true);
-    Item::Table(table)
 }
 
 /// A base as a file in another folder names it: a preset's name, or the way from one file to the other.
@@ -141,20 +116,6 @@ fn text(base: &str, description: &str, lines: &[Line]) -> String {
     text
 }
 
-/// A value as TOML.
-pub(super) fn formatted(value: &Value) -> String {
-    match value {
-        Value::Number(number) => format!("{number:?}"),
-        Value::Text(text) => quoted(text),
-        Value::Other(other) => other.to_string(),
-    }
-}
-
-/// A basic string of TOML: JSON's escapes are among its own.
-fn quoted(text: &str) -> String {
-    serde_json::Value::from(text).to_string()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -180,28 +141,5 @@ mod tests {
             assert_eq!(&file.entries[key].value, value, "{text}");
         }
         assert_eq!(file.entries["description"].value, Value::Text("A \"quoted\" \\ description".into()));
-    }
-
-    #[test]
-    fn analytic_what_is_amended_keeps_the_rest() {
-        let before = "# mine\nbase = \"cognifly\" # the base\n\n[rods]\n# long\narm_rod_length_mm = 80.0\n\n[override.materials.tpu-95a]\nprint_factor = 0.9 # guessed\n";
-        let line = |key: &str, number| Line { key: key.into(), value: Value::Number(number), why: "weighed".into() };
-        let lines = [
-            line("override.materials.tpu-95a.print_factor", 0.95),
-            line("override.materials.abs.print_factor", 0.97),
-            line("fit.grip_clearance_mm", -0.2),
-            line("override.printers.\"generic-0.4\".nozzle_mm", 0.6),
-        ];
-        let after = amended(before, &lines).expect("amends");
-        for kept in
-            ["# mine\nbase = \"cognifly\" # the base\n\n[rods]\n# long\narm_rod_length_mm = 80.0\n", "print_factor = 0.95 # weighed\n"]
-        {
-            assert!(after.contains(kept), "{after}");
-        }
-        assert!(!after.contains("guessed") && !after.contains("[override]\n"), "{after}");
-        let file = FrameFile::parse("mine", &after).expect(&after);
-        assert_eq!(file.entries["fit.grip_clearance_mm"].value, Value::Number(-0.2));
-        assert_eq!(amended(&after, &lines).expect("amends"), after);
-        assert!(amended("fit = 3\n", &lines).is_err());
     }
 }

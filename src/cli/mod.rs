@@ -33,6 +33,7 @@ mod session;
 mod slicer;
 mod solve;
 mod stiffness;
+mod studio;
 mod synthesize;
 mod table;
 mod terminal;
@@ -106,6 +107,7 @@ commands! {
     New in new,
     Solve in solve,
     Watch in watch,
+    Studio in studio,
     Coupon in coupon,
     Weigh in weigh,
     Bom in bom,

@@ -9,8 +9,8 @@ use super::progress::Progress;
 use super::session;
 use super::solve;
 use super::terminal;
-use crate::params::LoadError;
 use crate::params::frame_file::Value;
+use crate::params::{LoadError, amend};
 use crate::variant::{CreateError, Creation, Request, SolveError, create};
 
 /// Write a variant of a frame, with what has to change to keep every limit.
@@ -91,7 +91,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 
 /// The words of the command line that ask for a value.
 fn asked_by(key: &str, value: &Value) -> String {
-    let value = frame_text::formatted(value);
+    let value = amend::formatted(value);
     match key.split_once('.') {
         Some(("bought", role)) => format!("--{role} {value}"),
         Some((_, "mass_budget_g")) => format!("--mass {value}"),

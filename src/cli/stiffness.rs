@@ -19,9 +19,9 @@ use crate::mechanics::parts::parts_plan::part_models;
 use crate::mechanics::result::calibration::{Calibration, calibrate, rms_n};
 use crate::mechanics::result::deformed::Bound;
 use crate::mechanics::result::ratio::{Ratio, ratios};
-use crate::mechanics::result::static_curve::StaticCurve;
+use crate::mechanics::result::static_curve::{DOWN_MM, INSIDE_MM, StaticCurve};
 use crate::mechanics::settings::MechanicsSettings;
-use crate::mechanics::solve::modes::Modes;
+use crate::mechanics::solve::modes::{Modes, REPORTED};
 use crate::report::chart::stiffness_plots;
 use crate::report::data::stiffness_data;
 use crate::report::data::stiffness_data::Stiffness;
@@ -51,7 +51,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FRAME")]
     pub reference: Option<String>,
     /// How far the centre is pressed down, mm.
-    #[arg(long, default_value_t = 34.0, value_name = "MM", value_parser = down_mm)]
+    #[arg(long, default_value_t = DOWN_MM, value_name = "MM", value_parser = down_mm)]
     pub down: f64,
     /// Leave out the modes.
     #[arg(long)]
@@ -71,11 +71,6 @@ fn down_mm(text: &str) -> Result<f64, String> {
         _ => Err("give 2 to 60 mm".into()),
     }
 }
-
-/// Displacements at which the inside is reported, mm.
-const INSIDE_MM: [f64; 2] = [1.0, 16.0];
-/// Modes that are reported.
-const MODES: usize = 8;
 
 /// Largest displacement of a mode in pictures, mm.
 const SWING_MM: f64 = 15.0;
@@ -149,7 +144,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let quarter = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let curve = StaticCurve::new(&quarter, args.down, &INSIDE_MM).map_err(mechanics_refused)?;
     let whole = FrameModel::of_parts(&design, &parts, &masses, &settings, Extent::Whole).map_err(mechanics_refused)?;
-    let modes = if args.no_modes { None } else { Some(Modes::new(&whole, MODES).map_err(mechanics_refused)?) };
+    let modes = if args.no_modes { None } else { Some(Modes::new(&whole, REPORTED).map_err(mechanics_refused)?) };
     let reference = args.reference.as_ref().map(|name| reference(name, &design, &masses, &settings)).transpose()?;
     let rms = measured.as_ref().and_then(|points| rms_n(&curve, points));
     let found = Stiffness {

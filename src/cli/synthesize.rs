@@ -10,7 +10,7 @@ use super::options::Common;
 use super::output;
 use super::progress::Progress;
 use super::terminal;
-use crate::impact::synthetic::{Plan, SyntheticRecord, records};
+use crate::impact::synthetic::{Plan, records, table};
 
 /// Write synthetic drops with a known truth, to test a diagnosis on.
 #[derive(Debug, clap::Args)]
@@ -37,7 +37,6 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     let working = Progress::of("synthesizing", common);
     let all = records(&plan);
-    let table = table(&all);
     let truth = json!({
         "schema_version": 1,
         "effects": plan.model.effects.iter().skip(2).map(|listed| json!({
@@ -52,7 +51,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     });
     let name = format!("synthesize-{}", plan.model.name);
     let files = vec![
-        ("drops/drops.csv".to_string(), table.into_bytes()),
+        ("drops/drops.csv".to_string(), table(&all).into_bytes()),
         ("truth/truth.json".to_string(), format!("{truth:#}\n").into_bytes()),
         ("truth/model.toml".to_string(), plan.model.to_toml().into_bytes()),
     ];
@@ -64,20 +63,4 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print(&format!("{}: {} drops from {} heights\n", place.display(), all.len(), plan.heights_m.len()))?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The drops as `measure` reads them.
-fn table(all: &[SyntheticRecord]) -> String {
-    let lateral = all.iter().any(|record| record.lateral_g.is_some());
-    let mut table = format!("trial,height_m,t_s,accel_g{}\n", if lateral { ",x,y,z" } else { "" });
-    for record in all {
-        for (at, (t_s, accel_g)) in record.t_s.iter().zip(&record.accel_g).enumerate() {
-            table += &format!("{},{},{t_s:.6},{accel_g:.5}", record.trial, record.height_m);
-            if let Some([x, y]) = &record.lateral_g {
-                table += &format!(",{:.5},{:.5},{accel_g:.5}", x[at], y[at]);
-            }
-            table.push('\n');
-        }
-    }
-    table
 }

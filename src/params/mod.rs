@@ -1,5 +1,7 @@
 //! Parameters: a frame file as typed, the frame as meant, and every refusal in between.
 
+#[cfg(feature = "edit")]
+pub mod amend;
 pub mod catalogue;
 mod choice;
 pub mod files;

@@ -1,4 +1,10 @@
-//! Frames that come with the program.
+//! Frames that come with the program, and the catalogues that they choose from.
+
+use std::collections::BTreeMap;
+
+use serde::de::DeserializeOwned;
+
+use super::catalogue::{BoughtPart, Material, Printer};
 
 /// Name and text of each preset; the first is the default.
 const PRESETS: [(&str, &str); 6] = [
@@ -62,9 +68,44 @@ pub fn part_names(kind: &str) -> Vec<String> {
     names_of(BOUGHT, "parts", kind)
 }
 
+/// The bought parts that come with the program, by name.
+pub fn bought_parts() -> BTreeMap<String, BoughtPart> {
+    entries(BOUGHT, "parts")
+}
+
+/// The materials that come with the program, by name.
+pub fn materials() -> BTreeMap<String, Material> {
+    entries(MATERIALS, "materials")
+}
+
+/// The printers that come with the program, by name.
+pub fn printers() -> BTreeMap<String, Printer> {
+    PRINTERS.iter().filter_map(|(name, text)| Some(((*name).to_string(), toml::from_str(text).ok()?))).collect()
+}
+
+/// The entries of a catalogue's table. A test reads them all, so that none is left out for being no entry.
+fn entries<T: DeserializeOwned>(catalogue: &str, table: &str) -> BTreeMap<String, T> {
+    let all: BTreeMap<String, BTreeMap<String, T>> = toml::from_str(catalogue).unwrap_or_default();
+    all.into_iter().find(|(name, _)| name == table).map(|(_, entries)| entries).unwrap_or_default()
+}
+
 fn names_of(catalogue: &str, table: &str, kind: &str) -> Vec<String> {
     let all: toml::Table = toml::from_str(catalogue).unwrap_or_default();
     let entries = all.get(table).and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let of_kind = |entry: &toml::Value| entry.get("kind").and_then(toml::Value::as_str) == Some(kind);
     entries.iter().filter(|(_, entry)| of_kind(entry)).map(|(name, _)| name.clone()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_every_entry_of_the_catalogues_reads() {
+        let listed =
+            |text: &str, table: &str| toml::from_str::<toml::Table>(text).expect("is TOML")[table].as_table().expect("a table").len();
+        assert_eq!(bought_parts().len(), listed(BOUGHT, "parts"));
+        assert_eq!(materials().len(), listed(MATERIALS, "materials"));
+        assert_eq!(printers().len(), PRINTERS.len());
+    }
 }

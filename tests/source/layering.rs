@@ -170,7 +170,7 @@ const CONFINED: [(&str, &str); 42] = [
     ("notify::", "cli"),
     ("Command::new", "cli"),
     ("amd::", "mechanics"),
-    ("toml_edit", "cli"),
+    ("toml_edit", "params cli"),
     ("statrs", "printing/weighing mechanics impact/frame_fit impact/landing"),
     ("clap", "cli"),
     ("println!", "cli"),

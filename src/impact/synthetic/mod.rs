@@ -15,7 +15,7 @@ mod trajectory;
 
 pub use hidden::Hidden;
 pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, TrialVariation};
-pub use records::{SyntheticRecord, records};
+pub use records::{SyntheticRecord, records, table};
 pub use stalls::Stalls;
 pub use tilted_landing::Landings;
 pub use trajectory::ReferenceTrajectory;

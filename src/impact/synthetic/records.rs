@@ -30,6 +30,22 @@ pub struct SyntheticRecord {
     pub stalled: bool,
 }
 
+/// Drops as a table that `measure` and `diagnose` read.
+pub fn table(records: &[SyntheticRecord]) -> String {
+    let lateral = records.iter().any(|record| record.lateral_g.is_some());
+    let mut table = format!("trial,height_m,t_s,accel_g{}\n", if lateral { ",x,y,z" } else { "" });
+    for record in records {
+        for (at, (t_s, accel_g)) in record.t_s.iter().zip(&record.accel_g).enumerate() {
+            table += &format!("{},{},{t_s:.6},{accel_g:.5}", record.trial, record.height_m);
+            if let Some([x, y]) = &record.lateral_g {
+                table += &format!(",{:.5},{:.5},{accel_g:.5}", x[at], y[at]);
+            }
+            table.push('\n');
+        }
+    }
+    table
+}
+
 /// All drops of a plan; the same plan gives the same drops.
 pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
     let mut rng = Pcg64::seed_from_u64(plan.seed);

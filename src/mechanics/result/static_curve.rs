@@ -8,6 +8,11 @@ use crate::mechanics::model::frame_model::FrameModel;
 use crate::mechanics::model::model_error::ModelError;
 use crate::mechanics::solve::statics::{Balance, Command, Path, Precision, StaticsError};
 
+/// How far the centre is pressed down unless somebody says otherwise, mm.
+pub const DOWN_MM: f64 = 34.0;
+/// Displacements at which the inside is reported, mm.
+pub const INSIDE_MM: [f64; 2] = [1.0, 16.0];
+
 /// Why there is no curve.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CurveError {

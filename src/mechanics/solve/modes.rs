@@ -11,6 +11,9 @@ use crate::mechanics::system::equation_system::{Sum, System};
 use crate::mechanics::system::sparse::{NOWHERE, SparseError};
 use crate::mechanics::system::structure::State;
 
+/// Modes that are reported.
+pub const REPORTED: usize = 8;
+
 /// A mode.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Mode {

@@ -2,6 +2,7 @@
 
 pub mod diagnosis_data;
 pub mod diagnosis_request;
+pub mod difference_data;
 pub mod drop_data;
 pub mod fit_data;
 pub mod impact_data;

@@ -2,10 +2,10 @@
 
 use flexframe::checks::gate;
 use flexframe::export::File;
-use flexframe::frame::assembly::DesignError;
 use flexframe::impact::measured::Malformed;
+use flexframe::params::LoadError;
 use flexframe::params::refusal::Refusal;
-use flexframe::params::{FrameFile, LoadError};
+use flexframe::workspace;
 use serde_json::{Value, json};
 
 /// An answer.
@@ -49,11 +49,6 @@ impl Refused {
     pub fn plain(message: impl ToString) -> Self {
         Self { message: message.to_string(), remedy: None, place: Value::Null }
     }
-
-    /// A design that cannot be made, as a refusal of the frame's file.
-    pub fn of_design(file: &FrameFile, error: &DesignError) -> Self {
-        error.refusal(file).into()
-    }
 }
 
 impl From<gate::Refused> for Refused {
@@ -72,6 +67,15 @@ impl From<Refusal> for Refused {
 impl From<LoadError> for Refused {
     fn from(error: LoadError) -> Self {
         gate::Refused::of_load(&error).into()
+    }
+}
+
+impl From<workspace::Refused> for Refused {
+    fn from(refused: workspace::Refused) -> Self {
+        match refused {
+            workspace::Refused::Frame(refusal) => refusal.into(),
+            workspace::Refused::Folder(_) | workspace::Refused::Ended => Self::plain(refused),
+        }
     }
 }
 

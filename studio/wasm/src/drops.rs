@@ -3,10 +3,12 @@
 use flexframe::impact::body::DropBody;
 use flexframe::impact::diagnose::Stage;
 use flexframe::impact::effects::Model;
-use flexframe::impact::measured::{FileFormat, read_bytes};
+use flexframe::impact::measured::{FileFormat, JudgedDrops, read_bytes};
 use flexframe::impact::sim::{SolverOptions, System, Trace, check_heights, simulate};
+use flexframe::impact::synthetic::{Plan, records, table};
+use flexframe::params::ImpactFile;
 use flexframe::report::data::diagnosis_request::DiagnosisRequest;
-use flexframe::report::data::{diagnosis_data, drop_data};
+use flexframe::report::data::{diagnosis_data, drop_data, measure_data};
 use serde_json::Value;
 
 use crate::answer::{Answer, Refused};
@@ -54,14 +56,38 @@ pub struct Course<'a> {
 pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Answer, Refused> {
     let Course { hold_out_heights_m, max_effects, seed } = *course;
     DiagnosisRequest::bounds(max_effects).map_err(Refused::plain)?;
-    let files: Vec<(String, Vec<u8>)> = request.attached.iter().filter(|(path, _)| !path.ends_with(".toml")).cloned().collect();
-    let drops = read_bytes(&files, &FileFormat::default())?;
+    let drops = read_bytes(&tables(request), &FileFormat::default())?;
     let asked = DiagnosisRequest { model, drops: &drops, channel: None, hold_out_heights_m, static_test: None, max_effects, seed };
     let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());
     let (found, compared) = asked.diagnosed(&stage).map_err(Refused::plain)?;
     let mut answer = with_file("diagnosis.json", diagnosis_data::json(&found, &compared));
     answer.files.push(("model.toml".into(), found.chosen.model().to_toml().into_bytes()));
     Ok(answer)
+}
+
+/// The attached drops, judged: `measure.json`.
+///
+/// # Errors
+/// What the command line refuses.
+pub fn measured(request: &Request) -> Result<Answer, Refused> {
+    let set = read_bytes(&tables(request), &FileFormat::default())?;
+    Ok(with_file("measure.json", measure_data::json(&set, &JudgedDrops::of(&set))))
+}
+
+/// Drops with a known truth, from an attached plan: `drops.csv`.
+///
+/// # Errors
+/// What the command line refuses.
+pub fn synthesized(plan: &str, request: &Request) -> Result<Answer, Refused> {
+    let plan = Plan::resolve(&ImpactFile::load_from(plan, &request.disk())?)?;
+    let mut answer = Answer::data(Value::Null);
+    answer.files.push(("drops.csv".into(), table(&records(&plan)).into_bytes()));
+    Ok(answer)
+}
+
+/// The attached files that are no parameters.
+fn tables(request: &Request) -> Vec<(String, Vec<u8>)> {
+    request.attached.iter().filter(|(path, _)| !path.ends_with(".toml")).cloned().collect()
 }
 
 /// Data, and the file that the command line writes of it.

@@ -6,6 +6,7 @@ use flexframe::frame::fold::{FoldSequence, sweeps};
 use flexframe::report::booklet::booklet_pdf;
 use flexframe::report::booklet::content::Booklet;
 use flexframe::report::frame_folder::{self, FolderChoice};
+use serde_json::Value;
 
 use crate::answer::Refused;
 use crate::open_frame::OpenFrame;
@@ -28,7 +29,8 @@ fn of(open: &OpenFrame, which: Which) -> Result<Vec<File>, Refused> {
     let format = |format: &Format| frame_folder::format_files(design, masses, format).map_err(Refused::plain);
     match which {
         Which::Stl => format(&stl::FORMAT),
-        Which::Glb => format(&glb::FORMAT),
+        // Without what the other formats need: the printer's compensation takes longer than the file.
+        Which::Glb => Ok(vec![File::new("frame.glb", glb::frame(design, masses).map_err(Refused::plain)?)]),
         Which::Plates => format(&three_mf::FORMAT),
         Which::Step => format(&step::FORMAT),
         Which::Bill => format(&bom::FORMAT),
@@ -47,6 +49,15 @@ fn of(open: &OpenFrame, which: Which) -> Result<Vec<File>, Refused> {
             frame_folder::files(design, masses, &findings, FolderChoice { pictures: true, step: true }).map_err(Refused::plain)
         }
     }
+}
+
+/// The steps of the fold, as `fold.json` has them, without the search for collisions on the way.
+///
+/// # Errors
+/// When the frame cannot be folded.
+pub fn fold_steps(open: &OpenFrame) -> Result<Value, Refused> {
+    let json = fold_json::fold_json(&open.design, &sequence(open)?, &[]).map_err(Refused::plain)?;
+    serde_json::from_slice(&json).map_err(Refused::plain)
 }
 
 fn sequence(open: &OpenFrame) -> Result<FoldSequence, Refused> {

@@ -7,8 +7,11 @@
 //! The interface is these few numbers so that no other program has to be run over the module to make it loadable.
 
 mod answer;
+mod beds;
+mod catalogue;
 mod drops;
 mod files;
+mod mechanics;
 mod open_frame;
 mod request;
 mod studio;

@@ -17,6 +17,20 @@ pub type Handle = u32;
 pub enum Wanted {
     /// The frames, models and printers that come with the program, with the frames' texts.
     Presets,
+    /// What a frame file may say and choose, and the rules.
+    Catalogue,
+    /// The text of a frame file with other values; nothing is resolved.
+    Edit {
+        /// The text.
+        text: String,
+        /// Values by key; `null` takes a key out.
+        set: BTreeMap<String, Option<Setting>>,
+    },
+    /// Reads a frame without designing it: numbers, choices, or the refusal.
+    Read {
+        /// A preset's name, or an attached file with its bases.
+        frame: String,
+    },
     /// Opens a frame: a preset's name, or an attached file with its bases.
     Open {
         /// Which.
@@ -57,6 +71,26 @@ pub enum Wanted {
         /// The open frame.
         handle: Handle,
     },
+    /// What another frame changes of one, as of `diff --json`.
+    Difference {
+        /// The one.
+        before: Handle,
+        /// The other.
+        after: Handle,
+        /// Without the findings that take longest.
+        #[serde(default)]
+        quick: bool,
+    },
+    /// How the printed parts lie on the bed.
+    Beds {
+        /// The open frame.
+        handle: Handle,
+    },
+    /// The steps of the fold, without the search for collisions on the way.
+    FoldSteps {
+        /// The open frame.
+        handle: Handle,
+    },
     /// Stiffness and modes by the frame's own mechanics, as of `stiffness --json`.
     Stiffness {
         /// The open frame.
@@ -74,6 +108,23 @@ pub enum Wanted {
         #[serde(default)]
         trace: bool,
     },
+    /// A level drop by the frame's own mechanics, as of `drop --model frame --trace --json`.
+    Impact {
+        /// The open frame.
+        handle: Handle,
+        /// Drop height, m.
+        height_m: f64,
+        /// Its motion, too, as an animated GLB.
+        #[serde(default)]
+        motion: bool,
+    },
+    /// The attached drops, judged, as of `measure --json`.
+    Measure,
+    /// Drops with a known truth.
+    Synthesize {
+        /// The attached plan.
+        plan: String,
+    },
     /// What a model lacks, as of `diagnose --json`; the attached tables and logger's files are the drops.
     Diagnose {
         /// A model's name or attached file.
@@ -90,6 +141,16 @@ pub enum Wanted {
         #[serde(default = "one")]
         seed: u64,
     },
+}
+
+/// A value of a frame file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(untagged)]
+pub enum Setting {
+    /// A number.
+    Number(f64),
+    /// A name.
+    Text(String),
 }
 
 fn three() -> usize {

@@ -1,17 +1,17 @@
 //! The state: frames that are open, and the parts made for them.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
-use flexframe::memo::Memo;
-use flexframe::params::{ImpactFile, preset};
+use flexframe::params::amend::{Amendment, amended};
+use flexframe::params::frame_file::Value as Typed;
+use flexframe::params::{Frame, FrameFile, ImpactFile, preset};
 use serde_json::{Value, json};
 
 use crate::answer::{Answer, Refused};
 use crate::drops::{self, Course};
-use crate::files;
-use crate::open_frame::OpenFrame;
-use crate::request::{Handle, Request, Wanted};
+use crate::open_frame::{self, OpenFrame};
+use crate::request::{Handle, Request, Setting, Wanted};
+use crate::{beds, catalogue, files, mechanics};
 
 /// Most frames that are open at once.
 const MOST_OPEN: usize = 32;
@@ -19,7 +19,6 @@ const MOST_OPEN: usize = 32;
 /// Everything that is kept between requests.
 #[derive(Default)]
 pub struct Studio {
-    memo: Arc<Memo>,
     frames: BTreeMap<Handle, OpenFrame>,
     last: Handle,
 }
@@ -32,31 +31,43 @@ impl Studio {
     pub fn answer(&mut self, request: Request) -> Result<Answer, Refused> {
         match &request.wanted {
             Wanted::Presets => Ok(Answer::data(presets())),
+            Wanted::Catalogue => Ok(Answer::data(catalogue::catalogue())),
+            Wanted::Edit { text, set } => Ok(Answer::data(json!({ "text": edited(text, set)? }))),
+            Wanted::Read { frame } => {
+                let file = FrameFile::load_from(frame, &request.disk())?;
+                Ok(Answer::data(open_frame::read(&Frame::resolve(&file)?, &file)))
+            }
             Wanted::Open { frame } => {
                 if self.frames.len() >= MOST_OPEN {
                     return Err(Refused::plain(format!("{MOST_OPEN} frames are open: close one")));
                 }
-                let open = OpenFrame::new(frame, &request.disk(), &self.memo)?;
+                let open = OpenFrame::new(frame, &request.disk())?;
                 self.last += 1;
-                Ok(self.keep(self.last, open))
+                self.frames.insert(self.last, open);
+                self.facts(self.last)
             }
             Wanted::Change { handle, frame } => {
-                self.open(*handle)?;
-                let open = OpenFrame::new(frame, &request.disk(), &self.memo)?;
-                Ok(self.keep(*handle, open))
+                self.open_to_change(*handle)?.change(frame, &request.disk())?;
+                self.facts(*handle)
             }
             Wanted::Close { handle } => {
                 self.open(*handle)?;
                 self.frames.remove(handle);
                 Ok(Answer::data(Value::Null))
             }
-            Wanted::Findings { handle, quick, strength } => Ok(Answer::data(self.open(*handle)?.findings(*quick, *strength)?)),
+            Wanted::Findings { handle, quick, strength } => Ok(Answer::data(self.open_to_change(*handle)?.findings(*quick, *strength)?)),
             Wanted::Files { handle, which } => Ok(Answer::of_files(files::files(self.open(*handle)?, which)?)),
             Wanted::Bill { handle } => Ok(Answer::data(self.open(*handle)?.bill()?)),
-            Wanted::Stiffness { handle } => Ok(Answer::data(self.open(*handle)?.stiffness()?)),
+            Wanted::Difference { before, after, quick } => Ok(Answer::data(self.open(*before)?.difference(self.open(*after)?, *quick)?)),
+            Wanted::Beds { handle } => Ok(Answer::data(beds::beds(self.open(*handle)?)?)),
+            Wanted::FoldSteps { handle } => Ok(Answer::data(files::fold_steps(self.open(*handle)?)?)),
+            Wanted::Stiffness { handle } => Ok(Answer::data(mechanics::stiffness(self.open(*handle)?)?)),
+            Wanted::Impact { handle, height_m, motion } => mechanics::impact(self.open(*handle)?, *height_m, *motion),
             Wanted::Drop { model, handle, heights_m, trace } => {
                 drops::dropped(&drops::model(model, &request, self.maybe(*handle)?)?, heights_m, *trace)
             }
+            Wanted::Measure => drops::measured(&request),
+            Wanted::Synthesize { plan } => drops::synthesized(plan, &request),
             Wanted::Diagnose { model, handle, hold_out_heights_m, max_effects, seed } => {
                 let course = Course { hold_out_heights_m, max_effects: *max_effects, seed: *seed };
                 drops::diagnosed(drops::model(model, &request, self.maybe(*handle)?)?, &request, &course)
@@ -64,19 +75,38 @@ impl Studio {
         }
     }
 
-    fn keep(&mut self, handle: Handle, open: OpenFrame) -> Answer {
-        let answer = json!({ "handle": handle, "name": open.design.frame.name, "masses": open.masses });
-        self.frames.insert(handle, open);
-        Answer::data(answer)
+    fn facts(&self, handle: Handle) -> Result<Answer, Refused> {
+        let mut facts = self.open(handle)?.facts();
+        facts["handle"] = handle.into();
+        Ok(Answer::data(facts))
+    }
+
+    fn open_to_change(&mut self, handle: Handle) -> Result<&mut OpenFrame, Refused> {
+        self.frames.get_mut(&handle).ok_or_else(|| not_open(handle))
     }
 
     fn open(&self, handle: Handle) -> Result<&OpenFrame, Refused> {
-        self.frames.get(&handle).ok_or_else(|| Refused::plain(format!("no frame is open under {handle}")))
+        self.frames.get(&handle).ok_or_else(|| not_open(handle))
     }
 
     fn maybe(&self, handle: Option<Handle>) -> Result<Option<&OpenFrame>, Refused> {
         handle.map(|handle| self.open(handle)).transpose()
     }
+}
+
+fn not_open(handle: Handle) -> Refused {
+    Refused::plain(format!("no frame is open under {handle}"))
+}
+
+/// A text with other values.
+fn edited(text: &str, set: &BTreeMap<String, Option<Setting>>) -> Result<String, Refused> {
+    let typed = |setting: &Setting| match setting {
+        Setting::Number(number) => Typed::Number(*number),
+        Setting::Text(text) => Typed::Text(text.clone()),
+    };
+    let values: Vec<(&String, Option<Typed>)> = set.iter().map(|(key, value)| (key, value.as_ref().map(typed))).collect();
+    let amendments: Vec<Amendment> = values.iter().map(|(key, value)| Amendment { key, value: value.as_ref(), why: "" }).collect();
+    amended(text, &amendments).map_err(Refused::plain)
 }
 
 /// What comes with the program.

@@ -1,0 +1,136 @@
+//! `flexframe studio`: the page of the studio, served to the browser of this machine.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+
+use tiny_http::{Header, Method, Request, Response, Server};
+
+use super::failure::Failure;
+use super::options::Common;
+use super::terminal;
+use crate::params::files::{Disk, Files};
+
+/// Open the studio in the browser: the frame live, with everything the command line knows.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  bash studio/build.sh && flexframe studio\n  flexframe studio --port 0 --no-open\n\nThe page computes in the browser; this program only hands out its files, to this machine alone. Ctrl+C ends it."
+)]
+pub(super) struct Args {
+    /// The folder that `bash studio/build.sh` makes.
+    #[arg(long, default_value = "studio/dist", value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Port of 127.0.0.1; 0 takes one that is free.
+    #[arg(long, default_value_t = 8417, value_name = "N")]
+    pub port: u16,
+    /// Say the address and leave the browser alone.
+    #[arg(long)]
+    pub no_open: bool,
+}
+
+/// What the page may load: itself and its WebAssembly, nothing from elsewhere. The page's head says the same for other hosts.
+const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; \
+                      worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// Largest file of the page, bytes.
+const LARGEST: u64 = 64 << 20;
+
+/// Serves the page until it is ended.
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let missing: Vec<&str> = ["index.html", "engine/engine.wasm"].into_iter().filter(|file| !args.folder.join(file).is_file()).collect();
+    if !missing.is_empty() {
+        let message = format!(
+            "{} has no {}: the studio is not built. Build it in flexframe's repository by `bash studio/build.sh` (Rust for wasm32-unknown-unknown \
+             and Node are needed; docs/studio.md says how), or name the folder of a built one by --folder",
+            args.folder.display(),
+            missing.join(" and no ")
+        );
+        return Err(Failure::Usage { message });
+    }
+    let server = Server::http(("127.0.0.1", args.port)).map_err(|error| Failure::Machine {
+        what: format!("cannot listen on port {} of 127.0.0.1 (--port 0 takes a free one)", args.port),
+        error: std::io::Error::other(error),
+    })?;
+    let port = server.server_addr().to_ip().map_or(args.port, |address| address.port());
+    let address = format!("http://127.0.0.1:{port}/");
+    let opened = !args.no_open && open(&address);
+    if !common.quiet {
+        terminal::print(&format!("{address}{}\n", if opened { "" } else { " (open it in a browser)" }))?;
+    }
+    for request in server.incoming_requests() {
+        answer(&args.folder, request);
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Opens the browser; false when there is none that can be asked.
+fn open(address: &str) -> bool {
+    let (program, before): (&str, &[&str]) = match std::env::consts::OS {
+        "macos" => ("open", &[]),
+        "windows" => ("rundll32", &["url.dll,FileProtocolHandler"]),
+        _ => ("xdg-open", &[]),
+    };
+    let quiet = || Stdio::null();
+    Command::new(program).args(before).arg(address).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn().is_ok()
+}
+
+/// Answers a request; a browser that went away is nobody's failure.
+fn answer(folder: &Path, request: Request) {
+    let read = matches!(request.method(), Method::Get | Method::Head).then(|| file_of(folder, request.url())).flatten();
+    let found = read.and_then(|path| Some((media_type(&path), Disk.bytes(&path, LARGEST).ok()?)));
+    let headers = [("Content-Security-Policy", POLICY), ("X-Content-Type-Options", "nosniff"), ("Cache-Control", "no-cache")];
+    let headers = headers.into_iter().filter_map(|(name, value)| Header::from_bytes(name, value).ok());
+    let (status, kind, bytes) = found.map_or((404, "text/plain", b"not found\n".to_vec()), |(kind, bytes)| (200, kind, bytes));
+    let mut response = Response::from_data(bytes).with_status_code(status);
+    for header in headers.chain(Header::from_bytes("Content-Type", kind).ok()) {
+        response.add_header(header);
+    }
+    let _ = request.respond(response);
+}
+
+/// The file that an address means: plain names below the folder, and nothing else.
+fn file_of(folder: &Path, url: &str) -> Option<PathBuf> {
+    let path = url.split(['?', '#']).next()?.strip_prefix('/')?;
+    let path = if path.is_empty() { "index.html" } else { path };
+    let plain =
+        |step: &str| !step.is_empty() && !step.starts_with('.') && step.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c));
+    path.split('/').all(plain).then(|| folder.join(path)).filter(|path| path.is_file())
+}
+
+fn media_type(path: &Path) -> &'static str {
+    match path.extension().and_then(|ending| ending.to_str()) {
+        Some("html") => "text/html; charset=utf-8",
+        Some("js" | "mjs") => "text/javascript; charset=utf-8",
+        Some("css") => "text/css; charset=utf-8",
+        Some("wasm") => "application/wasm",
+        Some("svg") => "image/svg+xml",
+        Some("webmanifest") => "application/manifest+json",
+        Some("json") => "application/json",
+        _ => "application/octet-stream",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn planted_nothing_outside_the_folder_is_handed_out() {
+        let outer = tempfile::tempdir().expect("a folder");
+        let folder = outer.path().join("dist");
+        fs::create_dir_all(folder.join("assets")).expect("is made");
+        for (path, text) in [("dist/index.html", "page"), ("dist/assets/a-1.js", "code"), ("secret", "no"), ("dist/.hidden", "no")] {
+            fs::write(outer.path().join(path), text).expect("is written");
+        }
+        let found = |url: &str| file_of(&folder, url).is_some();
+        for url in ["/", "/index.html", "/?x=1", "/assets/a-1.js"] {
+            assert!(found(url), "{url}");
+        }
+        for url in
+            ["/../secret", "/assets/../../secret", "/%2e%2e/secret", "//etc/passwd", "/.hidden", "/assets", "", "secret", "/a\\..\\secret"]
+        {
+            assert!(!found(url), "{url}");
+        }
+    }
+}

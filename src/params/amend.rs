@@ -1,0 +1,129 @@
+//! The text of a frame file with other values; comments, order and all else stay.
+
+use toml_edit::{DocumentMut, Item, Key, Table, TableLike, TomlError};
+
+use super::frame_file::Value;
+
+/// A value that the text is to state, or no longer to state.
+#[derive(Clone, Copy, Debug)]
+pub struct Amendment<'a> {
+    /// The key with its tables, as TOML writes it.
+    pub key: &'a str,
+    /// The value; none takes the key out.
+    pub value: Option<&'a Value>,
+    /// Why, as a comment behind the value; where it is empty, the comment that is there stays.
+    pub why: &'a str,
+}
+
+/// The text with these amendments.
+///
+/// # Errors
+/// When the text is not TOML, or holds a value where a key has its table.
+pub fn amended(text: &str, amendments: &[Amendment]) -> Result<String, String> {
+    let mut document: DocumentMut = text.parse().map_err(|error: TomlError| error.to_string())?;
+    for amendment in amendments {
+        let steps = Key::parse(amendment.key).map_err(|error| error.to_string())?;
+        let Some((name, tables)) = steps.split_last() else { continue };
+        match amendment.value {
+            Some(value) => state(document.as_table_mut(), tables, name, value, amendment.why)?,
+            None => take_out(document.as_table_mut(), tables, name),
+        }
+    }
+    Ok(document.to_string())
+}
+
+fn state(document: &mut Table, tables: &[Key], name: &Key, value: &Value, why: &str) -> Result<(), String> {
+    let mut value = formatted(value).parse::<toml_edit::Value>().map_err(|error| error.to_string())?;
+    let mut table = document as &mut dyn TableLike;
+    for step in tables {
+        let inner = table.entry(step.get()).or_insert_with(implicit_table);
+        table = inner.as_table_like_mut().ok_or_else(|| format!("`{}` is no table there", step.get()))?;
+    }
+    if why.is_empty() {
+        let former = table.get(name.get()).and_then(Item::as_value).map(|former| former.decor().clone());
+        former.into_iter().for_each(|former| *value.decor_mut() = former);
+    } else {
+        value.decor_mut().set_suffix(format!(" # {}", why.replace(['\n', '\r'], " ")));
+    }
+    table.insert(name.get(), value.into());
+    Ok(())
+}
+
+/// Takes a key out; a table that holds nothing then goes, too.
+fn take_out(table: &mut dyn TableLike, tables: &[Key], name: &Key) {
+    let Some((first, rest)) = tables.split_first() else {
+        table.remove(name.get());
+        return;
+    };
+    let Some(inner) = table.get_mut(first.get()).and_then(Item::as_table_like_mut) else { return };
+    take_out(inner, rest, name);
+    if inner.is_empty() {
+        table.remove(first.get());
+    }
+}
+
+/// A table that shows only when it holds values.
+fn implicit_table() -> Item {
+    let mut table = Table::new();
+    table.set_implicit(true);
+    Item::Table(table)
+}
+
+/// A value as TOML.
+pub fn formatted(value: &Value) -> String {
+    match value {
+        Value::Number(number) => format!("{number:?}"),
+        Value::Text(text) => quoted(text),
+        Value::Other(other) => other.to_string(),
+    }
+}
+
+/// A basic string of TOML: JSON's escapes are among its own.
+pub fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::FrameFile;
+
+    #[test]
+    fn analytic_what_is_amended_keeps_the_rest() {
+        let before = "# mine\nbase = \"cognifly\" # the base\n\n[rods]\n# long\narm_rod_length_mm = 80.0\n\n[override.materials.tpu-95a]\nprint_factor = 0.9 # guessed\n";
+        let numbers = [0.95, 0.97, -0.2, 0.6].map(Value::Number);
+        let keys = [
+            "override.materials.tpu-95a.print_factor",
+            "override.materials.abs.print_factor",
+            "fit.grip_clearance_mm",
+            "override.printers.\"generic-0.4\".nozzle_mm",
+        ];
+        let lines: Vec<Amendment> =
+            keys.iter().zip(&numbers).map(|(key, value)| Amendment { key, value: Some(value), why: "weighed" }).collect();
+        let after = amended(before, &lines).expect("amends");
+        for kept in
+            ["# mine\nbase = \"cognifly\" # the base\n\n[rods]\n# long\narm_rod_length_mm = 80.0\n", "print_factor = 0.95 # weighed\n"]
+        {
+            assert!(after.contains(kept), "{after}");
+        }
+        assert!(!after.contains("guessed") && !after.contains("[override]\n"), "{after}");
+        let file = FrameFile::parse("mine", &after).expect(&after);
+        assert_eq!(file.entries["fit.grip_clearance_mm"].value, Value::Number(-0.2));
+        assert_eq!(amended(&after, &lines).expect("amends"), after);
+        assert!(amended("fit = 3\n", &lines).is_err());
+    }
+
+    #[test]
+    fn analytic_what_is_taken_out_leaves_no_trace() {
+        let before = "base = \"cognifly\"\n";
+        let number = Value::Number(80.0);
+        let key = "rods.arm_rod_length_mm";
+        let stated = amended(before, &[Amendment { key, value: Some(&number), why: "" }]).expect("amends");
+        assert!(stated.contains("[rods]\narm_rod_length_mm = 80.0\n"), "{stated}");
+        assert_eq!(amended(&stated, &[Amendment { key, value: None, why: "" }]).expect("amends"), before);
+        let commented = stated.replace("80.0\n", "80.0 # long\n");
+        let other = Value::Number(81.0);
+        let changed = amended(&commented, &[Amendment { key, value: Some(&other), why: "" }]).expect("amends");
+        assert_eq!(changed, commented.replace("80.0", "81.0"));
+    }
+}

@@ -1,0 +1,121 @@
+// The page: what is changed on the left, the picture in the middle, what is known of it on the right.
+import { computed } from "@preact/signals";
+import { useEffect, useRef } from "preact/hooks";
+import type { ComponentType } from "preact";
+import { Checks } from "./panels/checks.tsx";
+import { Compare } from "./panels/compare.tsx";
+import { Diagnose } from "./panels/diagnose.tsx";
+import { Drop } from "./panels/drop.tsx";
+import { Files } from "./panels/files.tsx";
+import { Fold } from "./panels/fold.tsx";
+import { Gauges } from "./panels/gauges.tsx";
+import { Header } from "./panels/header.tsx";
+import { Parameters } from "./panels/parameters.tsx";
+import { Source } from "./panels/source.tsx";
+import { Selection, Toolbar } from "./panels/toolbar.tsx";
+import { column, left, right } from "./state/focus.ts";
+import { computing, findings, frame, notice, refused } from "./state/studio.ts";
+import { Tabs } from "./ui/tabs.tsx";
+import { join } from "./view/scene_state.ts";
+import { Viewer } from "./view/viewer.ts";
+
+const PANELS: { id: typeof right.value; words: string; of: ComponentType }[] = [
+  { id: "checks", words: "Checks", of: Checks },
+  { id: "compare", words: "Compare", of: Compare },
+  { id: "fold", words: "Fold", of: Fold },
+  { id: "drop", words: "Drop", of: Drop },
+  { id: "diagnose", words: "Diagnose", of: Diagnose },
+  { id: "files", words: "Files", of: Files },
+];
+
+const violations = computed(() => findings.value?.of.filter(({ verdict }) => verdict === "violated").length ?? 0);
+
+export function App() {
+  const Panel = PANELS.find(({ id }) => id === right.value)?.of ?? Checks;
+  return (
+    <div class={`app show-${column.value}`}>
+      <Header />
+      <nav class="columns" aria-label="Parts of the page">
+        {(["left", "middle", "right"] as const).map((id) => (
+          <button key={id} type="button" aria-pressed={column.value === id} onClick={() => (column.value = id)}>
+            {
+              { left: "Change", middle: "Model", right: violations.value > 0 ? `Know (${violations.value})` : "Know" }[
+                id
+              ]
+            }
+          </button>
+        ))}
+      </nav>
+      <section class="left" aria-label="Change the frame">
+        <Tabs
+          name="How it is changed"
+          tabs={[
+            { id: "values", words: "Values" },
+            { id: "text", words: "Frame file" },
+          ]}
+          at={left}
+        />
+        <div class="scroll" id="panel-values" role="tabpanel" aria-labelledby={`tab-${left.value}`} tabIndex={-1}>
+          {left.value === "values" ? <Parameters /> : <Source />}
+        </div>
+      </section>
+      <main class="middle">
+        <Toolbar />
+        <Picture />
+        <Gauges />
+      </main>
+      <section class="right" aria-label="Know the frame">
+        <Tabs name="What is known" tabs={PANELS} at={right} />
+        <div class="scroll" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={-1}>
+          <Panel />
+        </div>
+      </section>
+      <Notice />
+    </div>
+  );
+}
+
+function Picture() {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    if (!canvas.current) return;
+    try {
+      join(new Viewer(canvas.current));
+    } catch (error) {
+      notice.value = `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}); everything else works.`;
+    }
+  }, []);
+  const refusal = refused.value?.refusal;
+  return (
+    <div class="picture">
+      <canvas
+        ref={canvas}
+        tabIndex={0}
+        role="img"
+        aria-label={`The frame ${frame.value?.name ?? ""}; arrow keys turn it, plus and minus zoom`}
+      />
+      <Selection />
+      <p class={`busy ${computing.value ? "on" : ""}`} role="status" data-computing={computing.value}>
+        {computing.value ? (frame.value ? "Computing…" : "The first model is being made…") : ""}
+      </p>
+      {refusal && (
+        <div class="refusal" role="alert">
+          <b>The picture is of the last good frame.</b> {refusal.message}
+          {refusal.remedy && <span class="remedy">{refusal.remedy}</span>}
+        </div>
+      )}
+    </div>
+  );
+}
+
+function Notice() {
+  if (!notice.value) return null;
+  return (
+    <div class="notice" role="alert">
+      {notice.value}
+      <button type="button" onClick={() => (notice.value = null)}>
+        Close
+      </button>
+    </div>
+  );
+}

@@ -1,0 +1,87 @@
+// An engine as the page sees it: questions in, promises out. An engine that stopped is replaced by a new one, and says so.
+import { signal } from "@preact/signals";
+import type { Attached, EngineFile, Message, Question, Refusal, Stage } from "./messages.ts";
+
+/** The engine refused: the words of the command line. */
+export class Refused extends Error {
+  constructor(readonly refused: Refusal) {
+    super(refused.message);
+  }
+}
+
+/** The engine failed, or was ended by `EngineClient.end`. */
+export class Stopped extends Error {}
+
+export type Answered<T> = { answer: T; files: EngineFile[]; ms: number };
+
+type Waiting = {
+  resolve: (answered: Answered<unknown>) => void;
+  reject: (error: Error) => void;
+  onStage?: ((stage: Stage) => void) | undefined;
+};
+
+export class EngineClient {
+  /** How many questions have no answer yet. */
+  readonly busy = signal(0);
+  /** How often the engine was replaced: what was open in a former one is gone. */
+  readonly generation = signal(0);
+  /** What the last one that failed said. */
+  readonly lastWords = signal("");
+  #worker: Worker | undefined;
+  #waiting = new Map<number, Waiting>();
+  #last = 0;
+
+  constructor(readonly name: string) {}
+
+  ask<T>(request: object, files: Attached = {}, onStage?: (stage: Stage) => void): Promise<Answered<T>> {
+    const id = ++this.#last;
+    const question: Question = { id, request, files };
+    return new Promise<Answered<T>>((resolve, reject) => {
+      this.#waiting.set(id, { resolve: resolve as Waiting["resolve"], reject, onStage });
+      this.busy.value = this.#waiting.size;
+      this.#running().postMessage(question);
+    });
+  }
+
+  /** Ends the worker, and with it what it computes; the next question starts another. */
+  end(why = "ended"): void {
+    this.#worker?.terminate();
+    this.#worker = undefined;
+    this.generation.value += 1;
+    const waiting = [...this.#waiting.values()];
+    this.#waiting.clear();
+    this.busy.value = 0;
+    for (const { reject } of waiting) reject(new Stopped(why));
+  }
+
+  #running(): Worker {
+    if (!this.#worker) {
+      this.#worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: this.name });
+      this.#worker.onmessage = ({ data }: MessageEvent<Message>) => this.#hear(data);
+      this.#worker.onerror = (event) => this.#fail(event.message || "the engine cannot be loaded");
+    }
+    return this.#worker;
+  }
+
+  #hear(message: Message): void {
+    if (message.kind === "ready") return;
+    if (message.kind === "unusable" || message.kind === "stopped") {
+      this.#fail(message.message);
+      return;
+    }
+    const waiting = this.#waiting.get(message.id);
+    if (message.kind === "stage") {
+      waiting?.onStage?.(message.stage);
+      return;
+    }
+    this.#waiting.delete(message.id);
+    this.busy.value = this.#waiting.size;
+    if (message.kind === "answer") waiting?.resolve(message);
+    else waiting?.reject(new Refused(message.refused));
+  }
+
+  #fail(message: string): void {
+    this.lastWords.value = message;
+    this.end(message);
+  }
+}

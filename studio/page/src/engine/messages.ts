@@ -1,0 +1,19 @@
+// What goes between the page and an engine's worker.
+import type { EngineFile, Refusal, Stage } from "../../../engine.mjs";
+
+export type { EngineFile, Refusal, Stage };
+
+/** Files of a request: a path and its text or bytes. */
+export type Attached = Record<string, Uint8Array | string>;
+
+/** To the worker. */
+export type Question = { id: number; request: object; files: Attached };
+
+/** From the worker: `ready` once, then stages and one end for each question. */
+export type Message =
+  | { kind: "ready" }
+  | { kind: "unusable"; message: string }
+  | { kind: "stage"; id: number; stage: Stage }
+  | { kind: "answer"; id: number; answer: unknown; files: EngineFile[]; ms: number }
+  | { kind: "refused"; id: number; refused: Refusal }
+  | { kind: "stopped"; id: number; message: string };

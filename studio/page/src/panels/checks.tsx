@@ -1,0 +1,145 @@
+// Story 3: every rule beside the model, violated first, the margin as a bar; a click goes to the place.
+import { computed, signal } from "@preact/signals";
+import type { Finding } from "../engine/answers.ts";
+import { catalogue, checking, findings, findingsAreCurrent } from "../state/studio.ts";
+import { touched } from "../state/places.ts";
+import { label, short } from "../ui/words.ts";
+import { isDisc } from "../view/bodies.ts";
+import { colourBy, discs, lit, viewer } from "../view/scene_state.ts";
+import { showParameter } from "../state/focus.ts";
+
+const opened = signal<Set<string>>(new Set());
+const RANK = { violated: 0, note: 1, holds: 2 };
+
+type Group = { id: string; title: string; sentence: string; of: Finding[]; worst: Finding };
+
+const groups = computed<Group[]>(() => {
+  const rules = catalogue.value?.rules ?? [];
+  const found = findings.value?.of ?? [];
+  const made = rules.flatMap(({ id, title, sentence }) => {
+    const of = found
+      .filter(({ rule }) => rule === id)
+      .sort((a, b) => RANK[a.verdict] - RANK[b.verdict] || share(a) - share(b));
+    return of[0] ? [{ id, title, sentence, of, worst: of[0] }] : [];
+  });
+  return made.sort((a, b) => RANK[a.worst.verdict] - RANK[b.worst.verdict]);
+});
+
+/** The margin as a share of the limit: findings of one rule may have several units. */
+function share({ margin, limit, value }: Finding): number {
+  return margin / (Math.abs(limit) || Math.abs(value) || 1);
+}
+
+export function Checks() {
+  const all = findings.value;
+  const violated = all?.of.filter(({ verdict }) => verdict === "violated").length ?? 0;
+  return (
+    <div class="checks">
+      <p class="state" role="status" data-state={all?.all && findingsAreCurrent.value ? "all" : "some"}>
+        {!all
+          ? "Nothing is checked yet."
+          : violated === 0
+            ? "Every checked limit holds."
+            : `${violated} limit${violated === 1 ? " is" : "s are"} violated.`}{" "}
+        {all && !findingsAreCurrent.value && "This is of the frame before the last change."}
+        {all && findingsAreCurrent.value && !all.all && "Quick checks only; the others are running."}
+        {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
+      </p>
+      <ul class={findingsAreCurrent.value ? "" : "old"}>
+        {groups.value.map((group) => (
+          <Rule key={group.id} group={group} />
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+const MARK = { violated: "✗", note: "!", holds: "✓" };
+const WORD = { violated: "violated", note: "note", holds: "holds" };
+
+function Rule({ group }: { group: Group }) {
+  const open = opened.value.has(group.id);
+  const toggle = () => {
+    const next = new Set(opened.value);
+    if (!next.delete(group.id)) next.add(group.id);
+    opened.value = next;
+  };
+  const bad = group.of.filter(({ verdict }) => verdict !== "holds");
+  const shown = open ? group.of : bad.slice(0, 4);
+  return (
+    <li class={`rule ${group.worst.verdict}`} data-rule={group.id}>
+      <button type="button" class="head" aria-expanded={open} onClick={toggle} title={group.sentence}>
+        <span class="mark" aria-label={WORD[group.worst.verdict]} role="img">
+          {MARK[group.worst.verdict]}
+        </span>
+        <span class="title">{group.title}</span>
+        <Margin finding={group.worst} />
+        <span class="count">{group.of.length}</span>
+      </button>
+      {open && <p class="about">{group.sentence}</p>}
+      {shown.length > 0 && (
+        <ul>
+          {shown.map((finding) => (
+            <Place key={`${finding.subject} ${finding.unit} ${finding.limit}`} finding={finding} />
+          ))}
+        </ul>
+      )}
+      {!open && bad.length > shown.length && <p class="more">and {bad.length - shown.length} more</p>}
+    </li>
+  );
+}
+
+function Place({ finding }: { finding: Finding }) {
+  const go = () => {
+    const facts = viewer.value?.facts() ?? [];
+    const named = touched(finding.subject, facts);
+    const names = new Set(named.length > 0 ? named : touched(finding.message, facts));
+    lit.value = names;
+    if (facts.some((body) => isDisc(body) && names.has(body.name))) discs.value = true;
+    if (names.size > 0) viewer.value?.fly(names);
+    else viewer.value?.fit();
+    if (finding.verdict !== "holds" && colourBy.value === "part") colourBy.value = "finding";
+  };
+  return (
+    <li class={`place ${finding.verdict}`}>
+      <button type="button" class="link" onClick={go}>
+        {finding.subject}
+      </button>
+      <Margin finding={finding} />
+      <p>{finding.message}</p>
+      {finding.verdict === "violated" && finding.levers.length > 0 && (
+        <p class="levers">
+          Changed most directly by{" "}
+          {finding.levers.map((key) => (
+            <button key={key} type="button" class="link" onClick={() => showParameter(key)}>
+              {label(key)}
+            </button>
+          ))}
+        </p>
+      )}
+    </li>
+  );
+}
+
+function Margin({ finding }: { finding: Finding }) {
+  if (finding.verdict === "note") return <span class="margin" />;
+  const of = Math.max(-1, Math.min(1, share(finding)));
+  return (
+    <span class="margin" title={`margin ${short(finding.margin, 2)} ${finding.unit}`}>
+      <svg viewBox="-50 0 100 8" preserveAspectRatio="none" aria-hidden="true">
+        <rect class="track" x="-50" width="100" height="8" />
+        <rect
+          class={finding.verdict === "violated" ? "bad" : "good"}
+          x={Math.min(0, 50 * of)}
+          width={Math.max(1, Math.abs(50 * of))}
+          height="8"
+        />
+        <rect class="limit" x="-0.7" width="1.4" height="8" />
+      </svg>
+      <span class="figure">
+        {finding.margin > 0 ? "+" : ""}
+        {short(finding.margin, 2)} {finding.unit}
+      </span>
+    </span>
+  );
+}

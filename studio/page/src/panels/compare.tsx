@@ -1,0 +1,138 @@
+// Story 3: before and after, against the preset or a pinned variant; what is better or worse, and the other frame through this one.
+import { computed, effect, signal } from "@preact/signals";
+import { Refused, Stopped } from "../engine/client.ts";
+import type { Changed, Difference } from "../engine/answers.ts";
+import type { Doc } from "../state/doc.ts";
+import { identity, isUnchanged, ofPreset } from "../state/doc.ts";
+import { FrameSlot } from "../state/frame_slot.ts";
+import { right } from "../state/focus.ts";
+import { checker, current, doc, shownDoc } from "../state/studio.ts";
+import { ghost, viewer } from "../view/scene_state.ts";
+
+/** The variant that is held against the frame; none: the preset. */
+export const pinned = signal<Doc | null>(null);
+const before = computed(() => pinned.value ?? ofPreset(doc.value.preset));
+export const other = new FrameSlot(checker);
+const difference = signal<{ of: Difference; after: string } | null>(null);
+const failure = signal<string | null>(null);
+const working = signal(false);
+
+let running: Promise<void> = Promise.resolve();
+let timer: ReturnType<typeof setTimeout> | undefined;
+
+// Compared when the panel is open and nothing was changed for a moment.
+effect(() => {
+  const [after, against, open] = [shownDoc.value, before.value, right.value === "compare" || ghost.value];
+  clearTimeout(timer);
+  if (after && open) timer = setTimeout(() => (running = running.then(() => compare(against, after))), 300);
+});
+
+async function compare(against: Doc, after: Doc): Promise<void> {
+  if (shownDoc.value !== after || before.value !== against) return;
+  working.value = true;
+  try {
+    const { handle } = await other.opened(against);
+    const { files } = await checker.ask({ do: "files", handle, which: ["glb"] });
+    if (ghost.value && files[0]) await viewer.value?.overlay(files[0].bytes);
+    const now = await current.opened(after);
+    const { answer } = await checker.ask<Difference>({ do: "difference", before: handle, after: now.handle });
+    difference.value = { of: answer, after: identity(after) };
+    failure.value = null;
+  } catch (error) {
+    if (!(error instanceof Refused || error instanceof Stopped)) throw error;
+    failure.value = error.message;
+  } finally {
+    working.value = false;
+  }
+}
+
+export function Compare() {
+  const found = difference.value?.of;
+  const old = !shownDoc.value || difference.value?.after !== identity(shownDoc.value);
+  return (
+    <div class="compare">
+      <div class="row">
+        <span>
+          Against <b>{pinned.value ? pinned.value.name : `the preset ${doc.value.preset}`}</b>
+        </span>
+        <button type="button" onClick={() => (pinned.value = doc.value)}>
+          Pin this variant
+        </button>
+        {pinned.value && (
+          <button type="button" onClick={() => (pinned.value = null)}>
+            Against the preset
+          </button>
+        )}
+      </div>
+      <label>
+        <input type="checkbox" checked={ghost} onChange={(event) => (ghost.value = event.currentTarget.checked)} /> show
+        it through the model (blue)
+      </label>
+      {failure.value && <p class="fault">{failure.value}</p>}
+      <p role="status" class="state" data-state={working.value || old ? "working" : "done"}>
+        {working.value || (old && found) ? "Comparing…" : ""}
+      </p>
+      {found && (
+        <div class={old ? "old" : ""}>
+          {isUnchanged(doc.value) && !pinned.value && <p class="empty">Nothing differs from the preset yet.</p>}
+          {found.broken.length > 0 && <List title="Now violated" items={found.broken} kind="worse" />}
+          {found.mended.length > 0 && <List title="No longer violated" items={found.mended} kind="better" />}
+          <Table
+            title="What got better or worse"
+            rows={found.measures.filter(({ trend, reported }) => trend !== "neither" || reported[0] !== reported[1])}
+          />
+          <Table title="Values" rows={found.parameters} />
+          <Table title="Masses, g" rows={found.masses} />
+          <Table title="Printed volumes, mm³" rows={found.volumes} />
+          <p class="about">{found.peak}</p>
+        </div>
+      )}
+    </div>
+  );
+}
+
+function List({ title, items, kind }: { title: string; items: string[]; kind: string }) {
+  return (
+    <>
+      <h3>{title}</h3>
+      <ul class={kind}>
+        {items.map((item) => (
+          <li key={item}>{item}</li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+const TREND = { better: "▲ better", worse: "▼ worse", neither: "" };
+
+function Table({ title, rows }: { title: string; rows: Changed[] }) {
+  if (rows.length === 0) return null;
+  return (
+    <table>
+      <caption>{title}</caption>
+      <thead>
+        <tr>
+          <th scope="col">what</th>
+          <th scope="col">before</th>
+          <th scope="col">after</th>
+          <th scope="col">
+            <span class="hidden">trend</span>
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map((row) => (
+          <tr key={row.name} class={row.trend} data-name={row.name}>
+            <th scope="row">{row.name}</th>
+            <td>{row.reported[0] || "–"}</td>
+            <td>
+              {row.reported[1] || "–"} {row.unit}
+            </td>
+            <td>{TREND[row.trend]}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

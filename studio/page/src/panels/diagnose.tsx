@@ -1,0 +1,288 @@
+// Story 6: measured drops, judged; what a model lacks to explain them. An engine of its own, which can be ended at any time.
+import { signal } from "@preact/signals";
+import plan from "../../../../params/synthetic/bottoming.toml?raw";
+import { EngineClient } from "../engine/client.ts";
+import type { Diagnosed, Measured } from "../engine/outcomes.ts";
+import type { Attached, EngineFile } from "../engine/messages.ts";
+import { save } from "../state/downloads.ts";
+import { notice, presets } from "../state/studio.ts";
+import { Work } from "../state/work.ts";
+import { Progress } from "../ui/progress.tsx";
+import { short } from "../ui/words.ts";
+
+/** Larger tables are no drops of a frame; a browser would run out of memory on them. */
+const LARGEST_BYTES = 64 << 20;
+
+const diagnoser = new EngineClient("diagnoser");
+const drops = signal<Attached>({});
+const model = signal("paper");
+const most = signal(2);
+const reading = new Work<Measured>();
+const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[] }>();
+
+async function take(files: Iterable<File>): Promise<void> {
+  const taken: Attached = {};
+  let sum = 0;
+  for (const file of files) {
+    sum += file.size;
+    if (sum > LARGEST_BYTES) {
+      notice.value = `${file.name} has ${Math.round(file.size / 1e6)} MB; all files together may have ${LARGEST_BYTES >> 20} MB. Nothing was read: give fewer drops at a time.`;
+      return;
+    }
+  }
+  for (const file of files) {
+    const path = file.webkitRelativePath || file.name;
+    taken[path] = new Uint8Array(await file.arrayBuffer());
+  }
+  await read(taken);
+}
+
+async function read(taken: Attached): Promise<void> {
+  diagnosing.clear();
+  reading.result.value = null;
+  drops.value = taken;
+  await reading.run(async () => (await diagnoser.ask<Measured>({ do: "measure" }, taken)).answer);
+}
+
+async function example(): Promise<void> {
+  const { files } = await diagnoser.ask({ do: "synthesize", plan: "bottoming.toml" }, { "bottoming.toml": plan });
+  await read({ "synthetic-drops.csv": files[0]!.bytes });
+}
+
+function diagnose(): Promise<void> {
+  return diagnosing.run(async (onStage) => {
+    const request = { do: "diagnose", model: model.value, max_effects: most.value };
+    const { answer, files } = await diagnoser.ask<Diagnosed>(request, drops.value, onStage);
+    return { found: answer, files };
+  });
+}
+
+const VERDICTS: Record<Diagnosed["verdict"], string> = {
+  named: "The model lacks",
+  ambiguous: "Several explanations fit",
+  none_suffices: "No known effect explains the drops",
+  nothing_missing: "Nothing is missing: the model explains the drops",
+};
+
+export function Diagnose() {
+  const measured = reading.result.value;
+  const names = Object.keys(drops.value);
+  return (
+    <div
+      class="diagnose"
+      onDragOver={(event) => event.preventDefault()}
+      onDrop={(event) => {
+        event.preventDefault();
+        void take([...(event.dataTransfer?.files ?? [])]);
+      }}
+    >
+      <div class="row dropzone">
+        <label class="file">
+          Open measured drops (CSV, .bin, .bhn)
+          <input
+            type="file"
+            multiple
+            accept=".csv,.bin,.bhn"
+            onChange={(event) => void take([...(event.currentTarget.files ?? [])])}
+          />
+        </label>
+        <span>or drag them here,</span>
+        <button type="button" onClick={() => void example()}>
+          or try synthetic ones
+        </button>
+      </div>
+      <Progress of={reading} words="Reading" />
+      {measured && <Records measured={measured} names={names} />}
+      {measured && (
+        <div class="row">
+          <label>
+            Model{" "}
+            <select
+              aria-label="Model of the diagnosis"
+              value={model}
+              onChange={(event) => (model.value = event.currentTarget.value)}
+            >
+              {presets.value?.models.map((name) => (
+                <option key={name} value={name}>
+                  {name}
+                </option>
+              ))}
+            </select>
+          </label>
+          <label>
+            Effects at most{" "}
+            <select
+              aria-label="Effects at most"
+              value={most}
+              onChange={(event) => (most.value = Number(event.currentTarget.value))}
+            >
+              {[1, 2, 3].map((count) => (
+                <option key={count} value={count}>
+                  {count}
+                </option>
+              ))}
+            </select>
+          </label>
+          <button type="button" disabled={diagnosing.running.value} onClick={() => void diagnose()}>
+            Diagnose
+          </button>
+          {diagnosing.running.value && (
+            <button type="button" onClick={() => diagnoser.end("The diagnosis was cancelled.")}>
+              Cancel
+            </button>
+          )}
+        </div>
+      )}
+      <Progress of={diagnosing} words="Diagnosing" />
+      {diagnosing.result.value && <Verdict {...diagnosing.result.value} />}
+    </div>
+  );
+}
+
+function Records({ measured, names }: { measured: Measured; names: string[] }) {
+  const flagged = measured.drops.filter(({ flags }) => flags.length > 0);
+  return (
+    <>
+      <p class="about">{names.join(", ")}</p>
+      <table>
+        <caption>Records</caption>
+        <thead>
+          <tr>
+            <th scope="col">height</th>
+            <th scope="col">drops</th>
+            <th scope="col">clean</th>
+            <th scope="col">median peak</th>
+          </tr>
+        </thead>
+        <tbody>
+          {measured.heights.map((of) => (
+            <tr key={`${of.frame} ${of.height_m}`}>
+              <th scope="row">
+                {of.frame} {short(of.height_m)} m
+              </th>
+              <td>{of.drops}</td>
+              <td>{of.clean}</td>
+              <td>{of.clean_peak_axial_g ? `${short(of.clean_peak_axial_g.median, 1)} g` : "–"}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {flagged.length > 0 && (
+        <details>
+          <summary>{flagged.length} records are flagged</summary>
+          <ul>
+            {flagged.map(({ trial, height_m, flags }) => (
+              <li key={`${trial} ${height_m}`}>
+                {trial}, {short(height_m)} m: {flags.map(({ reason }) => reason).join("; ")}
+              </li>
+            ))}
+          </ul>
+        </details>
+      )}
+      {measured.notes.map((note) => (
+        <p key={note} class="caution">
+          {note}
+        </p>
+      ))}
+    </>
+  );
+}
+
+function Verdict({ found, files }: { found: Diagnosed; files: EngineFile[] }) {
+  const { gap, where } = found;
+  const full = Math.max(gap.before, gap.after, gap.floor) || 1;
+  const largest = [...where.cells].sort((a, b) => size(b) / b.error_g - size(a) / a.error_g).slice(0, 5);
+  return (
+    <div class="verdict" data-verdict={found.verdict}>
+      <h3>
+        {VERDICTS[found.verdict]}{" "}
+        {found.verdict === "named" && found.effects.map(({ id }) => id.replaceAll("_", " ")).join(" and ")}
+      </h3>
+      {found.reasons.map((reason) => (
+        <p key={reason}>{reason}</p>
+      ))}
+      <table>
+        <caption>Gap between mean wave and model, {gap.unit}</caption>
+        <tbody>
+          {(
+            [
+              ["before", gap.before, "bad"],
+              ["after", gap.after, "good"],
+              ["floor: what the drops can show", gap.floor, "track"],
+            ] as const
+          ).map(([words, value, kind]) => (
+            <tr key={words}>
+              <th scope="row">{words}</th>
+              <td>{short(value, 2)}</td>
+              <td>
+                <svg class="bar" viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true">
+                  <rect class={kind} width={(100 * value) / full} height="8" />
+                </svg>
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {found.effects.map(({ id, parameters }) => (
+        <p key={id}>
+          {id.replaceAll("_", " ")}:{" "}
+          {Object.entries(parameters)
+            .map(
+              ([key, { value, unit, ci95 }]) =>
+                `${key} = ${value.toPrecision(4)} ${unit} (${ci95.map((end) => end.toPrecision(4)).join(" to ")})`,
+            )
+            .join(", ")}
+        </p>
+      ))}
+      <table>
+        <caption>Ranking: what each leaves of the other heights</caption>
+        <thead>
+          <tr>
+            <th scope="col">effects</th>
+            <th scope="col">left, g</th>
+            <th scope="col">why not</th>
+          </tr>
+        </thead>
+        <tbody>
+          {found.ranking.slice(0, 8).map(({ id, left_out_g, reason_rejected }) => (
+            <tr key={id}>
+              <th scope="row">{id.replaceAll("_", " ")}</th>
+              <td>{short(left_out_g, 2)}</td>
+              <td>{reason_rejected}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      <table>
+        <caption>Where model and drops differ most</caption>
+        <tbody>
+          {largest.map((cell) => (
+            <tr key={`${cell.height_m} ${cell.phase}`}>
+              <th scope="row">
+                {short(cell.height_m)} m, {cell.phase.replaceAll("_", " ")}
+              </th>
+              <td>{short(size(cell), 1)} g</td>
+              <td>± {short(cell.error_g, 1)} g</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {found.next_experiment && (
+        <p>
+          <b>Next:</b> {found.next_experiment.what}; it tells {found.next_experiment.between.join(" from ")}.
+        </p>
+      )}
+      <div class="row">
+        {files.map(({ path, bytes }) => (
+          <button key={path} type="button" onClick={() => save(path, bytes)}>
+            Download {path}
+          </button>
+        ))}
+      </div>
+    </div>
+  );
+}
+
+function size({ apart_g, residual_g }: { apart_g?: number; residual_g?: number }): number {
+  return apart_g ?? residual_g ?? 0;
+}

@@ -1,0 +1,283 @@
+// Story 5: the frame dropped, by a model or by its own mechanics; curves, peak, energies, and the motion slowed down.
+import { computed, effect, signal } from "@preact/signals";
+import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
+import type { Doc } from "../state/doc.ts";
+import { identity, ofPreset } from "../state/doc.ts";
+import { right } from "../state/focus.ts";
+import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
+import { checker, current, doc, presets, shownDoc } from "../state/studio.ts";
+import { Work } from "../state/work.ts";
+import type { Curve } from "../ui/plot.tsx";
+import { Plot } from "../ui/plot.tsx";
+import { Progress } from "../ui/progress.tsx";
+import { Slider } from "../ui/slider.tsx";
+import { short } from "../ui/words.ts";
+import { other, pinned } from "./compare.tsx";
+
+const OWN = "frame";
+const height = signal(1);
+const model = signal("paper-corrected");
+const both = signal(false);
+
+type Dropped = {
+  name: string;
+  peakG: number;
+  contactMs: number | null;
+  travelMm: number | null;
+  accel: [number, number][];
+  force: [number, number][] | null;
+  energies: [string, number][];
+  warnings: string[];
+  motion: Uint8Array<ArrayBuffer> | null;
+};
+const work = new Work<Dropped[]>();
+let timer: ReturnType<typeof setTimeout> | undefined;
+let last = "";
+
+effect(() => {
+  const [of, open] = [shownDoc.value, right.value === "drop"];
+  const against = both.value ? (pinned.value ?? ofPreset(doc.value.preset)) : null;
+  const asked = of && JSON.stringify([identity(of), against && identity(against), height.value, model.value]);
+  clearTimeout(timer);
+  if (!open) hideMotion("drop");
+  else if (of && asked !== last) {
+    timer = setTimeout(() => {
+      last = asked ?? "";
+      hideMotion("drop");
+      void work.run((onStage) => dropBoth(of, against, onStage));
+    }, 250);
+  }
+});
+
+type OnStage = Parameters<Parameters<typeof work.run>[0]>[0];
+
+async function dropBoth(of: Doc, against: Doc | null, onStage: OnStage): Promise<Dropped[]> {
+  const first = await dropOne((await current.opened(of)).handle, of.name, true, onStage);
+  if (!against) return [first];
+  return [first, await dropOne((await other.opened(against)).handle, `${against.name} (before)`, false, onStage)];
+}
+
+async function dropOne(handle: number, name: string, motion: boolean, onStage: OnStage): Promise<Dropped> {
+  const height_m = height.value;
+  if (model.value === OWN) {
+    const { answer, files } = await checker.ask<ImpactAnswer>({ do: "impact", handle, height_m, motion }, {}, onStage);
+    return ofImpact(name, answer, files[0]?.bytes ?? null);
+  }
+  const { answer } = await checker.ask<DropAnswer>(
+    { do: "drop", model: model.value, handle, heights_m: [height_m], trace: true },
+    {},
+    onStage,
+  );
+  return ofDrop(name, answer);
+}
+
+function ofDrop(name: string, answer: DropAnswer): Dropped {
+  const of = answer.heights[0]!;
+  const energy = of.energy;
+  const energies: [string, number][] = energy
+    ? [
+        ["stored", energy.stored_j],
+        ["dissipated", energy.dissipated_j],
+        ["still moving", energy.kinetic_j],
+        ["left to a rigid hit", energy.collision_j],
+        ["air", energy.air_j],
+      ]
+    : [];
+  return {
+    name,
+    peakG: of.peak_sensor_g,
+    contactMs: of.contact_time_ms,
+    travelMm: of.max_displacement_mm,
+    accel: of.t_s.map((t, at) => [1000 * t, of.accel_g[at]!]),
+    force: null,
+    energies,
+    warnings: answer.outside.map(({ warning }) => warning),
+    motion: null,
+  };
+}
+
+const WORDS: Record<keyof Energies, string> = {
+  stored_mj: "stored",
+  relaxed_mj: "relaxed",
+  friction_mj: "friction",
+  kinetic_mj: "still moving",
+  gravity_mj: "height",
+};
+
+function ofImpact(name: string, answer: ImpactAnswer, motion: Uint8Array<ArrayBuffer> | null): Dropped {
+  const of = answer.heights[0]!;
+  return {
+    name,
+    peakG: of.peak_sensor_g,
+    contactMs: of.contact_ms,
+    travelMm: of.travel_mm,
+    accel: of.moments.map(({ t_ms }, at) => [t_ms, of.sensor_g[at]!]),
+    force: of.moments.map(({ down_mm, ground_n }) => [down_mm, ground_n]),
+    energies: (Object.keys(WORDS) as (keyof Energies)[]).map((key) => [WORDS[key], of.energy_lowest[key] / 1000]),
+    warnings: [],
+    motion,
+  };
+}
+
+const accelerations = computed<Curve[]>(() =>
+  (work.result.value ?? []).map(({ name, accel }, at) => ({ name, points: accel, dashed: at > 0 })),
+);
+// A curve over the way is not single-valued: loading and unloading are curves of their own.
+const forces = computed<Curve[]>(() =>
+  (work.result.value ?? []).flatMap(({ name, force }) => {
+    if (!force) return [];
+    const lowest = force.reduce((best, [x], at) => (x > force[best]![0] ? at : best), 0);
+    const rising = (points: [number, number][]) =>
+      points.filter(([x], at) => at === 0 || x > Math.max(...points.slice(0, at).map(([before]) => before)));
+    return [
+      { name: `${name}, in`, points: rising(force.slice(0, lowest + 1)) },
+      { name: `${name}, out`, points: rising(force.slice(lowest).reverse()), dashed: true },
+    ];
+  }),
+);
+
+export function Drop() {
+  const results = work.result.value ?? [];
+  const motion = results[0]?.motion;
+  return (
+    <div class="drop">
+      <label>
+        Model{" "}
+        <select
+          aria-label="Model of the drop"
+          value={model}
+          onChange={(event) => (model.value = event.currentTarget.value)}
+        >
+          {presets.value?.models.map((name) => (
+            <option key={name} value={name}>
+              {name}
+            </option>
+          ))}
+          <option value={OWN}>the frame's own mechanics</option>
+        </select>
+      </label>
+      <div class="field">
+        <label for="drop-height">Height</label>
+        <Slider
+          id="drop-height"
+          name="Height"
+          unit="m"
+          min={0.1}
+          max={3}
+          step={0.05}
+          value={height.value}
+          onInput={(value) => (height.value = value)}
+        />
+      </div>
+      <label>
+        <input type="checkbox" checked={both} onChange={(event) => (both.value = event.currentTarget.checked)} /> with{" "}
+        {pinned.value ? pinned.value.name : `the preset ${doc.value.preset}`} beside it
+      </label>
+      <Progress of={work} words="Dropping" />
+      <div class={work.running.value ? "old" : ""}>
+        <div class="row">
+          {results.map(({ name, peakG, contactMs, travelMm }) => (
+            <p key={name} class="peak" data-peak={peakG}>
+              <b>{short(peakG, 1)} g</b>
+              <span>
+                {name}
+                <br />
+                {travelMm !== null && `${short(travelMm, 1)} mm down, `}
+                {contactMs !== null && `${short(contactMs, 1)} ms`}
+              </span>
+            </p>
+          ))}
+        </div>
+        {results.length > 0 && (
+          <Plot title="Acceleration behind the sensor" x="t, ms" y="a, g" curves={accelerations.value} />
+        )}
+        {forces.value.length > 0 && (
+          <Plot title="Force on the ground over the way down" x="x, mm" y="F, N" curves={forces.value} />
+        )}
+        {results.map(({ name, energies }) => (
+          <EnergyBar key={name} name={name} energies={energies} />
+        ))}
+        {results
+          .flatMap(({ warnings }) => warnings)
+          .map((warning) => (
+            <p key={warning} class="caution">
+              {warning}
+            </p>
+          ))}
+        {motion && (
+          <div class="row">
+            <button
+              type="button"
+              onClick={async () => {
+                if (owner.value !== "drop") await showMotion("drop", motion, 5);
+                if (seconds.value >= length.value) seconds.value = 0;
+                playing.value = !playing.value;
+              }}
+            >
+              {playing.value ? "Stop" : "Slow motion, 1 : 500"}
+            </button>
+            {owner.value === "drop" && (
+              <>
+                <input
+                  type="range"
+                  aria-label="Time of the impact"
+                  min="0"
+                  max={length.value}
+                  step="0.01"
+                  value={seconds.value}
+                  onInput={(event) => goTo(Number(event.currentTarget.value))}
+                />
+                <span>{short(seconds.value * 10, 1)} ms</span>
+                <button type="button" onClick={() => hideMotion("drop")}>
+                  Close
+                </button>
+              </>
+            )}
+          </div>
+        )}
+      </div>
+    </div>
+  );
+}
+
+const SHADES = ["#3f7fd1", "#e8862e", "#2f9e62", "#b3547a", "#8a8f2b"];
+
+function EnergyBar({ name, energies }: { name: string; energies: [string, number][] }) {
+  const shown = energies.filter(([, joule]) => joule > 1e-6);
+  const all = shown.reduce((sum, [, joule]) => sum + joule, 0);
+  if (all <= 0) return null;
+  return (
+    <figure class="energy">
+      <figcaption>Energy at the lowest point: {name}</figcaption>
+      <svg
+        viewBox="0 0 200 12"
+        preserveAspectRatio="none"
+        role="img"
+        aria-label={shown.map(([words, joule]) => `${words} ${short(joule, 2)} J`).join(", ")}
+      >
+        {shown.map(([words, joule], at) => {
+          const before = shown.slice(0, at).reduce((sum, [, other]) => sum + other, 0);
+          return (
+            <rect
+              key={words}
+              x={(200 * before) / all}
+              width={(200 * joule) / all}
+              height="12"
+              fill={SHADES[at % SHADES.length]}
+            />
+          );
+        })}
+      </svg>
+      <p class="legend">
+        {shown.map(([words, joule], at) => (
+          <span key={words}>
+            <svg class="key" viewBox="0 0 1 1">
+              <rect width="1" height="1" fill={SHADES[at % SHADES.length]} />
+            </svg>
+            {words} {short(joule, 2)} J
+          </span>
+        ))}
+      </p>
+    </figure>
+  );
+}

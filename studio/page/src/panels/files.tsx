@@ -1,0 +1,126 @@
+// Story 7: what is taken away, with the bytes of the command line, and a link.
+import { signal } from "@preact/signals";
+import type { Setting } from "../state/link.ts";
+import { toFragment } from "../state/link.ts";
+import { isUnchanged } from "../state/doc.ts";
+import { changedKeys, doc, frame, notice, presets, take, valueOf } from "../state/studio.ts";
+import { plainName } from "../state/link.ts";
+import { download, made, save, saveText } from "../state/downloads.ts";
+import { Work } from "../state/work.ts";
+import { Progress } from "../ui/progress.tsx";
+
+const KINDS: { which: string; words: string }[] = [
+  { which: "stl", words: "STL, every part (ZIP)" },
+  { which: "plates", words: "3MF plates for the printer (ZIP)" },
+  { which: "glb", words: "GLB, the assembled frame" },
+  { which: "step", words: "STEP, every part and the frame (ZIP)" },
+  { which: "bill", words: "Bill of materials (CSV)" },
+  { which: "instructions", words: "Assembly instructions (PDF)" },
+  { which: "fold", words: "Assembly steps (JSON)" },
+  { which: "folder", words: "Everything, with report and pictures (ZIP)" },
+];
+
+const work = new Work<string>();
+const parts = signal<string[] | null>(null);
+const link = signal<string | null>(null);
+
+export function Files() {
+  const get = (which: string) => void work.run(() => download([which]).then(() => which));
+  return (
+    <div class="files">
+      <p class="about">
+        The files have the bytes that{" "}
+        <code>flexframe build{isUnchanged(doc.value) ? ` ${doc.value.preset}` : ` ${doc.value.name}.toml`}</code>{" "}
+        writes.
+      </p>
+      <div class="stack">
+        <button type="button" onClick={saveText}>
+          Frame file ({doc.value.name}.toml)
+        </button>
+        {KINDS.map(({ which, words }) => (
+          <button key={which} type="button" disabled={work.running.value} onClick={() => get(which)}>
+            {words}
+          </button>
+        ))}
+      </div>
+      <Progress of={work} words="Making the files" />
+      <details
+        onToggle={(event) => {
+          if (event.currentTarget.open)
+            void work.run(async () => ((parts.value = (await made(["stl"])).map(({ path }) => path)), "stl"));
+        }}
+      >
+        <summary>One part as STL</summary>
+        <ul>
+          {parts.value?.map((path) => (
+            <li key={path}>
+              <button type="button" class="link" onClick={() => void work.run(async () => (await one(path), path))}>
+                {path.split("/").at(-1)}
+              </button>
+            </li>
+          ))}
+        </ul>
+      </details>
+      <h3>A link to this frame</h3>
+      <p class="about">It holds the differences from the preset, behind the #, which no server sees.</p>
+      <div class="row">
+        <button type="button" onClick={() => void share()}>
+          Copy the link
+        </button>
+      </div>
+      {link.value && (
+        <input
+          type="text"
+          class="wide"
+          readOnly
+          aria-label="Link"
+          value={link.value}
+          onFocus={(event) => event.currentTarget.select()}
+        />
+      )}
+      <h3>A frame file of yours</h3>
+      <label class="file">
+        Open a .toml file
+        <input type="file" accept=".toml" onChange={(event) => void open(event.currentTarget.files?.[0])} />
+      </label>
+    </div>
+  );
+}
+
+async function one(path: string): Promise<void> {
+  const file = (await made(["stl"])).find((made) => made.path === path);
+  if (file) save(path.split("/").at(-1) ?? path, file.bytes);
+}
+
+async function share(): Promise<void> {
+  const { preset, name, text } = doc.value;
+  const set: Record<string, Setting> = {};
+  for (const key of changedKeys.value) {
+    const value = valueOf(key);
+    if (value !== null) set[key] = value;
+  }
+  // Comments, entries of one's own and the like are not among the values: then the text itself is the link.
+  const stated = (frame.value?.stated ?? []).filter((key) => key !== "base");
+  const whole = !isUnchanged(doc.value) && (stated.some((key) => !(key in set)) || /^\s*#/m.test(text));
+  const fragment = toFragment(whole ? { preset, name, set: {}, text } : { preset, name, set });
+  link.value = `${location.origin}${location.pathname}#${fragment}`;
+  try {
+    await navigator.clipboard.writeText(link.value);
+    notice.value = "The link is on the clipboard.";
+  } catch {
+    notice.value = "The link stands below; this browser does not let the page copy it.";
+  }
+}
+
+async function open(file: File | undefined): Promise<void> {
+  if (!file) return;
+  if (file.size > 1 << 20) {
+    notice.value = `${file.name} is too large; a frame file has at most 1 MB.`;
+    return;
+  }
+  const text = await file.text();
+  const base = /^\s*base\s*=\s*["']([^"']+)["']/m.exec(text)?.[1];
+  const name = plainName(file.name.replace(/\.toml$/, "")) ?? "opened";
+  const preset = presets.value?.frames.find((known) => known.name === base)?.name ?? doc.value.preset;
+  take({ preset, name, text });
+}

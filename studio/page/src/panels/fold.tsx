@@ -1,0 +1,149 @@
+// Story 4: the assembly as a motion, step by step, with captions and angles.
+import { computed, effect } from "@preact/signals";
+import type { Fold as Sequence } from "../engine/outcomes.ts";
+import type { Doc } from "../state/doc.ts";
+import { identity } from "../state/doc.ts";
+import { right } from "../state/focus.ts";
+import { goTo, hideMotion, length, playing, seconds, showMotion } from "../state/player.ts";
+import { checker, current, shownDoc } from "../state/studio.ts";
+import { Work } from "../state/work.ts";
+import { download } from "../state/downloads.ts";
+import { Progress } from "../ui/progress.tsx";
+import { label, short } from "../ui/words.ts";
+
+type Folded = { sequence: Sequence; motion: Uint8Array<ArrayBuffer>; of: string };
+const work = new Work<Folded>();
+const instructions = new Work<null>();
+let timer: ReturnType<typeof setTimeout> | undefined;
+
+effect(() => {
+  const [of, open] = [shownDoc.value, right.value === "fold"];
+  clearTimeout(timer);
+  if (!open) hideMotion("fold");
+  else if (of) timer = setTimeout(() => void fold(of), 250);
+});
+
+async function fold(of: Doc): Promise<void> {
+  if (work.result.value?.of !== identity(of)) {
+    await work.run(async () => {
+      const { handle } = await current.opened(of);
+      const steps = await checker.ask<Sequence>({ do: "fold-steps", handle });
+      const { files } = await checker.ask({ do: "files", handle, which: ["fold-motion"] });
+      return { sequence: steps.answer, motion: files[0]!.bytes, of: identity(of) };
+    });
+  }
+  if (work.result.value && right.value === "fold") await showMotion("fold", work.result.value.motion);
+}
+
+const now = computed(() => {
+  const sequence = work.result.value?.sequence;
+  if (!sequence) return null;
+  const at = Math.min(sequence.steps.length - 1, Math.floor(seconds.value / sequence.step_shown_s + 1e-6));
+  return {
+    step: sequence.steps[at]!,
+    at,
+    of: sequence.steps.length,
+    share: seconds.value / sequence.step_shown_s - at,
+  };
+});
+
+export function Fold() {
+  const sequence = work.result.value?.sequence;
+  return (
+    <div class="fold">
+      <Progress of={work} words="Folding" />
+      {sequence && now.value && (
+        <>
+          <div class="row">
+            <button type="button" onClick={() => (playing.value = !playing.value)}>
+              {playing.value ? "Stop" : "Play"}
+            </button>
+            <button
+              type="button"
+              aria-label="Step before"
+              disabled={now.value.at === 0}
+              onClick={() => (seconds.value = (now.value!.at - 1) * sequence.step_shown_s)}
+            >
+              ◀
+            </button>
+            <button
+              type="button"
+              aria-label="Next step"
+              disabled={now.value.at === now.value.of - 1}
+              onClick={() => (seconds.value = (now.value!.at + 1) * sequence.step_shown_s)}
+            >
+              ▶
+            </button>
+            <span>
+              Step {now.value.step.number} of {now.value.of}
+            </span>
+          </div>
+          <input
+            type="range"
+            aria-label="Time of the assembly"
+            min="0"
+            max={length.value}
+            step="0.02"
+            value={seconds.value}
+            onInput={(event) => goTo(Number(event.currentTarget.value))}
+          />
+          <h3>{now.value.step.title}</h3>
+          <p>{now.value.step.text}</p>
+          {now.value.step.caution && <p class="caution">{now.value.step.caution}</p>}
+          {now.value.step.bends.length > 0 && (
+            <table>
+              <caption>Bends</caption>
+              <tbody>
+                {now.value.step.bends.map((bend) => (
+                  <tr key={`${bend.body} ${bend.hinge}`}>
+                    <th scope="row">
+                      {label(bend.body)}, {bend.hinge}
+                    </th>
+                    <td>
+                      {short(bend.from_deg, 1)}° to {short(bend.to_deg, 1)}°
+                    </td>
+                    <td>
+                      now{" "}
+                      {short(
+                        bend.from_deg + (bend.to_deg - bend.from_deg) * Math.max(0, Math.min(1, now.value!.share)),
+                        1,
+                      )}
+                      °
+                    </td>
+                    <td>{bend.load ? `strain ${short(bend.load.strain_percent, 0)} %` : ""}</td>
+                  </tr>
+                ))}
+              </tbody>
+            </table>
+          )}
+          <p class="about">
+            {now.value.step.repeats > 1 && `${now.value.step.repeats} times. `}With {now.value.step.tool},{" "}
+            {short(now.value.step.minutes)} minutes; all steps {short(sequence.minutes)} minutes.
+          </p>
+          <ol class="steps">
+            {sequence.steps.map((step, at) => (
+              <li key={step.number}>
+                <button
+                  type="button"
+                  class="link"
+                  aria-current={at === now.value?.at ? "step" : undefined}
+                  onClick={() => (seconds.value = at * sequence.step_shown_s)}
+                >
+                  {step.title}
+                </button>
+              </li>
+            ))}
+          </ol>
+        </>
+      )}
+      <button
+        type="button"
+        disabled={instructions.running.value}
+        onClick={() => void instructions.run(() => download(["instructions"]).then(() => null))}
+      >
+        Download the instructions (PDF)
+      </button>
+      <Progress of={instructions} words="Drawing the instructions" />
+    </div>
+  );
+}

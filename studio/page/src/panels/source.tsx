@@ -1,0 +1,85 @@
+// Story 1: the frame file as text, editable; refusals stand at their lines.
+import { useEffect, useRef, useState } from "preact/hooks";
+import { doc, presets, refused, take } from "../state/studio.ts";
+
+/** The text is read when nothing was typed for this long, ms. */
+const REST_MS = 350;
+
+/** A base that is a preset. */
+function known(base: string | undefined): string | undefined {
+  return presets.value?.frames.find(({ name }) => name === base)?.name;
+}
+
+export function Source() {
+  const [typed, setTyped] = useState<string | null>(null);
+  const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
+  const area = useRef<HTMLTextAreaElement>(null);
+  const text = typed ?? doc.value.text;
+  // What is set elsewhere shows here as soon as nobody types.
+  useEffect(() => setTyped(null), [doc.value.text]);
+  const refusal = refused.value?.refusal;
+  const line = refusal?.place?.file === `${doc.value.name}.toml` ? refusal.place.line : null;
+  const type = (next: string) => {
+    setTyped(next);
+    clearTimeout(timer.current);
+    timer.current = setTimeout(() => read(next), REST_MS);
+  };
+  const read = (next: string) => {
+    const base = /^\s*base\s*=\s*["']([^"']+)["']/m.exec(next)?.[1];
+    take({
+      ...doc.value,
+      text: next,
+      preset: known(base) ?? doc.value.preset,
+      name: doc.value.name === doc.value.preset ? `my-${doc.value.preset}` : doc.value.name,
+    });
+  };
+  const goTo = () => {
+    if (!area.current || line === null) return;
+    const start =
+      text
+        .split("\n")
+        .slice(0, line - 1)
+        .join("\n").length + (line > 1 ? 1 : 0);
+    area.current.focus();
+    area.current.setSelectionRange(start, start + (text.split("\n")[line - 1]?.length ?? 0));
+  };
+  return (
+    <div class="source">
+      <label for="toml">
+        <code>{doc.value.name}.toml</code>: what is not stated is that of the base
+      </label>
+      <div class="editor">
+        <pre class="lines" aria-hidden="true">
+          {text.split("\n").map((_, at) => (
+            <span key={at} class={at + 1 === line ? "wrong" : ""}>{`${at + 1}\n`}</span>
+          ))}
+        </pre>
+        <textarea
+          id="toml"
+          ref={area}
+          spellcheck={false}
+          autocomplete="off"
+          wrap="off"
+          rows={Math.max(12, text.split("\n").length + 1)}
+          value={text}
+          aria-invalid={refusal !== undefined}
+          aria-describedby="toml-refusal"
+          onInput={(event) => type(event.currentTarget.value)}
+        />
+      </div>
+      <div id="toml-refusal" role="status">
+        {refusal && (
+          <p class="fault">
+            {line !== null && (
+              <button type="button" class="link" onClick={goTo}>
+                line {line}
+              </button>
+            )}{" "}
+            {refusal.message}
+            {refusal.remedy && <span class="remedy">{refusal.remedy}</span>}
+          </p>
+        )}
+      </div>
+    </div>
+  );
+}

@@ -1,0 +1,188 @@
+// Story 2: how the frame is shown, what was clicked, and distances.
+import { effect, signal } from "@preact/signals";
+import type { Vector3 } from "three";
+import { catalogue, frame } from "../state/studio.ts";
+import { showParameter } from "../state/focus.ts";
+import { label, short, size } from "../ui/words.ts";
+import { sizeMm } from "../view/bodies.ts";
+import type { ColourBy } from "../view/colours.ts";
+import { centre, colourBy, discs, envelope, explode, picked, section, stage, viewer } from "../view/scene_state.ts";
+import { plate, showBed } from "../view/bed.ts";
+
+const measuring = signal(false);
+const points = signal<Vector3[]>([]);
+
+effect(() => {
+  const at = picked.value;
+  if (!measuring.peek() || !at) return;
+  const former = points.peek();
+  points.value = former.length >= 2 ? [at.at] : [...former, at.at];
+});
+effect(() => viewer.value?.showDistance(points.value));
+
+export function Toolbar() {
+  return (
+    <div class="toolbar" role="toolbar" aria-label="How the frame is shown">
+      <label>
+        Show{" "}
+        <select
+          aria-label="Show"
+          value={stage.value === "bed" ? "bed" : explode.value > 0 ? "exploded" : "assembled"}
+          onChange={(event) => {
+            const shown = event.currentTarget.value;
+            explode.value = shown === "exploded" ? 0.5 : 0;
+            void showBed(shown === "bed");
+          }}
+        >
+          <option value="assembled">assembled</option>
+          <option value="exploded">exploded</option>
+          <option value="bed">on the bed</option>
+        </select>
+      </label>
+      {stage.value === "bed" && plate.value && plate.value.of.length > 1 && (
+        <label>
+          Plate{" "}
+          <select
+            aria-label="Plate"
+            value={plate.value.at}
+            onChange={(event) => void showBed(true, Number(event.currentTarget.value))}
+          >
+            {plate.value.of.map((name, at) => (
+              <option key={name} value={at}>
+                {name}
+              </option>
+            ))}
+          </select>
+        </label>
+      )}
+      {explode.value > 0 && (
+        <input
+          type="range"
+          aria-label="How far apart"
+          min="0.05"
+          max="1.5"
+          step="0.05"
+          value={explode}
+          onInput={(event) => (explode.value = Number(event.currentTarget.value))}
+        />
+      )}
+      <label>
+        Colour by{" "}
+        <select
+          aria-label="Colour by"
+          value={colourBy}
+          onChange={(event) => (colourBy.value = event.currentTarget.value as ColourBy)}
+        >
+          <option value="material">material</option>
+          <option value="part">part</option>
+          <option value="finding">finding</option>
+        </select>
+      </label>
+      <Toggle of={envelope} words="Envelope" />
+      <Toggle of={discs} words="Propeller discs" />
+      <Toggle of={centre} words="Centre of mass" />
+      <label>
+        Section{" "}
+        <select
+          aria-label="Section"
+          value={section.value?.axis ?? ""}
+          onChange={(event) => {
+            const axis = event.currentTarget.value;
+            section.value = axis === "" ? null : { axis: axis as "x", atMm: section.value?.atMm ?? 0 };
+          }}
+        >
+          <option value="">none</option>
+          <option value="x">across (X)</option>
+          <option value="y">along (Y)</option>
+          <option value="z">level (Z)</option>
+        </select>
+      </label>
+      {section.value && (
+        <label>
+          <input
+            type="range"
+            aria-label="Where the section is, mm"
+            min="-120"
+            max="120"
+            step="1"
+            value={section.value.atMm}
+            onInput={(event) =>
+              (section.value = { axis: section.value?.axis ?? "x", atMm: Number(event.currentTarget.value) })
+            }
+          />
+          {section.value.atMm} mm
+        </label>
+      )}
+      <button
+        type="button"
+        aria-pressed={measuring}
+        onClick={() => {
+          measuring.value = !measuring.value;
+          points.value = [];
+        }}
+      >
+        Distance
+      </button>
+      <button type="button" onClick={() => viewer.value?.fit()}>
+        Fit
+      </button>
+    </div>
+  );
+}
+
+function Toggle({ of, words }: { of: { value: boolean }; words: string }) {
+  return (
+    <button type="button" aria-pressed={of.value} onClick={() => (of.value = !of.value)}>
+      {words}
+    </button>
+  );
+}
+
+export function Selection() {
+  const [a, b] = points.value;
+  const body = picked.value?.body;
+  const line = frame.value?.masses.lines.find(({ name }) => name === body?.facts.part);
+  const drivers = catalogue.value?.parameters.filter(({ drives }) => body && drives.includes(body.facts.part)) ?? [];
+  return (
+    <div class="selection" aria-live="polite">
+      {measuring.value && (
+        <p class="distance">
+          {a && b
+            ? `Distance ${short(1000 * a.distanceTo(b), 2)} mm`
+            : a
+              ? "Click the second point."
+              : "Click two points of the frame."}
+        </p>
+      )}
+      {body && !measuring.value && (
+        <div class="picked">
+          <button type="button" class="close" aria-label="Close" onClick={() => (picked.value = null)}>
+            ×
+          </button>
+          <h3>{body.facts.name}</h3>
+          <p>
+            {body.facts.part} · {body.facts.material} · {body.facts.quantity} of it
+          </p>
+          <p>
+            {size(sizeMm(body))}
+            {line && ` · ${short(line.each_g, 2)} g each (${line.basis})`}
+          </p>
+          {drivers.length > 0 && (
+            <details>
+              <summary>{drivers.length} parameters drive its shape</summary>
+              <ul>
+                {drivers.map(({ key }) => (
+                  <li key={key}>
+                    <button type="button" class="link" onClick={() => showParameter(key)}>
+                      {label(key)}
+                    </button>
+                  </li>
+                ))}
+              </ul>
+            </details>
+          )}
+        </div>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,55 @@
+// Files to take away: what the engine makes, to the last byte, alone or in a ZIP.
+import { zipSync } from "fflate";
+import type { EngineFile } from "../engine/messages.ts";
+import type { Doc } from "./doc.ts";
+import { checker, current, doc, shownDoc } from "./studio.ts";
+
+const TYPES: Record<string, string> = {
+  stl: "model/stl",
+  glb: "model/gltf-binary",
+  "3mf": "model/3mf",
+  step: "model/step",
+  csv: "text/csv",
+  pdf: "application/pdf",
+  toml: "application/toml",
+  zip: "application/zip",
+  json: "application/json",
+};
+
+/** Hands bytes to the browser under a name. */
+export function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+  const url = URL.createObjectURL(
+    new Blob([bytes], { type: TYPES[name.split(".").at(-1) ?? ""] ?? "application/octet-stream" }),
+  );
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}
+
+export async function made(which: string[], of: Doc | null = shownDoc.value): Promise<EngineFile[]> {
+  if (!of) return [];
+  const { handle } = await current.opened(of);
+  return (await checker.ask({ do: "files", handle, which })).files;
+}
+
+/** Makes files and saves them: one alone, several as a ZIP. */
+export async function download(which: string[], zipName = which.join("-")): Promise<void> {
+  const of = shownDoc.value;
+  const files = await made(which, of);
+  const only = files.length === 1 ? files[0] : undefined;
+  const frame = of?.name ?? "frame";
+  if (only) save(`${frame}-${only.path.split("/").at(-1)}`, only.bytes);
+  else if (files.length > 0) save(`${frame}-${zipName}.zip`, zipped(files));
+}
+
+/** A ZIP with the paths of the program's folder; the same files give the same bytes. */
+export function zipped(files: EngineFile[]): Uint8Array<ArrayBuffer> {
+  const entries = Object.fromEntries(files.map(({ path, bytes }) => [path, bytes]));
+  return zipSync(entries, { level: 6, mtime: new Date(1980, 0, 1) }) as Uint8Array<ArrayBuffer>;
+}
+
+export function saveText(): void {
+  save(`${doc.value.name}.toml`, new TextEncoder().encode(doc.value.text));
+}

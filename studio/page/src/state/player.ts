@@ -1,0 +1,60 @@
+// A motion in the picture: its time, playing and stopped.
+import { effect, signal } from "@preact/signals";
+import { stage, viewer } from "../view/scene_state.ts";
+
+export const seconds = signal(0);
+export const length = signal(0);
+export const playing = signal(false);
+/** Whose motion is shown. */
+export const owner = signal<"fold" | "drop" | null>(null);
+
+/** Seconds of the motion in a second. */
+let rate = 1;
+
+/** Shows a motion; `slower` plays it so many times slower than its file says. */
+export async function showMotion(by: "fold" | "drop", bytes: Uint8Array<ArrayBuffer>, slower = 1): Promise<void> {
+  const taken = await viewer.value?.move(bytes.slice());
+  length.value = taken ?? 0;
+  rate = 1 / slower;
+  owner.value = by;
+  stage.value = "motion";
+  seconds.value = 0;
+  viewer.value?.moveTo(0);
+  // Modules that are not together yet take more room than the frame.
+  if (by === "fold") viewer.value?.fit();
+}
+
+/** Puts the motion at a time, by hand. */
+export function goTo(at: number): void {
+  playing.value = false;
+  seconds.value = at;
+}
+
+export function hideMotion(by: "fold" | "drop"): void {
+  if (owner.value !== by) return;
+  owner.value = null;
+  playing.value = false;
+  stage.value = "frame";
+  void viewer.value?.move(null).then(() => by === "fold" && viewer.value?.fit());
+}
+
+effect(() => {
+  const at = seconds.value;
+  if (owner.value) viewer.value?.moveTo(at);
+});
+
+effect(() => {
+  if (!playing.value) return;
+  let last = performance.now();
+  let stopped = false;
+  const tick = (now: number) => {
+    if (stopped) return;
+    const next = seconds.peek() + ((now - last) / 1000) * rate;
+    last = now;
+    seconds.value = Math.min(next, length.peek());
+    if (next >= length.peek()) playing.value = false;
+    else requestAnimationFrame(tick);
+  };
+  requestAnimationFrame(tick);
+  return () => (stopped = true);
+});

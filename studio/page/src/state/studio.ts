@@ -1,0 +1,231 @@
+// The state of the page: what is edited, and what the engines said of it. Newer input replaces older that still waits.
+import { batch, computed, effect, signal } from "@preact/signals";
+import { EngineClient, Refused, Stopped } from "../engine/client.ts";
+import type { Catalogue, Checked, Finding, Opened, Presets, Read } from "../engine/answers.ts";
+import type { Refusal } from "../engine/messages.ts";
+import type { Doc } from "./doc.ts";
+import { identity, isUnchanged, keyAtLine, ofPreset, source } from "./doc.ts";
+import { FrameSlot } from "./frame_slot.ts";
+import { History } from "./history.ts";
+import type { Setting } from "./link.ts";
+import { fromFragment } from "./link.ts";
+import { restored, store } from "./storage.ts";
+
+/** Draws: pictures first, then quick checks. */
+export const shower = new EngineClient("shower");
+/** Everything that takes long: all checks, comparisons, folds, drops, files. */
+export const checker = new EngineClient("checker");
+export const shown = new FrameSlot(shower);
+export const current = new FrameSlot(checker);
+
+export const presets = signal<Presets | null>(null);
+export const catalogue = signal<Catalogue | null>(null);
+export const doc = signal<Doc>(ofPreset("cognifly"));
+/** The preset, as it is read. */
+export const base = signal<Read | null>(null);
+/** The frame of the picture: the last that was good. */
+export const frame = signal<Opened | null>(null);
+export const shownDoc = signal<Doc | null>(null);
+export const picture = signal<Uint8Array<ArrayBuffer> | null>(null);
+export const refused = signal<{ refusal: Refusal; key: string | null } | null>(null);
+export const computing = signal(false);
+/** Values that were set and are not in the text yet. */
+export const pending = signal<Record<string, Setting | null>>({});
+export const findings = signal<{ of: Finding[]; all: boolean; identity: string } | null>(null);
+export const checking = signal<{ done: number; of: number; name: string } | null>(null);
+export const notice = signal<string | null>(null);
+
+const history = new History();
+export const canUndo = history.canUndo;
+export const canRedo = history.canRedo;
+
+/** What a key is now: as it was just set, or as it is in the frame. */
+export function valueOf(key: string): Setting | null {
+  const set = pending.value[key];
+  if (set !== undefined && set !== null) return set;
+  const read = set === null ? base.value : frame.value;
+  return read?.values[key] ?? read?.choices[key] ?? null;
+}
+
+/** What it is in the preset. */
+export function baseOf(key: string): Setting | null {
+  return base.value?.values[key] ?? base.value?.choices[key] ?? null;
+}
+
+export function same(a: Setting | null, b: Setting | null): boolean {
+  return typeof a === "number" && typeof b === "number" ? Math.abs(a - b) < 1e-9 : a === b;
+}
+
+/** The keys that the frame file states otherwise than the preset. What follows from them is not among them. */
+export const changedKeys = computed(() => {
+  const set = Object.keys(pending.value).filter((key) => pending.value[key] !== null);
+  const keys = [...(frame.value?.stated ?? []).filter((key) => pending.value[key] !== null), ...set];
+  return new Set(keys.filter((key) => baseOf(key) !== null && !same(valueOf(key), baseOf(key))));
+});
+
+/** Whether the findings are those of what is shown. */
+export const findingsAreCurrent = computed(
+  () => findings.value !== null && shownDoc.value !== null && findings.value.identity === identity(shownDoc.value),
+);
+
+type Wanted = { doc: Doc; set: Record<string, Setting | null>; record: boolean; group: string | null; begun: number };
+let wanted: Wanted | null = null;
+let running = false;
+
+/** Sets values; `null` gives a key back to the preset. */
+export function set(values: Record<string, Setting | null>): void {
+  const entries = Object.entries(values).map(([key, value]) => [key, same(value, baseOf(key)) ? null : value] as const);
+  pending.value = { ...pending.value, ...Object.fromEntries(entries) };
+  const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
+  want({
+    doc: wanted?.doc ?? doc.value,
+    set: { ...wanted?.set, ...Object.fromEntries(entries) },
+    record: true,
+    group,
+    begun: performance.now(),
+  });
+}
+
+/** Takes another document: an edited text, another preset. */
+export function take(next: Doc, record = true): void {
+  pending.value = {};
+  want({ doc: next, set: {}, record, group: next.text === doc.value.text ? null : "text", begun: performance.now() });
+}
+
+export function undo(): void {
+  const former = history.undo();
+  if (former) take(former, false);
+}
+
+export function redo(): void {
+  const next = history.redo();
+  if (next) take(next, false);
+}
+
+function want(next: Wanted): void {
+  wanted = next;
+  if (!running) void run();
+}
+
+async function run(): Promise<void> {
+  running = true;
+  computing.value = true;
+  while (wanted) {
+    const now: Wanted = wanted;
+    wanted = null;
+    try {
+      await show(now);
+    } catch (error) {
+      if (error instanceof Stopped) {
+        notice.value = `The engine stopped and was started again: ${error.message}`;
+      } else if (error instanceof Refused) {
+        const place = error.refused.place;
+        const stated = place && place.file === `${doc.value.name}.toml` ? keyAtLine(doc.value.text, place.line) : null;
+        refused.value = { refusal: error.refused, key: stated ?? now.group };
+      } else {
+        notice.value = `This went wrong in the page: ${error instanceof Error ? error.message : String(error)}`;
+        console.error(error);
+      }
+    }
+  }
+  computing.value = false;
+  running = false;
+}
+
+async function show(now: Wanted): Promise<void> {
+  let next = now.doc;
+  if (Object.keys(now.set).length > 0) {
+    const { answer } = await shower.ask<{ text: string }>({ do: "edit", text: next.text, set: now.set });
+    const name = next.name === next.preset ? `my-${next.preset}` : next.name;
+    next = { ...next, text: answer.text, name };
+  }
+  if (base.value === null || next.preset !== doc.value.preset || base.value.name !== next.preset) {
+    base.value = (await shower.ask<Read>({ do: "read", frame: next.preset })).answer;
+  }
+  doc.value = next;
+  // What was set in the meantime belongs on top of this text.
+  if (wanted && Object.keys(wanted.set).length > 0) wanted.doc = next;
+  if (now.record) history.record(next, now.group);
+  store(next);
+  const opened = await shown.opened(next);
+  // A newer wish makes this picture useless.
+  if (wanted) return;
+  const { files } = await shower.ask({ do: "files", handle: opened.handle, which: ["glb"] });
+  const bytes = files[0]?.bytes;
+  if (!bytes) return;
+  batch(() => {
+    frame.value = opened;
+    shownDoc.value = next;
+    picture.value = bytes;
+    refused.value = null;
+    if (!wanted) pending.value = {};
+  });
+  performance.measure("change", { start: now.begun, end: performance.now() });
+  if (wanted) return;
+  const { answer } = await shower.ask<Checked>({ do: "findings", handle: opened.handle, quick: true });
+  const known = findings.value;
+  const found = answer.frames[0]?.findings ?? [];
+  if (!(known?.all && known.identity === identity(next)))
+    findings.value = { of: found, all: false, identity: identity(next) };
+}
+
+/** All checks, in the second engine, when nothing was changed for a moment. */
+let resting: ReturnType<typeof setTimeout> | undefined;
+effect(() => {
+  const of = shownDoc.value;
+  clearTimeout(resting);
+  if (of) resting = setTimeout(() => void checkAll(of), 500);
+});
+
+let checkRuns = false;
+async function checkAll(of: Doc): Promise<void> {
+  if (checkRuns) {
+    resting = setTimeout(() => void checkAll(of), 200);
+    return;
+  }
+  checkRuns = true;
+  try {
+    const { handle } = await current.opened(of);
+    const { answer } = await checker.ask<Checked>({ do: "findings", handle }, {}, (stage) => (checking.value = stage));
+    if (shownDoc.value && identity(shownDoc.value) === identity(of)) {
+      findings.value = { of: answer.frames[0]?.findings ?? [], all: true, identity: identity(of) };
+      performance.measure("all checks", { start: performance.now(), end: performance.now() });
+    }
+  } catch (error) {
+    if (error instanceof Stopped) notice.value = `The second engine stopped and was started again: ${error.message}`;
+    else if (!(error instanceof Refused)) throw error;
+  } finally {
+    checking.value = null;
+    checkRuns = false;
+  }
+}
+
+/** Starts: a link's frame, the one of before, or the first preset. */
+export async function begin(): Promise<void> {
+  const asked = performance.now();
+  const [known, listed] = await Promise.all([
+    shower.ask<Presets>({ do: "presets" }),
+    shower.ask<Catalogue>({ do: "catalogue" }),
+  ]);
+  presets.value = known.answer;
+  catalogue.value = listed.answer;
+  const first = known.answer.frames[0]?.name ?? "cognifly";
+  let start: Doc = restored(known.answer.frames.map(({ name }) => name)) ?? ofPreset(first);
+  let values: Record<string, Setting | null> = {};
+  try {
+    const keys = new Set([...listed.answer.parameters, ...listed.answer.choices].map(({ key }) => key));
+    const linked = fromFragment(location.hash, { presets: known.answer.frames.map(({ name }) => name), keys });
+    if (linked) {
+      start = { ...ofPreset(linked.preset), name: linked.name, text: linked.text ?? ofPreset(linked.preset).text };
+      values = linked.set;
+    }
+  } catch (error) {
+    notice.value = `The link cannot be read: ${error instanceof Error ? error.message : String(error)}. The frame of before is shown.`;
+  }
+  if (location.hash) window.history.replaceState(null, "", location.pathname + location.search);
+  doc.value = start;
+  pending.value = values;
+  want({ doc: start, set: values, record: true, group: null, begun: asked });
+}
+
+export { identity, isUnchanged, source };

@@ -1,0 +1,43 @@
+// A long piece of work as a panel shows it: running, at a stage, done, or failed in words.
+import { signal } from "@preact/signals";
+import { Refused, Stopped } from "../engine/client.ts";
+import type { Stage } from "../engine/messages.ts";
+
+export class Work<T> {
+  readonly result = signal<T | null>(null);
+  readonly failure = signal<string | null>(null);
+  readonly running = signal(false);
+  readonly stage = signal<Stage | null>(null);
+  #number = 0;
+
+  /** Does it; what was begun before and ends later is dropped. */
+  async run(work: (onStage: (stage: Stage) => void) => Promise<T>): Promise<void> {
+    const number = ++this.#number;
+    const latest = () => number === this.#number;
+    this.running.value = true;
+    this.failure.value = null;
+    try {
+      const result = await work((stage) => {
+        if (latest()) this.stage.value = stage;
+      });
+      if (latest()) this.result.value = result;
+    } catch (error) {
+      if (!(error instanceof Refused || error instanceof Stopped)) throw error;
+      const remedy = error instanceof Refused ? error.refused.remedy : null;
+      if (latest()) this.failure.value = [error.message, remedy].filter(Boolean).join(" – ");
+    } finally {
+      if (latest()) {
+        this.running.value = false;
+        this.stage.value = null;
+      }
+    }
+  }
+
+  clear(): void {
+    this.#number += 1;
+    this.result.value = null;
+    this.failure.value = null;
+    this.running.value = false;
+    this.stage.value = null;
+  }
+}

@@ -1,0 +1,73 @@
+// Curves by uPlot, drawn again when their data or the page's colours change. A table says the same to those who do not see it.
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { theme } from "../state/theme.ts";
+
+export type Curve = { name: string; points: [number, number][]; dashed?: boolean };
+type Props = { title: string; x: string; y: string; curves: Curve[]; height?: number };
+
+const COLOURS = ["#e8862e", "#3f7fd1", "#2f9e62", "#b3547a", "#8a8f2b", "#7c6bd6"];
+
+/** All curves over one axis: every point of any, `undefined` where a curve has none. */
+function joined(curves: Curve[]): uPlot.AlignedData {
+  const tables = curves.map(({ points }) => [points.map(([x]) => x), points.map(([, y]) => y)] as uPlot.AlignedData);
+  return tables.length > 0 ? uPlot.join(tables) : [[], []];
+}
+
+export function Plot({ title, x, y, curves, height = 190 }: Props) {
+  const place = useRef<HTMLDivElement>(null);
+  const shade = theme.value;
+  useEffect(() => {
+    const box = place.current;
+    if (!box) return;
+    const ink = getComputedStyle(box).color;
+    const axis = (label: string, size: number) => ({
+      label,
+      stroke: ink,
+      size,
+      labelSize: 18,
+      font: "12px system-ui",
+      labelFont: "12px system-ui",
+      grid: { stroke: "rgba(128,128,128,0.25)" },
+      ticks: { stroke: "rgba(128,128,128,0.4)" },
+    });
+    const plot = new uPlot(
+      {
+        width: box.clientWidth,
+        height,
+        scales: { x: { time: false } },
+        axes: [axis(x, 32), axis(y, 46)],
+        legend: { live: false },
+        series: [
+          { label: x },
+          ...curves.map(({ name, dashed }, at) => ({
+            label: name,
+            stroke: COLOURS[at % COLOURS.length]!,
+            width: 1.6,
+            spanGaps: true,
+            points: { show: false },
+            ...(dashed ? { dash: [6, 4] } : {}),
+          })),
+        ],
+      },
+      joined(curves),
+      box,
+    );
+    const resized = new ResizeObserver(() => plot.setSize({ width: box.clientWidth, height }));
+    resized.observe(box);
+    return () => {
+      resized.disconnect();
+      plot.destroy();
+    };
+  }, [curves, x, y, height, shade]);
+  const most = curves.map(
+    ({ name, points }) => `${name}: at most ${Math.max(...points.map(([, value]) => value)).toPrecision(4)}`,
+  );
+  return (
+    <figure class="plot">
+      <figcaption>{title}</figcaption>
+      <div ref={place} role="img" aria-label={`${title}, ${y} over ${x}. ${most.join("; ")}`} />
+    </figure>
+  );
+}

@@ -1,0 +1,64 @@
+// Colours of bodies: by material, by part, or by what the checks found. Shapes and words say the same, so nobody has to tell colours apart.
+import { MeshLambertMaterial } from "three";
+import type { Plane } from "three";
+import type { BodyFacts } from "./bodies.ts";
+import { isDisc } from "./bodies.ts";
+
+export type ColourBy = "material" | "part" | "finding";
+
+/** Colours that people with colour blindness tell apart: after P. Tol, "Colour schemes" (2021), muted and bright. */
+const PALETTE = [
+  0x4477aa, 0xee6677, 0x228833, 0xccbb44, 0x66ccee, 0xaa3377, 0xee8866, 0x99ddff, 0x44bb99, 0xddcc77, 0x882255,
+  0x999933,
+];
+
+const MATERIALS: Record<string, number> = { printed: 0xe8862e, rod: 0x3b3f45, bought: 0x8fa3b5 };
+
+export type Severity = "violated" | "note" | "holds";
+const SEVERITIES: Record<Severity, number> = { violated: 0xd1344b, note: 0xd9a520, holds: 0x4c9f70 };
+
+export class Colours {
+  #cache = new Map<string, MeshLambertMaterial>();
+  #parts: string[] = [];
+  #materials: string[] = [];
+  clipping: Plane[] = [];
+
+  /** Forgets the names of a former frame; colours of names that stay do not change. */
+  know(facts: BodyFacts[]): void {
+    for (const { part, kind, material } of facts) {
+      if (!this.#parts.includes(part)) this.#parts.push(part);
+      if (kind === "printed" && !this.#materials.includes(material)) this.#materials.push(material);
+    }
+  }
+
+  material(
+    facts: BodyFacts,
+    by: ColourBy,
+    severity: Severity | undefined,
+    lit: boolean,
+    ghost: boolean,
+  ): MeshLambertMaterial {
+    const colour = ghost ? 0x5566ff : lit ? 0x2f7bff : this.#colour(facts, by, severity);
+    const key = `${colour} ${ghost} ${isDisc(facts)}`;
+    const known = this.#cache.get(key);
+    if (known) return known;
+    const seeThrough = ghost || isDisc(facts);
+    const made = new MeshLambertMaterial({
+      color: colour,
+      flatShading: true,
+      transparent: seeThrough,
+      opacity: ghost ? 0.28 : isDisc(facts) ? 0.22 : 1,
+      depthWrite: !seeThrough,
+      clippingPlanes: this.clipping,
+    });
+    this.#cache.set(key, made);
+    return made;
+  }
+
+  #colour(facts: BodyFacts, by: ColourBy, severity: Severity | undefined): number {
+    if (by === "finding") return severity ? SEVERITIES[severity] : 0xb9c0c8;
+    if (by === "part") return PALETTE[this.#parts.indexOf(facts.part) % PALETTE.length] ?? 0x999999;
+    if (facts.kind === "printed" && this.#materials.indexOf(facts.material) > 0) return 0x4a5568;
+    return MATERIALS[facts.kind] ?? 0x999999;
+  }
+}

@@ -1,0 +1,72 @@
+// What the picture shows, as signals, and the one viewer of the page.
+import { computed, effect, signal } from "@preact/signals";
+import { findings, frame, picture } from "../state/studio.ts";
+import { touched } from "../state/places.ts";
+import type { ColourBy, Severity } from "./colours.ts";
+import type { Look, Picked, Viewer } from "./viewer.ts";
+
+export const viewer = signal<Viewer | null>(null);
+export const colourBy = signal<ColourBy>("material");
+export const explode = signal(0);
+export const discs = signal(false);
+export const envelope = signal(false);
+export const centre = signal(false);
+export const section = signal<Look["section"]>(null);
+export const ghost = signal(false);
+export const picked = signal<Picked | null>(null);
+/** Parts of the parameter or the finding that is looked at. */
+export const lit = signal<Set<string>>(new Set());
+/** What the picture shows instead of the assembled frame. */
+export const stage = signal<"frame" | "bed" | "motion">("frame");
+
+/** The worst that the checks found of each body or part. */
+const severities = computed(() => {
+  const worst = new Map<string, Severity>();
+  if (colourBy.value !== "finding") return worst;
+  const facts = frame.value ? (viewer.value?.facts() ?? []) : [];
+  for (const finding of findings.value?.of ?? []) {
+    for (const name of touched(finding.subject, facts)) {
+      if (finding.verdict === "violated" || (finding.verdict === "note" && worst.get(name) !== "violated"))
+        worst.set(name, finding.verdict);
+      else if (!worst.has(name)) worst.set(name, "holds");
+    }
+  }
+  return worst;
+});
+
+export const look = computed<Look>(() => {
+  const values = frame.value?.values ?? {};
+  const width = values["limits.envelope_width_mm"] ?? 0;
+  const depth = values["limits.envelope_depth_mm"] ?? width;
+  const height = values["limits.envelope_height_mm"] ?? 0;
+  const own = picked.value ? [picked.value.body.facts.name] : [];
+  return {
+    colourBy: colourBy.value,
+    explode: explode.value,
+    discs: discs.value,
+    envelopeMm: envelope.value ? [width, depth, height] : null,
+    centreMm: centre.value ? (frame.value?.masses.centre_of_mass_mm ?? null) : null,
+    section: section.value,
+    lit: new Set([...lit.value, ...own]),
+    severities: severities.value,
+    ghost: ghost.value,
+  };
+});
+
+/** Joins a viewer to the state. */
+export function join(made: Viewer): void {
+  viewer.value = made;
+  made.onPick = (at) => (picked.value = at);
+  effect(() => {
+    const bytes = picture.value;
+    // The viewer takes the buffer apart: it gets a copy of what others may still read.
+    if (bytes) void made.show(bytes.slice()).then(() => (shownPictures.value += 1));
+  });
+  effect(() => {
+    void shownPictures.value;
+    made.apply(look.value);
+  });
+}
+
+/** How many pictures were shown: what is measured of the picture follows from it. */
+export const shownPictures = signal(0);

@@ -1,0 +1,319 @@
+// The picture of the frame: drawn when something changes, and not otherwise. Lengths in the scene are metres, up is Y.
+import {
+  AnimationMixer,
+  Box3,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  PerspectiveCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Sphere,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import type { Mesh } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Body, BodyFacts, Picture } from "./bodies.ts";
+import { dispose, isDisc, readPicture } from "./bodies.ts";
+import type { ColourBy, Severity } from "./colours.ts";
+import { Colours } from "./colours.ts";
+import * as marks from "./marks.ts";
+
+export type Look = {
+  colourBy: ColourBy;
+  /** How far bodies are moved apart, as a share of their distance from the hub's axis. */
+  explode: number;
+  discs: boolean;
+  /** Width, depth and height of the box of the limits, mm; none to hide it. */
+  envelopeMm: [number, number, number] | null;
+  /** The centre of mass in the frame's axes, mm. */
+  centreMm: [number, number, number] | null;
+  /** What is cut away: beyond this along an axis of the frame, mm. */
+  section: { axis: "x" | "y" | "z"; atMm: number } | null;
+  lit: Set<string>;
+  severities: Map<string, Severity>;
+  ghost: boolean;
+};
+
+export type Picked = { body: Body; at: Vector3 };
+
+/** From the frame's axes (X right, Y front, Z up, mm) to the scene's. */
+export function toScene([x, y, z]: readonly number[]): Vector3 {
+  return new Vector3((x ?? 0) / 1000, (z ?? 0) / 1000, -(y ?? 0) / 1000);
+}
+
+export class Viewer {
+  readonly renderer: WebGLRenderer;
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(35, 1, 0.005, 20);
+  readonly controls: OrbitControls;
+  onPick: (picked: Picked | null) => void = () => undefined;
+  /** Drawings so far. */
+  drawn = 0;
+  #colours = new Colours();
+  #plane = new Plane();
+  #picture: Picture | null = null;
+  #ghost: Picture | null = null;
+  #motion: { picture: Picture; mixer: AnimationMixer; seconds: number } | null = null;
+  #extra = new Group();
+  #marks = new Group();
+  #look: Look | null = null;
+  #asked = false;
+  #placed = false;
+  #latest = 0;
+
+  constructor(readonly canvas: HTMLCanvasElement) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.localClippingEnabled = true;
+    this.camera.position.set(0.25, 0.22, -0.36);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    const sun = new DirectionalLight(0xffffff, 2.2);
+    sun.position.set(0.6, 1, 0.4);
+    this.camera.add(sun);
+    this.scene.add(this.camera, new HemisphereLight(0xffffff, 0x8d99a6, 1.6), this.#extra, this.#marks);
+    new ResizeObserver(() => this.#resize()).observe(canvas.parentElement ?? canvas);
+    this.#listen();
+    this.#resize();
+  }
+
+  /** Shows a frame; the camera stays where it is. */
+  async show(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+    const number = ++this.#latest;
+    const picture = await readPicture(bytes);
+    if (number !== this.#latest) return dispose(picture.root);
+    if (this.#picture) this.#remove(this.#picture);
+    this.#picture = picture;
+    this.scene.add(picture.root);
+    this.#colours.know(picture.bodies.map(({ facts }) => facts));
+    if (!this.#placed) this.fit();
+    this.#placed = true;
+    this.apply(this.#look);
+  }
+
+  /** Shows another frame through this one; `null` takes it away. */
+  async overlay(bytes: Uint8Array<ArrayBuffer> | null): Promise<void> {
+    const picture = bytes ? await readPicture(bytes) : null;
+    if (this.#ghost) this.#remove(this.#ghost);
+    this.#ghost = picture;
+    if (picture) this.scene.add(picture.root);
+    this.apply(this.#look);
+  }
+
+  /** Shows a motion in the place of the frame; gives its length, s. `null` shows the frame again. */
+  async move(bytes: Uint8Array<ArrayBuffer> | null): Promise<number> {
+    if (this.#motion) this.#remove(this.#motion.picture);
+    this.#motion = null;
+    if (bytes) {
+      const picture = await readPicture(bytes);
+      const mixer = new AnimationMixer(picture.root);
+      const seconds = Math.max(0, ...picture.clips.map(({ duration }) => duration));
+      for (const clip of picture.clips) mixer.clipAction(clip).play();
+      picture.root.traverse((object) => (object.frustumCulled = false));
+      this.#motion = { picture, mixer, seconds };
+      this.#colours.know(picture.bodies.map(({ facts }) => facts));
+      this.scene.add(picture.root);
+    }
+    this.apply(this.#look);
+    return this.#motion?.seconds ?? 0;
+  }
+
+  /** Puts the motion at a time, s. */
+  moveTo(seconds: number): void {
+    if (!this.#motion) return;
+    this.#motion.mixer.setTime(Math.min(seconds, this.#motion.seconds - 1e-4));
+    this.draw();
+  }
+
+  /** Objects shown in the place of the frame, such as a bed with parts; none shows the frame again. */
+  replace(objects: Group | null): void {
+    for (const child of [...this.#extra.children]) {
+      dispose(child);
+      this.#extra.remove(child);
+    }
+    if (objects) this.#extra.add(objects);
+    this.apply(this.#look);
+  }
+
+  apply(look: Look | null): void {
+    this.#look = look;
+    if (!look) return;
+    const section = look.section;
+    this.#colours.clipping.length = 0;
+    if (section) {
+      const normal = toScene([
+        section.axis === "x" ? -1000 : 0,
+        section.axis === "y" ? -1000 : 0,
+        section.axis === "z" ? -1000 : 0,
+      ]);
+      this.#plane.set(normal.normalize(), section.atMm / 1000);
+      this.#colours.clipping.push(this.#plane);
+    }
+    const replaced = this.#motion !== null || this.#extra.children.length > 0;
+    for (const picture of [this.#picture, this.#ghost, this.#motion?.picture]) {
+      if (!picture) continue;
+      const ghost = picture === this.#ghost;
+      picture.root.visible =
+        picture === this.#motion?.picture ? this.#extra.children.length === 0 : !replaced && (!ghost || look.ghost);
+      for (const body of picture.bodies) this.#dress(body, look, ghost, picture === this.#motion?.picture);
+    }
+    dispose(this.#marks);
+    this.#marks.clear();
+    if (look.envelopeMm && !replaced) this.#marks.add(marks.box(look.envelopeMm, this.#lowest()));
+    if (look.centreMm && !replaced) this.#marks.add(marks.cross(toScene(look.centreMm)));
+    this.draw();
+  }
+
+  /** Points and the line between them. */
+  showDistance(points: Vector3[]): void {
+    for (const child of this.#marks.children.filter(({ name }) => name === "distance")) this.#marks.remove(child);
+    if (points.length > 0) this.#marks.add(marks.distance(points));
+    this.draw();
+  }
+
+  /** The camera looks at everything that is shown. */
+  fit(): void {
+    this.#lookAt(this.#motion ? new Box3().setFromObject(this.#motion.picture.root) : this.#bounds());
+  }
+
+  /** The camera goes to the bodies of these names, and keeps its direction. */
+  fly(names: Set<string>): boolean {
+    const box = new Box3();
+    for (const { facts, mesh } of this.#picture?.bodies ?? []) {
+      if (names.has(facts.name) || names.has(facts.part)) box.expandByObject(mesh);
+    }
+    if (box.isEmpty()) return false;
+    this.#lookAt(box.expandByScalar(0.02));
+    return true;
+  }
+
+  facts(): BodyFacts[] {
+    return this.#picture?.bodies.map(({ facts }) => facts) ?? [];
+  }
+
+  /** Width, depth and height of everything but the discs, mm. */
+  sizeMm(): [number, number, number] {
+    const size = this.#bounds().getSize(new Vector3()).multiplyScalar(1000);
+    return [size.x, size.z, size.y];
+  }
+
+  draw(): void {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => {
+      this.#asked = false;
+      this.renderer.render(this.scene, this.camera);
+      this.drawn += 1;
+      this.canvas.dataset.drawn = String(this.drawn);
+    });
+  }
+
+  #dress(body: Body, look: Look, ghost: boolean, moving: boolean): void {
+    const { mesh } = body;
+    const facts = moving ? this.#knownAs(body.facts) : body.facts;
+    const severity = look.severities.get(facts.name) ?? look.severities.get(facts.part);
+    const lit = look.lit.has(facts.part) || look.lit.has(facts.name);
+    mesh.material = this.#colours.material(facts, look.colourBy, severity, lit && !ghost, ghost);
+    mesh.visible = look.discs || !isDisc(facts);
+    if (!moving) mesh.position.copy(body.rest).addScaledVector(body.middle, look.explode);
+  }
+
+  /** The files of motions say less of a body than that of the frame. */
+  #knownAs(facts: BodyFacts): BodyFacts {
+    const bodies = this.#picture?.bodies ?? [];
+    const known =
+      bodies.find((body) => body.facts.name === facts.name) ??
+      bodies.find((body) => facts.name.startsWith(body.facts.part));
+    return known?.facts ?? facts;
+  }
+
+  #lowest(): number {
+    return this.#bounds().min.y;
+  }
+
+  /** What bounds everything but the discs. */
+  #bounds(): Box3 {
+    const box = new Box3();
+    const loose = new Box3();
+    // By the corners themselves, as boxes of turned boxes are too large; a body whose large box lies inside adds nothing.
+    for (const { facts, mesh } of this.#picture?.bodies ?? []) {
+      if (!isDisc(facts) && !box.containsBox(loose.setFromObject(mesh))) box.expandByObject(mesh, true);
+    }
+    return box;
+  }
+
+  #lookAt(box: Box3): void {
+    if (box.isEmpty()) return;
+    const sphere = box.getBoundingSphere(new Sphere());
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    const share = Math.min(1, this.camera.aspect);
+    const distance = (0.88 * sphere.radius) / Math.sin((this.camera.fov * Math.PI) / 360) / share;
+    this.controls.target.copy(sphere.center);
+    this.camera.position.copy(sphere.center).addScaledVector(direction, distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  #remove(picture: Picture): void {
+    this.scene.remove(picture.root);
+    dispose(picture.root);
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  #listen(): void {
+    let from: Vector2 | null = null;
+    this.canvas.addEventListener("pointerdown", (event) => (from = new Vector2(event.clientX, event.clientY)));
+    this.canvas.addEventListener("pointerup", (event) => {
+      const moved = from?.distanceTo(new Vector2(event.clientX, event.clientY)) ?? Infinity;
+      if (moved < 4) this.onPick(this.#under(event));
+    });
+    this.canvas.addEventListener("keydown", (event) => {
+      const turns: Record<string, [number, number]> = {
+        ArrowLeft: [-0.1, 0],
+        ArrowRight: [0.1, 0],
+        ArrowUp: [0, -0.1],
+        ArrowDown: [0, 0.1],
+      };
+      const turn = turns[event.key];
+      const zoom = { "+": 0.9, "-": 1 / 0.9 }[event.key];
+      if (!turn && !zoom) return;
+      event.preventDefault();
+      const way = this.camera.position.clone().sub(this.controls.target);
+      if (turn) {
+        way.applyAxisAngle(this.camera.up, turn[0]);
+        const side = new Vector3().crossVectors(this.camera.up, way).normalize();
+        way.applyAxisAngle(side, turn[1]);
+      }
+      this.camera.position.copy(this.controls.target).addScaledVector(way, zoom ?? 1);
+      this.controls.update();
+      this.draw();
+    });
+  }
+
+  #under(event: PointerEvent): Picked | null {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const at = new Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
+    const ray = new Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const meshes = this.#picture?.root.visible ? this.#picture.bodies.filter(({ mesh }) => mesh.visible) : [];
+    const hits = ray.intersectObjects<Mesh>(
+      meshes.map(({ mesh }) => mesh),
+      false,
+    );
+    const kept = hits.find(({ point }) => !this.#look?.section || this.#plane.distanceToPoint(point) >= 0);
+    const body = meshes.find(({ mesh }) => mesh === kept?.object);
+    return kept && body ? { body, at: kept.point } : null;
+  }
+}

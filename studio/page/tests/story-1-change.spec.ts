@@ -1,0 +1,83 @@
+// Story 1: choose and change.
+import { checked, expect, mass, openField, setNumber, settled, shot, start, test } from "./studio.ts";
+
+test("a preset is chosen, values change the frame, and each can be reset", async ({ page }) => {
+  await start(page);
+  await shot(page, "1-first");
+  const first = await mass(page);
+  await page.getByLabel("Preset").selectOption("cognifly-mini");
+  await settled(page);
+  await expect(page.locator("[data-gauge=mass] b")).not.toHaveText(`${first} g`);
+  await page.getByLabel("Preset").selectOption("cognifly");
+  await settled(page);
+  expect(await mass(page)).toBe(first);
+  await setNumber(page, "rods.arm_rod_length_mm", "90");
+  await expect(page.locator("[data-gauge=mass] b")).not.toHaveText(`${first} g`);
+  const field = page.locator('[data-key="rods.arm_rod_length_mm"]');
+  await expect(field).toHaveClass(/changed/);
+  await expect(page.getByText("changed (1)")).toBeVisible();
+  await page.getByLabel("Bought parts, materials, printer").isVisible();
+  await page.getByText("Bought parts, materials, printer").click();
+  const battery = page.locator('[id="c-bought.battery"]');
+  await expect(battery.locator("option").first()).toContainText(/mm.*g/);
+  await battery.selectOption("battery-2s-850");
+  await settled(page);
+  await expect(page.getByText("changed (2)", { exact: false })).toBeVisible();
+  await shot(page, "1-changed");
+  await field.getByRole("button", { name: /Reset/ }).click();
+  await settled(page);
+  await expect(field).not.toHaveClass(/changed/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("90");
+  for (let steps = 0; steps < 2; steps++) {
+    await page.getByRole("button", { name: "Undo" }).click();
+    await settled(page);
+  }
+  expect(await mass(page)).toBe(first);
+  await page.getByRole("button", { name: "Redo" }).click();
+  await settled(page);
+  await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("90");
+});
+
+test("parameters are found by words, and what differs is listed", async ({ page }) => {
+  await start(page);
+  await page.getByLabel("Search parameters").fill("hinge thickness");
+  await expect(page.locator('[data-key="corner.corner_hinge_thickness_mm"]')).toBeVisible();
+  await expect(page.locator('[data-key="rods.arm_rod_length_mm"]')).toHaveCount(0);
+  await page.getByLabel("Search parameters").fill("no such thing");
+  await expect(page.getByText("Nothing fits")).toBeVisible();
+});
+
+test("the frame file is edited as text, both ways, with the words of the command line", async ({ page }) => {
+  await start(page);
+  await setNumber(page, "rods.arm_rod_length_mm", "90");
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  const text = page.locator("#toml");
+  await expect(text).toHaveValue(/\[rods\]\narm_rod_length_mm = 90.0/);
+  await text.fill('base = "cognifly"\n\n[rods]\n# shorter\narm_rod_length_mm = 85.0\nstrut_rod_lenght_mm = 50.0\n');
+  await expect(page.locator("#toml-refusal")).toContainText("did you mean");
+  await expect(page.locator("#toml-refusal")).toContainText("line 6");
+  await shot(page, "1-refused-text");
+  await text.fill('base = "cognifly"\n\n[rods]\n# shorter\narm_rod_length_mm = 85.0\n');
+  await expect(page.locator("#toml-refusal")).toBeEmpty();
+  await settled(page);
+  await setNumber(page, "rods.strut_rod_length_mm", "51");
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  await expect(text).toHaveValue(/# shorter\narm_rod_length_mm = 85.0\nstrut_rod_length_mm = 51.0/);
+});
+
+test("a refusal stands beside its field, and the last good picture stays", async ({ page }) => {
+  await start(page);
+  const first = await mass(page);
+  await setNumber(page, "rods.arm_rod_length_mm", "4000");
+  const field = page.locator('[data-key="rods.arm_rod_length_mm"]');
+  await expect(field.locator(".fault")).toContainText("arm_rod_length_mm");
+  await expect(page.locator(".refusal")).toBeVisible();
+  expect(await mass(page)).toBe(first);
+  await shot(page, "1-refused-value");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(page.locator(".refusal")).toHaveCount(0);
+  await checked(page);
+});

@@ -1,0 +1,83 @@
+// Story 2: see.
+import type { Page } from "@playwright/test";
+import { expect, openField, settled, shot, start, test } from "./studio.ts";
+
+/** Clicks the picture in places around its middle until a body is hit. */
+async function clickBody(page: Page, again = 0): Promise<void> {
+  const box = (await page.locator("canvas").boundingBox())!;
+  for (const [x, y] of [
+    [0.5, 0.5],
+    [0.5, 0.55],
+    [0.47, 0.52],
+    [0.53, 0.5],
+    [0.5, 0.45],
+    [0.45, 0.5],
+  ].slice(again)) {
+    await page.mouse.click(box.x + box.width * x!, box.y + box.height * y!);
+    if (await page.locator(".picked, .distance").first().isVisible()) return;
+  }
+}
+
+test("assembled, apart and on the bed, in three colourings", async ({ page }) => {
+  await start(page);
+  await page.getByLabel("Show", { exact: true }).selectOption("exploded");
+  await page.getByLabel("Colour by").selectOption("part");
+  await shot(page, "2-exploded");
+  await page.getByLabel("Show", { exact: true }).selectOption("bed");
+  await expect(page.getByLabel("Plate", { exact: true })).toBeVisible({ timeout: 60_000 });
+  await page.waitForTimeout(1500);
+  await shot(page, "2-bed");
+  await page.getByLabel("Show", { exact: true }).selectOption("assembled");
+  await page.getByLabel("Preset").selectOption("cognifly-v8");
+  await settled(page);
+  await page.getByLabel("Colour by").selectOption("finding");
+  await page.getByRole("button", { name: "Envelope", exact: true }).click();
+  await page.getByRole("button", { name: "Propeller discs", exact: true }).click();
+  await page.getByRole("button", { name: "Centre of mass", exact: true }).click();
+  await page.waitForTimeout(1000);
+  await shot(page, "2-finding");
+});
+
+test("a click names a part and what drives it; a parameter lights its parts; distances; a section", async ({
+  page,
+}) => {
+  await start(page);
+  await clickBody(page);
+  await expect(page.locator(".picked")).toContainText("mm");
+  await expect(page.locator(".picked")).toContainText(" g each");
+  await shot(page, "2-picked");
+  await page.getByRole("button", { name: "Close" }).click();
+  await (await openField(page, "motor_mount.motor_skirt_wall_mm")).focus();
+  await page.waitForTimeout(500);
+  await shot(page, "2-lit");
+  await page.getByLabel("Section", { exact: true }).selectOption("y");
+  await page.waitForTimeout(500);
+  await shot(page, "2-section");
+  await page.getByLabel("Section", { exact: true }).selectOption("");
+  await page.getByRole("button", { name: "Distance" }).click();
+  const box = (await page.locator("canvas").boundingBox())!;
+  for (let at = 0; at < 40 && !/Distance \d/.test(await page.locator(".distance").innerText()); at++) {
+    await page.mouse.click(
+      box.x + box.width * (0.4 + 0.01 * (at % 20)),
+      box.y + box.height * (0.45 + 0.1 * Math.floor(at / 20)),
+    );
+    await page.waitForTimeout(60);
+  }
+  await expect(page.locator(".distance")).toContainText(/Distance \d+(\.\d+)? mm/);
+  await shot(page, "2-distance");
+});
+
+test("the camera stays where it is when something changes", async ({ page }) => {
+  await start(page);
+  const canvas = page.locator("canvas");
+  await canvas.focus();
+  for (let turns = 0; turns < 6; turns++) await page.keyboard.press("ArrowLeft");
+  await page.waitForTimeout(400);
+  await shot(page, "2-turned");
+  const field = await openField(page, "rods.strut_rod_length_mm");
+  await field.fill("52");
+  await field.press("Enter");
+  await settled(page);
+  await page.waitForTimeout(400);
+  await shot(page, "2-turned-changed");
+});

@@ -1,0 +1,82 @@
+// Story 7: take away.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import type { Page } from "@playwright/test";
+import { unzipSync } from "fflate";
+import { expect, settled, shot, start, test } from "./studio.ts";
+
+const program = resolve(process.env["FLEXFRAME"] ?? "../../target/release/flexframe");
+const PRESETS = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
+
+async function downloaded(page: Page, button: string | RegExp): Promise<Map<string, Uint8Array>> {
+  const waiting = page.waitForEvent("download", { timeout: 80_000 });
+  await page.getByRole("button", { name: button }).click();
+  const file = await waiting;
+  const bytes = readFileSync(await file.path());
+  const name = file.suggestedFilename();
+  return name.endsWith(".zip") ? new Map(Object.entries(unzipSync(bytes))) : new Map([[name, bytes]]);
+}
+
+test("downloads have the bytes of the command line, for every preset", async ({ page }) => {
+  test.setTimeout(300_000);
+  const folder = mkdtempSync(join(tmpdir(), "studio-"));
+  await start(page);
+  await page.getByRole("tab", { name: "Files" }).click();
+  await shot(page, "7-files");
+  for (const preset of PRESETS) {
+    execFileSync(program, ["build", preset, "--no-pictures", "-q", "-o", folder]);
+    const native = (path: string) => readFileSync(join(folder, preset, path));
+    await page.getByLabel("Preset").selectOption(preset);
+    await settled(page);
+    for (const [path, bytes] of await downloaded(page, /^STL, every part/))
+      expect(native(path).equals(bytes), `${preset} ${path}`).toBe(true);
+    for (const [path, bytes] of await downloaded(page, /^3MF plates/))
+      expect(native(path).equals(bytes), `${preset} ${path}`).toBe(true);
+    const glb = await downloaded(page, /^GLB/);
+    expect(native("frame.glb").equals(glb.get(`${preset}-frame.glb`)!), preset).toBe(true);
+    const bill = await downloaded(page, /^Bill/);
+    expect(native("bom.csv").equals(bill.get(`${preset}-bom.csv`)!), preset).toBe(true);
+  }
+});
+
+test("a link holds 20 changes in 2 kB and opens the same model; the frame file is that of the command line", async ({
+  page,
+  context,
+}) => {
+  await start(page);
+  const listed = JSON.parse(execFileSync(program, ["params", "cognifly", "--json"], { encoding: "utf8" })) as {
+    key: string;
+    value: number;
+    max: number;
+    drives: string[];
+  }[];
+  const chosen = listed
+    .filter(({ value, max, drives, key }) => drives.length > 0 && value + 0.01 < max && !key.startsWith("fit."))
+    .slice(0, 20);
+  expect(chosen.length).toBe(20);
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  const lines = chosen.map(({ key, value }) => `${key} = ${(value + 0.01).toFixed(3)}`);
+  await page.locator("#toml").fill(['base = "cognifly"', ...lines, ""].join("\n"));
+  await expect(page.locator("#toml-refusal")).toBeEmpty();
+  await page.getByRole("tab", { name: "Values" }).click();
+  await expect(page.getByText("changed (20)")).toBeVisible({ timeout: 40_000 });
+  await settled(page);
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.getByRole("button", { name: "Copy the link" }).click();
+  const link = await page.getByLabel("Link", { exact: true }).inputValue();
+  expect(link.length).toBeLessThan(2000);
+  const mine = await downloaded(page, /^GLB/);
+  const text = await downloaded(page, /^Frame file/);
+  const other = await context.newPage();
+  await start(other, link.slice(link.indexOf("#")));
+  await expect(other.getByText("changed (20)")).toBeVisible();
+  await other.getByRole("tab", { name: "Files" }).click();
+  const theirs = await downloaded(other, /^GLB/);
+  expect(Buffer.from(theirs.get("my-cognifly-frame.glb")!).equals(mine.get("my-cognifly-frame.glb")!)).toBe(true);
+  const folder = mkdtempSync(join(tmpdir(), "studio-"));
+  writeFileSync(join(folder, "my-cognifly.toml"), text.get("my-cognifly.toml")!);
+  execFileSync(program, ["build", join(folder, "my-cognifly.toml"), "--no-pictures", "-q", "-o", folder]);
+  expect(readFileSync(join(folder, "my-cognifly", "frame.glb")).equals(mine.get("my-cognifly-frame.glb")!)).toBe(true);
+});
