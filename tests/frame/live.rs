@@ -21,7 +21,7 @@ const STEPS: usize = 500;
 const WALKS: usize = 10;
 /// Every so many steps the frame is made from nothing, too; `FLEXFRAME_LIVE_EVERY=1` does it at each. What a step takes wrongly from
 /// before stays wrong until its inputs change again, so most faults outlive some steps.
-const EVERY: usize = 10;
+const EVERY: usize = 20;
 /// Every so many steps memory is emptied, and only the storage is left.
 const FORGOTTEN: usize = 24;
 /// How far from its value towards a bound a parameter is moved at most.
