@@ -29,7 +29,7 @@ fn survives(name: &str, bytes: &[u8], plots: bool) -> bool {
             assert!(measure_data::heights_csv(groups).expect("is a table").lines().count() == groups.len() + 1);
             assert!(measure_data::drops_csv(groups).expect("is a table").lines().count() > groups.len());
             if plots {
-                measure_plots::plots(&groups).expect("can be drawn");
+                measure_plots::plots(groups).expect("can be drawn");
             }
             true
         }

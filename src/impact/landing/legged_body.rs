@@ -56,7 +56,7 @@ pub struct Slopes {
 impl Slopes {
     /// Standard deviation of the slope along a diagonal after a fall, rad.
     pub fn deviation_rad(&self, fall_s: f64) -> f64 {
-        (self.rate_rad_s * fall_s).hypot(self.at_release_rad)
+        libm::hypot(self.rate_rad_s * fall_s, self.at_release_rad)
     }
 }
 

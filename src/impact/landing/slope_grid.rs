@@ -103,7 +103,7 @@ mod tests {
             let [p, q] =
                 point.around.iter().fold([0.0; 2], |[p, q], (at, weight)| [p + weight * simulated[*at][0], q + weight * simulated[*at][1]]);
             // A chord of the arc between two directions is a little shorter than the arc.
-            assert!((p.hypot(q) - point.slope_rad).abs() <= 0.01 * point.slope_rad + 1e-12);
+            assert!((libm::hypot(p, q) - point.slope_rad).abs() <= 0.01 * point.slope_rad + 1e-12);
         }
     }
 }

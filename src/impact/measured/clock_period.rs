@@ -67,7 +67,12 @@ impl ClockPeriod {
         let needed = RISE.max(RISE_OVER_MEDIAN * rises.get(rises.len() / 2)?);
         let best = all.into_iter().filter(|period| pooled.rises_in_each(period)).max_by(|a, b| a.rise.total_cmp(&b.rise))?;
         let cell = cell as f64;
-        (best.rise >= needed).then(|| Self { samples: best.samples * cell, begin: best.begin * cell, stretch: best.stretch * cell, ..best })
+        (best.rise >= needed).then_some(Self {
+            samples: best.samples * cell,
+            begin: best.begin * cell,
+            stretch: best.stretch * cell,
+            ..best
+        })
     }
 }
 

@@ -6,16 +6,20 @@
 //! [`Landings`] bodies that land on one foot first.
 
 mod bezier;
+mod fine_wave;
 mod hidden;
 mod plan;
 mod records;
 mod stalls;
+mod synthetic_record;
 mod tilted_landing;
 mod trajectory;
+mod whole_record;
 
 pub use hidden::Hidden;
 pub use plan::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, KIND, PLAN_NUMBERS, Plan, TrialVariation};
-pub use records::{SyntheticRecord, records, table};
+pub use records::records;
 pub use stalls::Stalls;
+pub use synthetic_record::{SyntheticRecord, table};
 pub use tilted_landing::Landings;
 pub use trajectory::ReferenceTrajectory;

@@ -4,47 +4,12 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_distr::{Distribution, StandardNormal};
 use rand_pcg::Pcg64;
 
+use super::fine_wave::{AFTER_S, FINE_S, at};
+use super::synthetic_record::SyntheticRecord;
 use super::{Hidden, Landings, Plan, ReferenceTrajectory};
 
-/// Time between the points of a wave, s.
-const FINE_S: f64 = 5e-5;
 /// Logged before first touch, s.
 const BEFORE_S: f64 = 0.012;
-/// Logged from first touch on, s.
-pub(super) const AFTER_S: f64 = 0.040;
-
-/// One synthetic drop.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SyntheticRecord {
-    /// Its name.
-    pub trial: String,
-    /// Stated height, m.
-    pub height_m: f64,
-    /// Sample times from the record's begin, s.
-    pub t_s: Vec<f64>,
-    /// Readings along the axis, g.
-    pub accel_g: Vec<f64>,
-    /// Readings along the other two axes, g, where the plan has them.
-    pub lateral_g: Option<[Vec<f64>; 2]>,
-    /// Whether the clock stalled in the impact.
-    pub stalled: bool,
-}
-
-/// Drops as a table that `measure` and `diagnose` read.
-pub fn table(records: &[SyntheticRecord]) -> String {
-    let lateral = records.iter().any(|record| record.lateral_g.is_some());
-    let mut table = format!("trial,height_m,t_s,accel_g{}\n", if lateral { ",x,y,z" } else { "" });
-    for record in records {
-        for (at, (t_s, accel_g)) in record.t_s.iter().zip(&record.accel_g).enumerate() {
-            table += &format!("{},{},{t_s:.6},{accel_g:.5}", record.trial, record.height_m);
-            if let Some([x, y]) = &record.lateral_g {
-                table += &format!(",{:.5},{:.5},{accel_g:.5}", x[at], y[at]);
-            }
-            table.push('\n');
-        }
-    }
-    table
-}
 
 /// All drops of a plan; the same plan gives the same drops.
 pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
@@ -157,14 +122,4 @@ fn record(
 
 fn name(height_m: f64, trial: usize) -> String {
     format!("{:03.0}cm-{trial:04}", height_m * 100.0)
-}
-
-/// The wave between its points.
-pub(super) fn at(fine: &[f64], t_s: f64) -> f64 {
-    if t_s <= 0.0 {
-        return 0.0;
-    }
-    let place = t_s / FINE_S;
-    let left = (place.floor() as usize).min(fine.len() - 2);
-    fine[left] + (place - left as f64) * (fine[left + 1] - fine[left])
 }

@@ -53,7 +53,7 @@ impl Landings {
 
     /// One landing with a random slope.
     pub(super) fn tilted(&self, drop: &VerticalConditions, every_s: f64, count: usize, rng: &mut impl Rng) -> Axes {
-        let sd = (self.rate_rad_s * drop.fall_s).hypot(self.at_release_rad);
+        let sd = libm::hypot(self.rate_rad_s * drop.fall_s, self.at_release_rad);
         let [about_x, about_y]: [f64; 2] =
             std::array::from_fn(|_| sd * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng));
         let mut body = Body::of(self, drop, [about_x, about_y]);
