@@ -10,6 +10,7 @@ export default defineConfig({
   testDir: "tests",
   outputDir: resolve(process.env["STUDIO_WORK"] ?? "test-results"),
   workers: 1,
+  retries: 1,
   timeout: 90_000,
   expect: { timeout: 20_000 },
   reporter: [["./tests/lines.ts"]],

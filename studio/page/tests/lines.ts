@@ -11,6 +11,7 @@ export default class Lines implements Reporter {
     if (result.status === "passed") console.log(`ok ${name}`);
     else if (result.status === "skipped")
       console.log(`skipped ${name}: ${test.annotations.map(({ description }) => description).join("; ")}`);
+    else if (result.retry < test.retries) console.log(`tried again ${name}: ${why}`);
     else console.log(`FAILED ${name}: ${why}`);
   }
 
