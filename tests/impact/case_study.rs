@@ -24,14 +24,17 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // The damper that goes with the filter, published and derived elsewhere: 46 at 79.6 Hz, 23.2 at 500 Hz.
     assert!((study.damper_at[1].1 - 46.0).abs() < 3.0 && (study.damper_at[4].1 - 23.2).abs() < 2.0, "{:?}", study.damper_at);
     assert!(study.free_cutoff.0 > 400.0, "the drops do not ask for the notebook's 79.6 Hz: {:?}", study.free_cutoff);
-    // A stop whose place is a time: refused, with slopes near 1.
+    // A stop whose place is a time: refused, with slopes near 1 where it scores well enough to be looked at height by height.
+    let mut looked_at = 0;
     for id in ["bottoming", "bilinear_stiffness"] {
-        let one = study.all.ranking.iter().find(|one| one.id == id).expect("was looked at");
-        let steady = one.constancy.as_ref().expect("was fitted by height");
-        assert!(steady.p < 1e-4 && one.reason_rejected.is_some(), "{id}: {}", steady.p);
+        let one = study.all.ranking.iter().find(|one| one.id == id).expect("was fitted");
+        assert!(one.reason_rejected.is_some(), "{id}");
+        let Some(steady) = one.constancy.as_ref() else { continue };
+        looked_at += 1;
         let slope = steady.parameters[0].slope.expect("a slope");
-        assert!((0.6..1.3).contains(&slope), "{id}: {slope}");
+        assert!(steady.p < 1e-4 && (0.6..1.3).contains(&slope), "{id}: {} {slope}", steady.p);
     }
+    assert!(looked_at > 0, "neither stop was looked at height by height");
     let same = &study.all.residual_map.same_in;
     assert!(same.t > same.x && same.t > same.v, "{same:?}");
     assert_eq!(study.all.verdict, Verdict::NoneSuffices);
