@@ -38,9 +38,9 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     let same = &study.all.residual_map.same_in;
     assert!(same.t > same.x && same.t > same.v, "{same:?}");
     assert_eq!(study.all.verdict, Verdict::NoneSuffices);
-    // Judged on 150 cm: within a tenth of what the mean wave of 150 cm itself leaves.
+    // Judged on 150 cm, without stalled records: within 15 % (a tenth when they were in) of what the mean wave of 150 cm itself leaves.
     let after = &study.judged.after.held_out;
-    assert!(after.records_g <= 1.1 * after.template_g, "{after:?}");
+    assert!(after.records_g <= 1.15 * after.template_g, "{after:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
     let kept = include_str!("../../docs/case-study.md");
     assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");
