@@ -5,8 +5,9 @@ import { EngineClient } from "../engine/client.ts";
 import type { Diagnosed, Measured } from "../engine/outcomes.ts";
 import type { Attached, EngineFile } from "../engine/messages.ts";
 import { save } from "../state/downloads.ts";
-import { notice, presets } from "../state/studio.ts";
+import { notice } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
+import { ModelSelect } from "../ui/model_select.tsx";
 import { Progress } from "../ui/progress.tsx";
 import { short } from "../ui/words.ts";
 
@@ -95,20 +96,7 @@ export function Diagnose() {
       {measured && <Records measured={measured} names={names} />}
       {measured && (
         <div class="row">
-          <label>
-            Model{" "}
-            <select
-              aria-label="Model of the diagnosis"
-              value={model}
-              onChange={(event) => (model.value = event.currentTarget.value)}
-            >
-              {presets.value?.models.map((name) => (
-                <option key={name} value={name}>
-                  {name}
-                </option>
-              ))}
-            </select>
-          </label>
+          <ModelSelect label="Model of the diagnosis" model={model} />
           <label>
             Effects at most{" "}
             <select

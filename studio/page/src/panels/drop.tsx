@@ -5,10 +5,11 @@ import type { Doc } from "../state/doc.ts";
 import { identity, ofPreset } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
 import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
-import { checker, current, doc, presets, shownDoc } from "../state/studio.ts";
+import { checker, current, doc, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import type { Curve } from "../ui/plot.tsx";
 import { Plot } from "../ui/plot.tsx";
+import { ModelSelect } from "../ui/model_select.tsx";
 import { Progress } from "../ui/progress.tsx";
 import { Slider } from "../ui/slider.tsx";
 import { short } from "../ui/words.ts";
@@ -141,21 +142,7 @@ export function Drop() {
   const motion = results[0]?.motion;
   return (
     <div class="drop">
-      <label>
-        Model{" "}
-        <select
-          aria-label="Model of the drop"
-          value={model}
-          onChange={(event) => (model.value = event.currentTarget.value)}
-        >
-          {presets.value?.models.map((name) => (
-            <option key={name} value={name}>
-              {name}
-            </option>
-          ))}
-          <option value={OWN}>the frame's own mechanics</option>
-        </select>
-      </label>
+      <ModelSelect label="Model of the drop" model={model} own={[OWN, "the frame's own mechanics"]} />
       <div class="field">
         <label for="drop-height">Height</label>
         <Slider
