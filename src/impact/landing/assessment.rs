@@ -6,7 +6,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use super::LANDING_TILT;
 use super::covariate::{Covariate, CovariateEffect};
 use super::evidence::TouchEvidence;
-use super::fitting::{LandingEstimate, LandingFit, LandingProblem};
+use super::fitting::{LandingFit, LandingProblem};
 use super::gaps::{LandingGaps, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::legged_body::LeggedBody;
@@ -14,7 +14,7 @@ use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
 use super::table::LandingTable;
-use crate::impact::diagnose::{Bootstrap, Diagnosis, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge};
+use crate::impact::diagnose::{Bootstrap, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge};
 use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
 
@@ -39,7 +39,7 @@ pub struct LandingAssessment {
     /// The population.
     pub fit: LandingFit,
     /// Its parameters.
-    pub estimates: Vec<LandingEstimate>,
+    pub estimates: Vec<EffectEstimate>,
     /// The legs, fitted to single drops with their touches.
     pub by_drops: LandingFit,
     /// The spread of slopes height by height.

@@ -4,11 +4,13 @@ use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use super::LANDING_TILT;
 use super::legged_body::{LeggedBody, Legs, Slopes};
 use super::observed::ObservedLandings;
 use super::population::Population;
 use super::posterior::given_touches;
 use super::table::LandingTable;
+use crate::impact::diagnose::EffectEstimate;
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Minimum, Waves, inverse, minimise};
 use crate::impact::measured::Spread;
@@ -31,22 +33,6 @@ const START: [f64; 5] = [1.5e4, 25.0, 1e-3, 0.25, 0.02];
 const MOST_STEPS: [usize; 2] = [25, 8];
 /// Resampled sets of drops.
 const RESAMPLED: usize = 400;
-
-/// A parameter with its interval.
-#[derive(Clone, Copy, Debug, serde::Serialize)]
-pub struct LandingEstimate {
-    /// Key.
-    #[serde(skip)]
-    pub key: &'static str,
-    /// Unit.
-    pub unit: &'static str,
-    /// Value.
-    pub value: f64,
-    /// 95 % interval, by resampled drops.
-    pub ci95: [f64; 2],
-    /// Whether it lies at a bound that is not 0.
-    pub at_bound: bool,
-}
 
 /// What is compared with what.
 #[derive(Clone, Debug)]
@@ -193,7 +179,7 @@ impl LandingProblem<'_> {
     /// The parameters of a population's fit with intervals, by drops drawn with replacement and one step of the fit for each set.
     ///
     /// Wrong where the fit is far from linear within the interval, or a height has few drops.
-    pub fn estimates(&self, fit: &LandingFit, waves: &Waves, seed: u64) -> Option<Vec<LandingEstimate>> {
+    pub fn estimates(&self, fit: &LandingFit, waves: &Waves, seed: u64) -> Option<Vec<EffectEstimate>> {
         let minimum = &fit.minimum;
         // What lies at a bound is not moved by other drops, or to the inside only: it is left out of the step.
         let free: Vec<usize> = (0..PARAMETERS.len()).filter(|at| !minimum.at_bound[*at]).collect();
@@ -207,7 +193,7 @@ impl LandingProblem<'_> {
             let spread = column.and_then(|column| Spread::middle(moved.iter().map(|step| step[column]), 0.95)).unwrap_or([0.0; 2]);
             let [low, high] = spread.map(|change| outward(at, scaled + change).clamp(bound[0], bound[1]));
             let at_bound = minimum.at_bound[at] && outward(at, scaled) > 0.0;
-            LandingEstimate { key, unit, value: outward(at, scaled), ci95: [low, high], at_bound }
+            EffectEstimate { effect: LANDING_TILT, key, unit, value: outward(at, scaled), ci95: [low, high], at_bound }
         };
         Some(PARAMETERS.into_iter().enumerate().map(estimate).collect())
     }

@@ -24,7 +24,7 @@ mod touches;
 pub use assessment::{LandingAssessment, LandingEvidence, SlopesAtHeight};
 pub use covariate::{Covariate, CovariateEffect};
 pub use evidence::TouchEvidence;
-pub use fitting::{LandingEstimate, LandingFit, LandingProblem};
+pub use fitting::{LandingFit, LandingProblem};
 pub use gaps::LandingGaps;
 pub use gate::Gate;
 pub use legged_body::{COGNIFLY_FOOT_RADIUS_M, LeggedBody, Legs, Slopes};

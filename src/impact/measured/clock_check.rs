@@ -13,19 +13,22 @@ use super::flag::IMPULSE_OVER_V0;
 use super::impact::WINDOW_S;
 use super::shorth::Shorth;
 
-/// Deviations by which an impulse is unlike the others', and the least relative deviation of impulses.
+// The limits were set on synthetic stalls and on the CogniFly drops; docs/physics.md says how often they are right.
+
+/// Deviations by which an impulse is unlike the others'.
 const UNLIKE: f64 = 4.0;
+/// Least relative deviation of impulses.
 const LEAST_IMPULSE: f64 = 0.03;
-/// The same for a jump into free flight, with the most of an impulse that is left; and for a fall that is so many times too long: the impact is lost, and what
-/// hits is the rebound.
+/// An impact is cut off when its impulse is lower by so many deviations, and no more than this part of the usual one.
 const CUT: f64 = 3.0;
 const CUT_SHARE: f64 = 0.85;
-const SECOND: f64 = 1.5;
+/// The impact is lost, and what hits is the rebound, when the fall is so many times too long and the impulse lower by so many deviations.
 const LONGER: f64 = 1.4;
-/// Deviations by which vibration or noise is smoother than the others'.
+const SECOND: f64 = 1.5;
+/// Deviations by which vibration is smoother than the others', and the same of noise.
 const SMOOTH: f64 = 2.5;
 const SMOOTH_NOISE: f64 = 3.5;
-/// Least deviations of both.
+/// Least deviation of both.
 const LEAST_VIBRATION: f64 = 0.05;
 const LEAST_NOISE: f64 = 0.05;
 /// From the trigger on, an impact acts so long, s.

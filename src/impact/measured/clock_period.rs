@@ -166,13 +166,12 @@ fn pool(axis: &[f64], cell: usize, product: &mut [f64], weight: &mut [f64]) {
             axis[at] - around.iter().sum::<f64>() / around.len() as f64
         })
         .collect();
+    let mut louder = 0;
     let loud: Vec<usize> = noise
         .iter()
-        .scan(0, |sum, reading| {
-            Some(*{
-                *sum += usize::from(reading.abs() > NOISY * noise_g);
-                sum
-            })
+        .map(|reading| {
+            louder += usize::from(reading.abs() > NOISY * noise_g);
+            louder
         })
         .collect();
     let quiet = |at: usize| loud[at + 1 + AROUND] == loud[at - AROUND - 1];

@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use crate::impact::landing::{LANDING_TILT, LandingAssessment, LandingEstimate};
+use crate::impact::diagnose::EffectEstimate;
+use crate::impact::landing::{LANDING_TILT, LandingAssessment};
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
     let LandingAssessment { evidence, estimates, by_drops, heights, gaps, lack_of_fit_p, gates, .. } = assessment;
-    let by_key: BTreeMap<&str, &LandingEstimate> = estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
+    let by_key: BTreeMap<&str, &EffectEstimate> = estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
     let mut all = json!(by_key);
     all["named"] = assessment.named().into();
     all["touches"] = json!(evidence);
@@ -51,6 +52,6 @@ pub fn spread(assessment: &LandingAssessment) -> String {
 /// The effect as a diagnosis lists it.
 pub fn effect(assessment: &LandingAssessment) -> Value {
     let own = assessment.estimates.iter().filter(|estimate| estimate.key.starts_with("sigma"));
-    let parameters: BTreeMap<&str, &LandingEstimate> = own.map(|estimate| (estimate.key, estimate)).collect();
+    let parameters: BTreeMap<&str, &EffectEstimate> = own.map(|estimate| (estimate.key, estimate)).collect();
     json!({ "id": LANDING_TILT, "parameters": parameters })
 }
