@@ -2,9 +2,10 @@
 //! are told as they are.
 
 use crate::case;
+use flexframe::impact::diagnose::EffectEstimate;
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
-use flexframe::impact::landing::{LandingAssessment, LandingEstimate, ObservedLandings, TouchEvidence};
+use flexframe::impact::landing::{LandingAssessment, ObservedLandings, TouchEvidence};
 use flexframe::impact::measured::{self, DropSet, FileFormat};
 use flexframe::impact::synthetic::{Landings, Plan, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data::Compared;
@@ -48,7 +49,7 @@ fn diagnosed(plan: &Plan, set: &DropSet) -> (String, Compared) {
     (format!("{}: {}", found.verdict.id(), found.reasons.join("; ")), compared)
 }
 
-fn estimate<'a>(landing: &'a LandingAssessment, key: &str) -> &'a LandingEstimate {
+fn estimate<'a>(landing: &'a LandingAssessment, key: &str) -> &'a EffectEstimate {
     landing.estimates.iter().find(|estimate| estimate.key == key).expect("is fitted")
 }
 

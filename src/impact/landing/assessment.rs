@@ -106,7 +106,7 @@ impl LandingAssessment {
             Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, &by_drops, waves, touches, evidence.seed)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, &by_drops, evidence.seed)?,
         };
-        let estimates = problem.estimates(&fit, evidence.fitted, evidence.seed)?;
+        let estimates = problem.estimates(&fit, evidence.seed)?;
         let tables = problem.tables(&by_drops.legs)?;
         let covariates = covariates(&fitted_touches, &tables, &fit, evidence.seed);
         let heights = slopes_by_height(&fitted_touches, &problem.tables(&fit.legs)?, &fit)?;

@@ -6,13 +6,13 @@ use rand_pcg::Pcg64;
 
 use super::LANDING_TILT;
 use super::legged_body::{LeggedBody, Legs, Slopes};
-use super::observed::ObservedLandings;
+use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
 use super::table::LandingTable;
 use crate::impact::diagnose::EffectEstimate;
 use crate::impact::effects::Model;
-use crate::impact::fit::{FitProblem, Minimum, Waves, inverse, minimise};
+use crate::impact::fit::{FitProblem, Minimum, inverse, minimise};
 use crate::impact::measured::Spread;
 
 /// Keys, units and bounds of what is fitted.
@@ -150,9 +150,8 @@ impl LandingProblem<'_> {
     /// What the prediction from their touches leaves of the drops of a height, g.
     pub fn left_by_drops(&self, height: usize, table: &LandingTable, slopes: &Slopes) -> Vec<DVector<f64>> {
         let population = Population::of(table, slopes);
-        let left = |drop: &super::observed::ObservedLanding| {
-            DVector::from_column_slice(&drop.window) - given_touches(table, &population, &drop.touches).window
-        };
+        let left =
+            |drop: &ObservedLanding| DVector::from_column_slice(&drop.window) - given_touches(table, &population, &drop.touches).window;
         self.observed.heights[height].drops.iter().map(left).collect()
     }
 
@@ -179,14 +178,14 @@ impl LandingProblem<'_> {
     /// The parameters of a population's fit with intervals, by drops drawn with replacement and one step of the fit for each set.
     ///
     /// Wrong where the fit is far from linear within the interval, or a height has few drops.
-    pub fn estimates(&self, fit: &LandingFit, waves: &Waves, seed: u64) -> Option<Vec<EffectEstimate>> {
+    pub fn estimates(&self, fit: &LandingFit, seed: u64) -> Option<Vec<EffectEstimate>> {
         let minimum = &fit.minimum;
         // What lies at a bound is not moved by other drops, or to the inside only: it is left out of the step.
         let free: Vec<usize> = (0..PARAMETERS.len()).filter(|at| !minimum.at_bound[*at]).collect();
         let jacobian = minimum.jacobian.select_columns(&free);
         let step = inverse(&(jacobian.transpose() * &jacobian))? * jacobian.transpose();
         let mut rng = Pcg64::seed_from_u64(seed);
-        let moved: Vec<DVector<f64>> = (0..RESAMPLED).filter_map(|_| Some(&step * self.change_by_drawing(waves, &mut rng)?)).collect();
+        let moved: Vec<DVector<f64>> = (0..RESAMPLED).filter_map(|_| Some(&step * self.change_by_drawing(&mut rng)?)).collect();
         let estimate = |(at, (key, unit, bound)): (usize, (&'static str, &'static str, [f64; 2]))| {
             let scaled = minimum.at[at];
             let column = free.iter().position(|free| *free == at);
@@ -206,29 +205,18 @@ impl LandingProblem<'_> {
         self.waves.whitened(deviation) / (self.waves.expected.samples as f64).sqrt()
     }
 
-    /// How the residual changes when drops are drawn with replacement.
-    fn change_by_drawing(&self, waves: &Waves, rng: &mut Pcg64) -> Option<DVector<f64>> {
-        let mut means = DVector::zeros(self.waves.len());
-        let mut delays = Vec::new();
-        let samples = self.waves.expected.samples;
-        for (at, height) in self.waves.chosen.iter().enumerate() {
-            let group = &waves.groups[*height];
-            let count = group.windows.len();
-            for _ in 0..count {
-                let window = &group.windows[rng.random_range(0..count)];
-                for (i, reading) in window.iter().enumerate() {
-                    means[at * samples + i] += (reading - group.mean[i]) / count as f64;
-                }
-            }
-            let height = &self.observed.heights[*height];
-            let drawn = super::observed::HeightLandings {
-                height_m: height.height_m,
-                drops: (0..height.drops.len()).map(|_| height.drops[rng.random_range(0..height.drops.len())].clone()).collect(),
-            };
-            let (here, there) = (height.opposite_quartiles_s()?, drawn.opposite_quartiles_s()?);
-            delays.extend(here.iter().zip(there).map(|((here_s, error_s), (there_s, _))| (there_s - here_s) / error_s));
+    /// How the residual changes when drops are drawn with replacement, each with its wave and its touches.
+    fn change_by_drawing(&self, rng: &mut Pcg64) -> Option<DVector<f64>> {
+        let (mut means, mut delays) = (Vec::with_capacity(self.waves.len()), Vec::new());
+        for height in &self.waves.chosen {
+            let here = &self.observed.heights[*height];
+            let drops = (0..here.drops.len()).map(|_| here.drops[rng.random_range(0..here.drops.len())].clone()).collect();
+            let drawn = HeightLandings { height_m: here.height_m, drops };
+            means.extend((drawn.mean_window() - here.mean_window()).iter());
+            let (before, after) = (here.opposite_quartiles_s()?, drawn.opposite_quartiles_s()?);
+            delays.extend(before.iter().zip(after).map(|((before_s, error_s), (after_s, _))| (after_s - before_s) / error_s));
         }
-        let white = self.tempered(&means);
+        let white = self.tempered(&DVector::from_vec(means));
         Some(DVector::from_iterator(white.len() + delays.len(), white.iter().copied().chain(delays)))
     }
 }

@@ -1,5 +1,7 @@
 //! Drops with their touch times, height by height, as the fits compare them.
 
+use nalgebra::DVector;
+
 use super::touches::LegTouches;
 use crate::impact::fit::{Chosen, Waves};
 use crate::impact::measured::Spread;
@@ -67,6 +69,13 @@ impl HeightLandings {
     /// The drops of which all feet were seen.
     pub fn seen(&self) -> impl Iterator<Item = &ObservedLanding> {
         self.drops.iter().filter(|drop| drop.touches.least_size_g() >= SEEN_G)
+    }
+
+    /// Mean window, g.
+    pub fn mean_window(&self) -> DVector<f64> {
+        let sum =
+            self.drops.iter().fold(DVector::zeros(self.drops[0].window.len()), |sum, drop| sum + DVector::from_column_slice(&drop.window));
+        sum / self.drops.len() as f64
     }
 
     /// Quartiles of the time from the first foot to the opposite one, with their standard errors, s.
