@@ -87,7 +87,9 @@ function defaultFrame(engine) {
 }
 
 /** Drops of a known model, diagnosed here and there. */
-async function diagnosis(engine, stages) {
+async function diagnosis() {
+  const stages = [];
+  const engine = await Engine.load(module, (stage) => stages.push(stage));
   execFileSync(program, ["synthesize", "params/synthetic/bottoming.toml", "-q", "-o", work]);
   const [table] = readdirSync(work, { recursive: true }).filter((path) => path.endsWith("drops.csv"));
   const native = asked("diagnose", join(work, table), "--model", "paper", "--max-effects", "1", "--json", "-o", work);
@@ -133,8 +135,7 @@ async function run(name, test) {
 }
 
 const module = readFileSync(join(folder, "engine.wasm"));
-const stages = [];
-const start = () => Engine.load(module, (stage) => stages.push(stage));
+const start = () => Engine.load(module, () => {});
 
 function size() {
   // Quality 9 takes a tenth of the time of 11 and gives a seventh more.
@@ -150,7 +151,7 @@ if (isMainThread) {
   await run("size", size);
   await run("presets", async () => presets(await start()));
   await run("default frame", async () => defaultFrame(await start()));
-  await run("diagnosis", async () => diagnosis(await start(), stages));
+  await run("diagnosis", diagnosis);
   await run("refusals", async () => refusals(await start()));
   process.exit(Math.max(code, await ended));
 } else {

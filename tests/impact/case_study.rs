@@ -45,8 +45,7 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // The mean of what is left, as large as its own standard error of 3.4 g; 3.5 g was aimed at, 3.56 g is measured.
-    assert!(given.net_g <= 3.7, "{given:?}");
+    assert!(given.net_g <= 3.5, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
     let kept = include_str!("../../docs/case-study.md");
     assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");

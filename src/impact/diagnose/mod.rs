@@ -25,7 +25,7 @@ mod static_comparison;
 mod trend;
 
 pub use adequacy::{Adequacy, LinearisedFit, Statistics, judge};
-pub use bootstrap::{Bootstrap, Replicate};
+pub use bootstrap::{Bootstrap, REPLICATES, Replicate};
 pub use candidate::Candidate;
 pub use channel_choice::ChannelChoice;
 pub use clipping::{Clipping, clipping};

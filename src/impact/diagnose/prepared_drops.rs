@@ -1,15 +1,10 @@
 //! Mean waves with their trial covariance, prepared for the diagnosis.
 
-use nalgebra::DMatrix;
-
 use super::candidate::Candidate;
 use super::clipping::{Clipping, clipping};
 use crate::impact::effects::Model;
-use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
+use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, WaveGroup, Waves, Whitening, outer};
 use crate::impact::sim::System;
-
-/// How often the covariance model is refined in units of its own result.
-const REFINEMENTS: usize = 3;
 
 /// Mean waves and their trial covariance.
 #[derive(Clone, Debug)]
@@ -35,15 +30,12 @@ impl PreparedDrops {
         let problem = FitProblem::of(waves, Whitening::of(&plain, trial_covariance.counts())?, spread);
         let base = Candidate::base(&problem, model)?;
         let system = System::new(base.model());
-        let fine = waves.groups.iter().map(|group| problem.expected.fine(&system, group.height_m)).collect::<Option<Vec<_>>>()?;
+        let phases = |group: &WaveGroup| Some(problem.expected.over_phases(&problem.expected.fine(&system, group.height_m)?));
+        let phases = waves.groups.iter().map(phases).collect::<Option<Vec<_>>>()?;
         let change = problem.sensitivity(&base.fitted)?;
-        let changes: Vec<DMatrix<f64>> =
-            (0..waves.groups.len()).map(|height| change.rows(height * waves.samples, waves.samples).into_owned()).collect();
-        let mut covariance_model = CovarianceModel::of(waves, &problem.expected, &fine, &changes, &plain)?;
-        for _ in 0..REFINEMENTS {
-            let near = trial_covariance.nearest(&covariance_model);
-            covariance_model = covariance_model.near(&near);
-        }
+        let at = |height: usize, column: usize| change.view((height * waves.samples, column), (waves.samples, 1)).column(0).into_owned();
+        let changes = (0..change.ncols()).map(|column| (0..waves.groups.len()).map(|height| outer(&at(height, column))).collect());
+        let covariance_model = trial_covariance.refined(CovarianceModel::of(waves, phases, changes.collect(), &plain)?);
         let whitening = Whitening::of(&trial_covariance.covariances(&covariance_model)?, trial_covariance.counts())?;
         // Stiffness is fitted as its logarithm, damping as it is. Where readings are clipped, the base model does not show how a
         // parameter moves them, and the variation beyond the limit is counted already.

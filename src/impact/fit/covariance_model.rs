@@ -2,16 +2,15 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::expected::Expected;
 use super::trigger_jitter::{TIMES_S, TriggerJitter};
 use super::waves::{BEFORE, Waves};
 
 /// Most sets tried.
 const ROUNDS: usize = 60;
-/// Components before those of changing parameters.
-const FIXED: usize = 5;
+/// Components before those of changing parameters, without that of the phase.
+const GENERAL: usize = 4;
 /// Which of them is one factor a record.
-const COMMON: usize = 3;
+const COMMON: usize = 2;
 /// Regularises components that are nearly the same.
 const RIDGE: f64 = 1e-9;
 
@@ -20,8 +19,12 @@ const RIDGE: f64 = 1e-9;
 pub struct CovarianceModel {
     /// Kind by component, height by height, g².
     components: Vec<Vec<DMatrix<f64>>>,
+    /// Whether the first of them is the clock's phase.
+    phases: usize,
     /// How many of them are changes of parameters.
     changes: usize,
+    /// What does not have to be estimated, height by height, g²; nothing where it is empty.
+    known: Vec<DMatrix<f64>>,
     /// The metric in which covariances are compared.
     metric: Metric,
 }
@@ -60,34 +63,39 @@ fn flat(inverse_roots: &[DMatrix<f64>], covariances: &[DMatrix<f64>]) -> DVector
 }
 
 impl CovarianceModel {
-    /// Components for measured waves: the clock's phase (from predicted fine waves), coloured noise in proportion to the wave
-    /// and to its peak, white noise, and records that differ by a factor or by a parameter (columns of change, a height each).
+    /// Components for measured waves: the clock's phase ([`Expected::over_phases`], a height each), coloured noise in proportion to the
+    /// wave and to its peak, white noise, and records that differ by a factor or by a parameter (`changes`: component by component, a
+    /// height each), g².
     ///
     /// `near` are covariances to begin with; `None` when one is not positive definite.
-    pub fn of(waves: &Waves, expected: &Expected, fine: &[Vec<f64>], changes: &[DMatrix<f64>], near: &[DMatrix<f64>]) -> Option<Self> {
-        let samples = waves.samples;
-        let groups = || waves.groups.iter();
-        let mut components: Vec<Vec<DMatrix<f64>>> = vec![
-            fine.iter().map(|fine| expected.over_phases(fine)).collect(),
-            groups().map(|group| slope(&group.mean)).collect(),
-            groups().map(|_| DMatrix::identity(samples, samples)).collect(),
-            groups().map(|group| outer(&DVector::from_vec(group.mean.clone()))).collect(),
-            groups().map(|group| outer(&first(&group.mean))).collect(),
-        ];
-        for change in 0..changes.first().map_or(0, DMatrix::ncols) {
-            components.push(changes.iter().map(|columns| outer(&columns.column(change).into_owned())).collect());
-        }
-        for time_s in TIMES_S {
-            let kept = libm::exp(-waves.step_s / time_s);
-            let coloured = |size: &dyn Fn(usize) -> f64| {
-                DMatrix::from_fn(samples, samples, |i, j| size(i) * size(j) * libm::pow(kept, i.abs_diff(j) as f64))
-            };
-            components.push(groups().map(|group| coloured(&|i| group.mean[i])).collect());
-            let peak = |group: &super::WaveGroup| group.mean.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
-            components.push(groups().map(|group| coloured(&|_| peak(group))).collect());
-        }
+    ///
+    /// [`Expected::over_phases`]: super::Expected::over_phases
+    pub fn of(waves: &Waves, phases: Vec<DMatrix<f64>>, changes: Vec<Vec<DMatrix<f64>>>, near: &[DMatrix<f64>]) -> Option<Self> {
+        let changing = changes.len();
+        let components = [vec![phases], general(waves), changes, coloured(waves)].concat();
         let metric = Metric::of(&components, near)?;
-        Some(Self { components, changes: changes.first().map_or(0, DMatrix::ncols), metric })
+        Some(Self { components, phases: 1, changes: changing, known: Vec::new(), metric })
+    }
+
+    /// Components beside a part that is known, a height each, g²: noise, and records that differ by a factor.
+    pub fn beside(known: Vec<DMatrix<f64>>, waves: &Waves, near: &[DMatrix<f64>]) -> Option<Self> {
+        let components = [general(waves), coloured(waves)].concat();
+        let metric = Metric::of(&components, near)?;
+        Some(Self { components, phases: 0, changes: 0, known, metric })
+    }
+
+    /// Standard deviations of the parameters of change in the sum that is nearest to covariances, on their own scales.
+    pub fn changing(&self, covariances: &[DMatrix<f64>]) -> Vec<f64> {
+        let amounts = self.amounts(covariances);
+        (0..self.changes).map(|change| amounts[self.phases + GENERAL + change].max(0.0).sqrt()).collect()
+    }
+
+    /// Variation in proportion to the wave in the sum that is nearest to covariances.
+    pub fn trigger_jitter(&self, covariances: &[DMatrix<f64>]) -> TriggerJitter {
+        let amounts = self.amounts(covariances);
+        let coloured = self.phases + GENERAL + self.changes;
+        let at = |time: usize| if time < TIMES_S.len() { coloured + 2 * time } else { self.phases + COMMON };
+        TriggerJitter { by_time: std::array::from_fn(|time| amounts[at(time)]) }
     }
 
     /// The same, comparing in units of other covariances.
@@ -97,33 +105,57 @@ impl CovarianceModel {
         Self { metric: metric.unwrap_or(self.metric), ..self }
     }
 
-    /// Standard deviations of the parameters of change in the sum that is nearest to covariances, on their own scales.
-    pub fn changing(&self, covariances: &[DMatrix<f64>]) -> Vec<f64> {
-        let amounts = self.amounts(covariances);
-        (0..self.changes).map(|change| amounts[FIXED + change].max(0.0).sqrt()).collect()
-    }
-
-    /// Variation in proportion to the wave in the sum that is nearest to covariances.
-    pub fn trigger_jitter(&self, covariances: &[DMatrix<f64>]) -> TriggerJitter {
-        let amounts = self.amounts(covariances);
-        let coloured = FIXED + self.changes;
-        TriggerJitter { by_time: std::array::from_fn(|time| amounts[if time < TIMES_S.len() { coloured + 2 * time } else { COMMON }]) }
-    }
-
     fn amounts(&self, covariances: &[DMatrix<f64>]) -> DVector<f64> {
-        let right = self.metric.columns.transpose() * flat(&self.metric.inverse_roots, covariances);
+        let mut estimated = covariances.to_vec();
+        estimated.iter_mut().zip(&self.known).for_each(|(estimated, known)| *estimated -= known);
+        let right = self.metric.columns.transpose() * flat(&self.metric.inverse_roots, &estimated);
         not_negative(&self.metric.gram, &right)
     }
 
-    /// The sum of the components that is nearest to covariances, no amount below zero.
+    /// The sum of the components that is nearest to covariances, no amount below zero, with what is known.
     pub fn nearest(&self, covariances: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
+        let mut nearest = self.nearest_beside_known(covariances);
+        nearest.iter_mut().zip(&self.known).for_each(|(nearest, known)| *nearest += known);
+        nearest
+    }
+
+    /// The same without what is known.
+    pub fn nearest_beside_known(&self, covariances: &[DMatrix<f64>]) -> Vec<DMatrix<f64>> {
         let amounts = self.amounts(covariances);
         let sum = |height: usize| self.components.iter().zip(amounts.iter()).map(|(component, amount)| &component[height] * *amount).sum();
         (0..covariances.len()).map(sum).collect()
     }
 }
 
-fn outer(column: &DVector<f64>) -> DMatrix<f64> {
+/// Records that are a little early or late, white noise, one factor a record, and the reading at the trigger alone.
+fn general(waves: &Waves) -> Vec<Vec<DMatrix<f64>>> {
+    let groups = || waves.groups.iter();
+    vec![
+        groups().map(|group| slope(&group.mean)).collect(),
+        groups().map(|_| DMatrix::identity(waves.samples, waves.samples)).collect(),
+        groups().map(|group| outer(&DVector::from_vec(group.mean.clone()))).collect(),
+        groups().map(|group| outer(&first(&group.mean))).collect(),
+    ]
+}
+
+/// Coloured noise in proportion to the wave, and to its peak, of each correlation time.
+fn coloured(waves: &Waves) -> Vec<Vec<DMatrix<f64>>> {
+    let groups = || waves.groups.iter();
+    let mut components = Vec::new();
+    for time_s in TIMES_S {
+        let kept = libm::exp(-waves.step_s / time_s);
+        let coloured = |size: &dyn Fn(usize) -> f64| {
+            DMatrix::from_fn(waves.samples, waves.samples, |i, j| size(i) * size(j) * libm::pow(kept, i.abs_diff(j) as f64))
+        };
+        components.push(groups().map(|group| coloured(&|i| group.mean[i])).collect());
+        let peak = |group: &super::WaveGroup| group.mean.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
+        components.push(groups().map(|group| coloured(&|_| peak(group))).collect());
+    }
+    components
+}
+
+/// Covariance of records that differ by one column, g².
+pub fn outer(column: &DVector<f64>) -> DMatrix<f64> {
     column * column.transpose()
 }
 

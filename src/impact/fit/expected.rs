@@ -80,13 +80,19 @@ impl Expected {
             if self.spread > 0.0 {
                 fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
             }
-            mean.iter_mut().zip(self.mean_over_phases(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
-            if self.trigger_jitter.moves() {
-                let shift = self.trigger_jitter.shift(&FineWave::of(&fine), self.step_s, self.samples);
-                mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += weight * shift);
-            }
+            mean.iter_mut().zip(self.mean_of_aligned(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
         }
         Some(mean)
+    }
+
+    /// The mean window of records of a wave that differ by the phase of the clock and by the variation of their readings.
+    pub fn mean_of_aligned(&self, fine: &[f64]) -> Vec<f64> {
+        let mut mean = self.mean_over_phases(fine);
+        if self.trigger_jitter.moves() {
+            let shift = self.trigger_jitter.shift(&FineWave::of(fine), self.step_s, self.samples);
+            mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += shift);
+        }
+        mean
     }
 
     /// From first touch to the trigger, s; `None` where the simulation diverges.

@@ -25,7 +25,7 @@ mod trigger_jitter;
 mod waves;
 
 pub use chosen::{Chosen, FitError, Keep, LeftOut};
-pub use covariance_model::{CovarianceModel, inverse_root};
+pub use covariance_model::{CovarianceModel, inverse_root, outer};
 pub use decimation::Decimation;
 pub use expected::{Expected, Ready};
 pub use fine_wave::FINE_S;

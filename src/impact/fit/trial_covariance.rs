@@ -10,6 +10,8 @@ use super::waves::Waves;
 
 /// Least standard deviation of a reading, g: a fraction of a count of the converter.
 const LEAST_G: f64 = 0.03;
+/// How often a covariance model is refined in units of its own result.
+const REFINEMENTS: usize = 3;
 
 /// Sums of products of the records' deviations from their height's mean.
 #[derive(Clone, Debug)]
@@ -23,11 +25,16 @@ pub struct TrialCovariance {
 impl TrialCovariance {
     /// Of measured waves.
     pub fn of(waves: &Waves) -> Self {
-        let sum = |group: &super::WaveGroup| {
-            let deviations = DMatrix::from_fn(waves.samples, group.windows.len(), |i, drop| group.windows[drop][i] - group.mean[i]);
-            &deviations * deviations.transpose()
+        let deviations = |group: &super::WaveGroup| {
+            DMatrix::from_fn(waves.samples, group.windows.len(), |i, drop| group.windows[drop][i] - group.mean[i])
         };
-        Self { sums: waves.groups.iter().map(sum).collect(), counts: waves.groups.iter().map(|group| group.windows.len()).collect() }
+        Self::of_deviations(&waves.groups.iter().map(deviations).collect::<Vec<_>>())
+    }
+
+    /// Of records less their height's mean, g, a column each.
+    pub fn of_deviations(deviations: &[DMatrix<f64>]) -> Self {
+        let sums = deviations.iter().map(|deviations| deviations * deviations.transpose()).collect();
+        Self { sums, counts: deviations.iter().map(DMatrix::ncols).collect() }
     }
 
     /// What another set of records of the same covariances would show.
@@ -77,15 +84,24 @@ impl TrialCovariance {
 
     /// The nearest sum of the components alone.
     pub fn nearest(&self, model: &CovarianceModel) -> Vec<DMatrix<f64>> {
-        let mut nearest = model.nearest(&self.sampled());
-        for covariance in &mut nearest {
-            *covariance += DMatrix::from_diagonal_element(covariance.nrows(), covariance.nrows(), LEAST_G * LEAST_G);
-        }
-        nearest
+        regularised(model.nearest(&self.sampled()))
+    }
+
+    /// The same without what the model knows.
+    pub fn nearest_beside_known(&self, model: &CovarianceModel) -> Vec<DMatrix<f64>> {
+        regularised(model.nearest_beside_known(&self.sampled()))
     }
 
     fn sampled(&self) -> Vec<DMatrix<f64>> {
         self.sums.iter().zip(&self.counts).map(|(sum, count)| sum / (count - 1) as f64).collect()
+    }
+
+    /// A model that compares covariances in units of its own sum that is nearest to these records.
+    pub fn refined(&self, model: CovarianceModel) -> CovarianceModel {
+        (0..REFINEMENTS).fold(model, |model, _| {
+            let near = self.nearest(&model);
+            model.near(&near)
+        })
     }
 
     /// Covariance of one record, g², a height each, before its components are known: variances of each height,
@@ -119,6 +135,13 @@ impl TrialCovariance {
         };
         self.sums.iter().zip(&self.counts).map(of).collect()
     }
+}
+
+fn regularised(mut covariances: Vec<DMatrix<f64>>) -> Vec<DMatrix<f64>> {
+    for covariance in &mut covariances {
+        *covariance += DMatrix::from_diagonal_element(covariance.nrows(), covariance.nrows(), LEAST_G * LEAST_G);
+    }
+    covariances
 }
 
 fn standard_deviations(sum: &DMatrix<f64>, count: usize) -> DVector<f64> {

@@ -9,12 +9,13 @@ use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::gaps::{LandingGaps, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
+use super::landing_scatter::LandingScatter;
 use super::legged_body::LeggedBody;
 use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
 use super::table::LandingTable;
-use crate::impact::diagnose::{Bootstrap, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge};
+use crate::impact::diagnose::{Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge};
 use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
 
@@ -87,19 +88,23 @@ impl LandingAssessment {
         };
         let fitted_touches = heights_of(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
-        let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, evidence.seed)?;
-        let problem = LandingProblem {
+        let level = LandingProblem {
             body: LeggedBody::of(evidence.model),
             model: evidence.model,
             waves: &prepared.problem,
             observed: &fitted_touches,
         };
-        let fit = problem.fitted(None)?;
+        let first = level.fitted(None)?;
+        let scatter = LandingScatter::of(evidence.fitted, &level, &first)?;
+        let waves = scatter.problem(&prepared.problem);
+        let problem = level.at(&waves);
+        let fit = problem.fitted(Some(&first))?;
         let by_drops = problem.fitted_to_drops(&fit, None)?;
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
         let jacobian = problem.sensitivity(&fit)?;
         let seen = LinearisedFit { effects: DMatrix::zeros(jacobian.nrows(), 0), jacobian, samples: prepared.problem.expected.samples };
+        let bootstrap = scatter.bootstrap(&problem, &fit, evidence.seed)?;
         let lack_of_fit_p = judge(&(prepared.problem.measured() - &predicted), &seen, &bootstrap)?.p;
         let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
         let gaps = match &held {

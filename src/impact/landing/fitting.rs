@@ -121,7 +121,7 @@ impl LandingProblem<'_> {
                     delays.push((measured_s - population.opposite_delay_s(share)) / error_s);
                 }
             }
-            let waves = self.tempered(&(self.waves.measured() - DVector::from_vec(predicted)));
+            let waves = self.waves.whitened(&(self.waves.measured() - DVector::from_vec(predicted)));
             Some(DVector::from_iterator(waves.len() + delays.len(), waves.iter().copied().chain(delays)))
         };
         Some(LandingFit::of(minimise(residual, &start, &bounds(), &STEPS, MOST_STEPS[usize::from(from.is_some())])?))
@@ -197,14 +197,6 @@ impl LandingProblem<'_> {
         Some(PARAMETERS.into_iter().enumerate().map(estimate).collect())
     }
 
-    /// Deviations of mean windows, g, whitened, a window of a height counting as one number.
-    ///
-    /// The legs are simpler than the frame's, and whitening counts most where drops vary least: late, when only steep landings still
-    /// push. Counted in full, the waves would set the spread of slopes against the touch times, too small by a third on synthetic drops.
-    fn tempered(&self, deviation: &DVector<f64>) -> DVector<f64> {
-        self.waves.whitened(deviation) / (self.waves.expected.samples as f64).sqrt()
-    }
-
     /// How the residual changes when drops are drawn with replacement, each with its wave and its touches.
     fn change_by_drawing(&self, rng: &mut Pcg64) -> Option<DVector<f64>> {
         let (mut means, mut delays) = (Vec::with_capacity(self.waves.len()), Vec::new());
@@ -216,7 +208,7 @@ impl LandingProblem<'_> {
             let (before, after) = (here.opposite_quartiles_s()?, drawn.opposite_quartiles_s()?);
             delays.extend(before.iter().zip(after).map(|((before_s, error_s), (after_s, _))| (after_s - before_s) / error_s));
         }
-        let white = self.tempered(&DVector::from_vec(means));
+        let white = self.waves.whitened(&DVector::from_vec(means));
         Some(DVector::from_iterator(white.len() + delays.len(), white.iter().copied().chain(delays)))
     }
 }

@@ -1,6 +1,6 @@
 //! Many landings with random slopes: the mean wave, and how the touch times spread.
 
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 
 use super::legged_body::Slopes;
 use super::table::LandingTable;
@@ -22,6 +22,17 @@ impl<'a> Population<'a> {
     /// Mean window, g.
     pub fn mean_window(&self) -> DVector<f64> {
         &self.table.windows * &self.weights
+    }
+
+    /// Covariance of windows that differ by their landing's slope, g².
+    pub fn covariance(&self) -> DMatrix<f64> {
+        let mean = self.mean_window();
+        let mut off = self.table.windows.clone();
+        for (mut column, weight) in off.column_iter_mut().zip(self.weights.iter()) {
+            column -= &mean;
+            column *= weight.sqrt();
+        }
+        &off * off.transpose()
     }
 
     /// Quantile of the time from the first foot to the opposite one, s, of the landings in which it touches as soon as it is looked for.

@@ -20,27 +20,29 @@ pub const FEET: usize = 4;
 /// How the body landed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Landing {
-    /// Proper acceleration along the vertical from first touch on, g, every [`STEP_S`].
+    /// Proper acceleration along the body's own axis, which its sensor turns with, from first touch on, g, every [`STEP_S`].
     pub accel_g: Vec<f64>,
     /// From first touch to that of each foot, s; `None` for a foot that does not touch within the time followed.
     pub touch_s: [Option<f64>; FEET],
 }
 
-/// Height and slopes with their rates: z, p, q, z', p', q'; z in m, downward from where a level body's feet touch.
-type State = [f64; 6];
+/// Height, the slopes' sines and cosines, and rates: z, sin p, cos p, sin q, cos q, z', p', q'; z in m, downward from where a level body's
+/// feet touch. Sines and cosines are followed as coordinates of their own (sin' = cos p', cos' = -sin p'), which costs no function calls.
+type State = [f64; 8];
 
 /// Lands with a speed, m/s, and slopes along the two diagonals, rad; followed for so many points.
 ///
 /// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
 pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
     let [p, q] = slopes;
-    let raised_m = body.centre_height_m * (1.0 - libm::cos(p) * libm::cos(q));
-    let lowest_m = body.foot_radius_m * libm::sin(p.abs().max(q.abs())) - raised_m;
-    let mut state: State = [-lowest_m, p, q, speed_m_s, 0.0, 0.0];
+    let [(sin_p, cos_p), (sin_q, cos_q)] = [libm::sincos(p), libm::sincos(q)];
+    let raised_m = body.centre_height_m * (1.0 - cos_p * cos_q);
+    let lowest_m = body.foot_radius_m * sin_p.abs().max(sin_q.abs()) - raised_m;
+    let mut state: State = [-lowest_m, sin_p, cos_p, sin_q, cos_q, speed_m_s, 0.0, 0.0];
     let mut landing = Landing { accel_g: Vec::with_capacity(points), touch_s: [None; FEET] };
     for point in 0..points {
         let (rate, pressed_n, depth_m) = change(body, legs, &state);
-        landing.accel_g.push(pressed_n / body.mass_kg / GRAVITY_M_S2);
+        landing.accel_g.push(pressed_n / body.mass_kg / GRAVITY_M_S2 * state[2] * state[4]);
         for (touch_s, depth_m) in landing.touch_s.iter_mut().zip(depth_m) {
             if touch_s.is_none() && depth_m >= -1e-12 {
                 *touch_s = Some(point as f64 * STEP_S);
@@ -54,9 +56,8 @@ pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2]
 
 /// Rates of change, the force of all feet, N, and how far each foot stands below the ground, m.
 fn change(body: &LeggedBody, legs: &Legs, state: &State) -> (State, f64, [f64; FEET]) {
-    let [z, p, q, z_rate, p_rate, q_rate] = *state;
+    let [z, sin_p, cos_p, sin_q, cos_q, z_rate, p_rate, q_rate] = *state;
     let (r, h) = (body.foot_radius_m, body.centre_height_m);
-    let [(sin_p, cos_p), (sin_q, cos_q)] = [p, q].map(|slope| (libm::sin(slope), libm::cos(slope)));
     let sunk_m = z - h * (1.0 - cos_p * cos_q);
     let depth_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
     // How each slope lowers all feet, and the two at the ends of its own diagonal.
@@ -73,7 +74,9 @@ fn change(body: &LeggedBody, legs: &Legs, state: &State) -> (State, f64, [f64; F
     let all_n = a + b + c + d;
     let p_turn = -(own_p * (a - b) + all_p * all_n) / legs.inertia_kg_m2;
     let q_turn = -(own_q * (c - d) + all_q * all_n) / legs.inertia_kg_m2;
-    ([z_rate, p_rate, q_rate, GRAVITY_M_S2 - all_n / body.mass_kg, p_turn, q_turn], all_n, depth_m)
+    let [turning_p, turning_q] = [[cos_p * p_rate, -sin_p * p_rate], [cos_q * q_rate, -sin_q * q_rate]];
+    let falling_m_s2 = GRAVITY_M_S2 - all_n / body.mass_kg;
+    ([z_rate, turning_p[0], turning_p[1], turning_q[0], turning_q[1], falling_m_s2, p_turn, q_turn], all_n, depth_m)
 }
 
 fn moved(state: &State, rate: &State, step_s: f64) -> State {

@@ -8,9 +8,9 @@ use std::f64::consts::FRAC_PI_4;
 /// Largest slope, rad: beyond it lies one landing in a thousand of those that were measured.
 const STEEPEST_RAD: f64 = 0.5;
 /// Slopes that are simulated, and directions.
-const SIMULATED: [usize; 2] = [15, 4];
+const SIMULATED: [usize; 2] = [16, 9];
 /// Steps between two simulated ones.
-const BETWEEN: [usize; 2] = [5, 3];
+const BETWEEN: [usize; 2] = [5, 2];
 
 /// A slope with its share of the landings between its neighbours.
 #[derive(Clone, Copy, Debug)]
@@ -42,11 +42,9 @@ pub fn points() -> Vec<GridPoint> {
     let mut points = Vec::new();
     for i in 0..=counts[0] {
         let (left, right_share) = along(0, i);
-        let place = |at: f64| size(left as f64) + (size(left as f64 + 1.0) - size(left as f64)) * at;
-        let slope_rad = place(right_share);
+        let slope_rad = fine(i, 0, size);
         for j in 0..=counts[1] {
             let (low, high_share) = along(1, j);
-            let edge = |at: usize, count: usize| if at == 0 || at == count { 0.5 } else { 1.0 };
             let node = |di: usize, dj: usize| (left + di) * SIMULATED[1] + low + dj;
             let around = [
                 (node(0, 0), (1.0 - right_share) * (1.0 - high_share)),
@@ -54,9 +52,8 @@ pub fn points() -> Vec<GridPoint> {
                 (node(1, 0), right_share * (1.0 - high_share)),
                 (node(1, 1), right_share * high_share),
             ];
-            let width = 0.5 * (fine_size(i + 1, counts[0]) - fine_size(i.wrapping_sub(1), counts[0]));
-            let cell = width * edge(j, counts[1]) / counts[1] as f64;
-            points.push(GridPoint { slope_rad, direction_rad: angle(j as f64 / BETWEEN[1] as f64), cell, around });
+            let cell = width(i, 0, size) * width(j, 1, angle) / FRAC_PI_4;
+            points.push(GridPoint { slope_rad, direction_rad: fine(j, 1, angle), cell, around });
         }
     }
     points
@@ -67,18 +64,22 @@ fn size(place: f64) -> f64 {
     STEEPEST_RAD * libm::pow(place / (SIMULATED[0] - 1) as f64, 1.5)
 }
 
+/// Even: when the second foot touches goes nearly in proportion to the angle from the edge between two diagonals.
 fn angle(place: f64) -> f64 {
     FRAC_PI_4 * place / (SIMULATED[1] - 1) as f64
 }
 
-/// Size at a fine place; beyond the ends it is the end's.
-fn fine_size(at: usize, count: usize) -> f64 {
-    if at > count {
-        return if at == usize::MAX { 0.0 } else { STEEPEST_RAD };
-    }
-    let place = at as f64 / BETWEEN[0] as f64;
-    let left = place.floor().min((SIMULATED[0] - 2) as f64);
-    size(left) + (size(left + 1.0) - size(left)) * (place - left)
+/// What lies at a fine place along an axis: straight between two simulated ones.
+fn fine(at: usize, axis: usize, of: fn(f64) -> f64) -> f64 {
+    let place = at as f64 / BETWEEN[axis] as f64;
+    let left = place.floor().min((SIMULATED[axis] - 2) as f64);
+    of(left) + (of(left + 1.0) - of(left)) * (place - left)
+}
+
+/// Half the distance between the neighbours of a fine place; at the ends, to the one neighbour.
+fn width(at: usize, axis: usize, of: fn(f64) -> f64) -> f64 {
+    let last = (SIMULATED[axis] - 1) * BETWEEN[axis];
+    0.5 * (fine((at + 1).min(last), axis, of) - fine(at.saturating_sub(1), axis, of))
 }
 
 #[cfg(test)]

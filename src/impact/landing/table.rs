@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::legged_body::{LeggedBody, Legs, fall};
-use super::simulation::{STEP_S, simulate};
+use super::simulation::{FEET, STEP_S, simulate};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
 use crate::impact::fit::Expected;
@@ -28,14 +28,11 @@ pub struct LandingTable {
 impl LandingTable {
     /// Simulates; `None` where a landing is lost. The model gives fall and sensor.
     pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
-        let [speed_m_s, fall_s] = fall(model, height_m);
-        let sensor = model.arrangement().sensor;
-        let count = expected.fine_points();
+        let [_, fall_s] = fall(model, height_m);
         let land = |slopes: [f64; 2]| {
-            let landing = simulate(body, legs, speed_m_s, slopes, count)?;
-            let window = expected.mean_over_phases(&filtered(&landing.accel_g, &sensor));
-            let [_, opposite, beside, far] = landing.touch_s.map(|touch| touch.unwrap_or(NEVER_S));
-            Some((window, [opposite, beside.min(far), beside.max(far)]))
+            let (fine, touch_s) = landed(body, legs, model, expected, height_m, slopes)?;
+            let [_, opposite, beside, far] = touch_s.map(|touch| touch.unwrap_or(NEVER_S));
+            Some((expected.mean_of_aligned(&fine), [opposite, beside.min(far), beside.max(far)]))
         };
         let landings = simulated().into_par_iter().map(land).collect::<Option<Vec<_>>>()?;
         let points = points();
@@ -52,6 +49,38 @@ impl LandingTable {
         }
         Some(Self { points, windows, delays_s, fall_s })
     }
+}
+
+/// Covariance of records of landings that differ by the phase of the clock alone, g², the points being as frequent as weighed.
+pub fn phase_covariance(
+    body: &LeggedBody,
+    legs: &Legs,
+    model: &Model,
+    expected: &Expected,
+    height_m: f64,
+    weights: &DVector<f64>,
+) -> Option<DMatrix<f64>> {
+    let mut shares = vec![0.0; simulated().len()];
+    for (point, weight) in points().iter().zip(weights.iter()) {
+        point.around.iter().for_each(|(node, share)| shares[*node] += weight * share);
+    }
+    let one =
+        |(slopes, share): ([f64; 2], f64)| Some(expected.over_phases(&landed(body, legs, model, expected, height_m, slopes)?.0) * share);
+    simulated().into_iter().zip(shares).map(one).sum()
+}
+
+/// What the sensor reads of one landing, g, and when each foot touched, s.
+fn landed(
+    body: &LeggedBody,
+    legs: &Legs,
+    model: &Model,
+    expected: &Expected,
+    height_m: f64,
+    slopes: [f64; 2],
+) -> Option<(Vec<f64>, [Option<f64>; FEET])> {
+    let [speed_m_s, _] = fall(model, height_m);
+    let landing = simulate(body, legs, speed_m_s, slopes, expected.fine_points())?;
+    Some((filtered(&landing.accel_g, &model.arrangement().sensor), landing.touch_s))
 }
 
 /// What the sensor reads: its stages one after the other, gain and limit.
