@@ -105,7 +105,7 @@ fn planted_mistakes_exit_2_and_write_nothing() {
         (&["--fit", "drops.csv"], "--fit goes with --model frame"),
         (&["--tilt", "5,0"], "--tilt goes with --model frame"),
         (&["--model", "frame"], "--model frame needs a frame"),
-        (&["cognifly", "--model", "frame", "--tilt", "40,0"], "30 degrees at most"),
+        (&["cognifly", "--model", "frame", "--tilt", "40,0"], "out of bounds: give -30 to 30 °"),
         (&["cognifly", "--model", "frame", "--tilt", "5"], "two angles"),
         (&["cognifly", "--model", "frame", "--fit", "absent.csv"], "absent.csv"),
     ] {
