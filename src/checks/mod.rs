@@ -15,6 +15,7 @@ pub mod gate;
 mod ground;
 mod hinge;
 mod interference;
+pub mod markdown;
 mod mass_budget;
 mod measure;
 pub mod printing;

@@ -11,10 +11,8 @@ use super::Arguments;
 fn options(command: &Command, way: &[String]) -> Vec<(Vec<String>, String, TypeId)> {
     let types = [TypeId::of::<f64>(), TypeId::of::<usize>(), TypeId::of::<u64>(), TypeId::of::<u32>(), TypeId::of::<u16>()];
     let of_type = |argument: &clap::Arg| types.into_iter().find(|kind| argument.get_value_parser().type_id() == *kind);
-    let mut found: Vec<_> = command
-        .get_arguments()
-        .filter_map(|argument| Some((way.to_vec(), argument.get_long()?.to_string(), of_type(argument)?)))
-        .collect();
+    let mut found: Vec<_> =
+        command.get_arguments().filter_map(|argument| Some((way.to_vec(), argument.get_long()?.to_string(), of_type(argument)?))).collect();
     for inner in command.get_subcommands() {
         let way = [way, &[inner.get_name().to_string()]].concat();
         found.extend(options(inner, &way));
@@ -45,7 +43,10 @@ fn analytic_every_number_of_the_command_line_has_bounds() {
         assert!(is_seed || refusal(option, "18446744073709551615").is_some(), "{option:?} has no limit");
         // Whatever else is refused is refused with its limits.
         for value in ["0", "5e-324", "-0", "1e-310"] {
-            assert!(refusal(option, value).is_none_or(|said| said.contains("give ") || said.contains("invalid digit") || said.contains("is not in ")));
+            assert!(
+                refusal(option, value)
+                    .is_none_or(|said| said.contains("give ") || said.contains("invalid digit") || said.contains("is not in "))
+            );
         }
     }
 }

@@ -148,11 +148,14 @@ mod tests {
     fn analytic_shipped_entries_are_within_bounds() {
         let table = |text: &str| toml::from_str::<toml::Table>(text).expect("reads");
         let mut entries: Vec<(String, toml::Value, &[Figure])> = Vec::new();
-        for (text, inner, figures) in [(preset::BOUGHT, "parts", &BoughtPart::FIGURES[..]), (preset::MATERIALS, "materials", &Material::FIGURES)] {
+        for (text, inner, figures) in
+            [(preset::BOUGHT, "parts", &BoughtPart::FIGURES[..]), (preset::MATERIALS, "materials", &Material::FIGURES)]
+        {
             let all = table(text)[inner].as_table().expect("a table").clone();
             entries.extend(all.into_iter().map(|(name, entry)| (name, entry, figures)));
         }
-        let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(table(text)), &Printer::FIGURES[..]));
+        let printers =
+            preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(table(text)), &Printer::FIGURES[..]));
         entries.extend(printers);
         for (name, entry, figures) in entries {
             for figure in figures {
@@ -167,7 +170,8 @@ mod tests {
 
     #[test]
     fn planted_any_number_is_refused_or_within_bounds() {
-        let extremes = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324, -5e-324, f64::MIN_POSITIVE, 1e308, -1e308, f64::MAX, -1.0, -0.0];
+        let extremes =
+            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 5e-324, -5e-324, f64::MIN_POSITIVE, 1e308, -1e308, f64::MAX, -1.0, -0.0];
         for (table, _, figures) in kinds() {
             for figure in figures {
                 let steps = [figure.min, figure.max].map(|limit| [limit.next_down(), limit, limit.next_up()]);
@@ -181,9 +185,14 @@ mod tests {
                         let refused = Frame::resolve(&file).err();
                         let bounds = refused.as_ref().map(|refusal| (*refusal.reason).clone());
                         if (figure.min..=figure.max).contains(value) {
-                            assert!(!matches!(bounds, Some(Reason::OutOfBounds { .. })), "{place}.{} = {value_text}: {refused:?}", figure.key);
+                            assert!(
+                                !matches!(bounds, Some(Reason::OutOfBounds { .. })),
+                                "{place}.{} = {value_text}: {refused:?}",
+                                figure.key
+                            );
                         } else {
-                            let expected = matches!(&bounds, Some(Reason::OutOfBounds { min, max, .. }) if [*min, *max] == [figure.min, figure.max]);
+                            let expected =
+                                matches!(&bounds, Some(Reason::OutOfBounds { min, max, .. }) if [*min, *max] == [figure.min, figure.max]);
                             assert!(expected, "{place}.{} = {value_text}: {refused:?}", figure.key);
                         }
                     }

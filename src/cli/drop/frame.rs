@@ -75,8 +75,6 @@ fn tilt(args: &Args) -> Result<[Angle; 2], Failure> {
     match args.tilt[..] {
         [] => Ok([Angle::deg(0.0); 2]),
         [x, y] => Ok([Angle::deg(x), Angle::deg(y)]),
-        _ => Err(Failure::Usage {
-            message: "--tilt takes two angles about X and Y: --tilt 5,0".into(),
-        }),
+        _ => Err(Failure::Usage { message: "--tilt takes two angles about X and Y: --tilt 5,0".into() }),
     }
 }

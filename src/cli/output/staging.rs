@@ -155,8 +155,7 @@ pub(super) fn clear_left(place: &Path) -> Vec<String> {
     let beside = place.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let own = place.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let names = fs::read_dir(beside).into_iter().flatten().flatten().map(|entry| entry.file_name());
-    let mut left: Vec<(PathBuf, State)> =
-        names.filter_map(|name| Some((beside.join(&name), state_of(name.to_str()?, &own)?))).collect();
+    let mut left: Vec<(PathBuf, State)> = names.filter_map(|name| Some((beside.join(&name), state_of(name.to_str()?, &own)?))).collect();
     // What was in its place goes back there first.
     left.sort_by_key(|(path, state)| (*state == State::Unfinished, path.clone()));
     let mut notes = Vec::new();
