@@ -68,7 +68,11 @@ impl Staging {
                 made => made?,
             }
             // Another run may take it for a left one until it is locked.
-            let Ok(folder) = File::open(&path) else { return Ok(Self { path, _lock: Lock { _held: None } }) };
+            let folder = match File::open(&path) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+                Err(_) => return Ok(Self { path, _lock: Lock { _held: None } }),
+                Ok(folder) => folder,
+            };
             match folder.try_lock() {
                 Ok(()) if !is_at(&folder, &path) => {}
                 Err(TryLockError::WouldBlock) => {}
