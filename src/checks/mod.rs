@@ -15,7 +15,6 @@ pub mod gate;
 mod ground;
 mod hinge;
 mod interference;
-pub mod markdown;
 mod mass_budget;
 mod measure;
 pub mod printing;

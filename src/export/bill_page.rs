@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::bill::{Bill, BuyLine, CutLine};
-use crate::checks::markdown::inert;
+use crate::markdown::inert;
 
 /// The page.
 pub fn markdown(bill: &Bill) -> String {

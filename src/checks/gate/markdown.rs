@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::outcome::{CheckedFrame, Outcome, Refused};
 use super::policy::Standing;
-use crate::checks::markdown::inert;
 use crate::checks::{self, Finding, Verdict};
+use crate::markdown::inert;
 
 /// A table of frames, then what is wrong with each, then the tightest limits of each.
 pub fn page(outcomes: &[Outcome]) -> String {

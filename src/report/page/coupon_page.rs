@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use nalgebra::{Isometry3, Vector3};
 
-use crate::checks::markdown::inert;
+use crate::markdown::inert;
 use crate::params::Frame;
 use crate::printing::coupon::{Coupon, Fit};
 use crate::report::picture::image as picture;

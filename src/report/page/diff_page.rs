@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::checks::markdown::inert;
+use crate::markdown::inert;
 use crate::variant::{Changed, Difference, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Trend, measure};
 
 /// Titles of the sections, in order.

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::checks::markdown::inert;
+use crate::markdown::inert;
 
 /// A part of a page.
 pub enum Block {

@@ -2,13 +2,13 @@
 
 use std::fmt::Write;
 
-use crate::checks::markdown::inert;
 use crate::checks::{Finding, Tightest, Verdict, tightest};
 use crate::export::cutting;
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::skeleton::RodRole;
+use crate::markdown::inert;
 
 /// The report of a design, with its findings; `pictures` says whether the pictures lie beside it.
 pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bool) -> String {
