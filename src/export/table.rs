@@ -21,12 +21,13 @@ pub fn csv<Row: IntoIterator<Item: AsRef<[u8]>>>(
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// A field that no spreadsheet computes: a text that begins like a formula gets an apostrophe in front. Numbers stay numbers.
+/// A field of one line that no spreadsheet computes: a text that begins like a formula gets an apostrophe in front. Numbers stay numbers.
 fn without_formula(field: &[u8]) -> Vec<u8> {
     let begins = field.len() > 1 && matches!(field[0], b'=' | b'+' | b'-' | b'@' | b'\t' | b'\r');
     let is_number = || std::str::from_utf8(field).is_ok_and(|text| text.parse::<f64>().is_ok());
     let mark: &[u8] = if begins && !is_number() { b"'" } else { b"" };
-    [mark, field].concat()
+    let line = field.iter().map(|byte| if matches!(byte, b'\n' | b'\r') { b' ' } else { *byte });
+    mark.iter().copied().chain(line).collect()
 }
 
 /// A number as a field: an unknown one stays empty.
@@ -43,6 +44,6 @@ mod tests {
         let fields = ["=1+1", "+49", "-1.5e-3", "-", "@SUM(A1)", "-2+3", "\t=1", "\r=1", "a=b", "-inf", "", "=\"a\",b"];
         let text = csv("t.csv", fields.map(|_| "name"), [fields]).expect("can be written");
         let row = text.split_once('\n').expect("two lines").1;
-        assert_eq!(row, "'=1+1,+49,-1.5e-3,-,'@SUM(A1),'-2+3,'\t=1,\"'\r=1\",a=b,-inf,,\"'=\"\"a\"\",b\"\n");
+        assert_eq!(row, "'=1+1,+49,-1.5e-3,-,'@SUM(A1),'-2+3,'\t=1,' =1,a=b,-inf,,\"'=\"\"a\"\",b\"\n");
     }
 }

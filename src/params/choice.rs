@@ -7,7 +7,7 @@ use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
 use super::preset;
-use super::read::{bad_entry, stated_text, text};
+use super::read::{bad_entry, in_one_line, stated_text, text};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
 
@@ -54,6 +54,8 @@ impl Catalogues {
                 let nearest = nearest(name, catalogue.keys().map(String::as_str));
                 return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
             }
+            let kind = if table == "parts" { "bought part" } else { table.trim_end_matches('s') };
+            in_one_line(file, key, kind, name)?;
             within_bounds(figures, field, file, key, &entry.value)?;
             let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
             if let Some(own) = own.as_table_mut() {

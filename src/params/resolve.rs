@@ -9,7 +9,7 @@ use super::frame::{BoughtItem, Extra, Frame, TargetSize, catalogue};
 use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
-use super::read::{bad_entry, text};
+use super::read::{bad_entry, in_one_line, text};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
 use super::{relation, renamed};
@@ -199,6 +199,7 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
         let Some(rest) = key.strip_prefix("extras.") else { continue };
         match (rest.split_once('.'), &entry.value) {
             (Some((name, field)), _) => {
+                in_one_line(file, key, "extra", name)?;
                 within_bounds(&Extra::FIGURES, field, file, key, &entry.value)?;
                 tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml());
             }

@@ -11,7 +11,7 @@ use crate::drops::{self, Seen};
 /// What writes a folder, cheaply; the folder's name is what is new in `o`.
 const WRITERS: [&[&str]; 15] = [
     &["build", "cognifly", "--no-pictures"],
-    &["build", "cognifly", "--part", "foot"],
+    &["build", "cognifly", "--part", "knee"],
     &["render", "cognifly"],
     &["render", "cognifly", "--findings"],
     &["fold", "cognifly", "--step", "2", "--png"],

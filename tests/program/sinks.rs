@@ -7,16 +7,19 @@ use std::process::{Command, Output};
 use assert_cmd::cargo::cargo_bin;
 
 /// A text that is markup, a link, a command and an escape sequence.
-const HOSTILE: &str = r#"<script>alert(1)</script> <img src=x onerror=alert(1)> ![p](http://e.example/p) | \n::error::injected\u001b]0;title\u0007 ' \" &amp; ]]> %0A::warning::x"#;
+const HOSTILE: &str = r#"<script>alert(1)</script> <img src=x onerror=alert(1)> ![p](http://e/p) | \n::error::injected\u001b]0;title\u0007 ' \" &amp; ]]> %0A::warning::x"#;
+
+/// The same for names, which have one line.
+const NAME: &str = r#"<script>alert(1)</script> <img src=x onerror=alert(1)> ![p](http://e/p) | ' \" &amp; ]]> %0A::warning::x"#;
 
 /// A frame whose every free text is hostile.
 fn frame() -> String {
     format!(
-        "base = \"cognifly\"\nname = \"hostile\"\ndescription = \"{HOSTILE}\"\n[materials]\nrigid = \"=1+1|{HOSTILE}\"\n[bought]\nbattery = \"@SUM(A1)\"\n\
-         [override.materials.\"=1+1|{HOSTILE}\"]\nkind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.5, 0.5, 0.5, 1.0]\nsource = \"{HOSTILE}\"\n\
+        "base = \"cognifly\"\nname = \"hostile\"\ndescription = \"{HOSTILE}\"\n[materials]\nrigid = \"=1+1|{NAME}\"\n[bought]\nbattery = \"@SUM(A1)\"\n\
+         [override.materials.\"=1+1|{NAME}\"]\nkind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.5, 0.5, 0.5, 1.0]\nsource = \"{HOSTILE}\"\n\
          [override.parts.\"@SUM(A1)\"]\nkind = \"battery\"\nsize_mm = [55.0, 31.0, 16.0]\nmass_g = 58.0\nmass_basis = \"measured\"\nsource = \"=HYPERLINK(1) {HOSTILE}\"\n\
          price = 3.0\ncurrency = \"=A1\"\nprice_source = \"{HOSTILE}\"\n\
-         [extras.\"+1 {HOSTILE}\"]\nmass_g = 1.0\nmass_basis = \"measured\"\nsource = \"{HOSTILE}\"\n"
+         [extras.\"+1 {NAME}\"]\nmass_g = 1.0\nmass_basis = \"measured\"\nsource = \"{HOSTILE}\"\n"
     )
 }
 
@@ -37,7 +40,8 @@ fn is_harmless(what: &str, text: &str) {
 
 fn is_harmless_markup(what: &str, text: &str) {
     let lower = text.to_lowercase();
-    let obeyed = ["<script>alert", "<img src=x", "](http"].into_iter().find(|part| lower.contains(part));
+    let link = if what.ends_with(".html") || what.ends_with(".svg") || what == "junit" { "<a href" } else { "](http" };
+    let obeyed = ["<script>alert", "<img src=x", link].into_iter().find(|part| lower.contains(part));
     assert!(obeyed.is_none(), "{what} holds {obeyed:?}: {text}");
 }
 
@@ -128,5 +132,21 @@ fn planted_texts_of_drops_are_not_obeyed_in_tables_and_charts() {
             Some("csv") => assert_eq!(formulas(&text), [""; 0], "{}", path.display()),
             _ => {}
         }
+    }
+}
+
+#[test]
+fn planted_names_of_several_lines_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let entries =
+        ["extras.\"a\\n::error::b\"", "override.parts.\"a\\u001b]0;t\"", "override.materials.\"a\\rb\"", "override.printers.\"a\\u0085b\""];
+    for entry in entries {
+        fs::write(folder.path().join("frame.toml"), format!("base = \"cognifly\"\n[{entry}]\nkind = \"x\"\nsource = \"s\"\n"))
+            .expect("can be written");
+        let output =
+            Command::new(cargo_bin("flexframe")).args(["check", "frame.toml"]).current_dir(folder.path()).output().expect("starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains("control"), "{entry}: {said}");
+        is_harmless(entry, &said);
     }
 }
