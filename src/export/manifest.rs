@@ -1,5 +1,7 @@
 //! `manifest.json`: every file with its hash, every printed part with its numbers.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -146,7 +148,7 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, files
             .collect(),
         exact: exact_entries(design),
         step: files.iter().flat_map(|file| file.solids.clone()).collect(),
-        files: files.iter().map(|file| FileEntry { path: file.path.clone(), sha256: sha256(&file.bytes) }).collect(),
+        files: files.iter().map(|file| FileEntry { path: file.path.clone(), sha256: hash(&file.bytes) }).collect(),
         own_sha256: String::new(),
     }
 }
@@ -157,14 +159,41 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, files
 /// When it cannot be written as JSON.
 pub fn signed_text(list: &impl Serialize) -> serde_json::Result<String> {
     let text = serde_json::to_string_pretty(list)? + "\n";
-    let own = sha256(text.as_bytes());
+    let own = hash(text.as_bytes());
     Ok(text.replacen(EMPTY_HASH, &EMPTY_HASH.replace("\"\"", &format!("\"{own}\"")), 1))
 }
 
+/// What a list of files needs; a manifest has more.
+#[derive(Serialize, Deserialize)]
+struct FileList {
+    schema_version: u32,
+    files: Vec<FileEntry>,
+    /// Manifests of former versions have none.
+    #[serde(default)]
+    own_sha256: Option<String>,
+}
+
+/// The list of files of a folder that has no manifest.
+///
+/// # Errors
+/// When it cannot be written as JSON.
+pub fn list_text(files: &[(String, Vec<u8>)]) -> serde_json::Result<String> {
+    let files = files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hash(bytes) }).collect();
+    signed_text(&FileList { schema_version: SCHEMA_VERSION, files, own_sha256: Some(String::new()) })
+}
+
+/// Hashes by path as a manifest or another list states them, and whether the list itself is as it was written; `None` when the text is
+/// no list.
+pub fn listed(text: &str) -> Option<(BTreeMap<String, String>, bool)> {
+    let list: FileList = serde_json::from_str(text).ok()?;
+    let whole = list.own_sha256.is_none_or(|own| is_signed(text, &own));
+    Some((list.files.into_iter().map(|file| (file.path, file.sha256)).collect(), whole))
+}
+
 /// Whether a text is as [`signed_text`] wrote it, when it holds this hash of its own.
-pub fn is_signed(text: &str, own_sha256: &str) -> bool {
+fn is_signed(text: &str, own_sha256: &str) -> bool {
     let empty = text.replacen(&EMPTY_HASH.replace("\"\"", &format!("\"{own_sha256}\"")), EMPTY_HASH, 1);
-    sha256(empty.as_bytes()) == own_sha256
+    hash(empty.as_bytes()) == own_sha256
 }
 
 /// A hash of its own that is still empty.
@@ -221,6 +250,6 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// SHA-256 in hexadecimal.
-pub fn sha256(bytes: &[u8]) -> String {
+pub fn hash(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

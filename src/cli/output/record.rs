@@ -5,25 +5,13 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-
-use crate::export::manifest::{FileEntry, is_signed, sha256, signed_text};
+use crate::export::manifest::{hash, list_text, listed};
 
 /// The record of a folder that has no manifest.
 pub(super) const RECORD: &str = ".written.json";
 
 /// The manifest of a build, which lists the folder's other files.
 pub(super) const MANIFEST: &str = "manifest.json";
-
-/// Form of [`RECORD`]; a manifest has these keys, too.
-#[derive(Serialize, Deserialize)]
-struct Listed {
-    schema_version: u32,
-    files: Vec<FileEntry>,
-    /// Manifests of former versions have none.
-    #[serde(default)]
-    own_sha256: Option<String>,
-}
 
 /// Whether a path is that of a list of what the program wrote.
 pub(super) fn is_list(path: &Path) -> bool {
@@ -43,10 +31,9 @@ impl Record {
     fn of_file(folder: &Path, name: &str) -> Option<Self> {
         let bytes = content(&folder.join(name)).ok()?;
         let text = std::str::from_utf8(&bytes).ok()?;
-        let listed: Listed = serde_json::from_str(text).ok()?;
-        let mut hashes: BTreeMap<String, String> = listed.files.into_iter().map(|file| (file.path, file.sha256)).collect();
-        if listed.own_sha256.is_none_or(|own| is_signed(text, &own)) {
-            hashes.insert(name.into(), sha256(&bytes));
+        let (mut hashes, whole) = listed(text)?;
+        if whole {
+            hashes.insert(name.into(), hash(&bytes));
         }
         Some(Self(hashes))
     }
@@ -56,9 +43,7 @@ impl Record {
         if files.iter().any(|(path, _)| path == MANIFEST) {
             return Ok(None);
         }
-        let listed = files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: sha256(bytes) }).collect();
-        let text = signed_text(&Listed { schema_version: 1, files: listed, own_sha256: Some(String::new()) })?;
-        Ok(Some(text.into_bytes()))
+        Ok(Some(list_text(files)?.into_bytes()))
     }
 
     /// Whether the program wrote something at this path.
@@ -70,7 +55,7 @@ impl Record {
     pub fn is_ours(&self, folder: &Path, path: &Path) -> bool {
         let Some(stated) = path.to_str().and_then(|path| self.0.get(path)) else { return false };
         let is_file = fs::symlink_metadata(folder.join(path)).is_ok_and(|found| found.is_file());
-        is_file && content(&folder.join(path)).is_ok_and(|bytes| sha256(&bytes) == *stated)
+        is_file && content(&folder.join(path)).is_ok_and(|bytes| hash(&bytes) == *stated)
     }
 
     /// Whether the program made this folder for a file of its own.
