@@ -24,6 +24,7 @@ pub mod export;
 pub mod figures;
 pub mod frame;
 pub mod impact;
+pub mod markdown;
 pub mod mechanics;
 pub mod memo;
 pub mod params;

@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use super::bounded::number;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::progress::Progress;
@@ -21,7 +22,7 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value = "markdown", value_name = "FORMAT")]
     pub format: BomFormat,
     /// Width of a saw cut instead of 1 mm.
-    #[arg(long, value_name = "MM")]
+    #[arg(long, value_name = "MM", value_parser = number([0.0, WIDEST_KERF_MM], "mm"))]
     pub kerf: Option<f64>,
 }
 
@@ -41,9 +42,6 @@ const WIDEST_KERF_MM: f64 = 10.0;
 
 /// Prints the bill; exits 1 when a rod is longer than the stock.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    if let Some(kerf) = args.kerf.filter(|kerf| !(0.0..=WIDEST_KERF_MM).contains(kerf)) {
-        return Err(Failure::Usage { message: format!("--kerf {kerf} is out of bounds: give 0 to {WIDEST_KERF_MM} mm") });
-    }
     let working = Progress::of("listing", common);
     let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);

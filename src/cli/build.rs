@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use super::bounded::count;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::output;
@@ -41,12 +42,12 @@ pub(super) struct Args {
     #[arg(long, value_name = "PART")]
     pub part: Option<String>,
     /// How many of it, 1 when nothing is said.
-    #[arg(long, value_name = "N", requires = "part")]
+    #[arg(long, value_name = "N", requires = "part", value_parser = count([1, MOST_COPIES]))]
     pub quantity: Option<usize>,
 }
 
 /// Most copies of one part.
-const MOST_COPIES: usize = 100;
+const MOST_COPIES: u32 = 100;
 
 /// Builds a frame and writes its folder; a violated limit is a warning here, `check` gates.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
@@ -91,9 +92,6 @@ fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result
         )));
     };
     let quantity = args.quantity.unwrap_or(1);
-    if !(1..=MOST_COPIES).contains(&quantity) {
-        return Err(usage(format!("--quantity {quantity} is out of bounds: give 1 to {MOST_COPIES}")));
-    }
     let wanted: [Wanted; 1] = [(name, quantity)];
     let plates = plates::arrange(design, &wanted).map_err(|error| usage(format!("{error}: choose another printer in the frame file")))?;
     let count = plates.len();

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use super::bounded::{count, number};
 use super::failure::Failure;
 use super::failure::mechanics_refused;
 use super::given_drops::{file_format, frame_and_paths, with_body_of};
@@ -17,12 +18,13 @@ use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured;
 use crate::impact::measured::StaticTest;
+use crate::impact::sim::HEIGHTS_M;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
 use crate::mechanics::settings::MechanicsSettings as Mechanics;
 use crate::report::data::diagnosis_data;
 use crate::report::data::diagnosis_data::Compared;
-use crate::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
+use crate::report::data::diagnosis_request::{DiagnosisRequest, MOST_EFFECTS, RequestError};
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
@@ -45,13 +47,13 @@ pub(super) struct Args {
     #[arg(long, value_name = "TOML", requires = "frame")]
     pub mechanics: Option<String>,
     /// Heights that no fit sees, m: the gap there says what a name is worth.
-    #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…")]
+    #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…", value_parser = number(HEIGHTS_M, "m"))]
     pub hold_out_heights: Vec<f64>,
     /// A static test of the same frame, CSV of `displacement_mm,force_n`: compared with each model, not fitted.
     #[arg(long, value_name = "CSV")]
     pub static_test: Option<PathBuf>,
     /// Most effects on top of spring and damper, 1 to 3.
-    #[arg(long, default_value_t = 3, value_name = "N")]
+    #[arg(long, default_value_t = 3, value_name = "N", value_parser = count([1, MOST_EFFECTS as u32]))]
     pub max_effects: usize,
     /// Of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N")]

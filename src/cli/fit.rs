@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use super::bounded::count;
 use super::failure::Failure;
 use super::given_drops::{file_format, frame_and_paths, with_body_of};
 use super::options::{ChannelOption, Common, DropsOption, FormatOptions};
@@ -41,7 +42,7 @@ pub(super) struct Args {
     #[arg(long)]
     pub all: bool,
     /// Resampled fits for the intervals; 0 for none.
-    #[arg(long, default_value_t = 200, value_name = "N")]
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = count([0, MOST_SAMPLES]))]
     pub bootstrap: usize,
     /// Of the resampling.
     #[arg(long, default_value_t = 1, value_name = "N")]
@@ -77,13 +78,10 @@ impl Aim {
 }
 
 /// Bootstrap samples at the most.
-const MOST_SAMPLES: usize = 100_000;
+const MOST_SAMPLES: u32 = 100_000;
 
 /// Fits and writes a folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    if args.bootstrap > MOST_SAMPLES {
-        return Err(Failure::Usage { message: format!("--bootstrap takes at most {MOST_SAMPLES} samples") });
-    }
     let (frame, paths) = frame_and_paths(&args.drops)?;
     let model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);

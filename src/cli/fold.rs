@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use super::bounded::count;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::output;
@@ -24,7 +25,7 @@ pub(super) struct Args {
     #[command(flatten)]
     pub frame: FrameOption,
     /// One step only: its pictures before and after, into `FRAME-step-N`.
-    #[arg(long, value_name = "N", requires = "png")]
+    #[arg(long, value_name = "N", requires = "png", value_parser = count([1, 1000]))]
     pub step: Option<usize>,
     /// With --step: write the pictures.
     #[arg(long, requires = "step")]

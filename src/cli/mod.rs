@@ -3,6 +3,7 @@
 //! A subcommand is a file: its `Args`, with the words of its help, and its `run`. `commands!` below is the one list of them.
 
 mod bom;
+mod bounded;
 mod build;
 mod cache;
 mod check;
@@ -37,6 +38,8 @@ mod studio;
 mod synthesize;
 mod table;
 mod terminal;
+#[cfg(test)]
+mod tests;
 mod watch;
 mod weigh;
 

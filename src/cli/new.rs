@@ -40,7 +40,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "WxDxH")]
     pub envelope: Option<String>,
     /// Mass to stay within, g.
-    #[arg(long, value_name = "G")]
+    #[arg(long, value_name = "G", value_parser = super::bounded::number([20.0, 2000.0], "g"))]
     pub mass: Option<f64>,
     /// Most frames to look at.
     #[arg(long, default_value_t = 120, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::bounded::{magnitude, number};
 use crate::impact::effects::Channel;
 
 /// Options of every command.
@@ -54,10 +55,10 @@ pub(super) struct DropsOption {
 #[derive(Debug, Args)]
 pub(super) struct FormatOptions {
     /// Counts of the logger at 0 g, instead of those of the paper's.
-    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = number([-1e5, 1e5], "counts"))]
     pub offset_counts: Option<Vec<f64>>,
     /// Counts of the logger to one g, instead of those of the paper's.
-    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z")]
+    #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = magnitude([1e-2, 1e5], "counts"))]
     pub counts_per_g: Option<Vec<f64>>,
     /// Names of a table's columns: trial, session, h (height), v (impact speed, m/s), t, a (along the axis), x, y, z; -NAME changes
     /// the sign. Without a, z is the axis.
@@ -67,7 +68,7 @@ pub(super) struct FormatOptions {
     #[arg(long, value_delimiter = ',', value_name = "UNIT,…")]
     pub units: Vec<String>,
     /// Samples a second of a table, in place of its stamps.
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", value_parser = number([1.0, 1e6], "Hz"))]
     pub rate: Option<f64>,
 }
 

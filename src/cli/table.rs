@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::io::IsTerminal;
 
+use super::terminal::PAINT;
 use crate::checks::{Finding, Tightest, Verdict};
 
 /// Findings, violations marked, with value, limit and margin.
@@ -15,7 +16,7 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
         text += &format!(
             "{word}  {:<19} {:<width$}  {:>8} {unit:<4} limit {:>7} {unit:<4} margin {:>7}{among}\n",
             finding.rule,
-            finding.subject,
+            one_line(&finding.subject),
             finding.figures()[0],
             finding.figures()[1],
             finding.figures()[2],
@@ -24,13 +25,18 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
         );
         if finding.verdict == Verdict::Violated {
             let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(&finding.levers)) };
-            text += &format!("          {}{mend}\n", finding.message);
+            text += &format!("          {}{mend}\n", one_line(&finding.message));
         }
         if finding.verdict == Verdict::Note && finding.margin < 0.0 {
-            text += &format!("          {}\n", finding.message);
+            text += &format!("          {}\n", one_line(&finding.message));
         }
     }
     text
+}
+
+/// A text without line breaks: what begins a line of a log may be a command to whoever reads the log.
+fn one_line(text: &str) -> String {
+    text.replace(['\n', '\r'], " ")
 }
 
 /// Keys as alternatives: `a, b or c`.
@@ -44,9 +50,9 @@ fn one_of(keys: &[Cow<'static, str>]) -> String {
 
 fn verdict(finding: &Finding, colour: bool) -> String {
     let (word, paint) = match finding.verdict {
-        Verdict::Holds => ("holds   ", "\x1b[32m"),
-        Verdict::Violated => ("VIOLATED", "\x1b[31m"),
-        Verdict::Note => ("note    ", "\x1b[33m"),
+        Verdict::Holds => ("holds   ", PAINT[1]),
+        Verdict::Violated => ("VIOLATED", PAINT[0]),
+        Verdict::Note => ("note    ", PAINT[2]),
     };
-    if colour { format!("{paint}{word}\x1b[0m") } else { word.to_string() }
+    if colour { format!("{paint}{word}{}", PAINT[3]) } else { word.to_string() }
 }

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use notify::{RecursiveMode, Watcher};
 
+use super::bounded::count;
 use super::cache;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
@@ -27,8 +28,8 @@ pub(super) struct Args {
     #[command(flatten)]
     pub frame: FrameOption,
     /// End after so many saves.
-    #[arg(long, value_name = "N")]
-    pub saves: Option<u32>,
+    #[arg(long, value_name = "N", value_parser = count([0, 1_000_000]))]
+    pub saves: Option<usize>,
 }
 
 /// How long nothing has to happen before a save is over: editors write a file, or another one and rename it.

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::bill::{Bill, BuyLine, CutLine};
+use crate::markdown::inert;
 
 /// The page.
 pub fn markdown(bill: &Bill) -> String {
@@ -13,7 +14,11 @@ pub fn markdown(bill: &Bill) -> String {
         let _ = writeln!(
             page,
             "| {} | {} | {} | {:.0} | {:.2} | {time} |",
-            line.part, line.quantity, line.material, line.volume_mm3, line.mass_g
+            line.part,
+            line.quantity,
+            inert(&line.material),
+            line.volume_mm3,
+            line.mass_g
         );
     }
     let time = bill.print_at_least_h.map_or(String::new(), |hours| {
@@ -29,9 +34,9 @@ fn buy(page: &mut String, bill: &Bill) {
     *page += "## Buy\n\n| role | part | pieces | g in all | how it is known | price of one | source |\n|---|---|---:|---:|---|---:|---|\n";
     for line in &bill.buy {
         let mass = line.mass_g.map_or("-".into(), |mass| format!("{mass:.2}"));
-        let basis = cell(line.mass_basis.as_deref().unwrap_or("-"));
-        let (role, pieces) = (cell(&line.role), line.quantity);
-        let _ = writeln!(page, "| {role} | {} | {pieces} | {mass} | {basis} | {} | {} |", name(line), price(line), cell(&line.source));
+        let basis = inert(line.mass_basis.as_deref().unwrap_or("-"));
+        let (role, pieces) = (inert(&line.role), line.quantity);
+        let _ = writeln!(page, "| {role} | {} | {pieces} | {mass} | {basis} | {} | {} |", name(line), price(line), inert(&line.source));
     }
     let sums: Vec<String> = bill.prices.iter().map(|(currency, sum)| format!("{sum:.2} {currency}")).collect();
     let _ = match sums[..] {
@@ -45,12 +50,12 @@ fn name(line: &BuyLine) -> String {
         return "-".into();
     }
     let screw = line.screw_mm.map_or(String::new(), |[thread, length]| format!(" (M{thread} x {length} mm)"));
-    cell(&format!("{}{screw}", line.name))
+    inert(&format!("{}{screw}", line.name))
 }
 
 fn price(line: &BuyLine) -> String {
     match (line.price, &line.currency, &line.price_source) {
-        (Some(price), Some(currency), Some(source)) => cell(&format!("{price:.2} {currency} ({source})")),
+        (Some(price), Some(currency), Some(source)) => inert(&format!("{price:.2} {currency} ({source})")),
         _ => "-".into(),
     }
 }
@@ -65,7 +70,7 @@ fn cut(page: &mut String, bill: &Bill) {
             line.quantity,
             line.sawn_mm,
             line.length_mm,
-            cell(&line.material),
+            inert(&line.material),
             line.mass_g
         );
     }
@@ -79,9 +84,4 @@ fn cut(page: &mut String, bill: &Bill) {
         let pieces: Vec<String> = pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();
         let _ = writeln!(page, "| {} | {} | {rest_mm:.1} |", at + 1, pieces.join(" + "));
     }
-}
-
-/// Text that cannot break a table.
-fn cell(text: &str) -> String {
-    text.replace('|', "\\|").replace(['\n', '\r'], " ")
 }

@@ -1,6 +1,8 @@
 //! `manifest.json`: every file with its hash, every printed part with its numbers.
 
-use serde::Serialize;
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::format::{File, SolidEntry};
@@ -39,6 +41,8 @@ pub struct Manifest {
     pub step: Vec<SolidEntry>,
     /// Every other file of the folder.
     pub files: Vec<FileEntry>,
+    /// SHA-256 of the manifest's own text with this value left empty; whoever changes the text by hand makes it wrong.
+    pub own_sha256: String,
 }
 
 /// A printed part.
@@ -110,7 +114,7 @@ pub struct ExactEntry {
 }
 
 /// A file and its hash.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct FileEntry {
     /// Path in the folder, with `/`.
     pub path: String,
@@ -144,9 +148,56 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, files
             .collect(),
         exact: exact_entries(design),
         step: files.iter().flat_map(|file| file.solids.clone()).collect(),
-        files: files.iter().map(|file| FileEntry { path: file.path.clone(), sha256: hex(&Sha256::digest(&file.bytes)) }).collect(),
+        files: files.iter().map(|file| FileEntry { path: file.path.clone(), sha256: hash(&file.bytes) }).collect(),
+        own_sha256: String::new(),
     }
 }
+
+/// The text of a list of files with its own hash in it. `list` has an `own_sha256`, which is empty.
+///
+/// # Errors
+/// When it cannot be written as JSON.
+pub fn signed_text(list: &impl Serialize) -> serde_json::Result<String> {
+    let text = serde_json::to_string_pretty(list)? + "\n";
+    let own = hash(text.as_bytes());
+    Ok(text.replacen(EMPTY_HASH, &EMPTY_HASH.replace("\"\"", &format!("\"{own}\"")), 1))
+}
+
+/// What a list of files needs; a manifest has more.
+#[derive(Serialize, Deserialize)]
+struct FileList {
+    schema_version: u32,
+    files: Vec<FileEntry>,
+    /// Manifests of former versions have none.
+    #[serde(default)]
+    own_sha256: Option<String>,
+}
+
+/// The list of files of a folder that has no manifest.
+///
+/// # Errors
+/// When it cannot be written as JSON.
+pub fn list_text(files: &[(String, Vec<u8>)]) -> serde_json::Result<String> {
+    let files = files.iter().map(|(path, bytes)| FileEntry { path: path.clone(), sha256: hash(bytes) }).collect();
+    signed_text(&FileList { schema_version: SCHEMA_VERSION, files, own_sha256: Some(String::new()) })
+}
+
+/// Hashes by path as a manifest or another list states them, and whether the list itself is as it was written; `None` when the text is
+/// no list.
+pub fn listed(text: &str) -> Option<(BTreeMap<String, String>, bool)> {
+    let list: FileList = serde_json::from_str(text).ok()?;
+    let whole = list.own_sha256.is_none_or(|own| is_signed(text, &own));
+    Some((list.files.into_iter().map(|file| (file.path, file.sha256)).collect(), whole))
+}
+
+/// Whether a text is as [`signed_text`] wrote it, when it holds this hash of its own.
+fn is_signed(text: &str, own_sha256: &str) -> bool {
+    let empty = text.replacen(&EMPTY_HASH.replace("\"\"", &format!("\"{own_sha256}\"")), EMPTY_HASH, 1);
+    hash(empty.as_bytes()) == own_sha256
+}
+
+/// A hash of its own that is still empty.
+const EMPTY_HASH: &str = "\n  \"own_sha256\": \"\"";
 
 fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files: &[File]) -> Vec<PartEntry> {
     design
@@ -198,6 +249,7 @@ fn rounded(value: f64) -> f64 {
     (value * 1000.0).round() / 1000.0
 }
 
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+/// SHA-256 in hexadecimal.
+pub fn hash(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -73,27 +73,6 @@ pub struct Material {
     pub print_source: Option<String>,
 }
 
-impl Material {
-    /// Whether its figures can be those of a material.
-    pub fn is_sound(&self) -> bool {
-        let optional =
-            [self.elongation_at_break_percent, self.elongation_across_layers_percent, self.tensile_modulus_mpa, self.tensile_strength_mpa];
-        let printing = [self.layer_mm, self.perimeters, self.speed_mm_s, self.nozzle_c, self.bed_c, self.fan_percent];
-        let hanging = [self.ledge_mm, self.bridge_mm];
-        let leaning = self.overhang_deg.is_none_or(|deg| deg > 0.0 && deg < 90.0);
-        let brimmed = self.brim_mm.is_none_or(|brim_mm| (0.0..=20.0).contains(&brim_mm));
-        let coloured = self.colour.iter().all(|share| (0.0..=1.0).contains(share));
-        all_positive([Some(self.density_g_cm3), Some(self.print_factor), self.most_flow_mm3_s])
-            && all_positive(optional)
-            && all_positive(printing)
-            && all_positive(hanging)
-            && leaning
-            && brimmed
-            && self.density_g_cm3 < 25.0
-            && coloured
-    }
-}
-
 /// A part that is bought.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -153,26 +132,12 @@ pub struct BoughtPart {
 }
 
 impl BoughtPart {
-    /// Whether its figures can be those of a part.
-    pub fn is_sound(&self) -> bool {
-        let lengths = [self.diameter_mm, self.stock_length_mm, self.body_diameter_mm, self.height_mm, self.hub_height_mm];
-        let holes = [self.hole_pcd_mm, self.hole_diameter_mm, self.shaft_hole_diameter_mm, self.hole_pitch_mm, self.capacity_mah];
-        let screw = [self.thread_mm, self.length_mm, self.head_diameter_mm, self.head_height_mm];
-        let weighed = self.mass_g.is_finite() && self.mass_g >= 0.0;
-        let priced = [self.price.is_some(), self.currency.is_some(), self.price_source.is_some()];
-        let whole = priced == [true; 3] || priced == [false; 3];
-        whole
-            && self.price.is_none_or(|price| price.is_finite() && price >= 0.0)
-            && weighed
-            && all_positive(self.size_mm.map(Some))
-            && all_positive(lengths)
-            && all_positive(holes)
-            && all_positive(screw)
+    /// Whether its price comes with a currency and a source, or there is none.
+    pub fn is_priced_whole(&self) -> bool {
+        let stated = [self.price.is_some(), self.currency.is_some(), self.price_source.is_some()];
+        stated == [true; 3] || stated == [false; 3]
     }
 }
-
-/// Most that a printer may be off, mm: a hole that is off by more is no matter of compensation.
-const MOST_OFF_MM: f64 = 1.0;
 
 /// The shape of a printer's bed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -215,15 +180,6 @@ pub struct Printer {
 }
 
 impl Printer {
-    /// Whether its figures can be those of a printer.
-    pub fn is_sound(&self) -> bool {
-        let off = [self.hole_undersize_mm, self.elephant_foot_mm];
-        all_positive(self.size_mm.map(Some))
-            && all_positive([Some(self.height_mm), Some(self.nozzle_mm), Some(self.min_wall_nozzles)])
-            && all_positive([self.least_contact_mm2, self.least_tip_deg, self.most_slender])
-            && off.iter().flatten().all(|mm| (0.0..=MOST_OFF_MM).contains(mm))
-    }
-
     /// Width of a line, mm: what `min_wall_nozzles` is reckoned with.
     pub fn line_mm(&self) -> f64 {
         (1.125 * self.nozzle_mm * 1e3).round() / 1e3
@@ -233,8 +189,4 @@ impl Printer {
     pub fn layer_mm(&self, material: &Material) -> f64 {
         material.layer_mm.unwrap_or(0.5 * self.nozzle_mm)
     }
-}
-
-fn all_positive<const N: usize>(figures: [Option<f64>; N]) -> bool {
-    figures.iter().flatten().all(|figure| figure.is_finite() && *figure > 0.0)
 }

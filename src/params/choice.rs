@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::catalogue::{BoughtPart, Material, Printer};
+use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
 use super::preset;
-use super::read::{bad_entry, stated_text, text};
+use super::read::{bad_entry, in_one_line, stated_text, text};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
 
@@ -37,10 +38,10 @@ impl Catalogues {
                 continue;
             }
             let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
-            let (catalogue, name, field) = match (table, place) {
-                ("parts", Some((name, field))) => (&mut all.parts, name, field),
-                ("materials", Some((name, field))) => (&mut all.materials, name, field),
-                ("printers", Some((name, field))) => (&mut all.printers, name, field),
+            let (catalogue, figures, name, field) = match (table, place) {
+                ("parts", Some((name, field))) => (&mut all.parts, &BoughtPart::FIGURES[..], name, field),
+                ("materials", Some((name, field))) => (&mut all.materials, &Material::FIGURES[..], name, field),
+                ("printers", Some((name, field))) => (&mut all.printers, &Printer::FIGURES[..], name, field),
                 _ => {
                     let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
                     return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
@@ -53,6 +54,9 @@ impl Catalogues {
                 let nearest = nearest(name, catalogue.keys().map(String::as_str));
                 return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
             }
+            let kind = if table == "parts" { "bought part" } else { table.trim_end_matches('s') };
+            in_one_line(file, key, kind, name)?;
+            within_bounds(figures, field, file, key, &entry.value)?;
             let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
             if let Some(own) = own.as_table_mut() {
                 own.insert(field.into(), entry.value.to_toml());
@@ -72,15 +76,8 @@ impl Catalogues {
                 let (found, expected, fits) = (format!("a {}", part.kind), format!("a {kind}"), fitting(&self.parts, |p| is(p, kind)));
                 return Err(file.refuse(&key, Reason::WrongKind { key: key.clone(), name, found, expected, fits }));
             }
-            if !part.is_sound() {
-                return Err(bad_override(
-                    file,
-                    &key,
-                    "bought part",
-                    "parts",
-                    &name,
-                    "a mass or size of it is negative or no number, or its price lacks currency or price_source",
-                ));
+            if !part.is_priced_whole() {
+                return Err(bad_override(file, &key, "bought part", "parts", &name, "its price lacks currency or price_source"));
             }
             items.insert(role.into(), BoughtItem { name, quantity, part });
         }
@@ -144,20 +141,13 @@ impl Catalogues {
             let (found, expected, fits) = (words(&material.kind), words(kind), fitting(&self.materials, |m| is(m, kind)));
             return Err(file.refuse(key, Reason::WrongKind { key: key.into(), name, found, expected, fits }));
         }
-        if !material.is_sound() {
-            return Err(bad_override(file, key, "material", "materials", &name, "one of its figures is not positive or no number"));
-        }
         Ok(NamedMaterial { name, material })
     }
 
     /// The printer that a frame file names.
     pub fn printer(&self, file: &FrameFile) -> Result<Printer, Refusal> {
         let name = stated_text(file, "printer")?;
-        let printer: Printer = entry(&self.printers, file, "printer", "printer", "printers", &name)?;
-        if !printer.is_sound() {
-            return Err(bad_override(file, "printer", "printer", "printers", &name, "one of its sizes is not positive or no number"));
-        }
-        Ok(printer)
+        entry(&self.printers, file, "printer", "printer", "printers", &name)
     }
 }
 

@@ -4,6 +4,7 @@
 pub mod amend;
 pub mod catalogue;
 mod choice;
+pub mod figure;
 pub mod files;
 pub mod follows;
 pub mod frame;

@@ -24,3 +24,8 @@ pub(super) fn stated_text(file: &FrameFile, key: &str) -> Result<String, Refusal
 pub(super) fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, message: &str) -> Refusal {
     file.refuse(key, Reason::BadEntry { kind: kind.into(), name: name.into(), message: message.trim().into() })
 }
+
+/// Refuses a name that is more than a line of text: it stands in tables and in logs, where a line may be a command.
+pub(super) fn in_one_line(file: &FrameFile, key: &str, kind: &str, name: &str) -> Result<(), Refusal> {
+    if name.contains(char::is_control) { Err(bad_entry(file, key, kind, name, "its name has a control character in it")) } else { Ok(()) }
+}

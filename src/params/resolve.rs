@@ -3,12 +3,13 @@
 use std::collections::BTreeMap;
 
 use super::choice::Catalogues;
+use super::figure::within_bounds;
 use super::follows;
 use super::frame::{BoughtItem, Extra, Frame, TargetSize, catalogue};
 use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
-use super::read::{bad_entry, text};
+use super::read::{bad_entry, in_one_line, text};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
 use super::{relation, renamed};
@@ -192,15 +193,16 @@ fn target(file: &FrameFile) -> Result<Option<TargetSize>, Refusal> {
     Ok(Some(TargetSize { width_mm: values[0], height_mm: values[1], strut_tilt_deg: values[2] }))
 }
 
-/// Farthest that an extra mass may sit from the hub along an axis, mm.
-const FARTHEST_EXTRA_MM: f64 = 500.0;
-
 fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
     for (key, entry) in &file.entries {
         let Some(rest) = key.strip_prefix("extras.") else { continue };
         match (rest.split_once('.'), &entry.value) {
-            (Some((name, field)), _) => drop(tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml())),
+            (Some((name, field)), _) => {
+                in_one_line(file, key, "extra", name)?;
+                within_bounds(&Extra::FIGURES, field, file, key, &entry.value)?;
+                tables.entry(name.into()).or_default().insert(field.into(), entry.value.to_toml());
+            }
             (None, Value::Other(toml::Value::Table(_))) => drop(tables.entry(rest.into()).or_default()),
             (None, _) => {
                 let nearest = vec![format!("extras.NAME.{rest}")];
@@ -218,11 +220,6 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
             let key = stated.clone().find(blamed).or_else(|| stated.clone().next());
             bad_entry(file, key.map_or(at.as_str(), String::as_str), "extra", &name, e.message())
         })?;
-        if extra.position_mm.iter().any(|at| at.abs() > FARTHEST_EXTRA_MM || !at.is_finite()) {
-            let at = format!("extras.{name}.position_mm");
-            let message = format!("lies further than {FARTHEST_EXTRA_MM} mm from the hub, or is no number");
-            return Err(bad_entry(file, &at, "extra", &name, &message));
-        }
         if let Some(role) = extra.covers.iter().find(|role| ROLES.iter().all(|(known, ..)| known != role)) {
             let reason = Reason::UnknownName {
                 kind: "role of a bought part".into(),
@@ -230,10 +227,6 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
                 nearest: nearest(role, ROLES.iter().map(|(known, ..)| *known)),
             };
             return Err(file.refuse(&format!("extras.{name}.covers"), reason));
-        }
-        if !(0.0..=5000.0).contains(&extra.mass_g) {
-            let (value, unit) = (extra.mass_g, "g".to_string());
-            return Err(file.refuse(&at, Reason::OutOfBounds { key: at.clone(), value, min: 0.0, max: 5000.0, unit }));
         }
         Ok((name, extra))
     };

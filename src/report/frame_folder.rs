@@ -65,8 +65,7 @@ pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: 
     }
     files.push(File::new("report.md", summary::markdown(design, masses, findings, choice.pictures).into_bytes()));
     let manifest = manifest::manifest(design, &meshes, masses, &files);
-    let mut text = serde_json::to_string_pretty(&manifest).map_err(ExportError::of("manifest.json"))?;
-    text.push('\n');
+    let text = manifest::signed_text(&manifest).map_err(ExportError::of("manifest.json"))?;
     files.push(File::new("manifest.json", text.into_bytes()));
     Ok(files)
 }

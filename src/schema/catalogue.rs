@@ -5,9 +5,10 @@ use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
 
 use crate::params::catalogue::{BoughtPart, Material, Printer};
+use crate::params::figure::Figure;
 use crate::params::frame::Extra;
 
-fn of<T: JsonSchema>() -> Value {
+fn of<T: JsonSchema>(figures: &[Figure]) -> Value {
     let settings = SchemaSettings::draft07().with(|settings| {
         settings.inline_subschemas = true;
         settings.meta_schema = None;
@@ -17,23 +18,31 @@ fn of<T: JsonSchema>() -> Value {
     if let Some(value) = value.as_object_mut() {
         value.remove("title");
     }
+    for Figure { key, min, max, unit } in figures {
+        let property = &mut value["properties"][key];
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        property["description"] = format!("{} {min} to {max}{unit}.", property["description"].as_str().unwrap_or_default()).into();
+        let number = if property["items"].is_object() { &mut property["items"] } else { property };
+        number["minimum"] = (*min).into();
+        number["maximum"] = (*max).into();
+    }
     value
 }
 
 pub(super) fn part() -> Value {
-    of::<BoughtPart>()
+    of::<BoughtPart>(&BoughtPart::FIGURES)
 }
 
 pub(super) fn material() -> Value {
-    of::<Material>()
+    of::<Material>(&Material::FIGURES)
 }
 
 pub(super) fn extra() -> Value {
-    of::<Extra>()
+    of::<Extra>(&Extra::FIGURES)
 }
 
 pub(super) fn printer() -> Value {
-    of::<Printer>()
+    of::<Printer>(&Printer::FIGURES)
 }
 
 /// An entry of which single figures may be stated: the rest stands in the catalogue.

@@ -185,7 +185,7 @@ fn planted_faults_of_plans_and_options_are_refused() {
     fs::write(&file, plan("", 1)).expect("written");
     program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
     for (option, says) in
-        [(["--hold-out-heights", "7"], "0.5, 1, 1.5, 2"), (["--max-effects", "9"], "1, 2 or 3"), (["--model", "nowhere"], "paper")]
+        [(["--hold-out-heights", "7"], "0.5, 1, 1.5, 2"), (["--max-effects", "9"], "1 to 3"), (["--model", "nowhere"], "paper")]
     {
         let out = program()
             .arg("diagnose")

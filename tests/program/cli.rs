@@ -266,9 +266,9 @@ fn planted_overrides_are_held_to_the_catalogue() {
     let typing = refused("base = \"cognifly\"\n[override.parts.motor-1104]\nmass_gram = 6.0\n");
     assert_says(&typing, &["unknown field `mass_gram`", "frame.toml:3"]);
     let negative = refused("base = \"cognifly\"\n[override.materials.abs]\ndensity_g_cm3 = -1.0\n");
-    assert_says(&negative, &["the material `abs` does not read", "frame.toml:3"]);
+    assert_says(&negative, &["= -1 is out of bounds: 0.05 to 25 g/cm³", "the nearest allowed value is 0.05 g/cm³", "frame.toml:3"]);
     let printer = refused("base = \"cognifly\"\n[override.printers.\"generic-0.4\"]\nnozzle_mm = 0.0\n");
-    assert_says(&printer, &["the printer `generic-0.4` does not read", "frame.toml:3"]);
+    assert_says(&printer, &["= 0 is out of bounds: 0.1 to 2 mm", "the nearest allowed value is 0.1 mm", "frame.toml:3"]);
     let name = refused("base = \"cognifly\"\n[override.parts.motor-1140]\nmass_g = 6.0\n");
     assert_says(&name, &["there is no entry of parts called `motor-1140`", "`motor-1104`"]);
 }

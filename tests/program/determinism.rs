@@ -144,15 +144,26 @@ fn planted_killed_runs_leave_a_whole_result() {
         bench.result()
     });
     assert!(is_whole(&good[0]) && is_whole(&good[1]) && good[0] != good[1]);
+    // What the user puts there is there after every kill, and only there.
+    fs::write(bench.0.path().join("out/frame/mine.txt"), "mine").expect("can be written");
+    fs::create_dir_all(bench.0.path().join("out/frame/parts/mine")).expect("can be made");
+    fs::write(bench.0.path().join("out/frame/parts/mine/deep.txt"), "deep").expect("can be written");
+    let of_ours = || {
+        let mut left = bench.result();
+        let mine = ["mine.txt", "parts/mine/deep.txt"].map(|path| left.remove(path));
+        assert_eq!(mine, [Some(b"mine".to_vec()), Some(b"deep".to_vec())]);
+        left
+    };
     let after_start = [1, 100].map(|ms| Kill::AfterStart(Duration::from_millis(ms)));
     let writing = [0, 300, 1000, 2000, 3000, 5000, 10_000, 30_000].map(|us| Kill::AfterFirstByte(Duration::from_micros(us)));
     for (run, when) in after_start.iter().chain(&writing).enumerate() {
         let beside = bench.beside();
         let child = bench.build(FRAMES[run % 2], &["--no-pictures"]).spawn().expect("starts");
         kill(child, &bench, beside, when);
-        let left = bench.result();
+        let left = of_ours();
         assert!(good.contains(&left), "run {run}: the folder holds {:?}", left.keys().collect::<Vec<_>>());
     }
     assert!(bench.build(FRAMES[0], &["--no-pictures"]).status().expect("starts").success());
-    assert!(is_whole(&bench.result()));
+    assert!(is_whole(&of_ours()));
+    assert_eq!(bench.beside(), 0, "the next run removes what killed runs have left");
 }

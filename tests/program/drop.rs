@@ -69,7 +69,7 @@ fn analytic_the_folder_is_whole_and_the_same_twice() {
         assert!(read(&once).len() > 100, "{name}");
         assert_eq!(read(&once), read(&again), "{name}");
     }
-    assert_eq!(fs::read_dir(once.join("drop-paper")).expect("a folder").count(), names.len());
+    assert_eq!(fs::read_dir(once.join("drop-paper")).expect("a folder").count(), names.len() + 1, "and the record of what was written");
     // The model that was written drops the same.
     let model = once.join("drop-paper/model.toml").display().to_string();
     let repeated = json(&again, &["--height", "0.5,1.5", "--model", &model]);
@@ -105,7 +105,7 @@ fn planted_mistakes_exit_2_and_write_nothing() {
         (&["--fit", "drops.csv"], "--fit goes with --model frame"),
         (&["--tilt", "5,0"], "--tilt goes with --model frame"),
         (&["--model", "frame"], "--model frame needs a frame"),
-        (&["cognifly", "--model", "frame", "--tilt", "40,0"], "30 degrees at most"),
+        (&["cognifly", "--model", "frame", "--tilt", "40,0"], "out of bounds: give -30 to 30 °"),
         (&["cognifly", "--model", "frame", "--tilt", "5"], "two angles"),
         (&["cognifly", "--model", "frame", "--fit", "absent.csv"], "absent.csv"),
     ] {

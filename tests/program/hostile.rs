@@ -172,14 +172,24 @@ fn planted_links_are_not_followed_when_writing() {
     let done = bench.run(&["check", "frame.toml", "--strict", "--baseline", "list.json", "--update-baseline", "-q"]);
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
     assert_eq!(fs::read_to_string(outside.path("list")).expect("is there"), "{\"schema_version\": 1, \"accepted\": []}");
-    // A linked folder in the result's place is replaced, not filled.
+    // A linked folder in the result's place is the place: nothing in it is replaced that is not the program's.
     fs::create_dir(bench.path("out")).expect("can be made");
     std::os::unix::fs::symlink(outside.folder.path(), bench.path("out/linked")).expect("can be linked");
     let done = bench.run(&["build", "frame.toml", "-o", "out", "--no-pictures", "-q"]);
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
-    let left: Vec<PathBuf> = outside.names();
-    assert_eq!(left, [outside.path("list"), outside.path("precious")]);
+    assert!(bench.path("out/linked").is_symlink() && outside.path("manifest.json").exists());
+    assert_eq!(fs::read_to_string(outside.path("list")).expect("is there"), "{\"schema_version\": 1, \"accepted\": []}");
     assert_eq!(fs::read_to_string(outside.path("precious")).expect("is there"), "keep");
+    // A link inside a result is a file of the user's: it makes way, and what it leads to stays as it is.
+    let apart = Bench::new();
+    apart.write("report.md", "keep");
+    fs::remove_file(outside.path("report.md")).expect("is there");
+    std::os::unix::fs::symlink(apart.path("report.md"), outside.path("report.md")).expect("can be linked");
+    let done = bench.run(&["build", "frame.toml", "-o", "out", "--no-pictures", "-q"]);
+    assert!(String::from_utf8_lossy(&done.stderr).contains("report.md.yours"));
+    assert!(outside.path("report.md.yours").is_symlink() && !outside.path("report.md").is_symlink());
+    assert_eq!(fs::read_to_string(apart.path("report.md")).expect("is there"), "keep");
+    assert_eq!(apart.names(), [apart.path("report.md")]);
 }
 
 #[cfg(target_os = "linux")]
@@ -197,5 +207,35 @@ fn planted_places_that_cannot_be_written() {
             Command::new(cargo_bin("flexframe")).args(arguments).env("FLEXFRAME_CACHE", "off").stdout(full).output().expect("starts");
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.code() == Some(3) && said.contains("cannot print"), "{arguments:?}: {said}");
+    }
+}
+
+#[test]
+fn planted_printers_at_their_bounds_are_checked_without_a_panic() {
+    use flexframe::params::catalogue::Printer;
+    let bench = Bench::new();
+    let value = |key: &str, limit: f64| if key == "size_mm" { format!("[{limit:?}, {limit:?}]") } else { format!("{limit:?}") };
+    let head =
+        "base = \"cognifly\"\nprinter = \"mine\"\n[override.printers.mine]\nname = \"mine\"\nbed = \"rectangular\"\nsource = \"s\"\n";
+    let usual = "nozzle_mm = 0.4\nmin_wall_nozzles = 2.14\nsize_mm = [220.0, 220.0]\nheight_mm = 250.0\n";
+    let one = Printer::FIGURES.iter().flat_map(|figure| [figure.min, figure.max].map(|limit| (figure.key, limit)));
+    let alone = one.map(|(key, limit)| {
+        let rest: String = usual.lines().filter(|line| !line.starts_with(key)).map(|line| format!("{line}\n")).collect();
+        format!("{head}{rest}{key} = {}\n", value(key, limit))
+    });
+    let together = [0, 1].map(|end| {
+        let lines =
+            Printer::FIGURES.iter().map(|figure| format!("{} = {}\n", figure.key, value(figure.key, [figure.min, figure.max][end])));
+        format!("{head}{}", lines.collect::<String>())
+    });
+    for text in alone.chain(together) {
+        bench.write("frame.toml", &text);
+        let begun = Instant::now();
+        let mut command = Command::new(cargo_bin("flexframe"));
+        command.args(["check", "frame.toml", "-q"]).current_dir(bench.folder.path()).env("FLEXFRAME_CACHE", bench.path("cache"));
+        let output = command.output().expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(matches!(output.status.code(), Some(0 | 1)) && !said.contains("panicked"), "{text}: {said}");
+        assert!(begun.elapsed() < Duration::from_secs(60), "{text} took {:?}", begun.elapsed());
     }
 }

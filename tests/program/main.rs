@@ -9,5 +9,7 @@ mod drops;
 mod fuzz;
 mod gate;
 mod hostile;
+mod kept;
 mod measure;
+mod sinks;
 mod variant;

@@ -90,7 +90,7 @@ fn analytic_the_folder_is_whole_and_the_same_twice() {
     for turn in 0..2 {
         let output = run("measure", folder.path(), &["drops.csv", "-q"]);
         assert_eq!((output.status.code(), output.stdout.len(), output.stderr.len()), (Some(0), 0, 0));
-        assert_eq!(fs::read_dir(folder.path().join("out/measure")).expect("a folder").count(), names.len());
+        assert_eq!(fs::read_dir(folder.path().join("out/measure")).expect("a folder").count(), names.len() + 1, "and the record");
         let now: Vec<Vec<u8>> = names.iter().map(|name| read(name)).collect();
         assert!(turn == 0 || now == before);
         before = now;
@@ -208,7 +208,7 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         (&["cognifly"], "name the drops"),
         (&["cognifly", "cognifly-v8", "good.csv"], "name one frame"),
         (&["good.csv", "--counts-per-g", "1,2"], "--counts-per-g takes three numbers"),
-        (&["good.csv", "--bootstrap", "1000000"], "at most 100000"),
+        (&["good.csv", "--bootstrap", "1000000"], "out of bounds: give 0 to 100000"),
         (&["good.csv", "--objective", "best"], "possible values: ml, paper"),
     ] {
         let output = run("fit", place, arguments);

@@ -5,9 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The wings of `src`, in the order in which data flows through them: a wing imports only those before it.
-const WINGS: [&str; 16] = [
+const WINGS: [&str; 17] = [
     "units",
     "figures",
+    "markdown",
     "memo",
     "params",
     "solid",
@@ -25,9 +26,10 @@ const WINGS: [&str; 16] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 31] = [
+const LAYERS: [(&str, &[&str]); 32] = [
     ("units", &[]),
     ("figures", &[]),
+    ("markdown", &[]),
     ("memo", &[]),
     ("params", &["figures"]),
     ("solid", &["units", "memo"]),
@@ -56,8 +58,8 @@ const LAYERS: [(&str, &[&str]); 31] = [
             "mechanics",
         ],
     ),
-    ("checks/gate", &["params", "frame/assembly", "checks"]),
-    ("export", &["units", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold", "printing/plates", "mechanics"]),
+    ("checks/gate", &["markdown", "params", "frame/assembly", "checks"]),
+    ("export", &["units", "markdown", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold", "printing/plates", "mechanics"]),
     ("impact/body", &["frame/assembly", "checks"]),
     ("impact/effects", &["units", "params", "impact/body"]),
     ("impact/sim", &["units", "impact/body", "impact/effects"]),
@@ -87,6 +89,7 @@ const LAYERS: [(&str, &[&str]); 31] = [
         "report",
         &[
             "figures",
+            "markdown",
             "params",
             "solid",
             "frame/skeleton",

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::outcome::{CheckedFrame, Outcome, Refused};
 use super::policy::Standing;
 use crate::checks::{self, Finding, Verdict};
+use crate::markdown::inert;
 
 /// A table of frames, then what is wrong with each, then the tightest limits of each.
 pub fn page(outcomes: &[Outcome]) -> String {
@@ -12,7 +13,7 @@ pub fn page(outcomes: &[Outcome]) -> String {
     for outcome in outcomes {
         page += &match &outcome.result {
             Ok(held) => row(held),
-            Err(_) => format!("| {} | | | | | | **refused** |\n", cell(&outcome.asked)),
+            Err(_) => format!("| {} | | | | | | **refused** |\n", inert(&outcome.asked)),
         };
     }
     for outcome in outcomes {
@@ -34,7 +35,7 @@ fn row(held: &CheckedFrame) -> String {
     let word = if fails > 0 { "**fails**" } else { "passes" };
     format!(
         "| {} | {:.1} | {x:.1} x {y:.1} x {z:.1} | {fails} | {warnings} | {accepted} | {word} |\n",
-        cell(&held.frame),
+        inert(&held.frame),
         held.masses.total_g
     )
 }
@@ -42,15 +43,15 @@ fn row(held: &CheckedFrame) -> String {
 fn refusal(asked: &str, refused: &Refused) -> String {
     let Refused { message, remedy, spot, .. } = refused;
     let place = spot.as_ref().map_or(String::new(), |spot| format!(" (`{}:{}:{}`)", spot.file, spot.line, spot.column));
-    format!("\n### {}\n\nRefused{place}: {message}. {remedy}\n", cell(asked))
+    format!("\n### {}\n\nRefused{place}: {}. {}\n", inert(asked), inert(message), inert(remedy))
 }
 
 fn section(held: &CheckedFrame) -> String {
-    let mut text = format!("\n### {}\n\n", cell(&held.frame));
+    let mut text = format!("\n### {}\n\n", inert(&held.frame));
     for (standing, word) in [(Standing::Fails, "**fails**"), (Standing::Warning, "warning"), (Standing::Accepted, "accepted")] {
         for judged in held.of(standing) {
             let place = judged.spots.first().map_or(String::new(), |spot| format!(" (`{}:{}`)", spot.file, spot.line));
-            let _ = writeln!(text, "- {word}: {}{}{place}", judged.finding.message, judged.made_of);
+            let _ = writeln!(text, "- {word}: {}{}{place}", inert(&judged.finding.message), inert(&judged.made_of));
         }
     }
     text += "\n<details><summary>margins</summary>\n\n| rule | of | value | limit | margin |\n|---|---|---|---|---|\n";
@@ -58,12 +59,7 @@ fn section(held: &CheckedFrame) -> String {
     for shown in checks::tightest(&findings).iter().filter(|shown| shown.finding.verdict != Verdict::Note) {
         let f = shown.finding;
         let [value, limit, margin] = f.figures();
-        let _ = writeln!(text, "| {} | {} | {value} {unit} | {limit} {unit} | {margin} |", f.rule, cell(&f.subject), unit = f.unit);
+        let _ = writeln!(text, "| {} | {} | {value} {unit} | {limit} {unit} | {margin} |", f.rule, inert(&f.subject), unit = f.unit);
     }
     text + "\n</details>\n"
-}
-
-/// Text that cannot break a table.
-pub(crate) fn cell(text: &str) -> String {
-    text.replace('|', "\\|").replace(['\n', '\r'], " ")
 }

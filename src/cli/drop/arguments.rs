@@ -2,7 +2,12 @@
 
 use std::path::PathBuf;
 
+use crate::cli::bounded::number;
 use crate::cli::options::FormatOptions;
+use crate::impact::sim::HEIGHTS_M;
+
+/// Largest tilt at first touch, degrees: beyond it more than the feet would touch.
+const MOST_TILT_DEG: f64 = 30.0;
 
 /// Simulate drops of an impact model, or of a frame, and write peaks, energies and plots.
 #[derive(Debug, clap::Args)]
@@ -29,10 +34,10 @@ pub(in crate::cli) struct Args {
     #[command(flatten)]
     pub format: FormatOptions,
     /// With --model frame: degrees that the frame is turned about X and Y when it touches, -30 to 30; four to five times as slow.
-    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y")]
+    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "X,Y", value_parser = number([-MOST_TILT_DEG, MOST_TILT_DEG], "°"))]
     pub tilt: Vec<f64>,
     /// Drop heights, m.
-    #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…")]
+    #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…", value_parser = number(HEIGHTS_M, "m"))]
     pub height: Vec<f64>,
     /// With --json: the sensor's output, too, in steps of 0.05 ms for 60 ms.
     #[arg(long)]

@@ -21,9 +21,6 @@ use crate::report::picture::bent_scene;
 use crate::report::picture::image::View;
 use crate::units::Angle;
 
-/// Largest tilt at first touch, degrees: beyond it more than the feet would touch.
-const MOST_TILT_DEG: f64 = 30.0;
-
 /// The frame that is dropped.
 pub(super) fn frame(args: &Args) -> Result<FrameOption, Failure> {
     let Some(frame) = &args.frame else {
@@ -77,9 +74,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
 fn tilt(args: &Args) -> Result<[Angle; 2], Failure> {
     match args.tilt[..] {
         [] => Ok([Angle::deg(0.0); 2]),
-        [x, y] if x.abs() <= MOST_TILT_DEG && y.abs() <= MOST_TILT_DEG => Ok([Angle::deg(x), Angle::deg(y)]),
-        _ => Err(Failure::Usage {
-            message: format!("--tilt takes two angles about X and Y, {MOST_TILT_DEG} degrees at most each: --tilt 5,0"),
-        }),
+        [x, y] => Ok([Angle::deg(x), Angle::deg(y)]),
+        _ => Err(Failure::Usage { message: "--tilt takes two angles about X and Y: --tilt 5,0".into() }),
     }
 }

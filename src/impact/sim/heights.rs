@@ -1,7 +1,7 @@
 //! Drop heights that are simulated.
 
 /// Heights that are allowed, m.
-const HEIGHTS_M: [f64; 2] = [0.01, 100.0];
+pub const HEIGHTS_M: [f64; 2] = [0.01, 100.0];
 /// How many at once.
 const MOST_HEIGHTS: usize = 100;
 

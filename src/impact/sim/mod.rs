@@ -20,7 +20,7 @@ mod validity_warning;
 mod wave;
 
 pub use balance::{Balance, Moment, PaperShares, TermEnergy};
-pub use heights::{HeightError, check_heights};
+pub use heights::{HEIGHTS_M, HeightError, check_heights};
 pub use integrate::{SolverOptions, Stop};
 pub use sampler::Sampler;
 pub use system::System;

@@ -9,7 +9,7 @@ use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLanding
 use crate::impact::measured::{DropSet, Fall, StaticTest};
 
 /// Most effects on top of spring and damper.
-const MOST_EFFECTS: usize = 3;
+pub const MOST_EFFECTS: usize = 3;
 
 /// What is to be diagnosed.
 #[derive(Debug)]

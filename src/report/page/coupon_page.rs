@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use nalgebra::{Isometry3, Vector3};
 
+use crate::markdown::inert;
 use crate::params::Frame;
 use crate::printing::coupon::{Coupon, Fit};
 use crate::report::picture::image as picture;
@@ -38,7 +39,8 @@ pub fn markdown(frame: &Frame, coupon: &Coupon) -> String {
     );
     // Writing to a string does not fail.
     for piece in &coupon.pieces {
-        let _ = writeln!(text, "| `{0}.stl` | {1} | `{0}.ini` | {2:.0} |", piece.name, piece.material.name, piece.mesh.volume_mm3());
+        let _ =
+            writeln!(text, "| `{0}.stl` | {1} | `{0}.ini` | {2:.0} |", piece.name, inert(&piece.material.name), piece.mesh.volume_mm3());
     }
     let _ = write!(
         text,

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::markdown::inert;
 use crate::variant::{Changed, Difference, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Trend, measure};
 
 /// Titles of the sections, in order.
@@ -75,13 +76,13 @@ fn word(change: &Changed) -> &'static str {
 
 /// A page in Markdown.
 pub fn markdown(difference: &Difference) -> String {
-    let [a, b] = difference.names.each_ref().map(|name| cell(name));
+    let [a, b] = difference.names.each_ref().map(|name| inert(name));
     let mut page = format!("## {a} to {b}\n");
     for message in &difference.broken {
-        let _ = write!(page, "\n- **broken**: {message}");
+        let _ = write!(page, "\n- **broken**: {}", inert(message));
     }
     for message in &difference.mended {
-        let _ = write!(page, "\n- mended: {message}");
+        let _ = write!(page, "\n- mended: {}", inert(message));
     }
     if difference.is_empty() {
         page += "\nNo difference.";
@@ -98,14 +99,14 @@ pub fn markdown(difference: &Difference) -> String {
         let _ = if folded { write!(page, "\n<details><summary>{title}</summary>\n") } else { write!(page, "\n**{title}**\n") };
         page += "\n| | a | b | b - a | |\n|---|---:|---:|---:|---|\n";
         for change in shown {
-            let [before, after] = change.reported.each_ref().map(|text| cell(text));
+            let [before, after] = change.reported.each_ref().map(|text| inert(text));
             // Keys of numbers end in their unit.
             let unitless = change.unit.is_empty() || at == 1;
             let unit = if unitless { String::new() } else { format!(" {}", change.unit) };
             let _ = writeln!(
                 page,
                 "| {}{unit} | {before} | {after} | {} | {} |",
-                cell(&change.name),
+                inert(&change.name),
                 change.grown_reported(),
                 word(change).trim()
             );
@@ -115,9 +116,4 @@ pub fn markdown(difference: &Difference) -> String {
         }
     }
     format!("{page}\n{}", caveats(difference))
-}
-
-/// Text that cannot break a table.
-fn cell(text: &str) -> String {
-    text.replace('|', "\\|").replace(['\n', '\r'], " ")
 }

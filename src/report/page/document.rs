@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::markdown::inert;
+
 /// A part of a page.
 pub enum Block {
     /// A heading below the title.
@@ -30,19 +32,21 @@ th{background:#eee}figure{margin:1rem 0}figure svg{width:100%;height:auto}figcap
 
 /// The page as Markdown; figures are files beside it.
 pub fn markdown(title: &str, blocks: &[Block]) -> String {
-    let mut text = format!("# {title}\n");
+    let mut text = format!("# {}\n", inert(title));
     for block in blocks {
         // Writing to a string does not fail.
         let _ = match block {
-            Block::Heading(heading) => write!(text, "\n## {heading}\n"),
-            Block::Text(paragraph) => write!(text, "\n{paragraph}\n"),
-            Block::List(items) => write!(text, "\n{}\n", items.iter().map(|item| format!("- {item}")).collect::<Vec<_>>().join("\n")),
+            Block::Heading(heading) => write!(text, "\n## {}\n", inert(heading)),
+            Block::Text(paragraph) => write!(text, "\n{}\n", inert(paragraph)),
+            Block::List(items) => {
+                write!(text, "\n{}\n", items.iter().map(|item| format!("- {}", inert(item))).collect::<Vec<_>>().join("\n"))
+            }
             Block::Table(head, rows) => {
-                let line = |cells: &[String]| format!("| {} |\n", cells.join(" | ").replace('\n', " "));
+                let line = |cells: &[String]| format!("| {} |\n", cells.iter().map(|cell| inert(cell)).collect::<Vec<_>>().join(" | "));
                 let rule = format!("|{}\n", "---|".repeat(head.len()));
                 write!(text, "\n{}{rule}{}", line(head), rows.iter().map(|row| line(row)).collect::<String>())
             }
-            Block::Figure { name, caption, .. } => write!(text, "\n![{caption}]({name}.svg)\n"),
+            Block::Figure { name, caption, .. } => write!(text, "\n![{}]({name}.svg)\n", inert(caption)),
         };
     }
     text

@@ -8,13 +8,14 @@ use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::skeleton::RodRole;
+use crate::markdown::inert;
 
 /// The report of a design, with its findings; `pictures` says whether the pictures lie beside it.
 pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bool) -> String {
     let mut page = String::new();
     let frame = &design.frame;
     // Writing to a String cannot fail.
-    let _ = writeln!(page, "# {}\n\n{}\n", frame.name, frame.description);
+    let _ = writeln!(page, "# {}\n\n{}\n", inert(&frame.name), inert(&frame.description));
     if pictures {
         page.push_str("![assembled](pictures/assembled_perspective.png)\n\n");
     }
@@ -42,7 +43,7 @@ fn verdict(page: &mut String, findings: &[Finding]) {
     }
     let _ = writeln!(page, "**{} limits are violated:**\n", broken.len());
     for finding in broken {
-        let _ = writeln!(page, "- {}", finding.message);
+        let _ = writeln!(page, "- {}", inert(&finding.message));
     }
     page.push('\n');
 }
@@ -70,7 +71,7 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
     for part in &design.printed {
         let [x, y, z] = part.mesh.size_mm();
         let line = masses.lines.iter().find(|line| line.name == part.name.slug());
-        let (material, each) = line.map_or(("", 0.0), |line| (line.material.as_str(), line.each_g));
+        let (material, each) = line.map_or((String::new(), 0.0), |line| (inert(&line.material), line.each_g));
         let picture = if pictures { format!(" [picture](pictures/part_{}.png)", part.name) } else { String::new() };
         let _ = writeln!(
             page,
@@ -85,7 +86,7 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
 }
 
 fn rods(page: &mut String, design: &Design) {
-    let _ = writeln!(page, "## Cut\n\nRods of {} mm, {}:\n", design.frame.rods.rod_diameter_mm, design.frame.rod_material.name);
+    let _ = writeln!(page, "## Cut\n\nRods of {} mm, {}:\n", design.frame.rods.rod_diameter_mm, inert(&design.frame.rod_material.name));
     for role in RodRole::ALL {
         let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
     }
@@ -96,7 +97,7 @@ fn rods(page: &mut String, design: &Design) {
             let _ = writeln!(page, "\n{} stock lengths of {stock_mm:.0} mm; which piece from which stands in `bom.csv`.\n", plan.len());
         }
         Err(error) => {
-            let _ = writeln!(page, "\n**{error}**\n");
+            let _ = writeln!(page, "\n**{}**\n", inert(&error.to_string()));
         }
     }
 }
@@ -107,7 +108,12 @@ fn weights(page: &mut String, masses: &MassTable) {
         let _ = writeln!(
             page,
             "| {} {} | {} | {:.2} | {:.2} | {} |",
-            line.name, line.material, line.quantity, line.each_g, line.total_g, line.basis
+            inert(&line.name),
+            inert(&line.material),
+            line.quantity,
+            line.each_g,
+            line.total_g,
+            line.basis
         );
     }
     let _ = writeln!(page, "| **total** | | | **{:.1}** | |\n", masses.total_g);
@@ -124,11 +130,17 @@ fn limits(page: &mut String, findings: &[Finding]) {
             Verdict::Note => "note",
         };
         let [value, limit, margin] = f.figures();
-        let _ = writeln!(page, "| {} | {} | {value} {unit} | {limit} {unit} | {margin} | {verdict} |", f.rule, f.subject, unit = f.unit);
+        let _ = writeln!(
+            page,
+            "| {} | {} | {value} {unit} | {limit} {unit} | {margin} | {verdict} |",
+            f.rule,
+            inert(&f.subject),
+            unit = f.unit
+        );
     }
     page.push('\n');
     for note in findings.iter().filter(|f| f.verdict == Verdict::Note && f.margin < 0.0) {
-        let _ = writeln!(page, "- {}", note.message);
+        let _ = writeln!(page, "- {}", inert(&note.message));
     }
     page.push('\n');
 }

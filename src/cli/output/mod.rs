@@ -1,0 +1,119 @@
+//! A folder that is written whole or not at all, and in which nothing is lost that the program did not write.
+//!
+//! Each folder states the files that the program wrote into it, with their hashes ([`record`]). Only those may be replaced or
+//! removed, and only while their bytes are as stated. All else stays ([`kept`]): it is linked into the new folder before this takes
+//! the former one's place, so a run may be killed at any moment. The new folder is made in a hidden one beside its place ([`staging`]).
+//! The former folder is then taken apart file by file ([`former`]): what turns out to be nowhere else is put into the new one.
+
+mod file;
+mod folder;
+mod former;
+mod kept;
+mod record;
+mod staging;
+#[cfg(test)]
+mod tests;
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::failure::Failure;
+use super::terminal;
+pub(super) use file::{replace_file, write_new};
+use record::{MANIFEST, RECORD, Record};
+use staging::{Lock, Staging};
+
+/// How often a place is tried in which another run has just put its result.
+const TRIES: usize = 8;
+
+/// Writes a folder beside its place and puts it there in one step, so that a run that is killed or fails leaves the
+/// last good result. What the program did not write stays in it; a message says what has got another name for that.
+///
+/// A link in the folder's place is followed: the folder that it leads to is the place.
+///
+/// # Errors
+/// [`Failure::Machine`] when the place cannot be written or is read-only. The former folder is then as it was.
+pub(super) fn write_folder(parent: &Path, name: &str, files: &[(String, Vec<u8>)]) -> Result<PathBuf, Failure> {
+    let shown = parent.join(name);
+    fs::create_dir_all(parent).map_err(failed("make the folder", parent))?;
+    let linked = fs::symlink_metadata(&shown).is_ok_and(|found| found.is_symlink());
+    let place = if linked { fs::canonicalize(&shown).map_err(failed("replace", &shown))? } else { shown.clone() };
+    for note in replace_folder(&place, files)? {
+        terminal::tell(&format!("note: {note}"));
+    }
+    Ok(shown)
+}
+
+/// What a failure says of a step.
+fn failed(what: &str, path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
+    let what = format!("cannot {what} {}", path.display());
+    move |error: io::Error| Failure::Machine { what, error }
+}
+
+/// Replaces what the program wrote in a folder; says what else has moved.
+fn replace_folder(place: &Path, files: &[(String, Vec<u8>)]) -> Result<Vec<String>, Failure> {
+    let mut notes = staging::clear_left(place);
+    let staging = Staging::beside(place).map_err(failed("write beside", place))?;
+    let written = write_files(&staging.path, files).and_then(|()| put(&staging, place, files));
+    let former = match written {
+        Ok((former, kept)) => {
+            notes.extend(kept);
+            former
+        }
+        Err(error) => {
+            // The new folder is of no use, and the user's files in it are in their place, too; that it cannot be removed either
+            // changes nothing.
+            let _ = folder::remove(&staging.path);
+            return Err(error);
+        }
+    };
+    if let Some((former, _lock)) = former {
+        match former::clear(&former, place, former::State::WasInPlace) {
+            Ok(more) => notes.extend(more),
+            Err(error) => notes.push(format!("{} is left from the former result and cannot be removed: {error}", former.display())),
+        }
+    }
+    Ok(notes)
+}
+
+/// Where a former folder is now, locked; and what is said of what was kept.
+type Put = (Option<(PathBuf, Lock)>, Vec<String>);
+
+/// Puts a finished folder in its place, together with what stays of the former one.
+fn put(staging: &Staging, place: &Path, files: &[(String, Vec<u8>)]) -> Result<Put, Failure> {
+    for _ in 0..TRIES {
+        let lock = match fs::symlink_metadata(place) {
+            Err(_) => match fs::rename(&staging.path, place) {
+                Ok(()) => return Ok((None, Vec::new())),
+                // Another run was faster: its folder is the former one now.
+                Err(error) if [io::ErrorKind::AlreadyExists, io::ErrorKind::DirectoryNotEmpty].contains(&error.kind()) => continue,
+                Err(error) => return Err(failed("replace", place)(error)),
+            },
+            Ok(found) if !found.is_dir() => {
+                let error = io::Error::new(io::ErrorKind::NotADirectory, "a file is there");
+                return Err(failed("replace", place)(error));
+            }
+            Ok(_) => Lock::wait_for(place),
+        };
+        let notes = kept::keep(place, &staging.path, files).map_err(failed("replace", place))?;
+        let former = staging.exchange(place).map_err(failed("replace", place))?;
+        return Ok((Some((former, lock)), notes));
+    }
+    Err(failed("replace", place)(io::Error::new(io::ErrorKind::ResourceBusy, "other runs write there")))
+}
+
+/// Writes the files of a folder, first the one that names all others: so a run that is killed leaves nothing that is not named.
+fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure> {
+    let record = Record::file_for(files).map_err(failed("write", &folder.join(RECORD)))?;
+    let record = record.map(|bytes| (RECORD.to_string(), bytes));
+    let (first, rest): (Vec<_>, Vec<_>) = files.iter().partition(|(path, _)| path == MANIFEST);
+    for (path, bytes) in record.iter().chain(first).chain(rest) {
+        let path = folder.join(path);
+        if let Some(parent) = path.parent() {
+            fs::create_dir_all(parent).map_err(failed("write", &path))?;
+        }
+        fs::write(&path, bytes).map_err(failed("write", &path))?;
+    }
+    Ok(())
+}

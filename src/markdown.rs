@@ -1,0 +1,30 @@
+//! Texts of users in Markdown.
+
+/// A text that is read and not obeyed: no HTML, no link and no picture of its own, no end of a table's cell, no new line.
+pub fn inert(text: &str) -> String {
+    let mut inert = String::with_capacity(text.len());
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        match (c, chars.peek()) {
+            ('\n' | '\r', _) => inert.push(' '),
+            // Before anything else it is the sign of a comparison.
+            ('<', Some(next)) if next.is_alphabetic() || "/!?".contains(*next) => inert += "&lt;",
+            (']', Some('(' | '[' | ':')) => inert += "\\]",
+            ('|', _) => inert += "\\|",
+            _ => inert.push(c),
+        }
+    }
+    inert
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_a_text_stays_a_text() {
+        assert_eq!(inert("<script>x</script>\n# a"), "&lt;script>x&lt;/script> # a");
+        assert_eq!(inert("![a](http://b) [c]: d [e][f]"), "![a\\](http://b) [c\\]: d [e\\][f]");
+        assert_eq!(inert("a | b < 3, <5 [mm]"), "a \\| b < 3, <5 [mm]");
+    }
+}

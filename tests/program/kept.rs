@@ -1,0 +1,105 @@
+//! Folders of results in which a user keeps files: each command that writes one leaves them as they are.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use assert_cmd::cargo::cargo_bin;
+
+use crate::drops::{self, Seen};
+
+/// What writes a folder, cheaply; the folder's name is what is new in `o`.
+const WRITERS: [&[&str]; 15] = [
+    &["build", "cognifly", "--no-pictures"],
+    &["build", "cognifly", "--part", "knee"],
+    &["render", "cognifly"],
+    &["render", "cognifly", "--findings"],
+    &["fold", "cognifly", "--step", "2", "--png"],
+    &["fold", "cognifly"],
+    &["coupon", "cognifly"],
+    &["stiffness", "cognifly"],
+    &["diff", "cognifly", "cognifly-v8"],
+    &["drop", "--height", "0.5"],
+    &["drop", "cognifly", "--model", "frame", "--height", "0.5"],
+    &["synthesize", "plan.toml"],
+    &["measure", "drops.csv"],
+    &["fit", "drops.csv", "--bootstrap", "0"],
+    &["diagnose", "drops.csv", "--max-effects", "1"],
+];
+
+fn run(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(cargo_bin("flexframe"));
+    command.args(arguments).args(["-q", "-o", "o"]).current_dir(folder).env("NO_COLOR", "1");
+    command.output().expect("the program starts")
+}
+
+/// The only thing in `o`.
+fn place(folder: &Path) -> PathBuf {
+    let names: Vec<PathBuf> = fs::read_dir(folder.join("o")).expect("was made").map(|entry| entry.expect("is there").path()).collect();
+    assert_eq!(names.len(), 1, "{names:?}");
+    names[0].clone()
+}
+
+/// The folder's own list of what was written.
+fn listed(place: &Path) -> (PathBuf, Vec<String>) {
+    let list = [".written.json", "manifest.json"].map(|name| place.join(name)).into_iter().find(|list| list.exists()).expect("has a list");
+    let text = fs::read(&list).expect("can be read");
+    let read: serde_json::Value = serde_json::from_slice(&text).expect("JSON");
+    let files = read["files"].as_array().expect("a list").iter().map(|file| file["path"].as_str().expect("a path").to_string());
+    (list, files.collect())
+}
+
+fn holds(folder: &Path, arguments: &[&str]) {
+    let first = run(folder, arguments);
+    assert!(matches!(first.status.code(), Some(0 | 1)), "{arguments:?}: {}", String::from_utf8_lossy(&first.stderr));
+    let place = place(folder);
+    let (list, files) = listed(&place);
+    let read = |path: &str| fs::read(place.join(path)).expect("is there");
+    let (ours, before) = (&files[0], read(&files[0]));
+    fs::write(place.join("mine.txt"), "mine").expect("can be written");
+    fs::create_dir_all(place.join("mine/empty")).expect("can be made");
+    fs::write(place.join("mine/deep.txt"), "deep").expect("can be written");
+    fs::write(place.join(ours), "changed by hand").expect("can be written");
+    // What a killed run leaves.
+    let name = place.file_name().expect("has one").to_string_lossy().into_owned();
+    let left = folder.join("o").join(format!(".{name}.4194303.new"));
+    fs::create_dir_all(&left).expect("can be made");
+    fs::copy(&list, left.join(list.file_name().expect("has one"))).expect("can be copied");
+    let again = run(folder, arguments);
+    let said = String::from_utf8_lossy(&again.stderr).into_owned();
+    assert_eq!(again.status.code(), first.status.code(), "{arguments:?}: {said}");
+    assert_eq!(self::place(folder), place, "{arguments:?}: {said}");
+    assert!(said.contains(&format!("{ours}.yours")), "{arguments:?}: {said}");
+    assert_eq!([read("mine.txt"), read("mine/deep.txt"), read(&format!("{ours}.yours"))], [&b"mine"[..], b"deep", b"changed by hand"]);
+    assert!(place.join("mine/empty").is_dir() && read(ours) == before, "{arguments:?}");
+    assert_eq!(listed(&place).1, files, "{arguments:?}");
+}
+
+#[test]
+fn planted_files_of_the_users_stay_in_every_folder_that_is_written() {
+    for arguments in WRITERS {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(6000.0, 30.0), 6, Seen::Varied)).expect("can be written");
+        let plan = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("params/synthetic/bottoming.toml")).expect("is there");
+        fs::write(folder.path().join("plan.toml"), plan).expect("can be written");
+        holds(folder.path(), arguments);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn planted_a_read_only_result_stays_as_it_is() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(6000.0, 30.0), 6, Seen::Varied)).expect("can be written");
+    assert_eq!(run(folder.path(), &["measure", "drops.csv"]).status.code(), Some(0));
+    let place = place(folder.path());
+    let before = fs::read(place.join("drops.csv")).expect("is there");
+    fs::set_permissions(&place, fs::Permissions::from_mode(0o555)).expect("is ours");
+    fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(5000.0, 30.0), 6, Seen::Varied)).expect("can be written");
+    let refused = run(folder.path(), &["measure", "drops.csv"]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(3) && said.contains("is read-only"), "{said}");
+    assert_eq!((self::place(folder.path()), fs::read(place.join("drops.csv")).expect("is there")), (place.clone(), before));
+    fs::set_permissions(&place, fs::Permissions::from_mode(0o755)).expect("is ours");
+}
