@@ -10,6 +10,8 @@ pub fn inert(text: &str) -> String {
             // Before anything else it is the sign of a comparison.
             ('<', Some(next)) if next.is_alphabetic() || "/!?".contains(*next) => inert += "&lt;",
             (']', Some('(' | '[' | ':')) => inert += "\\]",
+            // Else it would take back the one that is put before a bracket.
+            ('\\', _) => inert += "\\\\",
             ('|', _) => inert += "\\|",
             _ => inert.push(c),
         }
@@ -26,5 +28,6 @@ mod tests {
         assert_eq!(inert("<script>x</script>\n# a"), "&lt;script>x&lt;/script> # a");
         assert_eq!(inert("![a](http://b) [c]: d [e][f]"), "![a\\](http://b) [c\\]: d [e\\][f]");
         assert_eq!(inert("a | b < 3, <5 [mm]"), "a \\| b < 3, <5 [mm]");
+        assert_eq!(inert("![a\\](http://b)"), "![a\\\\\\](http://b)");
     }
 }

@@ -1,5 +1,6 @@
 //! A new variant: what is asked for on top of a frame, and what has to change with it.
 
+use super::feasible::presets;
 use super::measures::Evaluation;
 use super::problem::{Aim, SearchProblem, Solution, SolveError, Vary};
 use super::solve::solve;
@@ -89,10 +90,18 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
 
 fn movable(from: &Frame) -> Vec<Vary> {
     let all = MOVABLE.iter().filter_map(|key| parameters().find(|p| *key == format!("{}.{}", p.table, p.key)));
-    all.map(|parameter| Vary::around(parameter, from, REACH)).collect()
+    all.map(|parameter| reaching_presets(Vary::around(parameter, from, REACH))).collect()
 }
 
-/// How far from the frame that it comes from a number may move, in shares of it.
+/// The same with bounds that hold every preset: what a frame is known for is within reach.
+fn reaching_presets(vary: Vary) -> Vary {
+    let Vary { parameter, bounds } = vary;
+    let values = presets().filter_map(|frame| frame.value(parameter.table, parameter.key));
+    let bounds = values.fold(bounds, |[least, most], value| [least.min(value), most.max(value)]);
+    Vary { parameter, bounds }
+}
+
+/// How far from the frame that it comes from a number may move, in shares of it, where no preset is farther.
 const REACH: f64 = 0.3;
 
 /// How much smaller than asked for the search begins, mm: sockets stand out beyond the nodes that are solved for.

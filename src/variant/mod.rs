@@ -2,6 +2,7 @@
 
 mod create;
 mod difference;
+mod feasible;
 mod goal;
 mod measures;
 mod peak;

@@ -114,8 +114,8 @@ pub enum SolveError {
     /// Nothing varies, or a goal or bound is impossible.
     #[error("{0}")]
     Problem(String),
-    /// No frame keeps all limits.
-    #[error("none of {looked_at} frames keeps every limit; the nearest misses these: {}", .missed.join("; "))]
+    /// No frame that was looked at keeps all limits; there may be one.
+    #[error("gave up after {looked_at} frames, none of which keeps every limit; the nearest misses these: {}", .missed.join("; "))]
     Infeasible {
         /// How many were looked at.
         looked_at: usize,

@@ -25,6 +25,8 @@ pub(super) struct Point {
     pub aim: f64,
     /// Scaled margins: every rule's tightest, then the goals'; none when there is no such frame.
     pub margins: Option<Vec<f64>>,
+    /// Sum of the violated margins, scaled; zero when everything is kept.
+    pub violated: f64,
     /// Why there is no such frame.
     pub why: Option<String>,
 }
@@ -75,6 +77,9 @@ const FAR: f64 = 50.0;
 /// they would look better than it.
 const NO_FRAME: f64 = 20.0;
 
+/// Sum of violated margins where there is no frame: more than a frame that misses a dozen limits by far.
+const NOWHERE: f64 = 12.0 * FAR;
+
 /// Points that were looked at, and how to look at another.
 pub(super) struct Search<'a> {
     /// What is asked for.
@@ -106,6 +111,11 @@ impl<'a> Search<'a> {
             file.set_number(&vary.key(), *value);
         }
         Frame::resolve(&file).map_err(|refusal| refusal.to_string())
+    }
+
+    /// Whether one of the points keeps everything.
+    pub fn found(&self) -> bool {
+        self.points.borrow().values().any(|point| point.violated == 0.0)
     }
 
     /// The values at these shares of their bounds.
@@ -140,14 +150,16 @@ impl<'a> Search<'a> {
             Ok(evaluation) => evaluation,
             Err(why) => {
                 let aim = if let Aim::Near(from) = &self.problem.aim { near(from) } else { 1.0 };
-                return Point { aim, margins: None, why: Some(why) };
+                return Point { aim, margins: None, violated: NOWHERE, why: Some(why) };
             }
         };
         let aim = match &self.problem.aim {
             Aim::Measure(measure) => measure.of(&evaluation).unwrap_or(f64::INFINITY) / self.scale,
             Aim::Near(from) => near(from),
         };
-        Point { aim, margins: Some(margins(&evaluation, &self.constraints, &self.problem.goals)), why: None }
+        let margins = margins(&evaluation, &self.constraints, &self.problem.goals);
+        let violated = margins.iter().map(|margin| (-margin).max(0.0)).sum();
+        Point { aim, margins: Some(margins), violated, why: None }
     }
 }
 
@@ -188,11 +200,11 @@ pub(super) fn descend(search: &Search, start: &[f64], step: f64, most: usize) {
     let _ = cobyla::minimize(objective, &shares, &bounds, &constraints, (), most, RhoBeg::All(step), Some(tolerances));
 }
 
-/// Points that were looked at: those that keep everything first, by their aim; then by what they miss.
+/// Points that were looked at: those that keep everything first, by their aim; then by the sum of what they miss.
 pub(super) fn ranked(search: &Search) -> Vec<Vec<f64>> {
     let mut all = search.order.borrow().clone();
     let key =
-        |values: &Vec<f64>| search.of(values, |point| if point.worst() >= 0.0 { (0, point.aim, 0.0) } else { (1, 0.0, -point.worst()) });
+        |values: &Vec<f64>| search.of(values, |point| if point.worst() >= 0.0 { (0, point.aim, 0.0) } else { (1, 0.0, point.violated) });
     all.sort_by(|a, b| {
         let (a, b) = (key(a), key(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2))

@@ -7,6 +7,7 @@
 //! written, to a thousandth; the best ones that keep everything are then checked against every rule, the slow one included, and
 //! only one that keeps them all is an answer.
 
+use super::feasible::find;
 use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Aim, Binding, SearchProblem, Solution, SolveError, Vary};
@@ -44,7 +45,10 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
             search.quick(before).and_then(|evaluation| problem.known(evaluation)).ok().and_then(|evaluation| measure.of(&evaluation));
         search.scale = first.filter(|value| value.abs() > 0.0).map_or(1.0, f64::abs);
     }
-    descend(&search, &start, STEPS[0], problem.most / 2);
+    find(&search, &start, problem.most / 2);
+    let start = ranked(&search).into_iter().next().unwrap_or(start);
+    let left = problem.most.saturating_sub(search.order.borrow().len());
+    descend(&search, &start, STEPS[0], left.min(problem.most / 2));
     // A second descent, from the best so far with smaller steps: planes that straddle a kink mislead the first.
     let again = ranked(&search).into_iter().next().unwrap_or(start);
     let left = problem.most.saturating_sub(search.order.borrow().len());

@@ -39,7 +39,8 @@ fn is_harmless(what: &str, text: &str) {
 }
 
 fn is_harmless_markup(what: &str, text: &str) {
-    let lower = text.to_lowercase();
+    // A bracket behind a backslash is a sign like any other.
+    let lower = text.to_lowercase().replace("\\\\", "").replace("\\]", "");
     let link = if what.ends_with(".html") || what.ends_with(".svg") || what == "junit" { "<a href" } else { "](http" };
     let obeyed = ["<script>alert", "<img src=x", link].into_iter().find(|part| lower.contains(part));
     assert!(obeyed.is_none(), "{what} holds {obeyed:?}: {text}");

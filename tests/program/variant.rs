@@ -363,6 +363,15 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
 }
 
 #[test]
+fn planted_new_finds_the_rods_of_a_preset() {
+    let bench = Bench::new(&[]);
+    let wanted = ["--propeller", "propeller-4-inch", "--motor", "motor-1404", "--envelope", "260x260x130", "--mass", "290"];
+    let (code, out, err) = bench.run(&[&["new", "four"][..], &wanted, &["--frames", "12"]].concat());
+    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!(bench.run(&["check", "-q", "four.toml"]).0, 0, "{out}");
+}
+
+#[test]
 fn analytic_bill_in_every_form() {
     let bench = Bench::new(&[(
         "priced.toml",
@@ -479,7 +488,7 @@ fn analytic_schemas_name_every_parameter_and_its_bounds() {
     let part = &bench.json(&["schema", "bought"])["properties"]["parts"]["additionalProperties"];
     assert_eq!(
         (part["additionalProperties"].clone(), part["properties"]["mass_g"]["description"].clone()),
-        (false.into(), "Mass of one, g.".into())
+        (false.into(), "Mass of one, g. 0 to 5000 g.".into())
     );
 }
 
