@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
-# outside, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
+# outside, as a wheel, too, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
 # trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its library as a WebAssembly module in Node, the studio in a
 # browser, and the steps of
 # docs/ci on a sample repository.
@@ -184,6 +184,25 @@ rust_for_wasm() {
     [[ -f $sources && -x /usr/bin/cargo ]] ||
         from_debian "$sources" rustc-web cargo-web rust-web-src libstd-rust-web-dev || true
     [[ -f $sources && -x /usr/bin/cargo ]]
+}
+
+# A wheel is installed in an empty environment; the list of a build's files with their hashes is then that of the program.
+wheel_gives_the_same_bytes() {
+    heading "a wheel in an empty environment"
+    local wheel=$work/wheel
+    rm -rf "$wheel"
+    if { [[ -x $python ]] || from_pypi; } && "$python" -m pip install --quiet --disable-pip-version-check 'maturin>=1.9,<2' >>"$work/pip.log" 2>&1; then
+        if "$python" -m maturin build --release --quiet --compatibility linux -o "$wheel" && "$python" -m venv "$wheel/env" &&
+            "$wheel/env/bin/python" -m pip install --quiet --disable-pip-version-check --no-index "$wheel"/*.whl &&
+            "$wheel/env/bin/flexframe" build --step -q --no-cache -o "$wheel/out" &&
+            cmp "$wheel/out/cognifly/manifest.json" "$work/same/once/cognifly/manifest.json"; then
+            ok "a wheel in an empty environment"
+        else
+            failed "a wheel in an empty environment" "not built, not installed, or other bytes"
+        fi
+    else
+        skipped "a wheel in an empty environment" "maturin is not installed"
+    fi
 }
 
 # The library as a WebAssembly module gives the bytes of the program, in Node.
@@ -387,6 +406,7 @@ outside() {
     fi
     build_presets
     same_bytes
+    wheel_gives_the_same_bytes
     engine_gives_the_same_bytes
     page_works_in_a_browser
     admesh_reads_stls
