@@ -55,8 +55,15 @@ impl Chart for Lines {
             let colour = colour(series.colour);
             let style = ShapeStyle::from(colour.mix(if series.label.is_some() { 1.0 } else { 0.45 })).stroke_width(series.width);
             let line = chart.draw_series(LineSeries::new(series.points.iter().copied(), style))?;
-            if let Some(label) = &series.label {
-                line.label(label).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+            match &series.label {
+                Some(label) if series.marked => {
+                    let mark = move || Circle::new((11, 0), 4, colour.filled());
+                    line.label(label).legend(move |at| EmptyElement::at(at) + PathElement::new([(0, 0), (22, 0)], style) + mark());
+                }
+                Some(label) => {
+                    line.label(label).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+                }
+                None => {}
             }
             if series.marked {
                 chart.draw_series(series.points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;

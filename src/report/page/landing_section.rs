@@ -80,7 +80,7 @@ fn touches(assessment: &LandingAssessment) -> Lines {
         up: "first to opposite foot, ms",
         series,
         levels: Vec::new(),
-        legend: SeriesLabelPosition::LowerRight,
+        legend: SeriesLabelPosition::UpperLeft,
     }
 }
 
