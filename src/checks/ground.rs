@@ -7,7 +7,7 @@ use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Scene, bounds_of};
 use crate::params::PartName;
 
-const LEVERS: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
+pub(super) const LEVERS: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
 
 pub static RULE: Rule = Rule {
     id: "ground_clearance",

@@ -1,12 +1,16 @@
-//! The design drop: the acceleration of the payload, how far the flexible parts stretch, how near the rods come to buckling.
+//! The design drop: the acceleration of the payload, how far the flexible parts stretch, how near the rods come to buckling, and how
+//! fast what hangs lowest hits the ground.
 //!
 //! The numbers are those of the frame's own mechanics, `docs/mechanics.md`; limits and drop height stand in
 //! `params/mechanics.toml`. Strain is that of the drop alone, on top of what folding leaves.
 
+use super::catalogue::ground_clearance;
 use super::finding::Finding;
+use super::ground::{self, GroundClearance};
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
 use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::result::prediction::Prediction;
 use crate::mechanics::settings::DropLimits;
 
@@ -18,16 +22,17 @@ pub static RULE: Rule = Rule {
     id: "design_drop",
     title: "Design drop",
     requires: "acceleration, strain and rod compression in the design drop are within their limits",
-    units: &["g", "%", "N"],
+    units: &["g", "%", "N", "m/s"],
     limits: &[Limit::Mechanics],
-    levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING]),
+    levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING, ground::LEVERS]),
     blame: Blame::Levers,
     in_search: InSearch::AsGoal("the mechanics take a second or two a frame: a goal of a `design_drop` measure asks for them"),
     found: Found::FromPrediction,
 };
 
-/// Holds a prediction against the limits of the design drop.
-pub fn strength(design: &Design, limits: &DropLimits, found: &Prediction) -> Vec<Finding> {
+/// Holds a prediction against the limits of the design drop. A body that hits the ground is noted: its impact is in no figure, and no
+/// limit of it is known.
+pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found: &Prediction) -> Vec<Finding> {
     let drop_m = found.drop_m;
     let peak = Measure { rule: &RULE, value: found.payload_peak_g, limit: limits.payload_peak_g, unit: "g", levers: PAYLOAD };
     let [value, limit] = peak.figures(1);
@@ -46,13 +51,28 @@ pub fn strength(design: &Design, limits: &DropLimits, found: &Prediction) -> Vec
         let message = format!("dropped from {drop_m} m {} is compressed by {value} N, {limit} N are allowed against buckling", rod.rod);
         findings.push(buckling.at_most(rod.rod.clone(), message));
     }
+    findings.extend(strike(design, masses, found));
     findings
+}
+
+/// The lowest body where it hits the ground.
+fn strike(design: &Design, masses: &MassTable, found: &Prediction) -> Option<Finding> {
+    let GroundClearance { lowest, clearance_mm, .. } = ground_clearance(design, masses)?;
+    let value = found.speed_m_s(clearance_mm)?;
+    let speed = Measure { rule: &RULE, value, limit: 0.0, unit: "m/s", levers: ground::LEVERS };
+    let [told, _] = speed.figures(1);
+    let message = format!(
+        "dropped from {} m {lowest}, {clearance_mm:.1} mm above the ground, hits it at {told} m/s; no peak includes that impact",
+        found.drop_m
+    );
+    Some(speed.note(format!("{lowest} on the ground"), message))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::checks::Verdict;
+    use crate::frame::assembly::mass;
     use crate::frame::skeleton::RodRole;
     use crate::mechanics::result::strength::RodForce;
     use crate::mechanics::settings::MechanicsSettings;
@@ -61,6 +81,7 @@ mod tests {
     #[test]
     fn planted_a_hard_a_stretched_and_a_slender_frame() {
         let design = Design::new(Frame::load("cognifly-v8").expect("is valid").0).expect("closes");
+        let masses = mass::table(&design);
         let limits = MechanicsSettings::load(None).expect("is sound").limits;
         let rod = RodForce { rod: "arm".into(), role: RodRole::Arm, compression_n: 10.0, buckling_n: 400.0 };
         let good = Prediction {
@@ -68,13 +89,21 @@ mod tests {
             secant_8_mm_n_mm: 8.0,
             drop_m: 1.0,
             payload_peak_g: 100.0,
-            travel_mm: 20.0,
+            travel_mm: 9.0,
+            descent: vec![[0.0, 4.4], [5.0, 4.0], [9.0, 0.0]],
             strain: ("bottom corner leg web", 0.3),
             rod: Some(rod.clone()),
             stiffness_band: [0.5, 2.0],
         };
-        let violated = |found: &Prediction| strength(&design, &limits, found).iter().filter(|f| f.verdict == Verdict::Violated).count();
+        let violated =
+            |found: &Prediction| strength(&design, &masses, &limits, found).iter().filter(|f| f.verdict == Verdict::Violated).count();
         assert_eq!(violated(&good), 0);
+        // The battery hangs 10.9 mm above the ground.
+        let notes =
+            |found: &Prediction| strength(&design, &masses, &limits, found).into_iter().filter(|f| f.unit == "m/s").collect::<Vec<_>>();
+        assert!(notes(&good).is_empty());
+        let deep = Prediction { descent: vec![[0.0, 4.4], [10.8, 3.5], [11.0, 3.0], [15.0, 0.0]], travel_mm: 15.0, ..good.clone() };
+        assert!(notes(&deep)[0].message.contains("battery_sleeve, 10.9 mm above the ground, hits it at 3.0 m/s"), "{:?}", notes(&deep));
         assert_eq!(violated(&Prediction { payload_peak_g: 151.0, ..good.clone() }), 1);
         assert_eq!(violated(&Prediction { strain: ("bottom corner leg web", 1.5), ..good.clone() }), 1);
         assert_eq!(violated(&Prediction { rod: Some(RodForce { compression_n: 210.0, ..rod }), ..good }), 1);

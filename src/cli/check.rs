@@ -34,7 +34,7 @@ pub(super) struct Args {
     /// Material of the rigid parts instead of the frame files': a name of params/materials.toml.
     #[arg(long, value_name = "MATERIAL")]
     pub rigid: Option<String>,
-    /// Print every finding, not only the tightest of those that are alike.
+    /// Print every finding, not only what is violated and the tightest of each rule.
     #[arg(long)]
     pub all: bool,
     /// How to say it; --json is the same as --format json.
@@ -61,7 +61,7 @@ pub(super) enum CheckFormat {
     Text,
     /// Everything.
     Json,
-    /// JUnit XML: a suite a frame, a case a finding.
+    /// JUnit XML: a suite a frame, a case a rule.
     Junit,
     /// Annotations of GitHub Actions.
     Github,
@@ -129,8 +129,9 @@ fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<Ch
 /// What the design drop of the frame's own model does to it.
 fn strength(frame: Frame, file: &FrameFile, settings: &MechanicsSettings, memo: &Arc<Memo>) -> Result<Vec<Finding>, Failure> {
     let design = session::designed(frame, file, memo)?;
-    let found = predict(&design, &mass::table(&design), settings).map_err(mechanics_refused)?;
-    Ok(checks::strength(&design, &settings.limits, &found))
+    let masses = mass::table(&design);
+    let found = predict(&design, &masses, settings).map_err(mechanics_refused)?;
+    Ok(checks::strength(&design, &masses, &settings.limits, &found))
 }
 
 fn refused(failure: &Failure) -> Refused {
@@ -226,8 +227,8 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
 
 fn frame_text(args: &Args, held: &CheckedFrame) -> String {
     let findings: Vec<Finding> = held.findings.iter().map(|judged| judged.finding.clone()).collect();
-    let every: Vec<Tightest> = findings.iter().map(|finding| Tightest { finding, of: 1 }).collect();
-    let table = table::findings(&if args.all { every } else { checks::tightest(&findings) });
+    let every = || findings.iter().map(|finding| Tightest { finding, of: 1 }).collect::<Vec<_>>();
+    let table = if args.all { table::findings(&every()) } else { table::brief(&findings) };
     let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));
     let (frame, mass_g, count) = (&held.frame, held.masses.total_g, findings.len());
     let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };

@@ -110,7 +110,10 @@ fn side(frame: &str, files: &dyn Files, suffix: &str, settings: Option<&Mechanic
     let mut evaluation = Evaluation::of(session::designed(frame, &file, memo)?);
     if let Some(settings) = settings {
         evaluation = evaluation.strengthened(settings).map_err(mechanics_refused)?;
-        let predicted = evaluation.prediction.iter().flat_map(|found| checks::strength(&evaluation.design, &settings.limits, found));
+        let predicted = evaluation
+            .prediction
+            .iter()
+            .flat_map(|found| checks::strength(&evaluation.design, &evaluation.masses, &settings.limits, found));
         let predicted: Vec<_> = predicted.collect();
         evaluation.findings.extend(predicted);
     }

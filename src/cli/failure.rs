@@ -2,6 +2,9 @@
 
 use std::io;
 
+use serde_json::json;
+
+use crate::checks::gate::Refused;
 use crate::export::ExportError;
 use crate::impact::measured::Malformed;
 use crate::params::LoadError;
@@ -54,6 +57,23 @@ impl Failure {
             Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
             Self::Machine { .. } => 3,
         }
+    }
+
+    /// What a program reads: the message, the remedy and the place where there is one, and the exit code.
+    pub fn json(&self) -> serde_json::Value {
+        let (message, remedy, place) = match self {
+            Self::Input(error) => {
+                let refused = Refused::of_load(error);
+                (
+                    refused.message,
+                    Some(refused.remedy),
+                    refused.spot.map(|spot| json!({ "file": spot.file, "line": spot.line, "column": spot.column })),
+                )
+            }
+            Self::Records(malformed) => (malformed.to_string(), Some(malformed.fault.remedy().to_string()), None),
+            other => (other.to_string(), None, None),
+        };
+        json!({ "schema_version": 1, "error": { "message": message, "remedy": remedy, "place": place, "exit_code": self.exit_code() } })
     }
 
     /// What a person reads.

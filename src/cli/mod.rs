@@ -20,6 +20,8 @@ mod fold;
 mod frame_text;
 mod frames;
 mod given_drops;
+mod interrupt;
+mod list;
 mod man;
 mod measure;
 mod new;
@@ -30,6 +32,7 @@ mod progress;
 mod render;
 mod revision;
 mod schema;
+mod searching;
 mod session;
 mod slicer;
 mod solve;
@@ -45,7 +48,7 @@ mod weigh;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub use failure::Failure;
 use options::Common;
@@ -74,19 +77,22 @@ const EXAMPLES: &str = "Examples:
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
 
-/// Makes the subcommands of the files that hold them, in the order of the help.
+/// Makes the subcommands of the files that hold them, by what they are for, in the order of the help.
 macro_rules! commands {
-    ($($name:ident in $file:ident),* $(,)?) => {
+    ($($group:literal: $($name:ident in $file:ident),*;)*) => {
         /// The subcommands.
         #[derive(Debug, Subcommand)]
         enum Command {
-            $($name($file::Args),)*
+            $($($name($file::Args),)*)*
         }
+
+        /// What subcommands are for, and which these are.
+        const GROUPS: &[(&str, &[&str])] = &[$(($group, &[$(stringify!($name)),*])),*];
 
         impl Command {
             fn run(&self, common: &Common) -> Result<ExitCode, Failure> {
                 match self {
-                    $(Self::$name(args) => $file::run(args, common),)*
+                    $($(Self::$name(args) => $file::run(args, common),)*)*
                 }
             }
         }
@@ -94,36 +100,39 @@ macro_rules! commands {
 }
 
 commands! {
-    Build in build,
-    Check in check,
-    Fold in fold,
-    Drop in drop,
-    Diagnose in diagnose,
-    Synthesize in synthesize,
-    Fit in fit,
-    Measure in measure,
-    Stiffness in stiffness,
-    Render in render,
-    Params in params,
-    Diff in diff,
-    Explain in explain,
-    New in new,
-    Solve in solve,
-    Watch in watch,
-    Studio in studio,
-    Coupon in coupon,
-    Weigh in weigh,
-    Bom in bom,
-    Schema in schema,
-    Completions in completions,
-    Man in man,
+    "Design": Build in build, Check in check, New in new, Solve in solve, Explain in explain, Params in params, Watch in watch, Studio in studio;
+    "Make": Fold in fold, Bom in bom, Coupon in coupon, Weigh in weigh, Render in render;
+    "Simulate": Drop in drop, Stiffness in stiffness;
+    "Compare": Diff in diff;
+    "Measured drops": Measure in measure, Fit in fit, Diagnose in diagnose, Synthesize in synthesize;
+    "Names and shells": List in list, Schema in schema, Completions in completions, Man in man;
+}
+
+/// The command line, its help in groups.
+pub(super) fn command_line() -> clap::Command {
+    let command = Arguments::command();
+    let listed = groups(&command);
+    command
+        .help_template("{about-with-newline}\n{usage-heading} {usage}\n\n{before-help}Options:\n{options}{after-help}")
+        .before_help(listed)
+}
+
+/// The subcommands by what they are for, a line each.
+fn groups(command: &clap::Command) -> String {
+    let line = |name: &&str| {
+        let name = name.to_lowercase();
+        let about = command.find_subcommand(&name).and_then(|found| found.get_about()).map(ToString::to_string).unwrap_or_default();
+        let options = textwrap::Options::new(80).initial_indent("  ").subsequent_indent("               ");
+        textwrap::fill(&format!("{name:<12} {about}"), options) + "\n"
+    };
+    GROUPS.iter().map(|(group, names)| format!("{group}:\n{}\n", names.iter().map(line).collect::<String>())).collect::<String>()
 }
 
 /// Runs the program: parses the command line, does the work, prints, and tells the shell how it went.
 ///
 /// Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed.
 pub fn run() -> ExitCode {
-    let arguments = match Arguments::try_parse() {
+    let arguments = match command_line().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
@@ -132,10 +141,15 @@ pub fn run() -> ExitCode {
             return ExitCode::from(code);
         }
     };
+    interrupt::listen();
     match arguments.command.run(&arguments.common) {
         Ok(code) => code,
         Err(failure) => {
             terminal::tell(failure.render().trim_end());
+            if arguments.common.json {
+                // A closed pipe is nobody's failure; the exit code is.
+                let _ = terminal::print_json(&failure.json());
+            }
             ExitCode::from(failure.exit_code())
         }
     }

@@ -5,9 +5,8 @@ use std::process::ExitCode;
 use super::failure::Failure;
 use super::frame_text::{self, Line};
 use super::options::{Common, FrameOption};
-use super::progress::Progress;
+use super::searching::{self, Following, SearchOptions};
 use super::session;
-use super::solve;
 use super::terminal;
 use crate::params::frame_file::Value;
 use crate::params::{LoadError, amend};
@@ -42,9 +41,9 @@ pub(super) struct Args {
     /// Mass to stay within, g.
     #[arg(long, value_name = "G", value_parser = super::bounded::number([20.0, 2000.0], "g"))]
     pub mass: Option<f64>,
-    /// Most frames to look at.
-    #[arg(long, default_value_t = 120, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
-    pub frames: u16,
+    /// How long the search goes on.
+    #[command(flatten)]
+    pub search: SearchOptions,
 }
 
 /// Writes a variant; exits 1, and writes nothing, when no frame near by keeps every limit.
@@ -63,10 +62,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         file.ask(key, value.clone(), asked_by(key, value));
     }
     file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let working = Progress::of("solving", common);
-    let request = Request { file: &file, from: &from, envelope_mm: envelope_mm.map(|[x, _, z]| [x, z]), most: usize::from(args.frames) };
-    let created = create(&request);
-    drop(working);
+    let following = Following::begin(&args.search, "away in squared shares of the bounds", common);
+    let follows = |standing: &_| following.hears(standing);
+    let envelope_mm = envelope_mm.map(|[x, _, z]| [x, z]);
+    let created = create(&Request { file: &file, from: &from, envelope_mm, most: usize::from(args.search.frames), follows: &follows });
+    drop(following);
     let creation = match created {
         Ok(creation) => creation,
         Err(CreateError::Refused(refusal)) => return Err(LoadError::Refused(refusal).into()),
@@ -148,7 +148,11 @@ fn formatted(creation: &Creation, lines: &[Line], place: &str) -> String {
         text += &format!("{:<34} {value:>16}  {}\n", line.key, line.why);
     }
     let fails = "keeps every limit";
-    format!("{text}{place}: {:.1} g, {fails}; {}\n", creation.evaluation.masses.total_g, solve::looked_at(creation.looked_at))
+    format!(
+        "{text}{place}: {:.1} g, {fails}; {}\n",
+        creation.evaluation.masses.total_g,
+        searching::told(creation.looked_at, creation.ended)
+    )
 }
 
 fn json(creation: &Creation, place: &str) -> serde_json::Value {
@@ -160,5 +164,6 @@ fn json(creation: &Creation, place: &str) -> serde_json::Value {
         "moved": creation.moved.iter().map(moved).collect::<Vec<_>>(),
         "mass_g": creation.evaluation.masses.total_g,
         "looked_at": creation.looked_at,
+        "ended": searching::id(creation.ended),
     })
 }

@@ -51,6 +51,11 @@ impl Progress {
         Self { bar, done: Some(done), watcher: Some(watcher) }
     }
 
+    /// Nothing is shown any more.
+    pub(super) fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+
     /// So many stages are done, and this one has begun.
     pub(super) fn stage(&self, before: usize, words: String) {
         self.bar.set_message(words);

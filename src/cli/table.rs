@@ -34,6 +34,56 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
     text
 }
 
+/// Columns of the brief table: what a terminal has at least.
+const COLUMNS: usize = 80;
+
+/// What a person has to read of a frame: every violation with its remedies, then the tightest finding of each rule that holds, a
+/// line each, and how many notes there are. No line is longer than [`COLUMNS`].
+pub(super) fn brief(findings: &[Finding]) -> String {
+    let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let mut text = String::new();
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
+        let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(&finding.levers)) };
+        let message = format!("{} {}: {}{mend}", "VIOLATED", finding.rule, one_line(&finding.message));
+        let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n");
+        text += &format!("{}\n", if colour { lines.replacen("VIOLATED", &verdict(finding, true), 1) } else { lines });
+    }
+    let mut told: Vec<&str> = Vec::new();
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Holds) {
+        if !told.contains(&&*finding.rule) {
+            told.push(&finding.rule);
+            text += &tightest_of(&finding.rule, findings);
+        }
+    }
+    text + &notes(findings)
+}
+
+/// The tightest finding of a rule that holds, by its margin as a share of the limit, as a line.
+fn tightest_of(rule: &str, findings: &[Finding]) -> String {
+    let share = |f: &Finding| if f.limit == 0.0 { f64::INFINITY } else { f.margin / f.limit.abs() };
+    let of_rule = findings.iter().filter(|f| f.rule == rule && f.verdict == Verdict::Holds);
+    let Some(f) = of_rule.min_by(|a, b| share(a).total_cmp(&share(b))) else { return String::new() };
+    let [value, limit, _] = f.figures();
+    let subject: String = one_line(&f.subject).chars().take(28).collect();
+    format!("{rule:<19} {subject:<28} {value:>8} limit {limit:>7} {}\n", f.unit)
+}
+
+/// How many notes there are, by rule.
+fn notes(findings: &[Finding]) -> String {
+    let mut rules: Vec<(&str, usize)> = Vec::new();
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Note && finding.margin < 0.0) {
+        match rules.iter_mut().find(|(rule, _)| *rule == finding.rule) {
+            Some((_, count)) => *count += 1,
+            None => rules.push((&finding.rule, 1)),
+        }
+    }
+    if rules.is_empty() {
+        return String::new();
+    }
+    let counts = rules.iter().map(|(rule, count)| format!("{count} of {rule}")).collect::<Vec<_>>().join(", ");
+    textwrap::fill(&format!("notes: {counts}; --all tells them"), COLUMNS) + "\n"
+}
+
 /// A text without line breaks: what begins a line of a log may be a command to whoever reads the log.
 fn one_line(text: &str) -> String {
     text.replace(['\n', '\r'], " ")

@@ -50,3 +50,13 @@ fn analytic_every_number_of_the_command_line_has_bounds() {
         }
     }
 }
+
+#[test]
+fn analytic_the_groups_of_the_help_hold_every_command_once() {
+    let command = super::command_line();
+    let mut known: Vec<String> = command.get_subcommands().map(|found| found.get_name().to_string()).collect();
+    let mut told: Vec<String> = super::GROUPS.iter().flat_map(|(_, names)| names.iter().map(|name| name.to_lowercase())).collect();
+    known.sort();
+    told.sort();
+    assert_eq!(known, told);
+}

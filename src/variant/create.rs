@@ -1,8 +1,12 @@
 //! A new variant: what is asked for on top of a frame, and what has to change with it.
 
+use std::ops::ControlFlow;
+
+use super::aim::Aim;
+use super::descent::Ended;
 use super::feasible::presets;
 use super::measures::Evaluation;
-use super::problem::{Aim, SearchProblem, Solution, SolveError, Vary};
+use super::problem::{SearchProblem, Solution, SolveError, Standing, Vary};
 use super::solve::solve;
 use crate::checks::Verdict;
 use crate::frame::assembly::Design;
@@ -20,6 +24,8 @@ pub struct Request<'a> {
     pub envelope_mm: Option<[f64; 2]>,
     /// How many frames may be looked at.
     pub most: usize,
+    /// Who follows the search, and may end it.
+    pub follows: &'a (dyn Fn(&Standing) -> ControlFlow<()> + Sync + 'a),
 }
 
 /// A number that had to change.
@@ -43,6 +49,8 @@ pub struct Creation {
     pub why: Vec<String>,
     /// How many frames were looked at.
     pub looked_at: usize,
+    /// Why the search ended.
+    pub ended: Ended,
 }
 
 /// Why there is no such variant.
@@ -73,19 +81,19 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
         Err(error) => vec![error.to_string()],
     };
     if let (Ok(evaluation), true) = (as_asked, why.is_empty()) {
-        return Ok(Creation { evaluation, moved: Vec::new(), why, looked_at: 1 });
+        return Ok(Creation { evaluation, moved: Vec::new(), why, looked_at: 1, ended: Ended::Converged });
     }
     let vary = movable(request.from);
     let from: Vec<f64> = vary.iter().map(|v| request.from.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
-    let problem =
-        SearchProblem { file: request.file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most: request.most, mechanics: None };
-    let Solution { evaluation, values, looked_at, .. } = solve(&problem)?;
+    let Request { file, most, follows, .. } = *request;
+    let problem = SearchProblem { file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most, follows, mechanics: None };
+    let Solution { evaluation, values, looked_at, ended, .. } = solve(&problem)?;
     let moved = values
         .into_iter()
         .filter(|(_, before, after)| before != after)
         .map(|(vary, before, after)| Moved { key: vary.key(), before, after })
         .collect();
-    Ok(Creation { evaluation, moved, why, looked_at })
+    Ok(Creation { evaluation, moved, why, looked_at, ended })
 }
 
 fn movable(from: &Frame) -> Vec<Vary> {

@@ -11,8 +11,8 @@ const MODEL: &str = "paper-corrected";
 const HEIGHT_M: f64 = 1.0;
 
 /// What the figure is, and what it cannot see.
-pub const PEAK_CAVEAT: &str = "peak: predicted by the model paper-corrected for a drop from 1 m; its stiffness does not follow from the \
-                               geometry, so it reacts to mass and gap only";
+pub const PEAK_CAVEAT: &str = "peak: of a mass on a spring, by the model paper-corrected, from 1 m; it reacts to mass and gap only. \
+                               The recommended prediction is design_drop.peak (--strength): by the geometry, within 10 % of measured medians";
 
 /// Largest reading of the sensor in a drop from 1 m, g. Of the frame only mass and gap enter: spring and damper are those
 /// fitted to the real frame, and wrong for one that is stiffer or softer. NaN when the model does not load, which one that

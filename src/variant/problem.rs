@@ -1,7 +1,12 @@
 //! What a search is asked for, and what it answers.
 
+use super::aim::Aim;
+use super::descent::Ended;
 use super::goal::Goal;
-use super::measures::{Evaluation, Measure};
+use super::measures::Evaluation;
+use std::ops::ControlFlow;
+
+use crate::frame::skeleton::SAWN_MM;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
@@ -39,6 +44,24 @@ impl Vary {
         ((value * 1000.0).round() / 1000.0).clamp(least, most)
     }
 
+    /// These values with this one of them moved by a share of the bounds: the way in which there is room, and the other way.
+    pub(super) fn beside(&self, values: &[f64], at: usize, reach: f64) -> [Vec<f64>; 2] {
+        let [least, most] = self.bounds;
+        let step = self.whole(reach * (most - least));
+        let up = values[at] + step <= most;
+        [up, !up].map(|up| {
+            let mut moved = values.to_vec();
+            moved[at] = self.at(self.share(values[at] + if up { step } else { -step }));
+            moved
+        })
+    }
+
+    /// A step across which rods are sawn by the same amount; sockets take up what is sawn off, and a shorter step would measure
+    /// the saw.
+    fn whole(&self, step: f64) -> f64 {
+        if self.parameter.table == "rods" { (step / SAWN_MM).round().max(1.0) * SAWN_MM } else { step.max(0.001) }
+    }
+
     /// How far a value is on the way between the bounds.
     pub(super) fn share(&self, value: f64) -> f64 {
         let [least, most] = self.bounds;
@@ -46,16 +69,8 @@ impl Vary {
     }
 }
 
-/// What is made small.
-#[derive(Clone)]
-pub enum Aim {
-    /// A measure.
-    Measure(&'static Measure),
-    /// The distance from these values, each in shares of its bounds.
-    Near(Vec<f64>),
-}
-
 /// What to search for.
+#[derive(Clone)]
 pub struct SearchProblem<'a> {
     /// The frame that is changed.
     pub file: &'a FrameFile,
@@ -69,11 +84,39 @@ pub struct SearchProblem<'a> {
     pub start: Vec<f64>,
     /// How many frames may be looked at.
     pub most: usize,
+    /// Who follows the search, and may end it.
+    pub follows: &'a (dyn Fn(&Standing) -> ControlFlow<()> + Sync + 'a),
     /// Numbers of the frame's own mechanics, where the aim or a goal is one of their measures: a second or two a frame.
     pub mechanics: Option<MechanicsSettings>,
 }
 
+/// Where a search is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Standing {
+    /// How many frames were looked at.
+    pub looked_at: usize,
+    /// How many may be.
+    pub most: usize,
+    /// The aim's first measure, in its unit, of the best frame that keeps the quick rules, or its squared distance; none where there
+    /// is no such frame yet.
+    pub best: Option<f64>,
+    /// What the best one misses most, where it misses something.
+    pub missed: Option<String>,
+}
+
 impl SearchProblem<'_> {
+    /// The squared distance of values from others, in shares of their bounds.
+    pub(super) fn distance(&self, values: &[f64], from: &[f64]) -> f64 {
+        let part = |((vary, a), b): ((&Vary, &f64), &f64)| (vary.share(*a) - vary.share(*b)).powi(2);
+        self.vary.iter().zip(values).zip(from).map(part).sum()
+    }
+
+    /// The aim's value of a frame, in the units of its measures.
+    pub(super) fn value(&self, evaluation: &Evaluation) -> f64 {
+        let ones = vec![1.0; self.aim.measures().len()];
+        self.aim.of(&self.aim.shares(evaluation, &ones), &ones, 0.0)
+    }
+
     /// A frame as far as the problem wants to know it.
     pub(super) fn known(&self, evaluation: Evaluation) -> Result<Evaluation, String> {
         match &self.mechanics {
@@ -106,6 +149,8 @@ pub struct Solution {
     pub refused: Vec<String>,
     /// How many frames were looked at.
     pub looked_at: usize,
+    /// Why it ended.
+    pub ended: Ended,
 }
 
 /// Why there is no answer.
@@ -115,10 +160,12 @@ pub enum SolveError {
     #[error("{0}")]
     Problem(String),
     /// No frame that was looked at keeps all limits; there may be one.
-    #[error("gave up after {looked_at} frames, none of which keeps every limit; the nearest misses these: {}", .missed.join("; "))]
+    #[error("{} {looked_at} frames, none of which keeps every limit; the nearest misses these: {}", .ended.words(), .missed.join("; "))]
     Infeasible {
         /// How many were looked at.
         looked_at: usize,
+        /// Why it ended.
+        ended: Ended,
         /// What the nearest one misses.
         missed: Vec<String>,
     },

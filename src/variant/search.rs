@@ -1,28 +1,29 @@
 //! Points of a search: each is a frame, looked at once.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use cobyla::{RhoBeg, StopTols};
+use rayon::prelude::*;
 
+use super::aim::Aim;
 use super::goal::Goal;
-use super::measures::Evaluation;
-use super::problem::{Aim, SearchProblem, Vary};
+use super::measures::{Evaluation, Measure};
+use super::problem::{SearchProblem, Standing};
 use crate::checks::{Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
+use crate::frame::skeleton::Skeleton;
 use crate::memo::Memo;
 use crate::params::Frame;
 
-/// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
-const RESERVE: f64 = 0.002;
-/// First and last size of a step, in shares of the bounds.
-pub(super) const STEPS: [f64; 2] = [0.05, 0.001];
-
 /// What is known of one set of values.
+#[derive(Clone)]
 pub(super) struct Point {
     /// What is made small; less is better.
     pub aim: f64,
+    /// The aim's measures as shares of their values at the start; none when there is no such frame.
+    pub measures: Vec<f64>,
     /// Scaled margins: every rule's tightest, then the goals'; none when there is no such frame.
     pub margins: Option<Vec<f64>>,
     /// Sum of the violated margins, scaled; zero when everything is kept.
@@ -32,9 +33,13 @@ pub(super) struct Point {
 }
 
 impl Point {
-    /// The tightest margin; minus infinity where there is no frame.
-    pub fn worst(&self) -> f64 {
-        self.margins.as_ref().map_or(f64::NEG_INFINITY, |margins| margins.iter().copied().fold(f64::INFINITY, f64::min))
+    fn none(aim: f64, why: String) -> Self {
+        Self { aim, measures: Vec::new(), margins: None, violated: NOWHERE, why: Some(why) }
+    }
+
+    /// Whether it is nearer to the answer than another: it misses less, or keeps everything with a smaller aim.
+    pub fn better_than(&self, other: &Self) -> bool {
+        (self.violated, self.aim) < (other.violated, other.aim)
     }
 }
 
@@ -73,39 +78,187 @@ pub(super) fn scale(unit: &str) -> f64 {
 /// Margins beyond this say no more, scaled; far enough that the planes through the first points are not flat.
 const FAR: f64 = 50.0;
 
-/// How far values of which there is no frame miss every constraint, scaled: farther than a frame that is much too large, or
-/// they would look better than it.
-const NO_FRAME: f64 = 20.0;
-
 /// Sum of violated margins where there is no frame: more than a frame that misses a dozen limits by far.
-const NOWHERE: f64 = 12.0 * FAR;
+pub(super) const NOWHERE: f64 = 12.0 * FAR;
 
-/// Points that were looked at, and how to look at another.
+/// How a point is looked at.
+struct Look<'a> {
+    problem: &'a SearchProblem<'a>,
+    rules: &'a [&'static Rule],
+    constraints: Vec<Constraint>,
+    memo: Arc<Memo>,
+    aim: Aim,
+    scales: Vec<f64>,
+}
+
+/// Points that were looked at, and how to look at others.
 pub(super) struct Search<'a> {
-    /// What is asked for.
-    pub problem: &'a SearchProblem<'a>,
-    /// The rules.
-    pub rules: &'a [&'static Rule],
-    /// What of the rules is kept on every frame.
-    pub constraints: Vec<Constraint>,
-    /// Parts that were made.
-    pub memo: Arc<Memo>,
+    look: Look<'a>,
     points: RefCell<BTreeMap<Vec<u64>, Point>>,
-    /// Values that were looked at, in order.
-    pub order: RefCell<Vec<Vec<f64>>>,
-    /// The measure of the frame itself, by which the aim is divided.
-    pub scale: f64,
+    order: RefCell<Vec<Vec<f64>>>,
+    ended: Cell<bool>,
 }
 
 impl<'a> Search<'a> {
     /// Nothing was looked at yet.
     pub fn new(problem: &'a SearchProblem<'a>, rules: &'a [&'static Rule]) -> Self {
-        let (constraints, memo) = (Constraint::of_all(rules), Arc::default());
-        Self { problem, rules, constraints, memo, points: RefCell::default(), order: RefCell::default(), scale: 1.0 }
+        let look = Look {
+            problem,
+            rules,
+            constraints: Constraint::of_all(rules),
+            memo: Arc::default(),
+            aim: Aim::Near(Vec::new()),
+            scales: Vec::new(),
+        };
+        let mut search = Self { look, points: RefCell::default(), order: RefCell::default(), ended: Cell::new(false) };
+        search.aim_at(problem.aim.clone());
+        search
     }
 
-    /// The frame with these values.
-    pub fn frame(&self, values: &[f64]) -> Result<Frame, String> {
+    /// Makes something else small from now on, of the same measures once points were looked at.
+    pub fn aim_at(&mut self, aim: Aim) {
+        if self.order.get_mut().is_empty() {
+            self.look.scales = vec![1.0; aim.measures().len()];
+        }
+        self.look.aim = aim;
+        for point in self.points.get_mut().values_mut().filter(|point| point.margins.is_some()) {
+            point.aim = self.look.aim.of(&point.measures, &self.look.scales, point.aim);
+        }
+    }
+
+    /// What is made small.
+    pub fn aim(&self) -> &Aim {
+        &self.look.aim
+    }
+
+    /// What is asked for.
+    pub fn problem(&self) -> &'a SearchProblem<'a> {
+        self.look.problem
+    }
+
+    /// What of the rules is kept on every frame.
+    pub fn constraints(&self) -> &[Constraint] {
+        &self.look.constraints
+    }
+
+    /// The aim's measures are shares of those of a frame from now on.
+    pub fn scale_by(&mut self, frame: Frame) {
+        if self.look.scales.is_empty() {
+            return;
+        }
+        if let Ok(evaluation) = self.look.evaluated(frame, Cost::Quick) {
+            let value = |measure: &Measure| measure.of(&evaluation).filter(|value| value.abs() > 0.0).map_or(1.0, f64::abs);
+            self.look.scales = self.look.aim.measures().into_iter().map(value).collect();
+        }
+    }
+
+    /// What the aim's measures are shares of.
+    pub fn scales(&self) -> &[f64] {
+        &self.look.scales
+    }
+
+    /// The values at these shares of their bounds.
+    pub fn values(&self, shares: &[f64]) -> Vec<f64> {
+        self.problem().vary.iter().zip(shares).map(|(vary, share)| vary.at(*share)).collect()
+    }
+
+    /// The shares of their bounds at which these values lie.
+    pub fn shares(&self, values: &[f64]) -> Vec<f64> {
+        self.problem().vary.iter().zip(values).map(|(vary, value)| vary.share(*value)).collect()
+    }
+
+    /// How many frames were looked at.
+    pub fn looked_at(&self) -> usize {
+        self.order.borrow().len()
+    }
+
+    /// How many more may be; none once somebody ended the search.
+    pub fn left(&self) -> usize {
+        if self.ended.get() { 0 } else { self.problem().most.saturating_sub(self.looked_at()) }
+    }
+
+    /// Whether somebody ended the search.
+    pub fn is_ended(&self) -> bool {
+        self.ended.get()
+    }
+
+    /// What is known of these values; they have to have been looked at.
+    pub fn known(&self, values: &[f64]) -> Option<Point> {
+        self.points.borrow().get(&key(values)).cloned()
+    }
+
+    /// Looks at points side by side, as far as they are new and frames are left. Values of which the skeleton alone says that
+    /// there is no frame cost nothing.
+    pub fn look_at(&self, wanted: &[Vec<f64>]) {
+        let mut fresh: Vec<&Vec<f64>> = Vec::new();
+        for values in wanted {
+            if self.known(values).is_some() || fresh.contains(&values) {
+                continue;
+            }
+            match self.look.closes(values) {
+                Err(why) => {
+                    self.points.borrow_mut().insert(key(values), Point::none(self.look.distance(values), why));
+                }
+                Ok(()) => fresh.push(values),
+            }
+        }
+        // As many at once as there are cores: between the groups somebody may end the search.
+        for group in fresh[..fresh.len().min(self.left())].chunks(rayon::current_num_threads().max(1)) {
+            if self.is_ended() {
+                return;
+            }
+            let look = &self.look;
+            let points: Vec<Point> = group.par_iter().map(|values| look.at(values)).collect();
+            for (values, point) in group.iter().zip(points) {
+                self.order.borrow_mut().push((*values).clone());
+                self.points.borrow_mut().insert(key(values), point);
+            }
+            self.tell();
+        }
+    }
+
+    /// Says where the search is, and hears whether it may go on.
+    fn tell(&self) {
+        let best = ranked(self).into_iter().next().and_then(|values| self.known(&values));
+        let missed = best.as_ref().and_then(|point| worst_of(point.margins.as_ref()?, self));
+        let told = |point: Point| point.measures.first().map_or(point.aim, |share| share * self.look.scales[0]);
+        let best = best.filter(|point| point.violated == 0.0).map(told);
+        let standing = Standing { looked_at: self.looked_at(), most: self.problem().most, best, missed };
+        if (self.problem().follows)(&standing) == ControlFlow::Break(()) {
+            self.ended.set(true);
+        }
+    }
+
+    /// The frame with these values, evaluated by the rules up to a cost.
+    pub fn evaluated(&self, values: &[f64], dearest: Cost) -> Result<Evaluation, String> {
+        self.look.evaluated(self.look.frame(values)?, dearest)
+    }
+
+    /// Whether a point keeps everything.
+    pub fn found(&self) -> bool {
+        self.points.borrow().values().any(|point| point.violated == 0.0)
+    }
+
+    /// Values of which the skeleton says that there is no frame, and why.
+    pub fn without_frame(&self) -> Vec<(Vec<f64>, String)> {
+        let points = self.points.borrow();
+        let none =
+            points.iter().filter_map(|(key, point)| Some((key.iter().map(|bits| f64::from_bits(*bits)).collect(), point.why.clone()?)));
+        none.collect()
+    }
+
+    /// All values that were looked at, in order.
+    pub fn order(&self) -> Vec<Vec<f64>> {
+        self.order.borrow().clone()
+    }
+}
+
+fn key(values: &[f64]) -> Vec<u64> {
+    values.iter().map(|value| value.to_bits()).collect()
+}
+
+impl Look<'_> {
+    fn frame(&self, values: &[f64]) -> Result<Frame, String> {
         let mut file = self.problem.file.clone();
         for (vary, value) in self.problem.vary.iter().zip(values) {
             file.set_number(&vary.key(), *value);
@@ -113,53 +266,33 @@ impl<'a> Search<'a> {
         Frame::resolve(&file).map_err(|refusal| refusal.to_string())
     }
 
-    /// Whether one of the points keeps everything.
-    pub fn found(&self) -> bool {
-        self.points.borrow().values().any(|point| point.violated == 0.0)
+    /// Whether there is a skeleton with these values.
+    fn closes(&self, values: &[f64]) -> Result<(), String> {
+        let frame = self.frame(values)?;
+        // The rods of a frame of a wanted size are computed later.
+        if frame.target.is_some() { Ok(()) } else { Skeleton::new(&frame).map(|_| ()).map_err(|error| error.to_string()) }
     }
 
-    /// The values at these shares of their bounds.
-    pub fn values(&self, shares: &[f64]) -> Vec<f64> {
-        self.problem.vary.iter().zip(shares).map(|(vary, share)| vary.at(*share)).collect()
-    }
-
-    /// Looks at a point, unless it was looked at before, and says something of it.
-    pub fn of<T>(&self, values: &[f64], say: impl Fn(&Point) -> T) -> T {
-        let key: Vec<u64> = values.iter().map(|value| value.to_bits()).collect();
-        if !self.points.borrow().contains_key(&key) {
-            let point = self.look(values);
-            self.order.borrow_mut().push(values.to_vec());
-            self.points.borrow_mut().insert(key.clone(), point);
-        }
-        say(&self.points.borrow()[&key])
-    }
-
-    /// A frame by the rules that are quick to check.
-    pub fn quick(&self, frame: Frame) -> Result<Evaluation, String> {
+    fn evaluated(&self, frame: Frame, dearest: Cost) -> Result<Evaluation, String> {
         let design = Design::with(frame, &self.memo).map_err(|error| error.to_string())?;
-        Ok(Evaluation::by(self.rules, Cost::Quick, design))
+        self.problem.known(Evaluation::by(self.rules, dearest, design))
     }
 
-    fn look(&self, values: &[f64]) -> Point {
-        let near = |from: &[f64]| {
-            let part = |((vary, a), b): ((&Vary, &f64), &f64)| (vary.share(*a) - vary.share(*b)).powi(2);
-            self.problem.vary.iter().zip(values).zip(from).map(part).sum::<f64>()
-        };
-        let evaluation = match self.frame(values).and_then(|frame| self.quick(frame)).and_then(|evaluation| self.problem.known(evaluation))
-        {
+    /// The squared distance from the values that are to be near; zero where none are.
+    fn distance(&self, values: &[f64]) -> f64 {
+        if let Aim::Near(from) = &self.aim { self.problem.distance(values, from) } else { 0.0 }
+    }
+
+    fn at(&self, values: &[f64]) -> Point {
+        let evaluation = match self.frame(values).and_then(|frame| self.evaluated(frame, Cost::Quick)) {
             Ok(evaluation) => evaluation,
-            Err(why) => {
-                let aim = if let Aim::Near(from) = &self.problem.aim { near(from) } else { 1.0 };
-                return Point { aim, margins: None, violated: NOWHERE, why: Some(why) };
-            }
+            Err(why) => return Point::none(self.distance(values), why),
         };
-        let aim = match &self.problem.aim {
-            Aim::Measure(measure) => measure.of(&evaluation).unwrap_or(f64::INFINITY) / self.scale,
-            Aim::Near(from) => near(from),
-        };
+        let measures = self.aim.shares(&evaluation, &self.scales);
+        let aim = self.aim.of(&measures, &self.scales, self.distance(values));
         let margins = margins(&evaluation, &self.constraints, &self.problem.goals);
         let violated = margins.iter().map(|margin| (-margin).max(0.0)).sum();
-        Point { aim, margins: Some(margins), violated, why: None }
+        Point { aim, measures, margins: Some(margins), violated, why: None }
     }
 }
 
@@ -175,39 +308,21 @@ fn margins(evaluation: &Evaluation, constraints: &[Constraint], goals: &[Goal]) 
     constraints.iter().map(tightest).chain(goals.iter().map(goal)).collect()
 }
 
-/// Follows COBYLA from a start.
-pub(super) fn descend(search: &Search, start: &[f64], step: f64, most: usize) {
-    let problem = search.problem;
-    if most == 0 {
-        return;
+/// The rule or goal that is missed most; none when none is.
+pub(super) fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
+    let (at, least) = margins.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+    let (constraints, goals) = (search.constraints(), &search.problem().goals);
+    let constraint = |constraint: &Constraint| format!("{} {}", constraint.rule.id, constraint.subject).trim_end().to_string();
+    if *least >= 0.0 {
+        return None;
     }
-    let shares: Vec<f64> = problem.vary.iter().zip(start).map(|(vary, value)| vary.share(*value)).collect();
-    let count = search.constraints.len() + problem.goals.len() + 1;
-    let constraint = |at: usize| {
-        Box::new(move |shares: &[f64], (): &mut ()| {
-            search.of(&search.values(shares), |point| match &point.margins {
-                None => -NO_FRAME,
-                Some(_) if at == 0 => 1.0,
-                Some(margins) => margins[at - 1] - RESERVE,
-            })
-        }) as Box<dyn Fn(&[f64], &mut ()) -> f64 + '_>
-    };
-    let constraints: Vec<_> = (0..count).map(constraint).collect();
-    let objective = |shares: &[f64], (): &mut ()| search.of(&search.values(shares), |point| point.aim);
-    let tolerances = StopTols { xtol_abs: vec![STEPS[1]; shares.len()], ..StopTols::default() };
-    let bounds = vec![(0.0, 1.0); shares.len()];
-    // However it ends, the points that it looked at are what counts.
-    let _ = cobyla::minimize(objective, &shares, &bounds, &constraints, (), most, RhoBeg::All(step), Some(tolerances));
+    constraints.get(at).map(constraint).or_else(|| goals.get(at - constraints.len()).map(Goal::reported))
 }
 
 /// Points that were looked at: those that keep everything first, by their aim; then by the sum of what they miss.
 pub(super) fn ranked(search: &Search) -> Vec<Vec<f64>> {
-    let mut all = search.order.borrow().clone();
-    let key =
-        |values: &Vec<f64>| search.of(values, |point| if point.worst() >= 0.0 { (0, point.aim, 0.0) } else { (1, 0.0, point.violated) });
-    all.sort_by(|a, b| {
-        let (a, b) = (key(a), key(b));
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2))
-    });
-    all
+    let mut all: Vec<(Vec<f64>, Point)> =
+        search.order().into_iter().filter_map(|values| search.known(&values).map(|point| (values, point))).collect();
+    all.sort_by(|(_, a), (_, b)| a.violated.total_cmp(&b.violated).then(a.aim.total_cmp(&b.aim)));
+    all.into_iter().map(|(values, _)| values).collect()
 }

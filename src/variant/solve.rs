@@ -1,104 +1,127 @@
 //! A search for a better frame: some parameters vary, a measure is made small, and every rule and goal is kept.
 //!
-//! The optimiser is COBYLA (M. J. D. Powell 1994), which models objective and constraints by planes through the last points:
-//! it needs no derivative, and a constraint is the tightest margin of a rule, which has kinks where another pair becomes the
-//! tightest. What it cannot see it cannot avoid: a count of steps, or a frame that does not close, is a cliff. It finds a
-//! minimum near its start, not the least of all. Every point that was looked at is a frame file's numbers as they are
-//! written, to a thousandth; the best ones that keep everything are then checked against every rule, the slow one included, and
-//! only one that keeps them all is an answer.
+//! Aim and margins are modelled by planes ([`super::planes`]) in a region that shrinks where they fail: no derivative is needed,
+//! and a constraint is the tightest margin of a rule, which has kinks where another pair becomes the tightest. What planes cannot
+//! see they cannot avoid: a count of steps, or a frame that does not close, is a cliff. Each descent finds a minimum near its
+//! start, so several begin, as far as frames are left; the least of all is not proven. Every point that was looked at is a frame
+//! file's numbers as they are written, to a thousandth; the best ones that keep everything are then checked against every rule,
+//! the slow one included, and only one that keeps them all is an answer.
 
+use super::aim::Aim;
+use super::descent::{Ended, descend};
 use super::feasible::find;
 use super::goal::Goal;
 use super::measures::Evaluation;
-use super::problem::{Aim, Binding, SearchProblem, Solution, SolveError, Vary};
-use super::search::{STEPS, Search, descend, ranked, scale};
+use super::problem::{Binding, SearchProblem, Solution, SolveError, Vary};
+use super::search::{Search, ranked, scale, worst_of};
 use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict};
-use crate::frame::assembly::Design;
 use crate::params::Frame;
 
 /// How near its limit a scaled margin binds.
 const BINDS: f64 = 0.03;
 /// How many of the best are checked against every rule.
 const VERIFIED: usize = 12;
+/// What each descent may spend of the frames that are left.
+const SHARES: [f64; 3] = [0.6, 0.7, 1.0];
+/// How far from what is known another start has to be, in shares of the bounds.
+const APART: f64 = 0.15;
 /// How many reasons are reported why better frames are refused.
 const REASONS: usize = 3;
 
 /// Searches.
 ///
 /// # Errors
-/// When nothing varies, or no frame that was looked at keeps every limit.
+/// When the frame is refused, or no frame that was looked at keeps every limit.
 pub fn solve(problem: &SearchProblem) -> Result<Solution, SolveError> {
     solve_by(problem, &CATALOGUE)
 }
 
 /// Searches for a frame that keeps these rules.
 pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Result<Solution, SolveError> {
-    if problem.vary.is_empty() {
-        return Err(SolveError::Problem("nothing varies: name parameters with --vary".into()));
-    }
     let before = Frame::resolve(problem.file).map_err(|refusal| SolveError::Problem(refusal.to_string()))?;
-    let own: Vec<f64> = problem.vary.iter().map(|v| before.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
+    let own = own_values(problem, &before);
     let start = if problem.start.is_empty() { own.clone() } else { problem.start.clone() };
     let mut search = Search::new(problem, rules);
-    if let Aim::Measure(measure) = problem.aim {
-        let first =
-            search.quick(before).and_then(|evaluation| problem.known(evaluation)).ok().and_then(|evaluation| measure.of(&evaluation));
-        search.scale = first.filter(|value| value.abs() > 0.0).map_or(1.0, f64::abs);
-    }
-    find(&search, &start, problem.most / 2);
-    let start = ranked(&search).into_iter().next().unwrap_or(start);
-    let left = problem.most.saturating_sub(search.order.borrow().len());
-    descend(&search, &start, STEPS[0], left.min(problem.most / 2));
-    // A second descent, from the best so far with smaller steps: planes that straddle a kink mislead the first.
-    let again = ranked(&search).into_iter().next().unwrap_or(start);
-    let left = problem.most.saturating_sub(search.order.borrow().len());
-    descend(&search, &again, 0.3 * STEPS[0], left);
+    search.scale_by(before);
+    find(&search, &start);
+    improve(&search);
     answer(&search, &own)
+}
+
+/// The frame's own values of what varies.
+pub(super) fn own_values(problem: &SearchProblem, frame: &Frame) -> Vec<f64> {
+    problem.vary.iter().map(|v| frame.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect()
+}
+
+/// What a problem's frame misses as it is, and its aim.
+pub(super) fn before(problem: &SearchProblem) -> Result<(f64, f64), String> {
+    let frame = Frame::resolve(problem.file).map_err(|refusal| refusal.to_string())?;
+    let (own, search) = (own_values(problem, &frame), Search::new(problem, &CATALOGUE));
+    search.look_at(&[own.clone()]);
+    search.known(&own).map(|point| (point.violated, point.aim)).ok_or_else(|| "ended before".into())
+}
+
+/// Makes the aim small, from the best frame and then from others that lead elsewhere.
+fn improve(search: &Search) {
+    let mut begun: Vec<Vec<f64>> = Vec::new();
+    // What has to be near a frame is, after one descent; and where nothing varies there is nowhere to go.
+    let descents = match search.aim() {
+        _ if search.problem().vary.is_empty() => 0,
+        Aim::Near(_) => 1,
+        _ => SHARES.len(),
+    };
+    for most in SHARES.iter().take(descents).map(|share| (share * search.left() as f64) as usize) {
+        let far = |values: &Vec<f64>| begun.iter().all(|other| search.problem().distance(values, other) > APART * APART);
+        let Some(start) = ranked(search).into_iter().find(far) else { break };
+        descend(search, &start, most, false);
+        begun.extend(ranked(search).into_iter().next());
+        begun.push(start);
+    }
+}
+
+/// Why a search ended.
+pub(super) fn ended(search: &Search) -> Ended {
+    match (search.is_ended(), search.left()) {
+        (true, _) => Ended::Stopped,
+        (false, 0) => Ended::Spent,
+        (false, _) => Ended::Converged,
+    }
 }
 
 /// The best point that keeps every rule, the slow one included.
 fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
-    let ranked = ranked(search);
+    let (ranked, ended) = (ranked(search), ended(search));
     let looked_at = ranked.len();
     let mut missed = Vec::new();
     for best in ranked.iter().take(VERIFIED) {
-        let Ok(frame) = search.frame(best) else { continue };
-        let Ok(design) = Design::with(frame, &search.memo) else { continue };
-        let Ok(evaluation) = search.problem.known(Evaluation::by(search.rules, Cost::Slow, design)) else { continue };
-        let broken = broken(&evaluation, &search.problem.goals);
+        let Ok(evaluation) = search.evaluated(best, Cost::Slow) else { continue };
+        let broken = broken(&evaluation, &search.problem().goals);
         if broken.is_empty() {
             let values: Vec<(Vary, f64, f64)> =
-                search.problem.vary.iter().zip(own.iter().zip(best)).map(|(vary, (a, b))| (*vary, *a, *b)).collect();
+                search.problem().vary.iter().zip(own.iter().zip(best)).map(|(vary, (a, b))| (*vary, *a, *b)).collect();
             let binding = binding(&evaluation, search, &values);
             let refused = refused(search, best);
-            return Ok(Solution { evaluation, values, binding, refused, looked_at });
+            return Ok(Solution { evaluation, values, binding, refused, looked_at, ended });
         }
         if missed.is_empty() {
             missed = broken;
         }
     }
-    Err(SolveError::Infeasible { looked_at, missed })
+    Err(SolveError::Infeasible { looked_at, ended, missed })
 }
 
 /// What is wrong with the nearest frames that would be better, or of which nothing is known but that there is none.
 fn refused(search: &Search, best: &[f64]) -> Vec<String> {
-    let own = search.of(best, |point| point.aim);
-    let distance = |values: &[f64]| -> f64 {
-        let shares = search.problem.vary.iter().zip(values.iter().zip(best));
-        shares.map(|(vary, (a, b))| (vary.share(*a) - vary.share(*b)).powi(2)).sum()
+    let Some(own) = search.known(best) else { return Vec::new() };
+    let reason = |values: Vec<f64>| {
+        let point = search.known(&values)?;
+        let breaks =
+            |margins: &Vec<f64>| if point.aim < own.aim { worst_of(margins, search).map(|what| format!("misses {what}")) } else { None };
+        let why = point.margins.as_ref().map_or_else(|| point.why.clone(), breaks)?;
+        Some((search.problem().distance(&values, best), why))
     };
-    let order = search.order.borrow().clone();
-    let mut reasons: Vec<(f64, String)> = order
-        .iter()
-        .filter_map(|values| {
-            let reason = search.of(values, |point| match (&point.margins, &point.why) {
-                (None, why) => why.clone(),
-                (Some(margins), _) if point.aim < own && point.worst() < 0.0 => worst_of(margins, search),
-                _ => None,
-            });
-            reason.map(|reason| (distance(values), reason))
-        })
-        .collect();
+    let none = search.without_frame().into_iter().map(|(values, why)| (search.problem().distance(&values, best), why));
+    let mut reasons: Vec<(f64, String)> = search.order().into_iter().filter_map(reason).chain(none).collect();
     reasons.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
     let mut reported: Vec<String> = Vec::new();
     for (_, reason) in reasons {
@@ -109,18 +132,8 @@ fn refused(search: &Search, best: &[f64]) -> Vec<String> {
     reported
 }
 
-/// The rule or goal that is missed most.
-fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
-    let (at, _) = margins.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
-    let (constraints, goals) = (&search.constraints, &search.problem.goals);
-    constraints
-        .get(at)
-        .map(|constraint| format!("breaks {} {}", constraint.rule.id, constraint.subject).trim_end().to_string())
-        .or_else(|| goals.get(at - constraints.len()).map(|goal| format!("misses {}", goal.reported())))
-}
-
 /// What a frame misses.
-fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
+pub(super) fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
     let findings = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone());
     let goals = goals.iter().filter(|goal| goal.measure.of(evaluation).is_none_or(|value| goal.margin(value) < 0.0));
     findings.chain(goals.map(|goal| format!("{} is {}", goal.reported(), goal.measure.reported(goal.measure.of(evaluation))))).collect()
@@ -129,7 +142,7 @@ fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
 /// Limits with hardly any room, and bounds that are reached.
 fn binding(evaluation: &Evaluation, search: &Search, values: &[(Vary, f64, f64)]) -> Vec<Binding> {
     let mut found: Vec<(f64, Binding)> = Vec::new();
-    for constraint in search.constraints.iter().filter(|constraint| constraint.rule.binds()) {
+    for constraint in search.constraints().iter().filter(|constraint| constraint.rule.binds()) {
         let of = evaluation.findings.iter().filter(|finding| constraint.concerns(finding));
         // What is meant to be zero has no room to begin with and limits nothing.
         let real = of.filter(|f| f.limit.abs() / scale(&f.unit) > 2.0 * BINDS);
@@ -142,7 +155,7 @@ fn binding(evaluation: &Evaluation, search: &Search, values: &[(Vary, f64, f64)]
             }
         }
     }
-    for goal in &search.problem.goals {
+    for goal in &search.problem().goals {
         let margin = goal.measure.of(evaluation).map_or(0.0, |value| goal.margin(value));
         if margin / scale(goal.measure.unit) < BINDS {
             found.push((margin, Binding { what: goal.reported(), margin, unit: goal.measure.unit.into() }));
@@ -163,10 +176,12 @@ fn binding(evaluation: &Evaluation, search: &Search, values: &[(Vary, f64, f64)]
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use super::*;
     use crate::checks::planted::{TOY, TOY_MM};
     use crate::params::{FrameFile, parameters};
-    use crate::variant::measure;
+    use crate::variant::{Aim, measure};
 
     #[test]
     fn planted_a_search_keeps_a_rule_that_it_does_not_name() {
@@ -174,9 +189,18 @@ mod tests {
         let file = FrameFile::load("cognifly").expect("a preset");
         let frame = Frame::resolve(&file).expect("is one");
         let rod = parameters().find(|p| p.key == "cage_rod_length_mm").expect("a parameter");
-        let aim = Aim::Measure(measure("envelope.width").expect("a measure"));
+        let aim = Aim::least(measure("envelope.width").expect("a measure"));
         let vary = vec![Vary::around(rod, &frame, 0.05)];
-        let problem = SearchProblem { file: &file, aim, goals: Vec::new(), vary, start: Vec::new(), most: 14, mechanics: None };
+        let problem = SearchProblem {
+            file: &file,
+            aim,
+            goals: Vec::new(),
+            vary,
+            start: Vec::new(),
+            most: 14,
+            follows: &|_| ControlFlow::Continue(()),
+            mechanics: None,
+        };
         let solution = solve_by(&problem, &rules).unwrap_or_else(|error| panic!("{error}"));
         let (_, before, after) = solution.values[0];
         // A limit in mm counts as kept when it is missed by no more than a length may be mismeasured, 0.005 mm.

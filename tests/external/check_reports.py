@@ -29,7 +29,7 @@ def main():
     suites = {suite.name: suite for suite in report}
     kinds = {name: [type(outcome) for case in suite for outcome in case.result] for name, suite in suites.items()}
     result("junitparser: a suite a frame", list(suites) == ["cognifly", "cognifly-v8", "odd", str(wrong)], str(list(suites)))
-    result("junitparser: the default passes", kinds["cognifly"] == [] and suites["cognifly"].tests > 200, str(kinds["cognifly"]))
+    result("junitparser: the default passes", kinds["cognifly"] == [] and 15 <= suites["cognifly"].tests <= 25, str(kinds["cognifly"]))
     result("junitparser: v8 fails", Failure in kinds["cognifly-v8"] and suites["cognifly-v8"].failures == len(kinds["cognifly-v8"]), str(kinds["cognifly-v8"]))
     result("junitparser: what does not read is an error", kinds[str(wrong)] == [Error], str(kinds[str(wrong)]))
 

@@ -47,6 +47,8 @@ function words(random) {
 
 /** Refused when everything else is read, before the bodies are made, which takes a hundred times as long. */
 const UNFINISHED = "\n[target]\nwidth_mm = 200\n";
+/** One mutated frame in so many is made whole. */
+const WHOLE = 6;
 
 const TABLE = `trial,height_m,t_s,accel_g\n${Array.from({ length: 30 }, (_, at) => `${at % 3},0.5,${(at / 1000).toFixed(3)},${at}`).join("\n")}\n`;
 
@@ -59,8 +61,9 @@ export function* randomTexts(count) {
   const drop = { do: "drop", model: "a.toml", heights_m: [1] };
   const diagnose = { do: "diagnose", model: "paper", max_effects: 1 };
   const open = { do: "open", frame: "a.toml" };
+  const unfinished = () => (random() < 1 / WHOLE ? "" : UNFINISHED);
   const kinds = [
-    () => ({ request: open, files: { "a.toml": mutated(pick(frames), random) } }),
+    () => ({ request: open, files: { "a.toml": `${mutated(pick(frames), random)}${unfinished()}` } }),
     () => ({ request: open, files: { "a.toml": `${mutated(pick(frames), random)}${UNFINISHED}` } }),
     () => ({ request: open, files: { "a.toml": `base = "b"\n${UNFINISHED}`, "b.toml": mutated(pick(frames), random) } }),
     () => ({ request: open, files: { "a.toml": bytes(random) } }),

@@ -1,11 +1,14 @@
 //! The frame's own mechanics: the real frame's static test, the ratios that geometry fixes, refinement, the drop's accounts.
 
 use crate::common;
+use flexframe::checks::Verdict;
 use flexframe::frame::assembly::{Design, mass};
+use flexframe::impact::frame_fit::Subject;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;
 use flexframe::mechanics::result::calibration::calibrate;
 use flexframe::mechanics::result::impact::{Impact, Run};
+use flexframe::mechanics::result::prediction::predict;
 use flexframe::mechanics::result::static_curve::StaticCurve;
 use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::mechanics::solve::modes::Modes;
@@ -134,4 +137,28 @@ fn analytic_the_lowest_mode_of_most_mass_is_the_bounce_of_the_centre() {
     let bounce = modes.modes.iter().max_by(|a, b| a.share_up.total_cmp(&b.share_up)).expect("has modes");
     assert!(bounce.share_up > 0.7 && (30.0..60.0).contains(&bounce.frequency_hz), "{} Hz {}", bounce.frequency_hz, bounce.share_up);
     assert!(modes.modes.windows(2).all(|pair| pair[0].frequency_hz <= pair[1].frequency_hz));
+}
+
+/// Medians of the measured drops along the axis (docs/reproduction.md), g. The numbers that come with the program are fitted to them.
+#[test]
+fn measured_peaks_of_all_heights_are_met_by_the_programs_own_numbers() {
+    let (design, settings) = (design(|_| ()), settings());
+    let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
+    let subject = Subject { model: &model, settings: &settings };
+    let numbers = [libm::log(settings.impact_modulus), settings.impact_loss.sqrt()];
+    for (height_m, measured_g) in [(0.5, 76.0), (1.0, 95.1), (1.5, 123.3)] {
+        let peak_g = libm::exp(subject.run(numbers, height_m).expect("is followed").ln_peak);
+        assert!((peak_g / measured_g - 1.0).abs() < 0.1, "{height_m} m: {peak_g} g, measured {measured_g} g");
+    }
+}
+
+#[test]
+fn measured_the_default_frame_keeps_its_design_drop() {
+    let design = Design::with(Frame::load("cognifly").expect("the preset is valid").0, common::memo()).expect("closes");
+    let (masses, settings) = (mass::table(&design), settings());
+    let found = predict(&design, &masses, &settings).expect("is predicted");
+    let findings = flexframe::checks::strength(&design, &masses, &settings.limits, &found);
+    assert!(findings.iter().all(|finding| finding.verdict != Verdict::Violated), "{findings:?}");
+    // The sleeve comes down to the ground, and that is told.
+    assert!(findings.iter().any(|finding| finding.verdict == Verdict::Note && finding.unit == "m/s"), "{findings:?}");
 }

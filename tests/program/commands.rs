@@ -12,12 +12,13 @@ fn flexframe(arguments: &[&str]) -> Output {
     Command::new(cargo_bin("flexframe")).args(arguments).env("NO_COLOR", "1").output().expect("the program starts")
 }
 
-/// The names below `Commands:` of the help.
+/// The names in the groups of the help: lines with an indent of two, above the options.
 fn commands() -> Vec<String> {
     let help = String::from_utf8(flexframe(&["--help"]).stdout).expect("UTF-8");
-    let list = help.split("Commands:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("the help lists the commands");
+    let list = help.split("Options:\n").next().expect("the help lists the commands");
+    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     let named = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
-    named.filter_map(|line| line.split_whitespace().next()).map(String::from).filter(|name| name != "help").collect()
+    named.filter_map(|line| line.split_whitespace().next()).map(String::from).collect()
 }
 
 /// README and every page below `docs/`.

@@ -27,7 +27,11 @@ impl Bench {
 
     fn run(&self, arguments: &[&str]) -> Output {
         let mut command = Command::new(cargo_bin("flexframe"));
-        command.args(arguments).current_dir(self.folder.path()).env("NO_COLOR", "1").env("FLEXFRAME_CACHE", "off");
+        command
+            .args(arguments)
+            .current_dir(self.folder.path())
+            .env("NO_COLOR", "1")
+            .env("FLEXFRAME_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/kept"));
         command.output().expect("the program starts")
     }
 

@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 use std::sync::mpsc::channel;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use assert_cmd::cargo::cargo_bin;
 use serde_json::Value;
@@ -32,7 +32,11 @@ impl Bench {
 
     fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(cargo_bin("flexframe"));
-        command.args(arguments).current_dir(self.folder.path()).env("NO_COLOR", "1").env("FLEXFRAME_CACHE", "off");
+        command
+            .args(arguments)
+            .current_dir(self.folder.path())
+            .env("NO_COLOR", "1")
+            .env("FLEXFRAME_CACHE", concat!(env!("CARGO_TARGET_TMPDIR"), "/kept"));
         command
     }
 
@@ -281,7 +285,7 @@ fn planted_solve_finds_a_lighter_frame_that_keeps_every_limit() {
         "--subject-to",
         "clearance.propeller>=3.5mm",
         "--frames",
-        "40",
+        "24",
         "-o",
         "light",
     ];
@@ -328,7 +332,7 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
         "--envelope",
         "195x195x112",
         "--frames",
-        "80",
+        "40",
     ]);
     assert_eq!(code, 0, "{out}{err}");
     assert!(out.contains("as asked for: the frame's width without propellers is 209.49 mm, the envelope 195.00 mm"), "{out}");
@@ -360,6 +364,74 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
         assert!(told == code && err.contains(says), "{arguments:?}: {told} {err}");
         assert!(!bench.path("x.toml").exists());
     }
+}
+
+#[test]
+fn planted_solve_chooses_by_name_comes_near_and_finds_a_front() {
+    let bench = Bench::new(&[]);
+    // The lighter of two batteries, by name alone.
+    let arguments = ["solve", "--minimise", "mass", "--choose", "bought.battery=battery-2s-1100|battery-2s-850", "--json"];
+    let found = bench.json(&[&arguments[..], &["-o", "small"]].concat());
+    assert_eq!(found["chosen"], serde_json::json!({ "bought.battery": "battery-2s-850" }), "{found}");
+    assert!(fs::read_to_string(bench.path("small.toml")).expect("is there").contains("battery = \"battery-2s-850\" # chosen"));
+    // A height between that of the frame and what its struts can give.
+    let near = bench.json(&["solve", "--aim", "envelope.height=112", "--vary", "strut_rod", "--frames", "14", "--json"]);
+    assert!((near["measures"]["envelope.height"].as_f64().expect("a number") - 112.0).abs() < 0.1, "{near}");
+    // Of a front no frame is better than another in both, and each is checked whole.
+    let front = ["solve", "--pareto", "mass,clearance.propeller", "--vary", "arm_rod,cage_rod", "--frames", "24", "-o", "out", "--json"];
+    let front = bench.json(&front);
+    let points: Vec<[f64; 2]> = front["points"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|point| ["mass", "clearance.propeller"].map(|goal| point["measures"][goal].as_f64().expect("a number")))
+        .collect();
+    assert!(points.len() >= 3, "{front}");
+    assert!(points.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[0][1] < pair[1][1]), "{points:?}");
+    let csv = fs::read_to_string(bench.path("out/pareto-cognifly/pareto.csv")).expect("is there");
+    assert!(csv.starts_with("mass (g),clearance.propeller (mm),rods.arm_rod_length_mm,rods.cage_rod_length_mm\n"), "{csv}");
+    assert_eq!(csv.lines().count(), points.len() + 1);
+    for (arguments, says) in [
+        (&["solve", "--pareto", "mass", "--vary", "arm_rod"][..], "give two or three measures"),
+        (&["solve", "--pareto", "mass,mass", "--vary", "arm_rod"], "mass stands there twice"),
+        (&["solve", "--aim", "mass", "--vary", "arm_rod"], "give a measure and its value"),
+        (&["solve", "--aim", "mass=heavy", "--vary", "arm_rod"], "\"heavy\" is no number"),
+        (&["solve", "--minimise", "mass", "--aim", "mass=200", "--vary", "arm_rod"], "cannot be used with"),
+        (&["solve", "--minimise", "mass", "--choose", "rods.arm_rod_length_mm"], "by name, such as bought.battery"),
+        (&["solve", "--minimise", "mass", "--choose", "bought.battery,bought.motor,bought.propeller", "--frames", "10"], "raise --frames"),
+        (&["solve", "--minimise", "mass", "--choose", "bought.battery=battery-of-nobody", "--frames", "10"], "refuses every combination"),
+    ] {
+        let (code, _, err) = bench.run(arguments);
+        assert!(code == 2 && err.contains(says), "{arguments:?}: {code} {err}");
+    }
+}
+
+/// A search that is asked to end answers with what it has; another command leaves nothing behind.
+#[cfg(unix)]
+#[test]
+fn planted_ctrl_c_ends_a_search_with_its_best_and_leaves_no_hidden_folder() {
+    let bench = Bench::new(&[]);
+    let interrupted = |arguments: &[&str], ready: &dyn Fn() -> bool| {
+        let child = bench.command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+        while !ready() {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        Command::new("kill").args(["-INT", &child.id().to_string()]).status().expect("is there");
+        child.wait_with_output().expect("ends")
+    };
+    let begun = Instant::now();
+    let search = ["solve", "--minimise", "mass", "--vary", "arm_rod,cage_rod", "--frames", "5000", "--json"];
+    let done = interrupted(&search, &|| begun.elapsed() > Duration::from_secs(4));
+    let answer: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    assert_eq!((done.status.code(), answer["ended"].as_str()), (Some(0), Some("stopped")), "{answer}");
+    let spent = bench.json(&["solve", "--minimise", "mass", "--vary", "arm_rod,cage_rod", "--frames", "5000", "--budget", "2", "--json"]);
+    assert_eq!(spent["ended"], "stopped", "{spent}");
+    // A build has its hidden folder only while it writes; a result that is there already is not yet.
+    let hidden =
+        || fs::read_dir(bench.path("o")).is_ok_and(|list| list.flatten().any(|e| e.file_name().to_string_lossy().starts_with('.')));
+    let done = interrupted(&["build", "--step", "--no-cache", "-q", "-o", "o"], &|| hidden() || bench.path("o/cognifly").exists());
+    assert!(!hidden() || done.status.success(), "a hidden folder is left");
+    assert!(matches!(done.status.code(), Some(0 | 130)), "{:?}", done.status);
 }
 
 #[test]

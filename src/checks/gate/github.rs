@@ -7,11 +7,13 @@ use super::blame::Spot;
 use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
 use super::policy::Standing;
 
-/// One line an annotation, errors first.
+/// One line an annotation, errors first; none for frames that pass.
 pub fn annotations(outcomes: &[Outcome]) -> String {
     let mut lines = Vec::new();
     for outcome in outcomes {
         match &outcome.result {
+            // Nothing has to be done about a frame that passes.
+            Ok(held) if held.count(Standing::Fails) == 0 => {}
             Ok(held) => lines.extend(of_frame(held)),
             Err(refused) => lines.push((0, of_refusal(&outcome.asked, refused))),
         }

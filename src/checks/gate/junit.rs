@@ -1,4 +1,4 @@
-//! A JUnit report: a suite a frame, a case a finding. Without times, so the same frames give the same bytes.
+//! A JUnit report: a suite a frame, a case a rule. Without times, so the same frames give the same bytes.
 
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
@@ -25,32 +25,44 @@ fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
     let mut suite = TestSuite::new(held.frame.as_str());
     suite.add_property(("frame", asked));
     suite.add_property(("mass_g", format!("{:.3}", held.masses.total_g).as_str()));
-    suite.add_test_cases(held.findings.iter().map(|judged| case(held, judged)));
+    let mut rules: Vec<&str> = Vec::new();
+    for judged in &held.findings {
+        if !rules.contains(&&*judged.finding.rule) {
+            rules.push(&judged.finding.rule);
+        }
+    }
+    suite.add_test_cases(rules.into_iter().map(|rule| case(held, rule)));
     suite
 }
 
-fn case(held: &CheckedFrame, judged: &Judged) -> TestCase {
-    let Judged { finding, standing, spots, made_of } = judged;
-    let text = format!("{}{}{}", finding.message, made_of, place(spots.first()));
-    let status = match standing {
-        Standing::Good | Standing::Warning => TestCaseStatus::success(),
-        Standing::Accepted => {
+/// A rule: it fails by what fails, then it is skipped by what is accepted; what is noted stands in its output.
+fn case(held: &CheckedFrame, rule: &str) -> TestCase {
+    let of = |standing: Standing| held.findings.iter().filter(move |judged| judged.standing == standing && judged.finding.rule == rule);
+    let told = |standing: Standing| of(standing).map(text).collect::<Vec<_>>().join("\n");
+    let (fails, accepted, warnings) = (of(Standing::Fails).next(), of(Standing::Accepted).next(), told(Standing::Warning));
+    let status = match (fails, accepted) {
+        (Some(first), _) => failed(NonSuccessKind::Failure, rule, &first.finding.message, &told(Standing::Fails)),
+        (None, Some(_)) => {
             let mut status = TestCaseStatus::skipped();
-            status.set_message(format!("accepted: {text}"));
+            status.set_message(format!("accepted: {}", told(Standing::Accepted)));
             status
         }
-        Standing::Fails => failed(NonSuccessKind::Failure, &finding.rule, &finding.message, &text),
+        (None, None) => TestCaseStatus::success(),
     };
-    let mut case = TestCase::new(format!("{}: {}", finding.rule, finding.subject), status);
-    case.set_classname(format!("flexframe.{}.{}", held.frame, finding.rule));
-    if let Some(spot) = spots.first() {
+    let mut case = TestCase::new(rule, status);
+    case.set_classname(format!("flexframe.{}", held.frame));
+    if let Some(spot) = fails.or(accepted).and_then(|judged| judged.spots.first()) {
         case.extra.insert("file".into(), spot.file.as_str().into());
         case.extra.insert("line".into(), spot.line.to_string().into());
     }
-    if *standing == Standing::Warning {
-        case.set_system_out(format!("warning: {text}"));
+    if !warnings.is_empty() {
+        case.set_system_out(format!("warning: {warnings}"));
     }
     case
+}
+
+fn text(judged: &Judged) -> String {
+    format!("{}{}{}", judged.finding.message, judged.made_of, place(judged.spots.first()))
 }
 
 fn refused_suite(asked: &str, refused: &Refused) -> TestSuite {

@@ -15,6 +15,7 @@ use std::time::{Duration, Instant};
 use super::folder::{self, identity};
 use super::former::{self, State};
 use super::record::{MANIFEST, RECORD};
+use crate::cli::interrupt;
 
 /// How long another run is waited for that is putting its result into the same place; longer, and it is taken for stopped.
 const LONGEST_WAIT: Duration = Duration::from_secs(10);
@@ -70,17 +71,23 @@ impl Staging {
             // Another run may take it for a left one until it is locked.
             let folder = match File::open(&path) {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
-                Err(_) => return Ok(Self { path, _lock: Lock { _held: None } }),
+                Err(_) => return Ok(Self::locked(path, None)),
                 Ok(folder) => folder,
             };
             match folder.try_lock() {
                 Ok(()) if !is_at(&folder, &path) => {}
                 Err(TryLockError::WouldBlock) => {}
-                Ok(()) => return Ok(Self { path, _lock: Lock { _held: Some(folder) } }),
-                Err(TryLockError::Error(_)) => return Ok(Self { path, _lock: Lock { _held: None } }),
+                Ok(()) => return Ok(Self::locked(path, Some(folder))),
+                Err(TryLockError::Error(_)) => return Ok(Self::locked(path, None)),
             }
         }
         Err(too_many())
+    }
+
+    /// From now on an interruption removes it.
+    fn locked(path: PathBuf, held: Option<File>) -> Self {
+        interrupt::unfinished(&path);
+        Self { path, _lock: Lock { _held: held } }
     }
 
     /// Exchanges it for the folder in its place: at every moment there is a whole one, where the system can. Says where the former
@@ -108,6 +115,12 @@ impl Staging {
             // Should this fail, too, the next run does it.
             let _ = fs::rename(former, place);
         })
+    }
+}
+
+impl Drop for Staging {
+    fn drop(&mut self) {
+        interrupt::finished(&self.path);
     }
 }
 

@@ -61,7 +61,7 @@ pub struct Rod {
 }
 
 /// What rods are sawn to, mm.
-const SAWN_MM: f64 = 0.5;
+pub const SAWN_MM: f64 = 0.5;
 
 impl Rod {
     /// Length, mm.

@@ -11,5 +11,5 @@ pub mod placement;
 
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
-pub use graph::{Node, Rod, RodRole, Skeleton, Socket};
+pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
 pub use module::{MODULE_NAMES, module_turn};

@@ -22,12 +22,22 @@ pub struct Prediction {
     pub payload_peak_g: f64,
     /// Largest way down of the payload, mm.
     pub travel_mm: f64,
+    /// The payload's way down, mm, and its speed downwards, m/s, moment by moment.
+    #[serde(skip)]
+    pub descent: Vec<[f64; 2]>,
     /// The zone that is strained most when the payload is lowest, and its strain.
     pub strain: (&'static str, f64),
     /// The rod nearest to buckling.
     pub rod: Option<RodForce>,
     /// Factors between which stiffness lies: the band of the modulus. Between frames of one material it cancels.
     pub stiffness_band: [f64; 2],
+}
+
+impl Prediction {
+    /// How fast the payload is when it has come down this far, m/s; none when it does not.
+    pub fn speed_m_s(&self, down_mm: f64) -> Option<f64> {
+        self.descent.iter().find(|[way_mm, _]| *way_mm >= down_mm).map(|[_, speed]| *speed)
+    }
 }
 
 /// Why nothing can be predicted.
@@ -61,6 +71,7 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
         drop_m,
         payload_peak_g: impact.peak()[0],
         travel_mm: impact.travel_mm(),
+        descent: impact.moments.iter().map(|moment| [moment.down_mm, -moment.up_m_s]).collect(),
         strain: strained.map_or(("", 0.0), |zone| (zone.zone, zone.strain)),
         rod: impact.rods.iter().max_by(|a, b| a.utilisation().total_cmp(&b.utilisation())).cloned(),
         stiffness_band: settings.young_band_mpa.map(|young| young / settings.young_mpa),

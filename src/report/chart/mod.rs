@@ -5,6 +5,7 @@ pub(in crate::report) mod bars;
 pub(in crate::report) mod boxes;
 pub mod drop_plots;
 pub mod fit_plots;
+pub mod front_plot;
 pub mod impact_plots;
 pub(in crate::report) mod lines;
 pub mod measure_plots;

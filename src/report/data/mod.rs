@@ -5,6 +5,7 @@ pub mod diagnosis_request;
 pub mod difference_data;
 pub mod drop_data;
 pub mod fit_data;
+pub mod front_data;
 pub mod impact_data;
 pub mod impact_fit_data;
 pub mod landing_data;

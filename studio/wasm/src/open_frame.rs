@@ -88,7 +88,7 @@ impl OpenFrame {
         let mut findings = self.workspace.findings(dearest, &tell)?.value;
         if strength {
             let (settings, found) = crate::mechanics::predicted(self)?;
-            findings.extend(checks::strength(&self.design, &settings.limits, &found));
+            findings.extend(checks::strength(&self.design, &self.masses, &settings.limits, &found));
         }
         let checked = CheckedFrame::new(&self.design.frame, self.workspace.file(), findings, (*self.masses).clone(), Policy::default());
         Ok(data::json(&[Outcome { asked: self.asked.clone(), result: Ok(checked) }]))

@@ -1,0 +1,93 @@
+//! What `solve` and `new` have in common: how long a search goes on, what is told of it meanwhile, and how it is ended.
+
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use super::bounded;
+use super::interrupt::Finishing;
+use super::options::Common;
+use super::progress::Progress;
+use crate::variant::{Ended, Standing};
+
+/// How long a search goes on.
+#[derive(Debug, clap::Args)]
+pub(super) struct SearchOptions {
+    /// Most frames to look at.
+    #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
+    pub frames: u16,
+    /// Longest time, s; the answer is then the best so far, and depends on the machine's speed.
+    #[arg(long, value_name = "S", value_parser = bounded::number([1.0, 1e6], "s"))]
+    pub budget: Option<f64>,
+}
+
+/// Somebody who follows a search: a bar on the terminal, a clock, and Ctrl-C.
+pub(super) struct Following {
+    begun: Instant,
+    budget: Option<Duration>,
+    unit: &'static str,
+    progress: Progress,
+    finishing: Finishing,
+}
+
+impl Following {
+    /// From now on; the aim is told in this unit.
+    pub fn begin(options: &SearchOptions, unit: &'static str, common: &Common) -> Self {
+        Self {
+            begun: Instant::now(),
+            budget: options.budget.map(Duration::from_secs_f64),
+            unit,
+            progress: Progress::staged("frames", usize::from(options.frames), common),
+            finishing: Finishing::begin(),
+        }
+    }
+
+    /// Tells where the search is, and whether it may go on.
+    pub fn hears(&self, standing: &Standing) -> ControlFlow<()> {
+        let spent = self.begun.elapsed();
+        let best = match (standing.best, &standing.missed) {
+            (Some(best), _) => format!("best {best:.2} {}", self.unit),
+            (None, Some(missed)) => format!("missed yet: {missed}"),
+            (None, None) => "no frame yet".into(),
+        };
+        self.progress.stage(standing.looked_at, format!("{best}, at most {:.0} s left", self.left_s(standing, spent)));
+        let too_late = self.budget.is_some_and(|budget| spent >= budget);
+        if too_late || self.finishing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// The search is over: the terminal belongs to the answer.
+    pub fn ends(&self) {
+        self.progress.clear();
+    }
+
+    /// At the pace so far, and no longer than the budget.
+    fn left_s(&self, standing: &Standing, spent: Duration) -> f64 {
+        let frames_left = standing.most.saturating_sub(standing.looked_at) as f64;
+        let by_frames_s = spent.as_secs_f64() * frames_left / standing.looked_at.max(1) as f64;
+        let by_budget_s = self.budget.map_or(f64::INFINITY, |budget| budget.saturating_sub(spent).as_secs_f64());
+        by_frames_s.min(by_budget_s)
+    }
+}
+
+/// How many frames a search looked at and why it ended, for a person.
+pub(super) fn told(count: usize, ended: Ended) -> String {
+    let frames = if count == 1 { "1 frame was looked at".into() } else { format!("{count} frames were looked at") };
+    format!("{frames}; the search {}", word(ended))
+}
+
+/// Why a search ended, in words.
+fn word(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Converged => "converged",
+        Ended::Spent => "spent its frames",
+        Ended::Stopped => "was ended before it converged",
+    }
+}
+
+/// Why a search ended, as it stands in JSON.
+pub(super) fn id(ended: Ended) -> &'static str {
+    match ended {
+        Ended::Converged => "converged",
+        Ended::Spent => "frames_spent",
+        Ended::Stopped => "stopped",
+    }
+}

@@ -1,0 +1,50 @@
+//! A Pareto front, as a table, as CSV and JSON, and as a picture.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use crate::cli::failure::Failure;
+use crate::cli::options::Common;
+use crate::cli::output;
+use crate::cli::searching;
+use crate::cli::terminal;
+use crate::figures::decimals;
+use crate::report::chart::front_plot;
+use crate::report::data::front_data;
+use crate::variant::Front;
+
+/// Says what was found, and writes it when asked to; exit code 1 when nothing was.
+pub(super) fn told(found: &Option<Front>, frame: &str, into: Option<&Path>, common: &Common) -> Result<ExitCode, Failure> {
+    let Some(front) = found else { return Ok(ExitCode::from(1)) };
+    let json = front_data::json(front, frame, searching::id(front.ended));
+    if common.json {
+        terminal::print_json(&json)?;
+    } else if !common.quiet {
+        terminal::print(&table(front))?;
+    }
+    if let Some(folder) = into {
+        let mut files = vec![("pareto.csv".to_string(), front_data::csv(front)?.into_bytes())];
+        files.push(("pareto.json".into(), format!("{json:#}\n").into_bytes()));
+        let plots = front_plot::plots(front, frame);
+        files
+            .extend(plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?);
+        let place = output::write_folder(folder, &format!("pareto-{frame}"), &files)?;
+        if !common.quiet && !common.json {
+            terminal::print(&format!("{}: written\n", place.display()))?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn table(front: &Front) -> String {
+    let goals = front.goals.iter().map(|goal| format!("{:>22}", format!("{}, {}", goal.name, goal.unit)));
+    let vary = front.vary.iter().map(|vary| format!("{:>22}", vary.parameter.key));
+    let mut text = format!("{}\n\n{}\n", searching::told(front.looked_at, front.ended), goals.chain(vary).collect::<String>().trim_start());
+    for point in &front.points {
+        let goals = front.goals.iter().zip(&point.goals).map(|(goal, value)| format!("{:>22}", goal.reported(Some(*value))));
+        let values = point.values.iter().map(|value| format!("{:>22}", decimals(*value, 3)));
+        text += &goals.chain(values).collect::<String>();
+        text.push('\n');
+    }
+    text
+}

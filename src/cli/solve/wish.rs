@@ -1,0 +1,138 @@
+//! What `solve` is asked for, read from the command line.
+
+use super::Args;
+use crate::cli::choice;
+use crate::cli::failure::Failure;
+use crate::cli::session;
+use crate::mechanics::settings::MechanicsSettings;
+use crate::params::{Frame, FrameFile};
+use crate::variant::{Aim, Choice, Goal, Measure, Vary, measure, measure_names};
+
+/// How many goals a front may have.
+const GOALS: std::ops::RangeInclusive<usize> = 2..=3;
+
+/// What is looked for.
+pub(super) enum Wanted {
+    /// A frame.
+    Frame {
+        /// What is made small.
+        aim: Aim,
+        /// The measure in it.
+        of: &'static Measure,
+        /// What it is, for the file that is written.
+        doc: String,
+    },
+    /// A front of these goals.
+    Front(Vec<&'static Measure>),
+}
+
+impl Wanted {
+    /// Reads `--minimise`, `--aim` or `--pareto`: one of them is there.
+    pub fn read(args: &Args) -> Result<Self, Failure> {
+        if let Some(name) = &args.minimise {
+            let of = named("--minimise", name)?;
+            return Ok(Self::Frame { aim: Aim::least(of), of, doc: format!("{} made small", of.doc) });
+        }
+        if let Some(text) = &args.aim {
+            let usage = |message: String| Failure::Usage { message: format!("--aim {text}: {message}") };
+            let (name, value) = text.split_once('=').ok_or_else(|| usage("give a measure and its value, such as stiffness=10".into()))?;
+            let of = named("--aim", name.trim())?;
+            let value = value.trim().trim_end_matches(of.unit).trim();
+            let value: f64 = value.parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| usage(format!("{value:?} is no number")))?;
+            return Ok(Self::Frame {
+                aim: Aim::Toward(of, value),
+                of,
+                doc: format!("{} as near as possible to {value} {}", of.doc, of.unit),
+            });
+        }
+        let goals = args.pareto.iter().map(|name| named("--pareto", name.trim())).collect::<Result<Vec<_>, _>>()?;
+        let twice = goals.iter().enumerate().find(|(at, goal)| goals[..*at].iter().any(|other| other.name == goal.name));
+        match twice {
+            Some((_, goal)) => Err(Failure::Usage { message: format!("--pareto: {} stands there twice", goal.name) }),
+            None if !GOALS.contains(&goals.len()) => {
+                Err(Failure::Usage { message: "--pareto: give two or three measures, with commas between".into() })
+            }
+            None => Ok(Self::Front(goals)),
+        }
+    }
+
+    /// The measures that it asks for.
+    pub fn measures(&self) -> Vec<&'static Measure> {
+        match self {
+            Self::Frame { of, .. } => vec![of],
+            Self::Front(goals) => goals.clone(),
+        }
+    }
+}
+
+fn named(option: &str, name: &str) -> Result<&'static Measure, Failure> {
+    measure(name)
+        .ok_or_else(|| Failure::Usage { message: format!("{option}: there is no measure `{name}`; there are {}", measure_names()) })
+}
+
+/// The limits besides the frame's.
+pub(super) fn goals(args: &Args) -> Result<Vec<Goal>, Failure> {
+    let goals = args.subject_to.iter().map(|text| Goal::parse(text)).collect::<Result<Vec<_>, _>>();
+    goals.map_err(|error| Failure::Usage { message: format!("--subject-to: {error}") })
+}
+
+/// The mechanics' numbers, where a measure of theirs is asked for.
+pub(super) fn mechanics(args: &Args, wanted: &Wanted, goals: &[Goal]) -> Result<Option<MechanicsSettings>, Failure> {
+    let asked = wanted.measures().iter().any(|m| m.is_mechanics()) || goals.iter().any(|goal| goal.measure.is_mechanics());
+    if args.mechanics.is_some() && !asked {
+        let message = "--mechanics: neither aim nor goal is one of the mechanics: stiffness, design_drop.peak, .travel, .strain".into();
+        return Err(Failure::Usage { message });
+    }
+    Ok(asked.then(|| MechanicsSettings::load(args.mechanics.as_deref())).transpose()?)
+}
+
+/// What varies.
+pub(super) fn varied(args: &Args, frame: &Frame) -> Result<Vec<Vary>, Failure> {
+    let all = args.vary.iter().map(|text| vary(text, frame)).collect::<Result<Vec<_>, _>>()?;
+    match all.iter().enumerate().find(|(at, v)| all[..*at].iter().any(|other| other.key() == v.key())) {
+        Some((_, twice)) => Err(Failure::Usage { message: format!("--vary: {} stands there twice", twice.key()) }),
+        None => Ok(all),
+    }
+}
+
+/// The names to choose from: `bought.battery`, or `bought.battery=battery-2s-850|battery-2s-1100`.
+pub(super) fn choices(args: &Args, frame: &Frame, file: &FrameFile) -> Result<Vec<Choice>, Failure> {
+    args.choose.iter().map(|text| chosen_from(text, frame, file)).collect()
+}
+
+fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<Choice, Failure> {
+    let usage = |message: String| Failure::Usage { message: format!("--choose {text}: {message}") };
+    let (key, names) = text.split_once('=').map_or((text, None), |(key, names)| (key, Some(names)));
+    let known = choice::of(key.trim(), frame, file)?
+        .ok_or_else(|| usage("choose bought parts, materials or the printer by name, such as bought.battery".into()))?;
+    if known.key == "base" {
+        return Err(usage("another base is another frame; solve that one".into()));
+    }
+    let names = match names {
+        None => known.names,
+        Some(names) => names.split('|').map(|name| name.trim().to_string()).collect(),
+    };
+    Ok(Choice { key: known.key, names })
+}
+
+/// How far a parameter without bounds of its own may vary, in shares of its value.
+const REACH: f64 = 0.2;
+
+/// A parameter that varies: `arm_rod` or `arm_rod=70..90`.
+fn vary(text: &str, frame: &Frame) -> Result<Vary, Failure> {
+    let (key, range) = text.split_once('=').map_or((text, None), |(key, range)| (key, Some(range)));
+    let parameter = session::parameter(key.trim())?;
+    let bounds = [parameter.min, parameter.max];
+    if let Some(range) = range {
+        let wrong =
+            || Failure::Usage { message: format!("--vary {text}: give bounds as {key}=LEAST..MOST within {} to {}", bounds[0], bounds[1]) };
+        let (least, most) = range.split_once("..").ok_or_else(wrong)?;
+        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| (bounds[0]..=bounds[1]).contains(value));
+        let stated = [number(least).ok_or_else(wrong)?, number(most).ok_or_else(wrong)?];
+        if stated[0] > stated[1] {
+            return Err(wrong());
+        }
+        return Ok(Vary { parameter, bounds: stated });
+    }
+    Ok(Vary::around(parameter, frame, REACH))
+}

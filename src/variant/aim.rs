@@ -1,0 +1,51 @@
+//! What a search makes small.
+
+use super::measures::{Better, Evaluation, Measure};
+
+/// What is made small.
+#[derive(Clone)]
+pub enum Aim {
+    /// The sum of these measures, each by its weight and as a share of its value at the start. A weight below zero asks for more.
+    Least(Vec<(&'static Measure, f64)>),
+    /// The distance of a measure from a value.
+    Toward(&'static Measure, f64),
+    /// The distance from these values, each in shares of its bounds.
+    Near(Vec<f64>),
+}
+
+impl Aim {
+    /// The least of a measure.
+    pub fn least(measure: &'static Measure) -> Self {
+        Self::Least(vec![(measure, 1.0)])
+    }
+
+    /// The measures that it is made of.
+    pub(super) fn measures(&self) -> Vec<&'static Measure> {
+        match self {
+            Self::Least(terms) => terms.iter().map(|(measure, _)| *measure).collect(),
+            Self::Toward(measure, _) => vec![*measure],
+            Self::Near(_) => Vec::new(),
+        }
+    }
+
+    /// Its value: of measures in their order, each as a share of these scales, and of a squared distance from the values that are
+    /// to be near.
+    pub(super) fn of(&self, shares: &[f64], scales: &[f64], distance: f64) -> f64 {
+        match self {
+            Self::Least(terms) => terms.iter().zip(shares).map(|((_, weight), share)| weight * share).sum(),
+            Self::Toward(_, wanted) => (shares[0] - wanted / scales[0]).abs(),
+            Self::Near(_) => distance,
+        }
+    }
+
+    /// What the measures of a frame are as shares of these scales; infinite where the frame has no such measure.
+    pub(super) fn shares(&self, evaluation: &Evaluation, scales: &[f64]) -> Vec<f64> {
+        let share = |(measure, scale): (&'static Measure, &f64)| measure.of(evaluation).unwrap_or(f64::INFINITY) / scale;
+        self.measures().into_iter().zip(scales).map(share).collect()
+    }
+}
+
+/// One where less is better, minus one where more is.
+pub(super) fn direction(measure: &Measure) -> f64 {
+    if measure.better == Better::More { -1.0 } else { 1.0 }
+}

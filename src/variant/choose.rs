@@ -1,0 +1,114 @@
+//! Whole choices: which battery, which material, which rod, besides the numbers that vary.
+//!
+//! Each combination of names is first looked at with the numbers of the frame as it is. The search then follows the nearest few.
+
+use super::descent::Ended;
+use super::problem::{SearchProblem, Solution, SolveError};
+use super::solve::{before, solve};
+use crate::params::FrameFile;
+use crate::params::frame_file::Value;
+
+/// How many of the combinations are followed.
+const FOLLOWED: usize = 3;
+
+/// A key that holds a name, and the names that it may hold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// The key with its table.
+    pub key: String,
+    /// The names.
+    pub names: Vec<String>,
+}
+
+/// An answer with its names.
+pub struct Chosen {
+    /// The name of each key.
+    pub names: Vec<(String, String)>,
+    /// The rest of the answer; its count of frames is that of all combinations.
+    pub solution: Solution,
+}
+
+/// Searches over names and numbers.
+///
+/// # Errors
+/// When there are more combinations than half the frames, or no frame that was looked at keeps every limit.
+pub fn choose(problem: &SearchProblem, choices: &[Choice]) -> Result<Chosen, SolveError> {
+    let combinations = combinations(choices);
+    if 2 * combinations.len() > problem.most {
+        let (count, most) = (combinations.len(), problem.most);
+        return Err(SolveError::Problem(format!("--choose has {count} combinations, and half of {most} frames are fewer; raise --frames")));
+    }
+    let mut looked_at = 0;
+    let mut begun = Vec::new();
+    for names in combinations {
+        let file = with(problem.file, &names);
+        let at_start = before(&SearchProblem { file: &file, ..problem.clone() });
+        looked_at += 1;
+        // A name that the frame refuses is no candidate.
+        if let Ok(order) = at_start {
+            begun.push((order, names, file));
+        }
+    }
+    begun.sort_by(|(a, ..), (b, ..)| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    let each = (problem.most - looked_at) / FOLLOWED.min(begun.len()).max(1);
+    let (mut best, mut refused): (Option<Chosen>, Option<SolveError>) = (None, None);
+    for (_, names, file) in begun.into_iter().take(FOLLOWED) {
+        match solve(&SearchProblem { file: &file, most: each, ..problem.clone() }) {
+            Ok(solution) => {
+                looked_at += solution.looked_at;
+                let better =
+                    best.as_ref().is_none_or(|best| problem.value(&solution.evaluation) < problem.value(&best.solution.evaluation));
+                let stopped = solution.ended == Ended::Stopped;
+                if better {
+                    best = Some(Chosen { names, solution });
+                }
+                if stopped {
+                    break;
+                }
+            }
+            Err(error) => refused = Some(refused.unwrap_or(error)),
+        }
+    }
+    match (best, refused) {
+        (Some(mut best), _) => {
+            best.solution.looked_at = looked_at;
+            Ok(best)
+        }
+        (None, Some(error)) => Err(error),
+        (None, None) => Err(SolveError::Problem("--choose: the frame refuses every combination".into())),
+    }
+}
+
+/// Every way to choose a name for each key.
+fn combinations(choices: &[Choice]) -> Vec<Vec<(String, String)>> {
+    choices.iter().fold(vec![Vec::new()], |all, choice| {
+        let longer = |begun: &Vec<(String, String)>| {
+            let begun = begun.clone();
+            choice.names.iter().map(move |name| [begun.clone(), vec![(choice.key.clone(), name.clone())]].concat())
+        };
+        all.iter().flat_map(longer).collect()
+    })
+}
+
+/// The file with these names.
+fn with(file: &FrameFile, names: &[(String, String)]) -> FrameFile {
+    let mut file = file.clone();
+    for (key, name) in names {
+        file.ask(key, Value::Text(name.clone()), format!("--choose {key}"));
+    }
+    file
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_combinations_are_all_ways_to_choose() {
+        let choice = |key: &str, names: &[&str]| Choice { key: key.into(), names: names.iter().map(ToString::to_string).collect() };
+        let all = combinations(&[choice("a", &["1", "2"]), choice("b", &["x", "y", "z"])]);
+        let told: Vec<String> = all.iter().map(|names| names.iter().map(|(_, name)| name.as_str()).collect()).collect();
+        assert_eq!(told, ["1x", "1y", "1z", "2x", "2y", "2z"]);
+        assert_eq!(combinations(&[]), vec![Vec::new()]);
+    }
+}

@@ -1,0 +1,143 @@
+//! Planes through points of a search: what a small change of the values does to the aim and to every margin.
+//!
+//! A margin is linear in the values but for kinks, where another pair becomes the tightest, and jumps. Planes by differences are
+//! made once for each region and corrected by every further point (C. G. Broyden, A class of methods for solving nonlinear
+//! simultaneous equations, 1965). The best step within a box is a small linear programme, or one with the distance as its aim;
+//! COBYLA solves it on the planes, without looking at a frame.
+
+use cobyla::{RhoBeg, StopTols};
+use nalgebra::{DMatrix, DVector};
+
+use super::aim::Aim;
+use super::search::{Point, Search};
+
+/// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
+const RESERVE: f64 = 0.002;
+/// What a unit of a violated margin costs, in units of the aim: more than any aim gains by it.
+const PRICE: f64 = 10.0;
+/// Steps of COBYLA on the planes, in shares of the box, first and last, and the most of them.
+const STEPS: [f64; 2] = [0.5, 1e-4];
+const MOST: usize = 3000;
+
+/// The aim and the margins around a point, to first order.
+pub(super) struct Planes {
+    /// Where they touch, in shares of the bounds.
+    centre: Vec<f64>,
+    /// What is known there.
+    point: Point,
+    margins: Vec<f64>,
+    /// How the aim's measures, first, and the margins change, a row each, with the shares, a column each.
+    slopes: DMatrix<f64>,
+}
+
+impl Planes {
+    /// Planes at values that were looked at, by differences over this share of the bounds; none where there is no frame.
+    pub fn at(search: &Search, values: &[f64], reach: f64) -> Option<Self> {
+        let point = search.known(values)?;
+        let margins = point.margins.clone()?;
+        let centre = search.shares(values);
+        let mut planes = Self { slopes: DMatrix::zeros(point.measures.len() + margins.len(), centre.len()), centre, point, margins };
+        let beside: Vec<[Vec<f64>; 2]> = (0..values.len()).map(|at| search.problem().vary[at].beside(values, at, reach)).collect();
+        search.look_at(&beside.iter().map(|[first, _]| first.clone()).collect::<Vec<_>>());
+        let there = |values: &Vec<f64>| search.known(values).is_some_and(|point| point.margins.is_some());
+        // Where there is no frame on one side there may be one on the other.
+        search.look_at(&beside.iter().filter(|[first, _]| !there(first)).map(|[_, other]| other.clone()).collect::<Vec<_>>());
+        for sides in &beside {
+            if let Some(values) = sides.iter().find(|values| there(values)) {
+                planes.learn(search, values);
+            }
+        }
+        Some(planes)
+    }
+
+    /// Corrects the planes by values that were looked at, along the way to them.
+    pub fn learn(&mut self, search: &Search, values: &[f64]) {
+        let Some(Point { measures, margins: Some(margins), .. }) = search.known(values) else { return };
+        let way = self.way(search, values);
+        let length = way.norm_squared();
+        if length == 0.0 {
+            return;
+        }
+        let [there, here] = [(&measures, &margins), (&self.point.measures, &self.margins)].map(|(a, b)| a.iter().chain(b));
+        let changed = there.zip(here).map(|(there, here)| there - here);
+        let missed = DVector::from_iterator(self.slopes.nrows(), changed) - &self.slopes * &way;
+        self.slopes += missed * way.transpose() / length;
+    }
+
+    /// The same planes where they touch a better point.
+    pub fn move_to(&mut self, search: &Search, values: &[f64]) {
+        let Some(point) = search.known(values) else { return };
+        if let Some(margins) = point.margins.clone() {
+            (self.centre, self.point, self.margins) = (search.shares(values), point, margins);
+        }
+    }
+
+    /// What is known of the centre.
+    pub fn point(&self) -> &Point {
+        &self.point
+    }
+
+    fn way(&self, search: &Search, values: &[f64]) -> DVector<f64> {
+        let shares = search.shares(values);
+        DVector::from_iterator(shares.len(), shares.iter().zip(&self.centre).map(|(to, from)| to - from))
+    }
+
+    /// The values that are best by the planes, no farther from the centre than a share of the bounds in each.
+    pub fn best_within(&self, search: &Search, radius: f64) -> Vec<f64> {
+        let count = self.centre.len();
+        let tight = self.tight(radius);
+        // What is violated may stay so at a price, each by itself, lest one of them pays for all others.
+        let violated: Vec<usize> = tight.iter().copied().filter(|&at| self.margins[at] < RESERVE).collect();
+        let slack = |at: usize| count + violated.iter().position(|&other| other == at).unwrap_or(violated.len());
+        let bounds: Vec<(f64, f64)> = self
+            .centre
+            .iter()
+            .map(|share| ((-share / radius).max(-1.0), ((1.0 - share) / radius).min(1.0)))
+            .chain(violated.iter().map(|&at| (0.0, 2.0 * (RESERVE - self.margins[at]))).chain([(0.0, f64::from(u8::MAX))]))
+            .collect();
+        let mut start = vec![0.0; count];
+        start.extend(violated.iter().map(|&at| RESERVE - self.margins[at]));
+        start.push(0.0);
+        let kept: Vec<_> = tight
+            .iter()
+            .map(|&at| move |x: &[f64], (): &mut ()| self.margin(at, &x[..count], radius) - RESERVE + x[slack(at)])
+            .map(|constraint| Box::new(constraint) as Box<dyn Fn(&[f64], &mut ()) -> f64 + '_>)
+            .collect();
+        let price = |x: &[f64], (): &mut ()| self.aim(search, &x[..count], radius) + PRICE * x[count..].iter().sum::<f64>();
+        let tolerances = StopTols { xtol_abs: vec![STEPS[1]; start.len()], ..StopTols::default() };
+        // However it ends, its last point is as good as any that planes can name: the frame there decides.
+        let step = match cobyla::minimize(price, &start, &bounds, &kept, (), MOST, RhoBeg::All(STEPS[0]), Some(tolerances)) {
+            Ok((_, step, _)) | Err((_, step, _)) => step,
+        };
+        search.values(&self.shares(&step[..count], radius))
+    }
+
+    /// The margins that a step within the box can bring below what is kept in reserve.
+    fn tight(&self, radius: f64) -> Vec<usize> {
+        let lowest = |at: usize| {
+            self.margins[at] - radius * self.slopes.row(self.point.measures.len() + at).iter().map(|slope| slope.abs()).sum::<f64>()
+        };
+        (0..self.margins.len()).filter(|&at| lowest(at) < RESERVE).collect()
+    }
+
+    fn shares(&self, step: &[f64], radius: f64) -> Vec<f64> {
+        self.centre.iter().zip(step).map(|(share, part)| (share + part * radius).clamp(0.0, 1.0)).collect()
+    }
+
+    fn row(&self, row: usize, step: &[f64], radius: f64) -> f64 {
+        radius * self.slopes.row(row).iter().zip(step).map(|(slope, part)| slope * part).sum::<f64>()
+    }
+
+    fn margin(&self, at: usize, step: &[f64], radius: f64) -> f64 {
+        self.margins[at] + self.row(self.point.measures.len() + at, step, radius)
+    }
+
+    fn aim(&self, search: &Search, step: &[f64], radius: f64) -> f64 {
+        let shares: Vec<f64> = self.point.measures.iter().enumerate().map(|(row, share)| share + self.row(row, step, radius)).collect();
+        let distance = match search.aim() {
+            Aim::Near(from) => search.shares(from).iter().zip(self.shares(step, radius)).map(|(from, to)| (to - from).powi(2)).sum(),
+            _ => 0.0,
+        };
+        search.aim().of(&shares, search.scales(), distance)
+    }
+}
