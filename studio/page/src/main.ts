@@ -3,6 +3,9 @@ import { effect } from "@preact/signals";
 import { begin, notice, picture } from "./state/studio.ts";
 import "./style.css";
 
+// Asked for first, so that it does not wait behind the engine.
+const page = import("./page.tsx");
+
 begin().catch((error: unknown) => {
   notice.value = `The engine cannot be started: ${error instanceof Error ? error.message : String(error)}`;
 });
@@ -16,6 +19,6 @@ const stop = effect(() => {
 
 const root = document.getElementById("studio");
 if (root) {
-  const { show } = await import("./page.tsx");
+  const { show } = await page;
   show(root);
 }

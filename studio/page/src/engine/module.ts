@@ -14,8 +14,6 @@ export function engineModule(): Promise<WebAssembly.Module> {
 async function load(): Promise<WebAssembly.Module> {
   const response = await fetch("./engine/engine.wasm");
   if (!response.ok) throw new Error(`engine.wasm: ${response.status} ${response.statusText}`);
-  // It is compiled while it comes, if the server says what it is.
-  return response.headers.get("content-type")?.startsWith("application/wasm")
-    ? WebAssembly.compileStreaming(response)
-    : WebAssembly.compile(await response.arrayBuffer());
+  // Read at once and not while it is compiled: a server that answers one request after another is free for the scripts again.
+  return WebAssembly.compile(await response.arrayBuffer());
 }
