@@ -73,7 +73,7 @@ const MOST_MB = 500;
 const WARM = 10;
 
 test("memory stays bounded while values change", async ({ page, browser }) => {
-  // 1000 changes are the claim; every run makes some, from which 1000 are inferred.
+  // 1000 changes are the claim; a run of all tests makes fewer, and prints what each of them adds.
   const changes = Number(process.env["STUDIO_CHANGES"] ?? 30);
   test.setTimeout(60_000 + 3_000 * changes);
   await start(page);
