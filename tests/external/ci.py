@@ -1,6 +1,7 @@
-"""ci.py SOURCE WORK: runs the steps of docs/ci on a sample repository, as GitHub and GitLab would; one line a result.
+"""ci.py SOURCE WORK: runs the steps of action.yml and docs/ci on a sample repository, as GitHub and GitLab would; one line a result.
 
-What a step that `uses` another action does (checkout, cache) is done here by hand: a folder is kept between runs.
+What a step that `uses` another action does (checkout, cache) is done here by hand: a folder is kept between runs. GitHub's command
+`gh` is a stand-in that keeps comments in a file. The wheel is the one in WORK/wheel.
 """
 import os
 import re
@@ -83,24 +84,50 @@ def expression(text, values):
     return re.sub(r"\$\{\{\s*(.+?)\s*\}\}", lambda match: values[match[1]], text)
 
 
-def github(folder, kept, base, frames="frames/*.toml"):
+def condition(text, values):
+    """The value of an `if:` of comparisons, `&&` and `always()`."""
+    words = text.replace("always()", "True").replace("&&", "and").replace("||", "or")
+    return eval(re.sub(r"'[^']*'|\b(?:inputs|steps|github)\.[\w.-]+", lambda word: word[0] if word[0][0] == "'" else repr(values[word[0]]), words))
+
+
+# Keeps a comment in $COMMENTS/NUMBER.md: POST writes the first, PATCH another text of it, GET lists the number if there is one.
+STAND_IN_FOR_GH = """#!/bin/bash
+body=${@: -1}
+case "$*" in
+    *"--method POST repos/o/frames/issues/7/comments "*) cp "${body#body=@}" "$COMMENTS/11.md" ;;
+    *"--method PATCH repos/o/frames/issues/comments/11 "*) [[ -f $COMMENTS/11.md ]] && cp "${body#body=@}" "$COMMENTS/11.md" && touch "$COMMENTS/edited" ;;
+    *"repos/o/frames/issues/7/comments --jq "*) [[ ! -f $COMMENTS/11.md ]] || echo 11 ;;
+    *) exit 1 ;;
+esac
+"""
+
+
+def github(folder, kept, base, frames="frames/*.toml", wheel="", event="push"):
     """The action's own steps; their exit code, what they print, and the seconds they take."""
-    action = SOURCE / "docs/ci/github"
-    steps = yaml.safe_load((action / "action.yml").read_text())["runs"]["steps"]
+    steps = yaml.safe_load((SOURCE / "action.yml").read_text())["runs"]["steps"]
     temp = kept.parent
-    summary, output = temp / "summary.md", temp / "output.txt"
+    summary, output, commands = temp / "summary.md", temp / "output.txt", temp / "commands"
     summary.write_text("")
     output.write_text("")
-    inputs = {"inputs.frames": frames, "inputs.baseline": "", "inputs.strict": "false", "inputs.base": base, "inputs.fail-on-increase": "mass=2g"}
-    env = {"GITHUB_ACTION_PATH": str(action), "GITHUB_OUTPUT": str(output), "GITHUB_STEP_SUMMARY": str(summary), "RUNNER_TEMP": str(temp)}
+    commands.mkdir(exist_ok=True)
+    (commands / "gh").write_text(STAND_IN_FOR_GH)
+    (commands / "gh").chmod(0o755)
+    values = {"inputs.frames": frames, "inputs.wheel": wheel, "inputs.baseline": "", "inputs.strict": "false", "inputs.base": base,
+              "inputs.fail-on-increase": "mass=2g", "inputs.comment": "true", "inputs.plates": str(event == "pull_request").lower(),
+              "inputs.token": "none", "github.event_name": event, "github.event.pull_request.number": "7", "github.repository": "o/frames",
+              "steps.kept.outputs.cache-hit": "true", "steps.install.outcome": "skipped", "steps.plates.outcome": "skipped"}
+    env = {"GITHUB_ACTION_PATH": str(SOURCE), "GITHUB_OUTPUT": str(output), "GITHUB_STEP_SUMMARY": str(summary), "RUNNER_TEMP": str(temp),
+           "COMMENTS": str(temp), "PATH": f"{commands}:{os.environ['PATH']}"}
     said, code, begun = "", 0, processor_s()
-    for step in (step for step in steps if "run" in step):
+    for step in steps:
+        asked = step.get("if", "True")
+        if (code and "always()" not in asked) or not condition(asked, values) or "run" not in step:
+            continue
         assert step["shell"] == "bash"
-        own = {key: expression(value, inputs) for key, value in step.get("env", {}).items()}
+        own = {key: expression(value, values) for key, value in step.get("env", {}).items()}
         done = run(["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", step["run"]], folder, {**env, **own})
-        said, code = said + done.stdout + done.stderr, done.returncode
-        if code:
-            break
+        said, code = said + done.stdout + done.stderr, code or done.returncode
+        values[f"steps.{step['id']}.outcome"] = "failure" if done.returncode else "success"
     return code, said, summary.read_text(), processor_s() - begun
 
 
@@ -138,6 +165,26 @@ def grown(kept):
     result("gate.sh: a base revision that is not there fails", code == 2 and "there is no revision nowhere" in said, f"exit code {code}: {said}")
 
 
+def pull_request(repository, kept):
+    """On a pull request whose frame fails: the comment, written and then edited, and the plates; the program is that of a wheel."""
+    wheels = sorted((WORK / "wheel").glob("*.whl"))
+    if not wheels:
+        result("action.yml: there is a wheel to install", False, f"none in {WORK / 'wheel'}")
+        return
+    temp = kept.parent.parent / "pull-request"
+    temp.mkdir()
+    for edited in (False, True):
+        code, said, _, _ = github(repository, temp / "flexframe", "main", wheel=str(wheels[0]), event="pull_request")
+        result(f"action.yml: with a wheel, run {1 + edited}: a battery of 90 g fails", code == 1 and "::error file=frames/light.toml" in said, f"exit code {code}: {said}")
+        comment = (temp / "11.md").read_text()
+        right = all(re.search(row, comment) for row in (
+            r"^<!-- flexframe", r"\| `frames/light\.toml` \| take-off mass, g \| 231\.55 \| 26\d\.\d\d \| \+3\d\.\d\d \| worse \|",
+            r"\| margin of mass_budget, g \| 8\.45 \| -2\d\.\d\d \| -3\d\.\d\d \| limit violated \|"))
+        result(f"action.yml: the comment, run {1 + edited}", right and (temp / "edited").exists() == edited, comment)
+    plates = sorted(path.name for path in (temp / "plates/frames-light").iterdir())
+    result("action.yml: the plates of a frame that fails", plates == ["abs_1.3mf", "print-settings.md", "tpu_1.3mf"], str(plates))
+
+
 def main():
     repository, kept = WORK / "ci/sample", WORK / "ci/temp/flexframe"
     shutil.rmtree(WORK / "ci", ignore_errors=True)
@@ -158,6 +205,7 @@ def main():
     result("GitHub action: what may not grow is told", "mass grew by" in said and "bought.battery" in summary, said)
     result(f"GitHub action: with a kept program in under {MOST_S} s", "was kept" in said and seconds < MOST_S, f"{seconds:.1f} s")
 
+    pull_request(repository, kept)
     # What the job's cache keeps was built by the action already. The program is asked for by a commit, which no clone takes.
     shutil.copytree(kept, repository / ".flexframe/kept")
     source = WORK / "ci/source"

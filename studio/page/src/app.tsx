@@ -17,7 +17,6 @@ import { column, left, right } from "./state/focus.ts";
 import { computing, findings, frame, notice, refused } from "./state/studio.ts";
 import { Tabs } from "./ui/tabs.tsx";
 import { join } from "./view/scene_state.ts";
-import { Viewer } from "./view/viewer.ts";
 
 const PANELS: { id: typeof right.value; words: string; of: ComponentType }[] = [
   { id: "checks", words: "Checks", of: Checks },
@@ -78,12 +77,14 @@ export function App() {
 function Picture() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
-    if (!canvas.current) return;
-    try {
-      join(new Viewer(canvas.current));
-    } catch (error) {
-      notice.value = `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}); everything else works.`;
-    }
+    const on = canvas.current;
+    if (!on) return;
+    // What draws is most of the script: the page is there before it.
+    void import("./view/viewer.ts")
+      .then(({ Viewer }) => join(new Viewer(on)))
+      .catch((error: unknown) => {
+        notice.value = `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}); everything else works.`;
+      });
   }, []);
   const refusal = refused.value?.refusal;
   return (

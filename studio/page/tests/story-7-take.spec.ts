@@ -1,8 +1,8 @@
 // Story 7: take away.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { join, relative, resolve } from "node:path";
 import type { Page } from "@playwright/test";
 import { unzipSync } from "fflate";
 import { expect, settled, shot, start, test } from "./studio.ts";
@@ -39,6 +39,28 @@ test("downloads have the bytes of the command line, for every preset", async ({ 
     const bill = await downloaded(page, /^Bill/);
     expect(native("bom.csv").equals(bill.get(`${preset}-bom.csv`)!), preset).toBe(true);
   }
+});
+
+test("the whole folder, the STEP files and a single STL have the bytes of the command line", async ({ page }) => {
+  test.setTimeout(200_000);
+  const folder = mkdtempSync(join(tmpdir(), "studio-"));
+  execFileSync(program, ["build", "cognifly", "--step", "-q", "-o", folder]);
+  const root = join(folder, "cognifly");
+  const built = readdirSync(root, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map(({ parentPath, name }) => relative(root, join(parentPath, name)));
+  await start(page);
+  await page.getByRole("tab", { name: "Files" }).click();
+  const all = await downloaded(page, /^Everything/);
+  expect([...all.keys()].sort()).toEqual(built.sort());
+  for (const [path, bytes] of all) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
+  const steps = await downloaded(page, /^STEP/);
+  expect([...steps.keys()].sort()).toEqual(built.filter((path) => path.endsWith(".step")));
+  for (const [path, bytes] of steps) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
+  await page.getByText("One part as STL").click();
+  const [[name, bytes]] = [...(await downloaded(page, "knee.stl"))] as [[string, Uint8Array]];
+  expect(name).toBe("knee.stl");
+  expect(readFileSync(join(root, "parts/knee.stl")).equals(bytes)).toBe(true);
 });
 
 test("a link holds 20 changes in 2 kB and opens the same model; the frame file is that of the command line", async ({

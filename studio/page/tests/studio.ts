@@ -45,7 +45,9 @@ export async function start(page: Page, fragment = ""): Promise<void> {
   await page.goto(`./${fragment}`);
   await expect(page.locator("canvas")).toHaveAttribute("data-drawn", /\d+/, { timeout: 60_000 });
   await settled(page);
-  await expect(page.locator("[data-gauge=size]")).toBeVisible();
+  // Before the first frame is asked for, nothing is being computed either.
+  await expect(page.locator("[data-gauge=size]")).toBeVisible({ timeout: 60_000 });
+  await settled(page);
 }
 
 /** Sets a number as a person does: the group is opened, the field filled. */

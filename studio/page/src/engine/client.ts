@@ -1,6 +1,7 @@
 // An engine as the page sees it: questions in, promises out. An engine that stopped is replaced by a new one, and says so.
 import { signal } from "@preact/signals";
-import type { Attached, EngineFile, Message, Question, Refusal, Stage } from "./messages.ts";
+import type { Attached, EngineFile, Message, Question, Refusal, Stage, Start } from "./messages.ts";
+import { engineModule } from "./module.ts";
 
 /** The engine refused: the words of the command line. */
 export class Refused extends Error {
@@ -39,7 +40,7 @@ export class EngineClient {
     return new Promise<Answered<T>>((resolve, reject) => {
       this.#waiting.set(id, { resolve: resolve as Waiting["resolve"], reject, onStage });
       this.busy.value = this.#waiting.size;
-      this.#running().postMessage(question);
+      this.#send(question);
     });
   }
 
@@ -54,17 +55,29 @@ export class EngineClient {
     for (const { reject } of waiting) reject(new Stopped(why));
   }
 
-  #running(): Worker {
-    if (!this.#worker) {
-      this.#worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: this.name });
-      this.#worker.onmessage = ({ data }: MessageEvent<Message>) => this.#hear(data);
-      this.#worker.onerror = (event) => this.#fail(event.message || "the engine cannot be loaded");
-    }
-    return this.#worker;
+  /** Sends a question as soon as there is a module; questions keep their order. */
+  #send(question: Question): void {
+    const worker = (this.#worker ??= this.#started());
+    engineModule().then(
+      () => worker.postMessage(question),
+      (error: unknown) => {
+        if (this.#worker === worker) this.#fail(error instanceof Error ? error.message : String(error));
+      },
+    );
+  }
+
+  #started(): Worker {
+    const worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: this.name });
+    worker.onmessage = ({ data }: MessageEvent<Message>) => this.#hear(data);
+    worker.onerror = (event) => this.#fail(event.message || "the engine cannot be loaded");
+    void engineModule().then(
+      (module) => worker.postMessage({ module } satisfies Start),
+      () => undefined,
+    );
+    return worker;
   }
 
   #hear(message: Message): void {
-    if (message.kind === "ready") return;
     if (message.kind === "unusable" || message.kind === "stopped") {
       this.#fail(message.message);
       return;

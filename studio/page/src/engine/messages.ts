@@ -6,12 +6,14 @@ export type { EngineFile, Refusal, Stage };
 /** Files of a request: a path and its text or bytes. */
 export type Attached = Record<string, Uint8Array | string>;
 
-/** To the worker. */
+/** To the worker, after the module. */
 export type Question = { id: number; request: object; files: Attached };
 
-/** From the worker: `ready` once, then stages and one end for each question. */
+/** To the worker, once: what it runs. */
+export type Start = { module: WebAssembly.Module };
+
+/** From the worker: stages and one end for each question. */
 export type Message =
-  | { kind: "ready" }
   | { kind: "unusable"; message: string }
   | { kind: "stage"; id: number; stage: Stage }
   | { kind: "answer"; id: number; answer: unknown; files: EngineFile[]; ms: number }

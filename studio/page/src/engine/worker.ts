@@ -1,16 +1,9 @@
 // One engine in a worker. It answers questions in the order in which they come; a request cannot be interrupted.
 import { Engine } from "../../../engine.mjs";
-import type { Message, Question } from "./messages.ts";
+import type { Message, Question, Start } from "./messages.ts";
 
 const post = (message: Message, transfer: Transferable[] = []) => self.postMessage(message, { transfer });
 let current = 0;
-
-async function start(): Promise<Engine> {
-  const response = await fetch(new URL("../engine/engine.wasm", self.location.href));
-  if (!response.ok) throw new Error(`engine.wasm: ${response.status} ${response.statusText}`);
-  const module = await WebAssembly.compile(await response.arrayBuffer());
-  return Engine.load(module, (stage) => post({ kind: "stage", id: current, stage }));
-}
 
 function answer(engine: Engine, { id, request, files }: Question): void {
   current = id;
@@ -33,9 +26,17 @@ function answer(engine: Engine, { id, request, files }: Question): void {
   }
 }
 
-const starting = start();
-starting.then(
-  () => post({ kind: "ready" }),
-  (error: unknown) => post({ kind: "unusable", message: error instanceof Error ? error.message : String(error) }),
-);
-self.onmessage = async ({ data }: MessageEvent<Question>) => answer(await starting, data);
+async function load(module: WebAssembly.Module): Promise<Engine> {
+  try {
+    return await Engine.load(module, (stage) => post({ kind: "stage", id: current, stage }));
+  } catch (error) {
+    post({ kind: "unusable", message: error instanceof Error ? error.message : String(error) });
+    throw error;
+  }
+}
+
+let starting: Promise<Engine> | undefined;
+self.onmessage = async ({ data }: MessageEvent<Start | Question>) => {
+  if ("module" in data) starting = load(data.module);
+  else if (starting) answer(await starting, data);
+};

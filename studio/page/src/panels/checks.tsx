@@ -4,7 +4,7 @@ import type { Finding } from "../engine/answers.ts";
 import { catalogue, checking, findings, findingsAreCurrent } from "../state/studio.ts";
 import { touched } from "../state/places.ts";
 import { label, short } from "../ui/words.ts";
-import { isDisc } from "../view/bodies.ts";
+import { isDisc } from "../view/body_facts.ts";
 import { colourBy, discs, lit, viewer } from "../view/scene_state.ts";
 import { showParameter } from "../state/focus.ts";
 

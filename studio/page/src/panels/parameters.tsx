@@ -1,7 +1,9 @@
 // Story 1: every number and choice of the frame, by group, with unit, bounds, meaning, and what differs from the preset.
 import { computed, signal } from "@preact/signals";
+import type { ComponentChildren } from "preact";
 import type { Choice, Parameter } from "../engine/answers.ts";
 import type { Setting } from "../state/link.ts";
+import { CHOICES, openGroup, openGroups } from "../state/focus.ts";
 import { baseOf, catalogue, changedKeys, refused, set, valueOf } from "../state/studio.ts";
 import { Slider } from "../ui/slider.tsx";
 import { label, short, size } from "../ui/words.ts";
@@ -46,33 +48,50 @@ export function Parameters() {
         </label>
       </div>
       {choices.length > 0 && (
-        <details open={open}>
-          <summary>
-            <h3>Bought parts, materials, printer</h3>
-          </summary>
-          {choices.map((choice) => (
-            <ChoiceField key={choice.key} choice={choice} />
-          ))}
-        </details>
+        <Group id={CHOICES} title="Bought parts, materials, printer" found={open}>
+          {() => choices.map((choice) => <ChoiceField key={choice.key} choice={choice} />)}
+        </Group>
       )}
       {tables.map((table) => {
         const own = parameters.filter((p) => p.table === table);
         const changed = own.filter(({ key }) => changedKeys.value.has(key)).length;
         return (
-          <details key={table} open={open || table === "rods"} data-table={table}>
-            <summary>
-              <h3>{label(table)}</h3>
-              {changed > 0 && <span class="badge">{changed} changed</span>}
-            </summary>
-            <p class="about">{own[0]?.about}</p>
-            {own.map((p) => (
-              <NumberField key={p.key} parameter={p} />
-            ))}
-          </details>
+          <Group key={table} id={table} title={label(table)} changed={changed} found={open}>
+            {() => (
+              <>
+                <p class="about">{own[0]?.about}</p>
+                {own.map((p) => (
+                  <NumberField key={p.key} parameter={p} />
+                ))}
+              </>
+            )}
+          </Group>
         );
       })}
       {tables.length === 0 && choices.length === 0 && <p class="empty">Nothing fits “{search}”.</p>}
     </div>
+  );
+}
+
+type GroupProps = { id: string; title: string; changed?: number; found: boolean; children: () => ComponentChildren };
+
+/** A group that opens; its fields are drawn when it is open, or when a search found them. */
+function Group({ id, title, changed = 0, found, children }: GroupProps) {
+  const open = found || openGroups.value.has(id);
+  return (
+    <details
+      open={open}
+      data-table={id === CHOICES ? undefined : id}
+      onToggle={(event) => {
+        if (!found) openGroup(id, event.currentTarget.open);
+      }}
+    >
+      <summary>
+        <h3>{title}</h3>
+        {changed > 0 && <span class="badge">{changed} changed</span>}
+      </summary>
+      {open && children()}
+    </details>
   );
 }
 

@@ -4,10 +4,19 @@ import type { Vector3 } from "three";
 import { catalogue, frame } from "../state/studio.ts";
 import { showParameter } from "../state/focus.ts";
 import { label, short, size } from "../ui/words.ts";
-import { sizeMm } from "../view/bodies.ts";
 import type { ColourBy } from "../view/colours.ts";
-import { centre, colourBy, discs, envelope, explode, picked, section, stage, viewer } from "../view/scene_state.ts";
-import { plate, showBed } from "../view/bed.ts";
+import {
+  centre,
+  colourBy,
+  discs,
+  envelope,
+  explode,
+  picked,
+  plate,
+  section,
+  stage,
+  viewer,
+} from "../view/scene_state.ts";
 
 const measuring = signal(false);
 const points = signal<Vector3[]>([]);
@@ -20,6 +29,11 @@ effect(() => {
 });
 effect(() => viewer.value?.showDistance(points.value));
 
+/** What draws comes with the picture, which the rest of the page does not wait for. */
+function showBed(shown: boolean, number = 0): void {
+  void import("../view/bed.ts").then((bed) => bed.showBed(shown, number));
+}
+
 export function Toolbar() {
   return (
     <div class="toolbar" role="toolbar" aria-label="How the frame is shown">
@@ -31,7 +45,7 @@ export function Toolbar() {
           onChange={(event) => {
             const shown = event.currentTarget.value;
             explode.value = shown === "exploded" ? 0.5 : 0;
-            void showBed(shown === "bed");
+            showBed(shown === "bed");
           }}
         >
           <option value="assembled">assembled</option>
@@ -45,7 +59,7 @@ export function Toolbar() {
           <select
             aria-label="Plate"
             value={plate.value.at}
-            onChange={(event) => void showBed(true, Number(event.currentTarget.value))}
+            onChange={(event) => showBed(true, Number(event.currentTarget.value))}
           >
             {plate.value.of.map((name, at) => (
               <option key={name} value={at}>
@@ -164,7 +178,7 @@ export function Selection() {
             {body.facts.part} · {body.facts.material} · {body.facts.quantity} of it
           </p>
           <p>
-            {size(sizeMm(body))}
+            {size(picked.value?.sizeMm)}
             {line && ` · ${short(line.each_g, 2)} g each (${line.basis})`}
           </p>
           {drivers.length > 0 && (

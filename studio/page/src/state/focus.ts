@@ -1,19 +1,33 @@
 // Which panels are open, and how one leads to a field of another.
 import { signal } from "@preact/signals";
+import { catalogue } from "./studio.ts";
 
 export const left = signal<"values" | "text">("values");
 export const right = signal<"checks" | "compare" | "fold" | "drop" | "diagnose" | "files">("checks");
 /** On a narrow screen one of the three columns is shown. */
 export const column = signal<"left" | "middle" | "right">("middle");
 
-/** Opens the field of a parameter and puts the focus there. */
+/** The group of the values that are chosen from a list. */
+export const CHOICES = "choices";
+/** The groups of values that are open. What is closed is not drawn. */
+export const openGroups = signal<ReadonlySet<string>>(new Set(["rods"]));
+
+export function openGroup(group: string, open: boolean): void {
+  if (openGroups.value.has(group) === open) return;
+  const next = new Set(openGroups.value);
+  if (open) next.add(group);
+  else next.delete(group);
+  openGroups.value = next;
+}
+
+/** Opens the field of a value and puts the focus there. */
 export function showParameter(key: string): void {
   left.value = "values";
   column.value = "left";
+  const chosen = catalogue.value?.choices.some((choice) => choice.key === key);
+  openGroup(chosen ? CHOICES : (key.split(".")[0] ?? ""), true);
   requestAnimationFrame(() => {
     const field = document.querySelector(`[data-key="${CSS.escape(key)}"]`);
-    const group = field?.closest("details");
-    if (group) group.open = true;
     field?.scrollIntoView({ block: "center" });
     field?.querySelector<HTMLElement>("input[type=text], select")?.focus();
   });

@@ -1,5 +1,5 @@
 // Where a finding is: its subject names bodies and parts in words.
-import type { BodyFacts } from "../view/bodies.ts";
+import type { BodyFacts } from "../view/body_facts.ts";
 
 /** Names of the bodies and parts that words name; bodies before parts, as they are the closer place. */
 export function touched(words: string, facts: BodyFacts[]): string[] {

@@ -14,13 +14,14 @@ export function store(doc: Doc): void {
   }
 }
 
-export function restored(presets: string[]): Doc | null {
+/** The state of before, if it is sound; its preset has to be one of those, where they are known. */
+export function restored(presets?: string[]): Doc | null {
   try {
     const kept: unknown = JSON.parse(sessionStorage.getItem(KEY) ?? localStorage.getItem(KEY) ?? "null");
     if (typeof kept !== "object" || kept === null) return null;
     const { preset, name, text } = kept as Record<string, unknown>;
     const sound = typeof preset === "string" && typeof name === "string" && typeof text === "string";
-    return sound && presets.includes(preset) && plainName(name) && text.length < 1 << 20
+    return sound && (presets?.includes(preset) ?? true) && plainName(name) && text.length < 1 << 20
       ? { preset, name, text }
       : null;
   } catch {

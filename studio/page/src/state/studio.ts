@@ -200,13 +200,23 @@ async function checkAll(of: Doc): Promise<void> {
   }
 }
 
+/** Asks for the frame that the page most likely begins with, so that the engine makes it while the page is still drawn. */
+function expect(): { preset: string; read: Promise<Read> } | null {
+  if (location.hash) return null;
+  const likely = restored() ?? doc.value;
+  const read = shower.ask<Read>({ do: "read", frame: likely.preset }).then(({ answer }) => answer);
+  // What goes wrong here goes wrong again when it is asked for, and is told then.
+  read.catch(() => undefined);
+  shown.opened(likely).catch(() => undefined);
+  return { preset: likely.preset, read };
+}
+
 /** Starts: a link's frame, the one of before, or the first preset. */
 export async function begin(): Promise<void> {
   const asked = performance.now();
-  const [known, listed] = await Promise.all([
-    shower.ask<Presets>({ do: "presets" }),
-    shower.ask<Catalogue>({ do: "catalogue" }),
-  ]);
+  const answers = Promise.all([shower.ask<Presets>({ do: "presets" }), shower.ask<Catalogue>({ do: "catalogue" })]);
+  const expected = expect();
+  const [known, listed] = await answers;
   presets.value = known.answer;
   catalogue.value = listed.answer;
   const first = known.answer.frames[0]?.name ?? "cognifly";
@@ -225,6 +235,7 @@ export async function begin(): Promise<void> {
   if (location.hash) window.history.replaceState(null, "", location.pathname + location.search);
   doc.value = start;
   pending.value = values;
+  if (expected?.preset === start.preset) base.value = await expected.read;
   want({ doc: start, set: values, record: true, group: null, begun: asked });
 }
 

@@ -12,14 +12,12 @@ import {
   PlaneGeometry,
   Quaternion,
 } from "three";
-import { effect, signal } from "@preact/signals";
+import { effect } from "@preact/signals";
 import { Refused, Stopped } from "../engine/client.ts";
 import type { Beds } from "../engine/answers.ts";
 import { checker, current, notice, shownDoc } from "../state/studio.ts";
-import { stage, viewer } from "./scene_state.ts";
+import { plate, stage, viewer } from "./scene_state.ts";
 
-/** The plates by name, and which is shown. */
-export const plate = signal<{ of: string[]; at: number } | null>(null);
 let at = 0;
 
 /** Shows a plate, or the frame again. */

@@ -2,17 +2,7 @@
 import { Box3, Mesh, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import type { AnimationClip, Group, Object3D } from "three";
-
-/** What the file says of a body. */
-export type BodyFacts = {
-  name: string;
-  part: string;
-  kind: string;
-  material: string;
-  quantity: number;
-  mass_each_g: number | null;
-  module: string | null;
-};
+import type { BodyFacts } from "./body_facts.ts";
 
 export type Body = { facts: BodyFacts; mesh: Mesh; rest: Vector3; middle: Vector3 };
 
@@ -51,11 +41,6 @@ export function dispose(root: Object3D): void {
   root.traverse((object) => {
     if (object instanceof Mesh) object.geometry.dispose();
   });
-}
-
-/** Whether a body is what a propeller sweeps. */
-export function isDisc(facts: BodyFacts): boolean {
-  return facts.part.startsWith("propeller");
 }
 
 /** Length, width and height of a body in its own axes, mm. */

@@ -1,8 +1,8 @@
 // Colours of bodies: by material, by part, or by what the checks found. Shapes and words say the same, so nobody has to tell colours apart.
 import { MeshLambertMaterial } from "three";
 import type { Plane } from "three";
-import type { BodyFacts } from "./bodies.ts";
-import { isDisc } from "./bodies.ts";
+import type { BodyFacts } from "./body_facts.ts";
+import { isDisc } from "./body_facts.ts";
 
 export type ColourBy = "material" | "part" | "finding";
 

@@ -18,6 +18,8 @@ export const picked = signal<Picked | null>(null);
 export const lit = signal<Set<string>>(new Set());
 /** What the picture shows instead of the assembled frame. */
 export const stage = signal<"frame" | "bed" | "motion">("frame");
+/** The plates of the bed by name, and which is shown. */
+export const plate = signal<{ of: string[]; at: number } | null>(null);
 
 /** The worst that the checks found of each body or part. */
 const severities = computed(() => {

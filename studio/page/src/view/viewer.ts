@@ -16,8 +16,10 @@ import {
 } from "three";
 import type { Mesh } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import type { Body, BodyFacts, Picture } from "./bodies.ts";
-import { dispose, isDisc, readPicture } from "./bodies.ts";
+import type { Body, Picture } from "./bodies.ts";
+import { dispose, readPicture, sizeMm } from "./bodies.ts";
+import type { BodyFacts } from "./body_facts.ts";
+import { isDisc } from "./body_facts.ts";
 import type { ColourBy, Severity } from "./colours.ts";
 import { Colours } from "./colours.ts";
 import * as marks from "./marks.ts";
@@ -38,7 +40,8 @@ export type Look = {
   ghost: boolean;
 };
 
-export type Picked = { body: Body; at: Vector3 };
+/** What was clicked, where, and its length, width and height in its own axes, mm. */
+export type Picked = { body: Body; at: Vector3; sizeMm: [number, number, number] };
 
 /** From the frame's axes (X right, Y front, Z up, mm) to the scene's. */
 export function toScene([x, y, z]: readonly number[]): Vector3 {
@@ -314,6 +317,6 @@ export class Viewer {
     );
     const kept = hits.find(({ point }) => !this.#look?.section || this.#plane.distanceToPoint(point) >= 0);
     const body = meshes.find(({ mesh }) => mesh === kept?.object);
-    return kept && body ? { body, at: kept.point } : null;
+    return kept && body ? { body, at: kept.point, sizeMm: sizeMm(body) } : null;
   }
 }

@@ -1,18 +1,14 @@
-// Starts the page.
-import { render } from "preact";
-import { App } from "./app.tsx";
+// Starts the engine, then the page: the first model is being made while the page is read and drawn.
 import { effect } from "@preact/signals";
 import { begin, notice, picture } from "./state/studio.ts";
 import "./style.css";
 
-const root = document.getElementById("studio");
-if (root) {
-  root.replaceChildren();
-  render(<App />, root);
-  begin().catch((error: unknown) => {
-    notice.value = `The engine cannot be started: ${error instanceof Error ? error.message : String(error)}`;
-  });
-}
+// Asked for first, so that it does not wait behind the engine.
+const page = import("./page.tsx");
+
+begin().catch((error: unknown) => {
+  notice.value = `The engine cannot be started: ${error instanceof Error ? error.message : String(error)}`;
+});
 
 // The page is kept for when there is no network, once the first picture does not have to wait for that.
 const stop = effect(() => {
@@ -20,3 +16,9 @@ const stop = effect(() => {
   void navigator.serviceWorker.register("./sw.js").catch(() => undefined);
   queueMicrotask(() => stop());
 });
+
+const root = document.getElementById("studio");
+if (root) {
+  const { show } = await page;
+  show(root);
+}
