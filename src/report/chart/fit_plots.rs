@@ -28,7 +28,7 @@ fn chart(run: &Run, height_m: f64, readings: &[f64], colour: usize) -> Bands {
         across: "time from the trigger, ms",
         up: "acceleration, g",
         colour,
-        line: Some((format!("{}, fitted", run.fit.model.name), line)),
+        lines: vec![(Some(format!("{}, fitted", run.fit.model.name)), 3, line)],
         quartiles: quartiles(&series),
         waves: series.into_iter().map(wave).collect(),
     }
