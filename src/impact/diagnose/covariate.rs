@@ -196,7 +196,7 @@ mod tests {
     #[test]
     fn analytic_names_drive_windows_and_unknown_values_are_left_out() {
         let (values, _) = windows(60);
-        let named = |drop: usize| (drop % 7 != 0).then(|| ["mat", "floor", "sand"][drop % 3]);
+        let named = |drop: usize| (!drop.is_multiple_of(7)).then(|| ["mat", "floor", "sand"][drop % 3]);
         let shift = |drop: usize| named(drop).map_or(9.0, |name| name.len() as f64);
         let waves = waves((0..60).map(|drop| (0..20).map(|i| shift(drop) * f64::from(i) + values[drop][0]).collect()).collect());
         let text: String = "trial,height_m,t_s,accel_g,surface\n".into();

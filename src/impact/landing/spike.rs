@@ -92,7 +92,7 @@ impl SpikeShape {
         let mean = normal.trace() / free as f64;
         let solved = inverse(&(normal + DMatrix::identity(free, free) * (RIDGE * mean)))? * right;
         let peak = solved.max();
-        if !(peak > 0.0) {
+        if peak.is_nan() || peak <= 0.0 {
             return None;
         }
         let inner = solved.iter().map(|corner| corner / peak);

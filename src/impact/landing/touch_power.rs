@@ -27,8 +27,9 @@ pub fn drops_to_tell(tables: [&LandingTable; 2], slopes: &Slopes, seed: u64) -> 
     let growing = tables.map(|table| Population::of(table, slopes));
     let constant = tables.map(|table| Population::of(table, &fixed));
     let ratio = |[low, high]: &[Population; 2]| libm::log(high.opposite_delay_s(0.5) / low.opposite_delay_s(0.5));
-    let limit = 0.5 * (ratio(&growing) + ratio(&constant));
-    if !(ratio(&growing) > ratio(&constant)) {
+    let [of_growing, of_constant] = [ratio(&growing), ratio(&constant)];
+    let limit = 0.5 * (of_growing + of_constant);
+    if of_growing.is_nan() || of_growing <= of_constant {
         return None;
     }
     let mut rng = Pcg64::seed_from_u64(seed);

@@ -6,7 +6,7 @@ use super::document::Block;
 use crate::impact::diagnose::Diagnosis;
 use crate::impact::fit::BEFORE;
 use crate::impact::landing::{HeightSpread, LandingAssessment, ShownDrop};
-use crate::report::chart::bands::Bands;
+use crate::report::chart::bands::{BandLine, Bands};
 use crate::report::chart::lines::{Lines, Series};
 use crate::report::chart::plot::{Chart, PlotError, files};
 
@@ -76,9 +76,9 @@ fn bands(spread: &HeightSpread, colour: usize, step_ms: f64) -> Bands {
         colour,
         waves: spread.windows.iter().map(|window| timed(window, step_ms)).collect(),
         lines: vec![
-            (Some("median of random slopes".into()), 3, of_slopes(1)),
-            (Some("quartiles of random slopes".into()), 1, of_slopes(0)),
-            (None, 1, of_slopes(2)),
+            BandLine { label: Some("median of random slopes".into()), width: 3, points: of_slopes(1) },
+            BandLine { label: Some("quartiles of random slopes".into()), width: 1, points: of_slopes(0) },
+            BandLine { label: None, width: 1, points: of_slopes(2) },
         ],
         quartiles: spread.measured_g.iter().enumerate().map(|(at, three)| (step_ms * at as f64, *three)).collect(),
     }
