@@ -16,7 +16,7 @@ fn told_the_covariance(plan: &Plan) -> Option<&'static str> {
     let prepared = PreparedDrops::of(&few, &base())?;
     let mut problem = FitProblem::of(&few, whitening, prepared.problem.expected.spread);
     problem.expected = prepared.problem.expected;
-    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, 1)?;
+    let bootstrap = Bootstrap::of(&few, &prepared.trial_covariance, &prepared.covariance_model, 1)?;
     let setting = SearchContext {
         problem: &problem,
         bootstrap: &bootstrap,

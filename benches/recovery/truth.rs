@@ -1,9 +1,11 @@
 //! Drops with a known truth: base models, effects on top of them at a stated strength, and how strong they are.
 
+use std::sync::OnceLock;
+
 use flexframe::impact::diagnose::{Bootstrap, Candidate, PreparedDrops, Search, SearchContext};
 use flexframe::impact::effects::{CATALOGUE, Model, by_id};
 use flexframe::impact::fit::{Expected, FitProblem, FittedDrop, Layout, TrialCovariance, Waves, Whitening};
-use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, TrialVariation, records};
+use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, ScatterLaw, TrialVariation, records};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
@@ -20,8 +22,12 @@ pub fn base() -> Model {
     Model::load("paper").expect("the paper's model")
 }
 
+/// The law of the scatter of every plan; one for the whole run.
+pub static LAW: OnceLock<ScatterLaw> = OnceLock::new();
+
 /// Drops of the base model at a level of noise, its k and c a little different for every seed.
 pub fn plan(level: usize, seed: u64) -> Plan {
+    let law = *LAW.get_or_init(|| ScatterLaw::Proportional);
     let (drops, share) = if level == 1 { (80, 0.5) } else { (20, 0.1) };
     let varied = if level == 3 { 0.1 } else { 0.0 };
     let mut rng = Pcg64::seed_from_u64(seed ^ 0x5eed);
@@ -29,7 +35,7 @@ pub fn plan(level: usize, seed: u64) -> Plan {
     let (k, c): (f64, f64) = (rng.random_range(0.8..1.25), rng.random_range(0.8..1.25));
     model.effects[0].values[0] *= k;
     model.effects[1].values[0] *= c;
-    let variation = TrialVariation { share, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
+    let variation = TrialVariation { share, law, correlation_s: 1.5e-3, stiffness: varied, damping: varied, tilt_deg: 0.0 };
     Plan {
         model,
         hidden: None,
@@ -75,7 +81,7 @@ pub fn waves(plan: &Plan) -> Waves {
 /// A truth's noise-free mean waves with the generator's own covariance of the mean: read off many drops, or by quadrature
 /// where k and c vary from trial to trial, as the mean of some hundred such drops is not without noise.
 pub fn noise_free(plan: &Plan) -> Option<FitProblem> {
-    if plan.scatter.stiffness > 0.0 && plan.hidden.is_none() {
+    if plan.scatter.stiffness > 0.0 && plan.hidden.is_none() && plan.scatter.law == ScatterLaw::Proportional {
         return exact(plan);
     }
     let counts = vec![plan.drops; plan.heights_m.len()];
@@ -102,7 +108,7 @@ pub fn catalogue(plan: &Plan) -> Option<Search> {
     let problem = noise_free(plan)?;
     let few = waves(plan);
     let prepared = PreparedDrops::of(&few, &base())?;
-    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, 1)?;
+    let bootstrap = Bootstrap::of(&few, &prepared.trial_covariance, &prepared.covariance_model, 1)?;
     let setting =
         SearchContext { problem: &problem, bootstrap: &bootstrap, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
     Search::run(&setting, &base())

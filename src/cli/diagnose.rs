@@ -1,6 +1,6 @@
 //! `flexframe diagnose`: what a model lacks, from measured drops.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::bounded::{count, number};
@@ -12,12 +12,12 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::frame::assembly::mass;
+use crate::frame::assembly::{Design, mass};
 use crate::impact::diagnose::{Diagnosis, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured;
-use crate::impact::measured::StaticTest;
+use crate::impact::measured::{DropSet, DropTable, StaticTest};
 use crate::impact::sim::HEIGHTS_M;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::result::static_curve::StaticCurve;
@@ -52,6 +52,10 @@ pub(super) struct Args {
     /// A static test of the same frame, CSV of `displacement_mm,force_n`: compared with each model, not fitted.
     #[arg(long, value_name = "CSV")]
     pub static_test: Option<PathBuf>,
+    /// What may explain how drops of one height vary: a column of the drops' tables, or a CSV file of `trial`, `height_m` where trials are
+    /// numbered anew, and columns of any names. Touch times, slope, order and session are always asked.
+    #[arg(long, value_delimiter = ',', value_name = "COLUMN|CSV,…")]
+    pub covariate: Vec<String>,
     /// Most effects on top of spring and damper, 1 to 3.
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = count([1, MOST_EFFECTS as u32]))]
     pub max_effects: usize,
@@ -76,13 +80,13 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let model = Model::load(&args.model)?;
     let most = args.max_effects;
     let working = Progress::staged("diagnosing", Stage::count(most), common);
-    let mut model = with_body_of(frame, model, common)?;
+    let mut model = with_body_of(frame.clone(), model, common)?;
     if let Some(frame) = &args.frame {
         let own = reduced(frame, args.mechanics.as_deref(), common)?;
         model.frame_mode = own.value(PAYLOAD_MODE.id, "mu").zip(own.value(PAYLOAD_MODE.id, "f_hz")).map(|(mu, f_hz)| [mu, f_hz]);
         model.frame_curve = own.frame_curve;
     }
-    let set = measured::read(&paths, &file_format(&args.format)?)?;
+    let (set, covariates) = drops(args, &paths)?;
     let static_test = args.static_test.as_deref().map(StaticTest::read).transpose()?;
     let request = DiagnosisRequest {
         model,
@@ -90,6 +94,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         channel: args.channel.wanted(),
         hold_out_heights_m: &args.hold_out_heights,
         static_test: static_test.as_ref(),
+        covariates: &covariates,
         max_effects: most,
         seed: args.seed,
     };
@@ -97,7 +102,10 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let stage = |stage: Stage| working.stage(stage.before(most), stage.words());
     let (found, compared) = request.diagnosed(&stage).map_err(usage)?;
     let json = diagnosis_data::json(&found, &compared);
-    let files = files(&found, &compared, &json)?;
+    // The steps of a design are kept: it is made once.
+    let drawn = args.frame.clone().or(frame).filter(|_| compared.landing.is_some());
+    let design = drawn.map(|frame| session::design(&FrameOption { frame, rigid: None }, common)).transpose()?;
+    let files = files(&found, &compared, design.as_ref(), &json)?;
     drop(working);
     let place = output::write_folder(&args.output, &format!("diagnose-{name}"), &files)?;
     if common.json {
@@ -106,6 +114,24 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print(&format!("{}{}: {} files\n", summary(&found, &compared), place.display(), files.len()))?;
     }
     Ok(if found.verdict == Verdict::NothingMissing { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// The drops with what else is known of them, and the names of that.
+fn drops(args: &Args, paths: &[PathBuf]) -> Result<(DropSet, Vec<String>), Failure> {
+    let (files, mut names): (Vec<String>, Vec<String>) =
+        args.covariate.iter().cloned().partition(|given| Path::new(given).extension().is_some_and(|end| end.eq_ignore_ascii_case("csv")));
+    let mut format = file_format(&args.format)?;
+    format.table.kept.clone_from(&names);
+    let mut set = measured::read(paths, &format)?;
+    for file in files {
+        let table = DropTable::read(Path::new(&file))?;
+        let (without, all) = (table.add_to(&mut set), set.records().count());
+        if without == all {
+            return Err(Failure::Usage { message: format!("--covariate {file}: none of its rows is of a drop that was read") });
+        }
+        names.extend(table.columns);
+    }
+    Ok((set, names))
 }
 
 /// A frame reduced to one coordinate.
@@ -122,8 +148,13 @@ fn usage(error: RequestError) -> Failure {
     Failure::Usage { message: error.to_string() }
 }
 
-fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let blocks = diagnosis_page::blocks(found, compared)
+fn files(
+    found: &Diagnosis,
+    compared: &Compared,
+    design: Option<&Design>,
+    json: &serde_json::Value,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let blocks = diagnosis_page::blocks(found, compared, design)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
     let title = diagnosis_page::title(found, compared);
     let mut files = vec![
@@ -133,8 +164,10 @@ fn files(found: &Diagnosis, compared: &Compared, json: &serde_json::Value) -> Re
         ("model.toml".to_string(), found.chosen.model().to_toml().into_bytes()),
     ];
     for block in blocks {
-        if let Block::Figure { name, svg, .. } = block {
-            files.push((format!("{name}.svg"), svg.into_bytes()));
+        match block {
+            Block::Figure { name, svg, .. } => files.push((format!("{name}.svg"), svg.into_bytes())),
+            Block::Picture { name, png, .. } => files.push((format!("{name}.png"), png)),
+            _ => {}
         }
     }
     Ok(files)
@@ -155,6 +188,9 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     text += &format!("\nverdict: {}\n", found.verdict.id());
     for reason in &found.reasons {
         text += &format!("  {reason}\n");
+    }
+    for sentence in compared.explained() {
+        text += &format!("  {sentence}\n");
     }
     let (before, after) = (&found.before, &found.after);
     text += &format!(

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::element::{number, put, table};
 use crate::impact::effects::{CATALOGUE, CHANNEL, CURVE, PLAIN_NUMBERS, POINTS, REACH_MM, channel_words};
-use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, PLAN_NUMBERS};
+use crate::impact::synthetic::{HEIGHT_BOUNDS_M, HEIGHTS, HIDDEN_NUMBERS, Hidden, KIND, LAW, PLAN_NUMBERS, ScatterLaw};
 
 pub(super) fn schema() -> Value {
     closed(keys(), &["mass_kg", "gap_mm", "sensor", "effects"])
@@ -18,6 +18,7 @@ pub(super) fn plan() -> Value {
     for (key, bounds, unit) in HIDDEN_NUMBERS {
         put(&mut root, key, number("", unit, bounds, None));
     }
+    put(&mut root, LAW, json!({ "enum": ScatterLaw::NAMES, "description": "Size of the noise of the readings." }));
     put(&mut root, KIND, json!({ "enum": Hidden::NAMES, "description": "Effect outside the catalogue." }));
     let heights =
         json!({ "type": "array", "minItems": 1, "items": number("", "m", HEIGHT_BOUNDS_M, None), "description": "Heights of the drops." });

@@ -3,7 +3,7 @@
 use flexframe::impact::diagnose::{DiagnosisOptions, PreparedDrops, Verdict, clipping, diagnose, trend_p};
 use flexframe::impact::effects::{Model, by_id};
 use flexframe::impact::fit::{Expected, FittedDrop, MeanWave, TrialCovariance, Waves, Whitening, minimise};
-use flexframe::impact::synthetic::{Hidden, Plan, ReferenceTrajectory, TrialVariation, records};
+use flexframe::impact::synthetic::{Hidden, Plan, ReferenceTrajectory, ScatterLaw, TrialVariation, records};
 use nalgebra::{DMatrix, DVector};
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
@@ -14,7 +14,8 @@ fn base() -> Model {
 }
 
 fn plan(seed: u64) -> Plan {
-    let variation = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let variation =
+        TrialVariation { share: 0.1, law: ScatterLaw::Proportional, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
     let heights_m = vec![0.5, 1.0, 1.5];
     Plan {
         model: base(),

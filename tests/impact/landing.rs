@@ -42,6 +42,7 @@ fn diagnosed(plan: &Plan, set: &DropSet) -> (String, Compared) {
         channel: None,
         hold_out_heights_m: &[1.5],
         static_test: None,
+        covariates: &[],
         max_effects: 1,
         seed: 1,
     };

@@ -5,6 +5,7 @@ mod bodies;
 mod case;
 mod case_study;
 mod clock_stalls;
+mod covariates;
 mod diagnosis_statistics;
 mod effect_cases;
 mod effect_catalogue;

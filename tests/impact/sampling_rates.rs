@@ -40,8 +40,16 @@ fn diagnosed(rows: &str) -> Diagnosis {
     let truth = plan(1000.0).model;
     let [k, c] = truth.stiffness_and_damping();
     let model = Model::base(truth.body.clone(), truth.sensor, 0.9 * k, 1.1 * c);
-    let request =
-        DiagnosisRequest { model, drops: &set, channel: None, hold_out_heights_m: &[], static_test: None, max_effects: 2, seed: 1 };
+    let request = DiagnosisRequest {
+        model,
+        drops: &set,
+        channel: None,
+        hold_out_heights_m: &[],
+        static_test: None,
+        covariates: &[],
+        max_effects: 2,
+        seed: 1,
+    };
     request.diagnosed(&|_| ()).expect("a diagnosis").0
 }
 

@@ -174,7 +174,7 @@ const CONFINED: [(&str, &str); 42] = [
     ("Command::new", "cli"),
     ("amd::", "mechanics"),
     ("toml_edit", "params cli"),
-    ("statrs", "printing/weighing mechanics impact/frame_fit impact/landing"),
+    ("statrs", "printing/weighing mechanics impact/frame_fit impact/diagnose impact/landing"),
     ("clap", "cli"),
     ("println!", "cli"),
     ("print!", "cli"),

@@ -10,9 +10,8 @@ use crate::cli::options::Common;
 use crate::cli::progress::Progress;
 use crate::cli::{output, session, terminal};
 use crate::frame::assembly::mass;
-use crate::impact::frame_fit::{Height, ResponseSurface, Subject, fit};
+use crate::impact::frame_fit::{MeasuredHeights, ResponseSurface, Subject, fit};
 use crate::impact::measured;
-use crate::impact::measured::{DropSet, JudgedDrops, Summary};
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::report::data::impact_fit_data;
@@ -23,7 +22,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(args)?;
     let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
     let set = measured::read(&args.fit, &file_format(&args.format)?)?;
-    let heights = heights(&set)?;
+    let measured = MeasuredHeights::of(&set).map_err(|error| Failure::Usage { message: error.to_string() })?;
+    let heights = &measured.heights;
     let working = Progress::of("fitting", common);
     let design = session::design(&frame, common)?;
     let masses = mass::table(&design);
@@ -31,8 +31,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let subject = Subject { model: &model, settings: &settings };
     let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();
     let surface = ResponseSurface::new(&subject, &heights_m).map_err(mechanics_refused)?;
-    let found = fit(&subject, surface, &heights).map_err(mechanics_refused)?;
-    let fitted = Fitted { frame: &design.frame.name, heights: &heights, fit: &found };
+    let found = fit(&subject, surface, heights).map_err(mechanics_refused)?;
+    let fitted = Fitted { frame: &design.frame.name, measured: &measured, fit: &found };
     let json = impact_fit_data::json(&fitted);
     let files = [
         ("predictions.csv".into(), impact_fit_data::predictions_csv(&fitted)?.into_bytes()),
@@ -48,17 +48,4 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print(&format!("{}{notes}{}: {} files\n", impact_fit_data::table(&fitted), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// The figures of each height.
-fn heights(set: &DropSet) -> Result<Vec<Height>, Failure> {
-    if set.frames().len() > 1 {
-        let names: Vec<&str> = set.frames().into_iter().map(|frame| frame.unwrap_or("unnamed")).collect();
-        return Err(Failure::Usage { message: format!("the drops are of several frames ({}): name those of one", names.join(", ")) });
-    }
-    let of = |(group, drops): &(&measured::DropGroup, Vec<measured::Drop>)| {
-        let height = Height::of(&Summary::of(group, drops));
-        height.ok_or_else(|| Failure::Usage { message: format!("no drop from {} m has an impact without a flag", group.height_m) })
-    };
-    JudgedDrops::of(set).groups.iter().map(of).collect()
 }

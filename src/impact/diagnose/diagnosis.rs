@@ -215,7 +215,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
     let problem = &prepared.problem;
     let limit_seen = prepared.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G);
     stage(Stage::Bootstrap);
-    let bootstrap = Bootstrap::of(&prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
+    let bootstrap = Bootstrap::of(fitted, &prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
     let setting =
         SearchContext { problem, bootstrap: &bootstrap, limit_seen, catalogue: settings.catalogue, most: settings.most_effects, stage };
     let search = Search::run(&setting, model)?;

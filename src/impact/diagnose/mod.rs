@@ -9,13 +9,16 @@ mod bootstrap;
 mod candidate;
 mod channel_choice;
 mod clipping;
+mod confounding;
 mod constancy;
+mod covariate;
 mod diagnosis;
 mod dictionary;
 mod experiment;
 mod frame_mode;
 mod gap;
 mod observable;
+mod power;
 mod prepared_drops;
 mod residual_force;
 mod residual_map;
@@ -26,10 +29,12 @@ mod trend;
 
 pub use adequacy::{Adequacy, LinearisedFit, Statistics, judge};
 pub use bootstrap::{Bootstrap, REPLICATES, Replicate};
-pub use candidate::Candidate;
+pub use candidate::{Candidate, PRICE};
 pub use channel_choice::ChannelChoice;
 pub use clipping::{Clipping, clipping};
+pub use confounding::{Confounding, confounded};
 pub use constancy::{ByHeight, Constancy, constancy};
+pub use covariate::{Covariate, CovariateEffect};
 pub use diagnosis::{
     Alternative, Diagnosis, DiagnosisError, DiagnosisOptions, EffectEstimate, Gaps, Ranked, UNSTEADY, Verdict, diagnose, joined, watched,
 };
@@ -37,6 +42,7 @@ pub use experiment::Experiment;
 pub use frame_mode::FrameMode;
 pub use gap::{Gap, errors, gap};
 pub use observable::{Observable, observables};
+pub use power::{COUNTS, POWER, SIMULATED, drops_to_see};
 pub use prepared_drops::PreparedDrops;
 pub use residual_force::ForceCell;
 pub use residual_map::{Cell, Phase, Point, ResidualMap, SameIn};

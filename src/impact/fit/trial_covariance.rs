@@ -10,6 +10,8 @@ use super::waves::Waves;
 
 /// Least standard deviation of a reading, g: a fraction of a count of the converter.
 const LEAST_G: f64 = 0.03;
+/// Least level of a height.
+const LEAST_LEVEL: f64 = 0.05;
 /// How often a covariance model is refined in units of its own result.
 const REFINEMENTS: usize = 3;
 
@@ -37,7 +39,7 @@ impl TrialCovariance {
         Self { sums, counts: deviations.iter().map(DMatrix::ncols).collect() }
     }
 
-    /// What another set of records of the same covariances would show.
+    /// What another set of normal records of the same covariances would show.
     pub fn drawn(covariances: &[DMatrix<f64>], counts: &[usize], rng: &mut impl Rng) -> Option<Self> {
         let mut sums = Vec::new();
         for (covariance, count) in covariances.iter().zip(counts) {
@@ -53,12 +55,12 @@ impl TrialCovariance {
 
     /// Covariance of one record, g², a height each, with a covariance model.
     ///
-    /// The nearest sum of the components, and on top of it, in that sum's own units, the part of the mean difference from the
+    /// The nearest sum of the components, each height at its own level, and on top of it, in that sum's own units, the part of the mean difference from the
     /// records which its uncertainty does not explain (after J. Schäfer, K. Strimmer, Stat. Appl. Genet. Mol. Biol. 4 (2005)
     /// 32, with this target). Wrong where heights vary for different reasons that no component describes.
     pub fn covariances(&self, model: &CovarianceModel) -> Option<Vec<DMatrix<f64>>> {
         let free = |count: &usize| (count - 1) as f64;
-        let (sampled, nearest) = (self.sampled(), self.nearest(model));
+        let (sampled, nearest) = (self.sampled(), self.levelled(self.nearest(model))?);
         let freedom: f64 = self.counts.iter().map(free).sum();
         let samples = self.sums[0].nrows();
         let mut excess = DMatrix::zeros(samples, samples);
@@ -70,6 +72,22 @@ impl TrialCovariance {
         let kept = (1.0 - uncertain / excess.norm_squared().max(1e-300)).max(0.0);
         let inner = DMatrix::identity(samples, samples) + excess * kept;
         nearest.into_iter().map(|nearest| nearest.cholesky().map(|root| root.l() * &inner * root.l().transpose())).collect()
+    }
+
+    /// Covariances, each times the level at which the records of its height vary, as far as its uncertainty does not explain that heights differ.
+    ///
+    /// The uncertainty is that of normal records. Heavier tails let more of a difference stand.
+    fn levelled(&self, covariances: Vec<DMatrix<f64>>) -> Option<Vec<DMatrix<f64>>> {
+        let (mut over, mut expected) = (Vec::new(), 0.0);
+        for ((covariance, sampled), count) in covariances.iter().zip(self.sampled()).zip(&self.counts) {
+            let inverse = inverse_root(covariance)?;
+            let samples = covariance.nrows() as f64;
+            over.push((&inverse * sampled * inverse.transpose()).trace() / samples - 1.0);
+            expected += 2.0 / (samples * (count - 1) as f64);
+        }
+        let found: f64 = over.iter().map(|over| over * over).sum();
+        let kept = (1.0 - expected / found.max(1e-300)).max(0.0);
+        Some(covariances.into_iter().zip(over).map(|(covariance, over)| covariance * (1.0 + kept * over).max(LEAST_LEVEL)).collect())
     }
 
     /// Standard deviations between records of the model's parameters of change, on their own scales.

@@ -1,6 +1,8 @@
 //! What the drops from one height say together.
 
-use crate::impact::measured::{Spread, Summary};
+use crate::impact::effects::Channel;
+use crate::impact::fit::{Chosen, FitError, Keep, LeftOut};
+use crate::impact::measured::{Drop, DropGroup, DropSet, Spread, Summary};
 
 /// A median and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -28,7 +30,7 @@ impl MedianEstimate {
 pub struct Height {
     /// From where, m.
     pub height_m: f64,
-    /// Peaks along the axis of all drops with an impact, g, behind the logger's 500 Hz.
+    /// Peaks along the axis of the drops that hit once by a clock that did not stall, g, behind the logger's 500 Hz.
     pub peak_g: MedianEstimate,
     /// Impulse along the axis within 25 ms over the speed before, of the drops without a flag; restitution is that less one.
     pub impulse: MedianEstimate,
@@ -39,5 +41,44 @@ impl Height {
     pub fn of(summary: &Summary) -> Option<Self> {
         let (peak, impulse) = (summary.peak_axial_g.as_ref()?, summary.impulse_over_v0.as_ref()?);
         Some(Self { height_m: summary.height_m, peak_g: MedianEstimate::of(peak), impulse: MedianEstimate::of(impulse) })
+    }
+}
+
+/// Why drops give no figures of their heights.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum HeightError {
+    /// No drop can be used.
+    #[error(transparent)]
+    Drops(#[from] FitError),
+    /// A height without a drop that nothing is wrong with.
+    #[error("no drop from {height_m} m has an impact without a flag; `flexframe measure` says why")]
+    NoneClean {
+        /// The height, m.
+        height_m: f64,
+    },
+}
+
+/// What the drops of one frame say, height by height.
+#[derive(Clone, Debug)]
+pub struct MeasuredHeights {
+    /// Rising height.
+    pub heights: Vec<Height>,
+    /// Drops that no figure contains: a stalled clock, two hits, an end too soon.
+    pub left_out: Vec<LeftOut>,
+}
+
+impl MeasuredHeights {
+    /// Of the same drops that a diagnosis takes.
+    ///
+    /// # Errors
+    /// [`HeightError`] when the drops are of several frames, or a height has none that can be used.
+    pub fn of(set: &DropSet) -> Result<Self, HeightError> {
+        let chosen = Chosen::of(set, Channel::Axial, Keep::Evidence)?;
+        let height = |group: &DropGroup| {
+            let height_m = group.height_m;
+            let kept: Vec<Drop> = chosen.drops.iter().filter(|drop| drop.record.height_m == height_m).cloned().collect();
+            Height::of(&Summary::of(group, &kept)).ok_or(HeightError::NoneClean { height_m })
+        };
+        Ok(Self { heights: set.groups.iter().map(height).collect::<Result<_, _>>()?, left_out: chosen.left_out })
     }
 }

@@ -2,7 +2,7 @@
 //! impact and its loss there ([`crate::mechanics::settings::MechanicsSettings`]).
 //!
 //! A drop height gives two figures with their standard errors ([`Height`]): the median peak and the median
-//! impulse along the axis. The frame's own model answers for both; [`ResponseSurface`] keeps its answers over the numbers' bounds, so
+//! impulse along the axis; drops that a diagnosis leaves out are in neither. The frame's own model answers for both; [`ResponseSurface`] keeps its answers over the numbers' bounds, so
 //! that heights can be left out one after the other without a new run for every step of the search.
 //!
 //! *When it is wrong:* both numbers compensate for everything that the level landing of a linear material leaves out: large strains, slip, tilt. They are
@@ -15,5 +15,5 @@ mod response_surface;
 
 pub use fitting::{FrameFit, FrameFitError, MaterialEstimate, Predicted, fit};
 pub use frame_reduction::{CURVE_MM, ReductionError, reduced_model};
-pub use height::{Height, MedianEstimate};
+pub use height::{Height, HeightError, MeasuredHeights, MedianEstimate};
 pub use response_surface::{Response, ResponseSurface, Subject};

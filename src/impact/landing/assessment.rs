@@ -4,20 +4,25 @@ use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::LANDING_TILT;
-use super::covariate::{Covariate, CovariateEffect};
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::gaps::{LandingGaps, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::landing_scatter::LandingScatter;
 use super::legged_body::LeggedBody;
+use super::mount::MOUNT_LOW_PASS;
 use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
+use super::shown::{HeightSpread, ShownDrop};
 use super::table::LandingTable;
-use crate::impact::diagnose::{Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge};
+use super::touch_power::drops_to_tell;
+use super::touches::LegTouches;
+use crate::impact::diagnose::{
+    Covariate, Diagnosis, EffectEstimate, LinearisedFit, PRICE, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
+};
 use crate::impact::effects::Model;
-use crate::impact::fit::Waves;
+use crate::impact::fit::{FitProblem, Waves};
 
 /// A height with the spread of slopes that its touch times show.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
@@ -30,6 +35,15 @@ pub struct SlopesAtHeight {
     pub predicted_s: f64,
     /// Standard error of the measured one, s.
     pub error_s: f64,
+}
+
+/// An experiment in one session that tells a slope that grows with the fall from one that does not.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct SeparatingDrops {
+    /// From these heights, m.
+    pub heights_m: [f64; 2],
+    /// So many each; `None` where more than two hundred are needed.
+    pub drops: Option<usize>,
 }
 
 /// Everything that was found.
@@ -47,10 +61,20 @@ pub struct LandingAssessment {
     pub heights: Vec<SlopesAtHeight>,
     /// Gaps.
     pub gaps: LandingGaps,
+    /// p-value of one mount for all heights, where there is a mount.
+    pub mount_steady_p: Option<f64>,
     /// p-value of what the population leaves of the mean waves.
     pub lack_of_fit_p: f64,
-    /// What explains the variation between drops.
-    pub covariates: Vec<CovariateEffect>,
+    /// p-value of how single records spread, under the population.
+    pub spread_p: f64,
+    /// What the touches may explain of the variation between drops.
+    pub covariates: Vec<Covariate>,
+    /// What would tell whether slopes grow with the fall.
+    pub separating: Option<SeparatingDrops>,
+    /// How readings and touch times of the fitted heights spread.
+    pub spreads: Vec<HeightSpread>,
+    /// One drop from the highest of them.
+    pub shown: Option<ShownDrop>,
     /// The tests.
     pub gates: Vec<Gate>,
     /// Mean windows: height, measured, predicted by the population, g.
@@ -88,33 +112,37 @@ impl LandingAssessment {
         };
         let fitted_touches = heights_of(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
-        let level = LandingProblem {
+        let rigid = LandingProblem {
             body: LeggedBody::of(evidence.model),
             model: evidence.model,
             waves: &prepared.problem,
             observed: &fitted_touches,
+            mounted: false,
         };
-        let first = level.fitted(None)?;
-        let scatter = LandingScatter::of(evidence.fitted, &level, &first)?;
-        let waves = scatter.problem(&prepared.problem);
-        let problem = level.at(&waves);
-        let fit = problem.fitted(Some(&first))?;
+        let first = rigid.fitted(None)?;
+        let without = PopulationFit::of(evidence, &rigid, &first)?;
+        let with = if without.lack_of_fit_p < RARE { without.with_mount(evidence, &rigid) } else { None };
+        let mounted = with.is_some();
+        let PopulationFit { fit, waves, lack_of_fit_p, spread_p } = with.unwrap_or(without);
+        let problem = LandingProblem { waves: &waves, mounted, ..rigid };
         let by_drops = problem.fitted_to_drops(&fit, None)?;
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
-        let jacobian = problem.sensitivity(&fit)?;
-        let seen = LinearisedFit { effects: DMatrix::zeros(jacobian.nrows(), 0), jacobian, samples: prepared.problem.expected.samples };
-        let bootstrap = scatter.bootstrap(&problem, &fit, evidence.seed)?;
-        let lack_of_fit_p = judge(&(prepared.problem.measured() - &predicted), &seen, &bootstrap)?.p;
         let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
         let gaps = match &held {
             Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, &by_drops, waves, touches, evidence.seed)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, &by_drops, evidence.seed)?,
         };
         let estimates = problem.estimates(&fit, evidence.seed)?;
+        let mount_steady_p = problem.mount_steady_p(&fit);
         let tables = problem.tables(&by_drops.legs)?;
-        let covariates = covariates(&fitted_touches, &tables, &fit, evidence.seed);
-        let heights = slopes_by_height(&fitted_touches, &problem.tables(&fit.legs)?, &fit)?;
+        let covariates = covariates(evidence.fitted, &fitted_touches, &tables, &fit);
+        let separating = separating(&problem, evidence.observed, &fit, evidence.seed);
+        let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &by_drops));
+        let tables = problem.tables(&fit.legs)?;
+        let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
+        let spreads = fitted_touches.heights.iter().zip(&tables).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
+        let spreads = spreads.collect();
         let samples = prepared.problem.expected.samples;
         let windows = evidence
             .fitted
@@ -132,8 +160,13 @@ impl LandingAssessment {
             by_drops,
             heights,
             gaps,
+            mount_steady_p,
             lack_of_fit_p,
+            spread_p,
             covariates,
+            separating,
+            spreads,
+            shown,
             gates: Vec::new(),
             windows,
             step_s: evidence.fitted.step_s,
@@ -150,6 +183,12 @@ impl LandingAssessment {
         self.gates.iter().all(|gate| gate.passed)
     }
 
+    /// The effects: slopes, and a mount where the mean waves need one.
+    pub fn ids(&self) -> Vec<&'static str> {
+        let mount = self.fit.legs.mount.map(|_| MOUNT_LOW_PASS);
+        [LANDING_TILT].into_iter().chain(mount).collect()
+    }
+
     /// Whether it is what the drops miss: every test was passed, and no effect along the vertical is named.
     pub fn decides(&self) -> bool {
         self.decides
@@ -159,7 +198,8 @@ impl LandingAssessment {
     pub fn verdict(&self, diagnosis: &Diagnosis) -> (Verdict, Vec<String>) {
         let mut reasons = diagnosis.reasons.clone();
         if self.decides {
-            reasons = self.gates.iter().map(|gate| format!("{LANDING_TILT}: {}", gate.found)).collect();
+            let effects = self.ids().join(" + ");
+            reasons = self.gates.iter().map(|gate| format!("{effects}: {}", gate.found)).collect();
             return (Verdict::Named, reasons);
         }
         if self.evidence.feet_in_one_plane() {
@@ -212,8 +252,14 @@ impl LandingAssessment {
             ),
             gate(
                 "constant",
-                steady_p >= UNSTEADY,
-                format!("one turning rate for all heights leaves the touch times within their errors (p = {steady_p:.1e})"),
+                steady_p >= UNSTEADY && self.mount_steady_p.is_none_or(|p| p >= UNSTEADY),
+                match self.mount_steady_p {
+                    None => format!("one turning rate for all heights leaves the touch times within their errors (p = {steady_p:.1e})"),
+                    Some(p) => format!(
+                        "one turning rate for all heights leaves the touch times within their errors (p = {steady_p:.1e}), and one mount \
+                         fits them all (p = {p:.1e})"
+                    ),
+                },
             ),
             gate(
                 "plausible",
@@ -227,7 +273,15 @@ impl LandingAssessment {
             gate(
                 "enough",
                 self.lack_of_fit_p >= RARE,
-                format!("what it leaves of the mean waves has p = {:.3} under trial variation", self.lack_of_fit_p),
+                format!("what {} leaves of the mean waves has p = {:.3} under trial variation", self.ids().join(" + "), self.lack_of_fit_p),
+            ),
+            gate(
+                "spread",
+                self.spread_p >= RARE,
+                format!(
+                    "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {:.3}",
+                    self.spread_p
+                ),
             ),
         ]
     }
@@ -249,19 +303,62 @@ fn slopes_by_height(observed: &ObservedLandings, tables: &[LandingTable], fit: &
     observed.heights.iter().zip(tables).map(one).collect()
 }
 
-/// Touch times, slope and order of the drops.
-fn covariates(observed: &ObservedLandings, tables: &[LandingTable], fit: &LandingFit, seed: u64) -> Vec<CovariateEffect> {
-    let windows: Vec<Vec<&[f64]>> =
-        observed.heights.iter().map(|height| height.drops.iter().map(|drop| &drop.window[..]).collect()).collect();
-    let times = observed.heights.iter().map(|height| height.drops.iter().map(|drop| drop.touches.delays_s().to_vec()).collect()).collect();
-    let slope = |(height, table): (&HeightLandings, &LandingTable)| {
+/// A population fitted in units of the scatter that it explains itself.
+struct PopulationFit {
+    fit: LandingFit,
+    waves: FitProblem,
+    lack_of_fit_p: f64,
+    spread_p: f64,
+}
+
+impl PopulationFit {
+    /// From a first fit, in units of the drops' own scatter.
+    fn of(evidence: &LandingEvidence, first: &LandingProblem, from: &LandingFit) -> Option<Self> {
+        let scatter = LandingScatter::of(evidence.fitted, first, from)?;
+        let waves = scatter.problem(first.waves);
+        let problem = first.at(&waves);
+        let fit = problem.fitted(Some(from))?;
+        let jacobian = problem.sensitivity(&fit)?;
+        let samples = waves.expected.samples;
+        let seen = LinearisedFit { effects: DMatrix::zeros(jacobian.nrows(), 0), jacobian, samples };
+        let bootstrap = scatter.bootstrap(&problem, &fit, evidence.seed)?;
+        let left = waves.measured() - problem.mean_windows(&fit.legs, &fit.slopes)?;
+        let lack_of_fit_p = judge(&left, &seen, &bootstrap)?.p;
+        let spread_p = scatter.spread_p(&problem, &fit, evidence.fitted, evidence.seed)?;
+        Some(Self { fit, waves, lack_of_fit_p, spread_p })
+    }
+
+    /// The same with a mount that gives way; `None` where that does not pay its price, or its numbers are none that a mount has.
+    fn with_mount(&self, evidence: &LandingEvidence, rigid: &LandingProblem) -> Option<Self> {
+        let problem = LandingProblem { mounted: true, ..rigid.at(&self.waves) };
+        let mounted = problem.fitted_with_mount(&self.fit)?;
+        let paid = mounted.minimum.sum + 2.0 * PRICE < self.fit.minimum.sum;
+        if !paid || mounted.has_mount_at_bound() {
+            return None;
+        }
+        let first = LandingProblem { mounted: true, ..rigid.clone() };
+        Self::of(evidence, &first, &mounted)
+    }
+}
+
+/// Touch times and slope of each drop of the fitted heights.
+fn covariates(fitted: &Waves, observed: &ObservedLandings, tables: &[LandingTable], fit: &LandingFit) -> Vec<Covariate> {
+    let mut times = Vec::new();
+    let mut slopes = Vec::new();
+    for ((group, height), table) in fitted.groups.iter().zip(&observed.heights).zip(tables) {
         let population = Population::of(table, &fit.slopes);
-        height.drops.iter().map(|drop| vec![given_touches(table, &population, &drop.touches).slope_rad]).collect()
-    };
-    let slopes = observed.heights.iter().zip(tables).map(slope).collect();
-    let order = observed.heights.iter().map(|height| (0..height.drops.len()).map(|at| vec![at as f64]).collect()).collect();
-    [("leg_times", times), ("landing_slope", slopes), ("trial", order)]
-        .into_iter()
-        .map(|(id, values)| Covariate { id: id.into(), values }.explains(&windows, seed))
-        .collect()
+        let read: Vec<Option<&LegTouches>> =
+            group.trials.iter().map(|trial| height.drops.iter().find(|drop| drop.trial == *trial).map(|drop| &drop.touches)).collect();
+        times.push(read.iter().map(|touches| touches.map(|touches| touches.delays_s().to_vec())).collect());
+        slopes.push(read.iter().map(|touches| touches.map(|touches| vec![given_touches(table, &population, touches).slope_rad])).collect());
+    }
+    vec![Covariate { id: "leg_times".into(), values: times }, Covariate { id: "landing_slope".into(), values: slopes }]
+}
+
+/// The lowest and the highest height of all drops, and how many from each would tell whether slopes grow with the fall.
+fn separating(problem: &LandingProblem, observed: &ObservedLandings, fit: &LandingFit, seed: u64) -> Option<SeparatingDrops> {
+    let heights_m = [observed.heights.first()?.height_m, observed.heights.last()?.height_m];
+    let table = |height_m: f64| LandingTable::of(&problem.body, &fit.legs, problem.model, &problem.waves.expected, height_m);
+    let (low, high) = (table(heights_m[0])?, table(heights_m[1])?);
+    Some(SeparatingDrops { heights_m, drops: drops_to_tell([&low, &high], &fit.slopes, seed) })
 }

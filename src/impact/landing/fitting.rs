@@ -3,9 +3,11 @@
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::LANDING_TILT;
 use super::legged_body::{LeggedBody, Legs, Slopes};
+use super::mount::{MOUNT_LOW_PASS, Mount};
 use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
@@ -15,20 +17,56 @@ use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Minimum, inverse, minimise};
 use crate::impact::measured::Spread;
 
-/// Keys, units and bounds of what is fitted.
-const PARAMETERS: [(&str, &str, [f64; 2]); 5] = [
-    ("k", "N/m", [300.0, 5e5]),
-    ("c", "N s/m", [0.05, 1000.0]),
-    ("inertia_kg_m2", "kg m2", [2e-5, 5e-2]),
-    ("sigma_r_rad_s", "rad/s", [0.0, 1.5]),
-    ("sigma_0_rad", "rad", [0.0, 0.25]),
+/// What is fitted.
+struct Parameter {
+    key: &'static str,
+    unit: &'static str,
+    bounds: [f64; 2],
+    /// Step of difference quotients, on the scale of the fit.
+    step: f64,
+    /// Where a fit begins.
+    start: f64,
+    kind: Kind,
+}
+
+/// Legs and mount are fitted as logarithms, slopes as they are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Leg,
+    Mount,
+    Slope,
+}
+
+impl Parameter {
+    const fn new(key: &'static str, unit: &'static str, bounds: [f64; 2], step: f64, start: f64, kind: Kind) -> Self {
+        Self { key, unit, bounds, step, start, kind }
+    }
+
+    fn inward(&self, value: f64) -> f64 {
+        if self.kind == Kind::Slope { value } else { libm::log(value) }
+    }
+
+    fn outward(&self, scaled: f64) -> f64 {
+        if self.kind == Kind::Slope { scaled } else { libm::exp(scaled) }
+    }
+}
+
+/// Legs, mount, slopes, in this order; the mount may be left out.
+const PARAMETERS: [Parameter; 7] = [
+    Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, Kind::Leg),
+    Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg),
+    Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg),
+    Parameter::new("f_hz", "Hz", [50.0, 1500.0], 0.02, 160.0, Kind::Mount),
+    Parameter::new("zeta", "1", [0.02, 1.5], 0.02, 0.3, Kind::Mount),
+    Parameter::new("sigma_r_rad_s", "rad/s", [0.0, 1.5], 0.01, 0.25, Kind::Slope),
+    Parameter::new("sigma_0_rad", "rad", [0.0, 0.25], 0.004, 0.02, Kind::Slope),
 ];
-/// The first so many are fitted as logarithms.
-const LOGARITHMIC: usize = 3;
-/// Steps of difference quotients, on the scale of the fit.
-const STEPS: [f64; 5] = [0.02, 0.02, 0.02, 0.01, 0.004];
-/// Where fits begin.
-const START: [f64; 5] = [1.5e4, 25.0, 1e-3, 0.25, 0.02];
+/// How many of them are slopes.
+const SLOPES: usize = 2;
+/// Where the mount's begin.
+const MOUNT_AT: usize = 3;
+/// Frequencies at which a fit with a mount begins, Hz.
+const MOUNTS_HZ: [f64; 2] = [120.0, 200.0];
 /// Most steps of a fit from the start, and from another fit's end.
 const MOST_STEPS: [usize; 2] = [25, 8];
 /// Resampled sets of drops.
@@ -45,6 +83,8 @@ pub struct LandingProblem<'a> {
     pub waves: &'a FitProblem,
     /// Touches, the same heights.
     pub observed: &'a ObservedLandings,
+    /// Whether the sensor has a mount that gives way.
+    pub mounted: bool,
 }
 
 /// A fit.
@@ -63,26 +103,39 @@ impl LandingFit {
         let (legs, slopes) = meaning(&minimum.at);
         Self { legs, slopes, minimum }
     }
+
+    /// Whether a number of the mount ended at its bound.
+    pub fn has_mount_at_bound(&self) -> bool {
+        let mounted = self.legs.mount.is_some();
+        mounted && self.minimum.at_bound[MOUNT_AT..].iter().rev().skip(SLOPES).any(|at_bound| *at_bound)
+    }
 }
 
+/// What numbers on the scale of the fit mean: those of the legs, of the mount where there are seven, and of the slopes.
 fn meaning(scaled: &[f64]) -> (Legs, Slopes) {
     let [k, c, i] = [0, 1, 2].map(|at| libm::exp(scaled[at]));
-    (Legs { stiffness_n_m: k, damping_n_s_m: c, inertia_kg_m2: i }, Slopes { rate_rad_s: scaled[3], at_release_rad: scaled[4] })
-}
-
-fn inward(at: usize, value: f64) -> f64 {
-    if at < LOGARITHMIC { libm::log(value) } else { value }
-}
-
-fn outward(at: usize, scaled: f64) -> f64 {
-    if at < LOGARITHMIC { libm::exp(scaled) } else { scaled }
-}
-
-fn bounds() -> [[f64; 2]; 5] {
-    std::array::from_fn(|at| PARAMETERS[at].2.map(|bound| inward(at, bound)))
+    let mount = match scaled[MOUNT_AT..scaled.len() - SLOPES] {
+        [f_hz, zeta] => Some(Mount { f_hz: libm::exp(f_hz), zeta: libm::exp(zeta) }),
+        _ => None,
+    };
+    let slopes = &scaled[scaled.len() - SLOPES..];
+    let legs = Legs { stiffness_n_m: k, damping_n_s_m: c, inertia_kg_m2: i, mount };
+    (legs, Slopes { rate_rad_s: slopes[0], at_release_rad: slopes[1] })
 }
 
 impl LandingProblem<'_> {
+    fn parameters(&self) -> Vec<&'static Parameter> {
+        PARAMETERS.iter().filter(|parameter| self.mounted || parameter.kind != Kind::Mount).collect()
+    }
+
+    fn bounds(&self) -> Vec<[f64; 2]> {
+        self.parameters().iter().map(|parameter| parameter.bounds.map(|bound| parameter.inward(bound))).collect()
+    }
+
+    fn steps(&self) -> Vec<f64> {
+        self.parameters().iter().map(|parameter| parameter.step).collect()
+    }
+
     /// The landings of the chosen heights.
     pub fn tables(&self, legs: &Legs) -> Option<Vec<LandingTable>> {
         let table =
@@ -104,10 +157,26 @@ impl LandingProblem<'_> {
         Some(DVector::from_vec(parts))
     }
 
+    /// Fits a population with a mount: from the end of one without, and from several frequencies of the mount.
+    pub fn fitted_with_mount(&self, without: &LandingFit) -> Option<LandingFit> {
+        let at = &without.minimum.at;
+        let (legs, slopes) = at.split_at(at.len() - SLOPES);
+        let fit = |f_hz: &f64| {
+            let start = [legs, &[libm::log(*f_hz), libm::log(PARAMETERS[MOUNT_AT + 1].start)], slopes].concat();
+            self.fitted_from(&start, MOST_STEPS[1])
+        };
+        let best = MOUNTS_HZ.iter().filter_map(fit).min_by(|a, b| a.minimum.sum.total_cmp(&b.minimum.sum))?;
+        self.fitted_from(&best.minimum.at, MOST_STEPS[0])
+    }
+
     /// Fits a population: mean waves, and quartiles of the touch times.
     pub fn fitted(&self, from: Option<&LandingFit>) -> Option<LandingFit> {
-        let start =
-            from.map_or_else(|| START.iter().enumerate().map(|(at, value)| inward(at, *value)).collect(), |fit| fit.minimum.at.clone());
+        let plain = || self.parameters().iter().map(|parameter| parameter.inward(parameter.start)).collect();
+        let start = from.map_or_else(plain, |fit: &LandingFit| fit.minimum.at.clone());
+        self.fitted_from(&start, MOST_STEPS[usize::from(from.is_some())])
+    }
+
+    fn fitted_from(&self, start: &[f64], most_steps: usize) -> Option<LandingFit> {
         let residual = |scaled: &[f64]| {
             let (legs, slopes) = meaning(scaled);
             let tables = self.tables(&legs)?;
@@ -124,13 +193,14 @@ impl LandingProblem<'_> {
             let waves = self.waves.whitened(&(self.waves.measured() - DVector::from_vec(predicted)));
             Some(DVector::from_iterator(waves.len() + delays.len(), waves.iter().copied().chain(delays)))
         };
-        Some(LandingFit::of(minimise(residual, &start, &bounds(), &STEPS, MOST_STEPS[usize::from(from.is_some())])?))
+        Some(LandingFit::of(minimise(residual, start, &self.bounds(), &self.steps(), most_steps)?))
     }
 
     /// Fits the legs to single drops, each with the slope that its own touch times show; slopes are distributed as in `population`.
     pub fn fitted_to_drops(&self, population: &LandingFit, from: Option<&LandingFit>) -> Option<LandingFit> {
         let slopes = population.slopes;
-        let start: Vec<f64> = from.unwrap_or(population).minimum.at[..LOGARITHMIC].to_vec();
+        let legs = self.parameters().len() - SLOPES;
+        let start: Vec<f64> = from.unwrap_or(population).minimum.at[..legs].to_vec();
         let residual = |scaled: &[f64]| {
             let whole: Vec<f64> = scaled.iter().copied().chain([slopes.rate_rad_s, slopes.at_release_rad]).collect();
             let tables = self.tables(&meaning(&whole).0)?;
@@ -142,7 +212,8 @@ impl LandingProblem<'_> {
             }
             Some(DVector::from_vec(all))
         };
-        let minimum = minimise(residual, &start, &bounds()[..LOGARITHMIC], &STEPS[..LOGARITHMIC], MOST_STEPS[usize::from(from.is_some())])?;
+        let most_steps = MOST_STEPS[usize::from(from.is_some())];
+        let minimum = minimise(residual, &start, &self.bounds()[..legs], &self.steps()[..legs], most_steps)?;
         let at = minimum.at.iter().copied().chain([slopes.rate_rad_s, slopes.at_release_rad]).collect();
         Some(LandingFit::of(Minimum { at, ..minimum }))
     }
@@ -161,13 +232,35 @@ impl LandingProblem<'_> {
         (mean.iter().map(|reading| reading * reading).sum::<f64>() / mean.len() as f64).sqrt().max(1.0)
     }
 
+    /// p-value of one mount for all heights: how far a step of the fit at each height alone, with the mount's numbers free, leads away from
+    /// their common values. `None` without a mount, or from one height alone.
+    pub fn mount_steady_p(&self, fit: &LandingFit) -> Option<f64> {
+        fit.legs.mount?;
+        let (samples, heights) = (self.waves.expected.samples, self.waves.chosen.len());
+        let columns = [MOUNT_AT, MOUNT_AT + 1];
+        let (mut normal_sum, mut right_sum) = (DMatrix::zeros(2, 2), DVector::zeros(2));
+        let mut apart = 0.0;
+        for at in 0..heights {
+            let jacobian = fit.minimum.jacobian.rows(at * samples, samples).select_columns(&columns);
+            let (normal, right) =
+                (jacobian.transpose() * &jacobian, jacobian.transpose() * fit.minimum.residual.rows(at * samples, samples));
+            apart += right.dot(&(inverse(&normal)? * &right));
+            normal_sum += normal;
+            right_sum += right;
+        }
+        apart -= right_sum.dot(&(inverse(&normal_sum)? * &right_sum));
+        let freedom = columns.len() * heights.checked_sub(1).filter(|free| *free > 0)?;
+        Some(ChiSquared::new(freedom as f64).ok()?.sf(apart.max(0.0)))
+    }
+
     /// Change of the predicted mean windows, g, with each parameter on the scale of the fit.
     pub fn sensitivity(&self, fit: &LandingFit) -> Option<DMatrix<f64>> {
         let here = self.mean_windows(&fit.legs, &fit.slopes)?;
-        let mut columns = DMatrix::zeros(here.len(), PARAMETERS.len());
-        for (at, step) in STEPS.into_iter().enumerate() {
+        let (steps, bounds) = (self.steps(), self.bounds());
+        let mut columns = DMatrix::zeros(here.len(), steps.len());
+        for (at, step) in steps.into_iter().enumerate() {
             let mut moved = fit.minimum.at.clone();
-            let step = if moved[at] + step > bounds()[at][1] { -step } else { step };
+            let step = if moved[at] + step > bounds[at][1] { -step } else { step };
             moved[at] += step;
             let (legs, slopes) = meaning(&moved);
             columns.set_column(at, &((self.mean_windows(&legs, &slopes)? - &here) / step));
@@ -181,20 +274,23 @@ impl LandingProblem<'_> {
     pub fn estimates(&self, fit: &LandingFit, seed: u64) -> Option<Vec<EffectEstimate>> {
         let minimum = &fit.minimum;
         // What lies at a bound is not moved by other drops, or to the inside only: it is left out of the step.
-        let free: Vec<usize> = (0..PARAMETERS.len()).filter(|at| !minimum.at_bound[*at]).collect();
+        let parameters = self.parameters();
+        let free: Vec<usize> = (0..parameters.len()).filter(|at| !minimum.at_bound[*at]).collect();
         let jacobian = minimum.jacobian.select_columns(&free);
         let step = inverse(&(jacobian.transpose() * &jacobian))? * jacobian.transpose();
         let mut rng = Pcg64::seed_from_u64(seed);
         let moved: Vec<DVector<f64>> = (0..RESAMPLED).filter_map(|_| Some(&step * self.change_by_drawing(&mut rng)?)).collect();
-        let estimate = |(at, (key, unit, bound)): (usize, (&'static str, &'static str, [f64; 2]))| {
+        let estimate = |(at, parameter): (usize, &&'static Parameter)| {
+            let Parameter { key, unit, bounds, kind, .. } = **parameter;
+            let effect = if kind == Kind::Mount { MOUNT_LOW_PASS } else { LANDING_TILT };
             let scaled = minimum.at[at];
             let column = free.iter().position(|free| *free == at);
             let spread = column.and_then(|column| Spread::middle(moved.iter().map(|step| step[column]), 0.95)).unwrap_or([0.0; 2]);
-            let [low, high] = spread.map(|change| outward(at, scaled + change).clamp(bound[0], bound[1]));
-            let at_bound = minimum.at_bound[at] && outward(at, scaled) > 0.0;
-            EffectEstimate { effect: LANDING_TILT, key, unit, value: outward(at, scaled), ci95: [low, high], at_bound }
+            let [low, high] = spread.map(|change| parameter.outward(scaled + change).clamp(bounds[0], bounds[1]));
+            let value = parameter.outward(scaled);
+            EffectEstimate { effect, key, unit, value, ci95: [low, high], at_bound: minimum.at_bound[at] && value > 0.0 }
         };
-        Some(PARAMETERS.into_iter().enumerate().map(estimate).collect())
+        Some(parameters.iter().enumerate().map(estimate).collect())
     }
 
     /// How the residual changes when drops are drawn with replacement, each with its wave and its touches.

@@ -3,7 +3,7 @@
 /// One of them.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Gate {
-    /// Its name: `touches`, `held_out`, `drops`, `constant`, `plausible` or `enough`.
+    /// Its name: `touches`, `held_out`, `drops`, `constant`, `plausible`, `enough` or `spread`.
     pub id: &'static str,
     /// Whether it was passed.
     pub passed: bool,

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use super::fitting::{LandingFit, LandingProblem};
 use super::population::Population;
+use super::record_spread::{SpreadNumbers, numbers, spread_p};
 use super::table::{LandingTable, phase_covariance};
 use crate::impact::diagnose::{Bootstrap, REPLICATES, Replicate};
 use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, Waves, Whitening};
@@ -58,9 +59,7 @@ impl LandingScatter {
     pub fn bootstrap(&self, problem: &LandingProblem, fit: &LandingFit, seed: u64) -> Option<Bootstrap> {
         let tables = problem.tables(&fit.legs)?;
         let populations: Vec<Population> = tables.iter().map(|table| Population::of(table, &fit.slopes)).collect();
-        let rest = self.trials.nearest_beside_known(&self.model).into_iter().zip(&self.phases);
-        let roots = rest.map(|(rest, phases)| Some((rest + phases).cholesky()?.unpack()));
-        let roots: Vec<DMatrix<f64>> = roots.collect::<Option<_>>()?;
+        let roots = self.roots()?;
         let drawn = |number: usize| {
             let mut rng = Pcg64::new(u128::from(seed), 2 * number as u128 + 1);
             let mut means = Vec::new();
@@ -78,6 +77,36 @@ impl LandingScatter {
         };
         let each: Vec<Replicate> = (0..REPLICATES).into_par_iter().filter_map(drawn).collect();
         (each.len() >= REPLICATES / 2).then(|| Bootstrap { whitening: self.whitening.clone(), each })
+    }
+}
+
+/// Sets of records that are drawn to judge how those that were measured spread.
+const SETS: usize = 300;
+
+impl LandingScatter {
+    /// Roots of the covariances of what varies beside the slopes, height by height, g.
+    fn roots(&self) -> Option<Vec<DMatrix<f64>>> {
+        let rest = self.trials.nearest_beside_known(&self.model).into_iter().zip(&self.phases);
+        rest.map(|(rest, phases)| Some((rest + phases).cholesky()?.unpack())).collect()
+    }
+
+    /// p-value of how single records of the fitted heights spread, under the population.
+    pub fn spread_p(&self, problem: &LandingProblem, fit: &LandingFit, waves: &Waves, seed: u64) -> Option<f64> {
+        let (tables, roots) = (problem.tables(&fit.legs)?, self.roots()?);
+        let populations: Vec<Population> = tables.iter().map(|table| Population::of(table, &fit.slopes)).collect();
+        let set = |number: usize| -> Option<SpreadNumbers> {
+            let mut rng = Pcg64::new(u128::from(seed), 2 * number as u128);
+            let each = tables.iter().zip(&populations).zip(&roots).zip(self.trials.counts());
+            each.map(|(((table, population), root), count)| {
+                let records = records(table, population, root, *count, &mut rng)?;
+                Some(records.column_iter().map(|record| numbers(record.iter().copied())).collect())
+            })
+            .collect()
+        };
+        let simulated: Vec<SpreadNumbers> = (0..SETS).into_par_iter().filter_map(set).collect();
+        let measured =
+            waves.groups.iter().map(|group| group.windows.iter().map(|window| numbers(window.iter().copied())).collect()).collect();
+        (!simulated.is_empty()).then(|| spread_p(&measured, &simulated))
     }
 }
 

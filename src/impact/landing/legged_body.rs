@@ -1,5 +1,6 @@
 //! What lands: a rigid body on four legs, and how its slope varies between drops.
 
+use super::mount::Mount;
 use crate::impact::effects::Fall;
 use crate::impact::effects::Model;
 
@@ -31,7 +32,7 @@ impl LeggedBody {
     }
 }
 
-/// The legs: each carries a quarter, pushes and never pulls.
+/// The legs: each carries a quarter, pushes and never pulls; and what carries the sensor.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Legs {
     /// Stiffness of all four together, N/m.
@@ -40,6 +41,8 @@ pub struct Legs {
     pub damping_n_s_m: f64,
     /// Moment of inertia of the body about a horizontal axis, kg m².
     pub inertia_kg_m2: f64,
+    /// What carries the sensor; `None` for one that is fixed to the body.
+    pub mount: Option<Mount>,
 }
 
 /// How the landing's slope varies between drops: along each diagonal a normal quantity with mean 0.

@@ -7,32 +7,37 @@
 //! [`LandingAssessment`] puts the effect `landing_tilt` to the tests that every named effect has to pass.
 
 mod assessment;
-mod covariate;
 mod evidence;
 mod fitting;
 mod gaps;
 mod gate;
 mod landing_scatter;
 mod legged_body;
+mod mount;
 mod observed;
 mod population;
 mod posterior;
+mod record_spread;
+mod shown;
 mod simulation;
 mod slope_grid;
+mod spike;
 mod table;
+mod touch_power;
 mod touches;
 
-pub use assessment::{LandingAssessment, LandingEvidence, SlopesAtHeight};
-pub use covariate::{Covariate, CovariateEffect};
+pub use assessment::{LandingAssessment, LandingEvidence, SeparatingDrops, SlopesAtHeight};
 pub use evidence::TouchEvidence;
 pub use fitting::{LandingFit, LandingProblem};
 pub use gaps::LandingGaps;
 pub use gate::Gate;
 pub use landing_scatter::LandingScatter;
 pub use legged_body::{COGNIFLY_FOOT_RADIUS_M, LeggedBody, Legs, Slopes};
+pub use mount::{MOUNT_LOW_PASS, Mount};
 pub use observed::{HeightLandings, ObservedLanding, ObservedLandings};
 pub use population::Population;
 pub use posterior::{SlopeEstimate, given_touches};
+pub use shown::{HeightSpread, ShownDrop};
 pub use simulation::{Landing, simulate};
 pub use table::LandingTable;
 pub use touches::{LegTouches, Touch};

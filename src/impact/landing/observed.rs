@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::touches::LegTouches;
 use crate::impact::fit::{Chosen, Waves};
-use crate::impact::measured::Spread;
+use crate::impact::measured::{Drop, Spread};
 
 /// The least spike of a touch that is believed, g.
 pub const SEEN_G: f64 = 20.0;
@@ -41,15 +41,17 @@ pub struct ObservedLandings {
 impl ObservedLandings {
     /// Reads the touches of the drops that a fit takes; `None` where a height has no lateral axes.
     pub fn of(chosen: &Chosen, waves: &Waves) -> Option<Self> {
+        let drop = |trial: &String, height_m: f64| {
+            let same = |drop: &&Drop| drop.record.trial == *trial && drop.record.height_m == height_m;
+            chosen.drops.iter().find(same)
+        };
+        let all = waves.groups.iter().flat_map(|group| group.trials.iter().map(|trial| drop(trial, group.height_m)));
+        let mut touches = LegTouches::of_all(&all.collect::<Vec<_>>()).into_iter();
         let heights = waves.groups.iter().map(|group| {
-            let touches = |trial: &str| {
-                let same = |drop: &&crate::impact::measured::Drop| drop.record.trial == trial && drop.record.height_m == group.height_m;
-                chosen.drops.iter().find(same).and_then(LegTouches::of)
-            };
-            let read = group.trials.iter().zip(&group.windows);
+            let read = group.trials.iter().zip(&group.windows).zip(touches.by_ref());
             let drops: Vec<ObservedLanding> = read
-                .filter_map(|(trial, window)| {
-                    Some(ObservedLanding { trial: trial.clone(), window: window.clone(), touches: touches(trial)? })
+                .filter_map(|((trial, window), touches)| {
+                    Some(ObservedLanding { trial: trial.clone(), window: window.clone(), touches: touches? })
                 })
                 .collect();
             HeightLandings { height_m: group.height_m, drops }

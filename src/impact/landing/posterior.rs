@@ -7,7 +7,7 @@ use super::table::LandingTable;
 use super::touches::LegTouches;
 
 /// Standard deviation of a touch time that was read, s: the clock's step, and feet that slide.
-const READ_S: f64 = 0.9e-3;
+pub const READ_S: f64 = 0.9e-3;
 /// Times that belong to no touch lie evenly within this, s.
 const STRAY_S: f64 = 15e-3;
 /// A spike of this size is as often a stray as not, g.
@@ -22,6 +22,8 @@ pub struct SlopeEstimate {
     pub slope_rad: f64,
     /// Its standard deviation, rad.
     pub deviation_rad: f64,
+    /// Expected angle of the slope to the nearest diagonal, rad.
+    pub direction_rad: f64,
     /// Expected window, g.
     pub window: DVector<f64>,
 }
@@ -44,5 +46,11 @@ pub fn given_touches(table: &LandingTable, population: &Population, touches: &Le
     let weights = if sum > 0.0 { weights / sum } else { population.weights().clone() };
     let moment = |power: i32| table.points.iter().zip(weights.iter()).map(|(point, w)| w * point.slope_rad.powi(power)).sum::<f64>();
     let slope_rad = moment(1);
-    SlopeEstimate { slope_rad, deviation_rad: (moment(2) - slope_rad * slope_rad).max(0.0).sqrt(), window: &table.windows * weights }
+    let direction_rad = table.points.iter().zip(weights.iter()).map(|(point, weight)| weight * point.direction_rad).sum();
+    SlopeEstimate {
+        slope_rad,
+        deviation_rad: (moment(2) - slope_rad * slope_rad).max(0.0).sqrt(),
+        direction_rad,
+        window: &table.windows * weights,
+    }
 }

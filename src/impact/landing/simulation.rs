@@ -88,7 +88,7 @@ mod tests {
     use super::*;
 
     const BODY: LeggedBody = LeggedBody { mass_kg: 0.241, foot_radius_m: 0.1445, centre_height_m: 0.05 };
-    const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, inertia_kg_m2: 1e-3 };
+    const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, inertia_kg_m2: 1e-3, mount: None };
 
     #[test]
     fn analytic_a_level_landing_is_that_of_one_spring_and_damper() {

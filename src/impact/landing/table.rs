@@ -80,13 +80,14 @@ fn landed(
 ) -> Option<(Vec<f64>, [Option<f64>; FEET])> {
     let [speed_m_s, _] = fall(model, height_m);
     let landing = simulate(body, legs, speed_m_s, slopes, expected.fine_points())?;
-    Some((filtered(&landing.accel_g, &model.arrangement().sensor), landing.touch_s))
+    let mut wave = landing.accel_g;
+    legs.mount.iter().for_each(|mount| mount.carry(&mut wave, STEP_S));
+    Some((filtered(wave, &model.arrangement().sensor), landing.touch_s))
 }
 
 /// What the sensor reads: its stages one after the other, gain and limit.
-fn filtered(accel_g: &[f64], sensor: &Sensor) -> Vec<f64> {
+fn filtered(mut wave: Vec<f64>, sensor: &Sensor) -> Vec<f64> {
     let kept = libm::exp(-sensor.rate_1_s() * STEP_S);
-    let mut wave = accel_g.to_vec();
     for _ in 0..sensor.order {
         let mut state = 0.0;
         for reading in &mut wave {

@@ -1,21 +1,32 @@
 //! When each foot touches, read from the lateral axes of one drop.
 //!
-//! A foot that touches pushes the frame away from it: a spike of 1 to 2 ms along its diagonal. The largest reading along each
-//! direction is that foot's touch. Its time is the centroid of the spike. Source: the CogniFly drops; feet stand on the diagonals of
-//! the sensor's x and y. *When it is wrong:* a rebound of one foot's spike is taken for the opposite foot where that one hardly
-//! shows; sizes say how far to trust a time.
+//! A foot that touches pushes the frame away from it: a spike of 1 to 2 ms along its diagonal. All four feet are read together as
+//! spikes of one shape ([`SpikeShape`]), beginning with the largest within 2 ms of the trigger. Source: the CogniFly
+//! drops; feet stand on the diagonals of the sensor's x and y. *When it is wrong:* two feet of one diagonal that touch within half a
+//! millisecond cancel each other; sizes say how far to trust a time.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
+use rayon::prelude::*;
+
 use super::simulation::FEET;
+use super::spike::{Channel, Spike, SpikeShape};
 use crate::impact::measured::Drop;
 
 /// The first touch is looked for in so long a time behind the trigger, s.
 const FIRST_S: f64 = 2e-3;
 /// The others in so long, s.
 pub(super) const LAST_S: f64 = 15e-3;
-/// Half the length of a spike, s.
+/// About the length of a spike, s.
 const SPIKE_S: f64 = 1e-3;
+/// Readings before the trigger that may show the first spike's begin, s.
+const BEFORE_S: f64 = 2e-3;
+/// Time between the readings that are compared with spikes, s; slower loggers keep their own.
+const CHANNEL_STEP_S: f64 = 0.25e-3;
+/// Part of the largest spike that one needs to be the first.
+const BELIEVED: f64 = 0.3;
+/// How often touches and shape are found in turn.
+const ROUNDS: usize = 5;
 
 /// One foot's touch.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -42,34 +53,25 @@ pub struct LegTouches {
 }
 
 impl LegTouches {
-    /// Reads a drop; `None` where the lateral axes were not measured, or the record ends too soon.
-    pub fn of(drop: &Drop) -> Option<Self> {
-        let (t_s, [x, y, _]) = drop.aligned_axes()?;
-        let along = [0, 1, 2, 3].map(|foot| x.iter().zip(&y).map(|(x, y)| toward(foot, *x, *y)).collect::<Vec<f64>>());
-        let start = t_s.partition_point(|t_s| *t_s < 1e-9);
-        let end = |length_s: f64| t_s.partition_point(|t_s| *t_s < length_s + 1e-9);
-        let (first_end, last_end) = (end(FIRST_S + SPIKE_S), end(LAST_S));
-        if start >= first_end || *t_s.last()? < LAST_S {
-            return None;
-        }
-        let largest = |foot: usize, until: usize| (start..until).max_by(|a, b| along[foot][*a].total_cmp(&along[foot][*b]));
-        let firsts: Vec<(usize, usize)> = (0..FEET).filter_map(|foot| Some((foot, largest(foot, first_end)?))).collect();
-        let (first, peak) = *firsts.iter().max_by(|a, b| along[a.0][a.1].total_cmp(&along[b.0][b.1]))?;
-        let first_s = centroid_s(&t_s, &along[first], peak, start);
-        let touch = |foot: usize| {
-            let at = largest(foot, last_end)?;
-            let delay_s = (centroid_s(&t_s, &along[foot], at, start) - first_s).max(0.0);
-            Some(Touch { delay_s, size_g: along[foot][at].max(0.0) })
+    /// Reads drops together, as they show one shape of spike; `None` for a drop whose lateral axes were not measured, or whose record ends
+    /// too soon.
+    pub fn of_all(drops: &[Option<&Drop>]) -> Vec<Option<Self>> {
+        let lateral: Vec<Option<LateralReadings>> = drops.iter().map(|drop| drop.and_then(LateralReadings::of)).collect();
+        let read = |shape: &SpikeShape| -> Vec<Option<FourSpikes>> {
+            lateral.par_iter().map(|one| one.as_ref().map(|one| one.read(shape))).collect()
         };
-        let mut beside = [touch((first + 2) % FEET)?, touch(((first + 2) % FEET) ^ 1)?];
-        beside.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s));
-        Some(Self {
-            first,
-            first_size_g: along[first][peak].max(0.0),
-            direction_rad: libm::atan2(y[peak], x[peak]),
-            opposite: touch(first ^ 1)?,
-            beside,
-        })
+        let mut shape = SpikeShape::first();
+        for _ in 0..ROUNDS {
+            let spikes = read(&shape);
+            let known = lateral.iter().flatten().zip(spikes.iter().flatten());
+            let channels: Vec<(Channel, [Spike; 2])> = known.flat_map(|(one, spikes)| one.channels.iter().cloned().zip(*spikes)).collect();
+            match SpikeShape::of(&channels) {
+                Some(next) => shape = next,
+                None => break,
+            }
+        }
+        let spikes = read(&shape);
+        lateral.iter().zip(spikes).map(|(one, spikes)| Some(one.as_ref()?.touches(&spikes?))).collect()
     }
 
     /// The least of the four spikes, g.
@@ -89,15 +91,129 @@ fn toward(foot: usize, x: f64, y: f64) -> f64 {
     FRAC_1_SQRT_2 * if foot.is_multiple_of(2) { diagonal } else { -diagonal }
 }
 
-/// Centroid of what is positive of a spike.
-fn centroid_s(t_s: &[f64], along: &[f64], peak: usize, start: usize) -> f64 {
-    let near = |at: &usize| (t_s[*at] - t_s[peak]).abs() <= SPIKE_S * (1.0 + 1e-6) + 1e-9;
-    let (mut weighted, mut sum) = (0.0, 0.0);
-    for at in (start..t_s.len()).skip_while(|at| t_s[*at] < t_s[peak] - 2.0 * SPIKE_S).take_while(|at| *at <= peak || near(at)).filter(near)
-    {
-        let weight = along[at].max(0.0);
-        weighted += weight * t_s[at];
-        sum += weight;
+/// The spikes of the first foot and of the opposite one, and of the two beside.
+type FourSpikes = [[Spike; 2]; 2];
+
+/// What a drop's lateral axes show.
+struct LateralReadings {
+    first: usize,
+    /// When the first spike seems to begin, s.
+    begin_s: f64,
+    direction_rad: f64,
+    /// Toward the side to which the first foot pushes, and toward the one to which the next foot does.
+    channels: [Channel; 2],
+}
+
+impl LateralReadings {
+    fn of(drop: &Drop) -> Option<Self> {
+        let (t_s, [x, y, _]) = drop.aligned_axes()?;
+        let start = t_s.partition_point(|t_s| *t_s < 1e-9);
+        let first_end = t_s.partition_point(|t_s| *t_s < FIRST_S + SPIKE_S + 1e-9);
+        if start >= first_end || *t_s.last()? < LAST_S {
+            return None;
+        }
+        let (first, peak) = (0..FEET)
+            .flat_map(|foot| (start..first_end).map(move |at| (foot, at)))
+            .max_by(|a, b| toward(a.0, x[a.1], y[a.1]).total_cmp(&toward(b.0, x[b.1], y[b.1])))?;
+        let step_s = (t_s.last()? - t_s.first()?) / (t_s.len() as f64 - 1.0);
+        let span = t_s.partition_point(|t_s| *t_s < -BEFORE_S)..t_s.partition_point(|t_s| *t_s < LAST_S + SPIKE_S);
+        // Faster loggers are averaged: a shape with corners every half millisecond shows no more.
+        let together = (CHANNEL_STEP_S / step_s).round().max(1.0) as usize;
+        let blocks: Vec<std::ops::Range<usize>> = span.clone().step_by(together).map(|at| at..(at + together).min(span.end)).collect();
+        let mean =
+            |block: &std::ops::Range<usize>, value: &dyn Fn(usize) -> f64| block.clone().map(value).sum::<f64>() / block.len() as f64;
+        let channel = |foot: usize| Channel {
+            t_s: blocks.iter().map(|block| mean(block, &|at| t_s[at])).collect(),
+            along_g: blocks.iter().map(|block| mean(block, &|at| toward(foot, x[at], y[at]))).collect(),
+        };
+        Some(Self {
+            first,
+            begin_s: t_s[peak] - 0.5 * SPIKE_S,
+            direction_rad: libm::atan2(y[peak], x[peak]),
+            channels: [channel(first), channel(beside(first)[0])],
+        })
     }
-    if sum > 0.0 { weighted / sum } else { t_s[peak] }
+
+    fn read(&self, shape: &SpikeShape) -> FourSpikes {
+        let span_s = [self.begin_s - SPIKE_S, LAST_S];
+        [shape.read(&self.channels[0], span_s, Some(self.begin_s)), shape.read(&self.channels[1], span_s, None)]
+    }
+
+    /// The foot that touched first is the earliest one, not the one with the largest spike: where two touch nearly together, the times of
+    /// the wrong one's opposite foot are too short.
+    fn touches(&self, [own, other]: &FourSpikes) -> LegTouches {
+        let feet = [self.first, self.first ^ 1, beside(self.first)[0], beside(self.first)[1]];
+        let spikes = [own[0], own[1], other[0], other[1]];
+        let largest = spikes.iter().map(|spike| spike.size_g).fold(0.0, f64::max);
+        let believed = |at: &usize| spikes[*at].size_g >= BELIEVED * largest;
+        let at = (0..FEET).filter(believed).min_by(|a, b| spikes[*a].at_s.total_cmp(&spikes[*b].at_s)).unwrap_or(0);
+        let first_s = spikes[at].at_s;
+        let touch = |at: usize| Touch { delay_s: (spikes[at].at_s - first_s).max(0.0), size_g: spikes[at].size_g };
+        let mut beside = [touch((at + 2) % FEET), touch(((at + 2) % FEET) ^ 1)];
+        beside.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s));
+        LegTouches { first: feet[at], first_size_g: spikes[at].size_g, direction_rad: self.direction_rad, opposite: touch(at ^ 1), beside }
+    }
+}
+
+/// The feet at the ends of the other diagonal.
+fn beside(foot: usize) -> [usize; 2] {
+    let next = (foot + 2) % FEET;
+    [next, next ^ 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{RngExt, SeedableRng};
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64;
+
+    use super::*;
+    use crate::impact::measured::{FileFormat, JudgedDrops, read_bytes};
+
+    /// A spike that no shape here has: a triangle of 1.2 ms, and a rebound of a third that is twice as long.
+    fn spike(since_s: f64) -> f64 {
+        let triangle = |place: f64| (1.0 - (2.0 * place - 1.0).abs()).max(0.0);
+        triangle(since_s / 1.2e-3) - 0.33 * triangle((since_s - 1.2e-3) / 2.4e-3)
+    }
+
+    /// A table of drops whose feet touch at these times, the first at +x +y, then opposite, then those beside.
+    fn table(drops: &[[f64; 4]]) -> String {
+        let mut rng = Pcg64::seed_from_u64(5);
+        let mut text = String::from("trial,height_m,t_s,accel_g,x,y\n");
+        for (trial, times) in drops.iter().enumerate() {
+            let phase: f64 = rng.random();
+            let sizes: [f64; 4] = std::array::from_fn(|_| rng.random_range(50.0..90.0));
+            for i in 0..50 {
+                let t_s = (f64::from(i) - 12.0 + phase) * 1e-3;
+                let each: [f64; 4] = std::array::from_fn(|foot| sizes[foot] * spike(t_s - times[foot]));
+                let (a, b) = (each[0] - each[1], each[2] - each[3]);
+                let noise: [f64; 2] = std::array::from_fn(|_| StandardNormal.sample(&mut rng));
+                let [x, y] = [a + b + noise[0], a - b + noise[1]].map(|reading| FRAC_1_SQRT_2 * reading);
+                let axial = if (0.0..0.012).contains(&t_s) { 60.0 * libm::sin(t_s / 0.012 * std::f64::consts::PI) + 4.0 } else { 0.0 };
+                text += &format!("{trial},1,{},{axial},{x},{y}\n", f64::from(i) * 1e-3);
+            }
+        }
+        text
+    }
+
+    #[test]
+    fn planted_touches_are_read_though_their_spikes_overlap() {
+        let mut rng = Pcg64::seed_from_u64(3);
+        let drops: Vec<[f64; 4]> = (0..60)
+            .map(|_| {
+                let near = rng.random_range(0.2e-3..2.5e-3);
+                let far = near + rng.random_range(0.2e-3..2.5e-3);
+                [0.0, near + far, near, far]
+            })
+            .collect();
+        let set = read_bytes(&[("a.csv".into(), table(&drops).into_bytes())], &FileFormat::default()).expect("reads");
+        let judged = JudgedDrops::of(&set).groups;
+        let all: Vec<Option<&Drop>> = judged[0].1.iter().map(Some).collect();
+        let read = LegTouches::of_all(&all);
+        let off: Vec<f64> = read.iter().zip(&drops).map(|(read, truth)| read.expect("has touches").opposite.delay_s - truth[1]).collect();
+        let mean = off.iter().sum::<f64>() / off.len() as f64;
+        let mut sizes: Vec<f64> = off.iter().map(|off| off.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        assert!(mean.abs() < 0.15e-3 && sizes[30] < 0.15e-3 && sizes[54] < 0.6e-3, "{mean} {} {}", sizes[30], sizes[54]);
+    }
 }

@@ -91,6 +91,7 @@ mod tests {
                     t_s: (0..40).map(|at| 1e-3 * f64::from(at)).collect(),
                     accel_g: accel_g.collect(),
                     axes_g: None,
+                    columns: std::collections::BTreeMap::new(),
                     at_full_scale: 0,
                 }
             };

@@ -3,6 +3,8 @@
 //! Source of the calibration: 27 tumbles in the notebook of arXiv 2103.04423 (thecognifly/CrashLandingExperiments).
 //! *When it is wrong:* the lateral axes have a scale of their own that was only estimated, and offsets drift with warmth.
 
+use std::collections::BTreeMap;
+
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
 
@@ -79,7 +81,18 @@ pub(super) fn record(bytes: &[u8], label: Label, calibration: &Calibration) -> R
         }
     }
     let accel_g = axes_g[2].clone();
-    Ok(Record { trial, height_m, frame, session: None, source, t_s, accel_g, axes_g: Some(axes_g), at_full_scale })
+    Ok(Record {
+        trial,
+        height_m,
+        frame,
+        session: None,
+        source,
+        t_s,
+        accel_g,
+        axes_g: Some(axes_g),
+        columns: BTreeMap::new(),
+        at_full_scale,
+    })
 }
 
 #[cfg(test)]

@@ -134,6 +134,20 @@ pub enum Fault {
         /// Here.
         height_m: f64,
     },
+    /// A quantity of a drop that changes within it.
+    #[error("`{column}` is not the same in all rows of trial `{trial}`")]
+    Varies {
+        /// Column.
+        column: String,
+        /// Trial.
+        trial: String,
+    },
+    /// A row about a drop that another row is about, too.
+    #[error("has a second row of trial `{trial}`")]
+    TwoRows {
+        /// Trial.
+        trial: String,
+    },
 }
 
 impl Fault {
@@ -158,6 +172,8 @@ impl Fault {
             Self::OutOfBounds { .. } => "look at the unit".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
             Self::Unsorted { .. } => "sort the rows of each trial by t_s; two drops need two names".into(),
+            Self::Varies { .. } => "a covariate is one value a drop: give it in a table of its own, a row a drop".into(),
+            Self::TwoRows { .. } => "give each drop one row; where trials are numbered anew at each height, add height_m".into(),
             Self::MixedHeights { .. } => "give each drop a name of its own, and one height".into(),
         }
     }

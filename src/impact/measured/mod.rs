@@ -12,6 +12,7 @@ mod clock_sign;
 mod clock_trace;
 #[cfg(feature = "cli")]
 mod disk;
+mod drop_table;
 mod fall;
 mod fall_length;
 mod file_format;
@@ -38,6 +39,7 @@ pub use clock_period::ClockPeriod;
 pub use clock_sign::ClockSign;
 #[cfg(feature = "cli")]
 pub use disk::read;
+pub use drop_table::DropTable;
 pub use fall::Fall;
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};

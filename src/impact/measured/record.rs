@@ -1,5 +1,7 @@
 //! A record, and records by frame and height.
 
+use std::collections::BTreeMap;
+
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {
@@ -20,6 +22,8 @@ pub struct Record {
     /// Proper acceleration along the sensor's x, y and z, g, where they were measured. The third is [`Self::accel_g`] where a file
     /// has no other.
     pub axes_g: Option<[Vec<f64>; 3]>,
+    /// Further columns of a table that were asked for, by name, and what other tables say of this drop.
+    pub columns: BTreeMap<String, String>,
     /// How many samples stand at an end of the converter's range.
     pub at_full_scale: usize,
 }
@@ -29,6 +33,11 @@ impl Record {
     pub fn size_g(&self, sample: usize) -> f64 {
         let magnitude = |axes: &[Vec<f64>; 3]| axes.iter().map(|axis| axis[sample] * axis[sample]).sum::<f64>().sqrt();
         self.axes_g.as_ref().map_or_else(|| self.accel_g[sample].abs(), magnitude)
+    }
+
+    /// What a further column says; `None` where it says nothing.
+    pub fn column(&self, name: &str) -> Option<&str> {
+        self.columns.get(name).map(String::as_str).filter(|value| !value.is_empty())
     }
 
     /// Every axis there is: x, y and z, or the one.

@@ -77,6 +77,10 @@ impl Builder<'_> {
         let stamp_s = self.header.time.map(|at| scaled(row, at, "t_s", &TIMES_S, "s", self.format.time_s)).transpose()?;
         let at = self.place(row, stamp_s)?;
         let record = &mut self.records[at];
+        let differs = self.header.kept.iter().find(|(name, column)| record.columns.get(name).is_some_and(|of| *of != text(row, *column)));
+        if let Some((name, _)) = differs {
+            return Err(Fault::Varies { column: name.clone(), trial: record.trial.clone() });
+        }
         let t_s = stamp_s.unwrap_or(record.len() as f64 / self.format.rate_hz.unwrap_or(1.0));
         if let Some(before_s) = record.t_s.last().copied().filter(|before_s| *before_s >= t_s) {
             return Err(Fault::Unsorted { trial: record.trial.clone(), before_s, t_s });
@@ -124,6 +128,7 @@ impl Builder<'_> {
                 t_s: Vec::new(),
                 accel_g: Vec::new(),
                 axes_g: matches!(self.header.axes, [Some(_), Some(_), _]).then(<[Vec<f64>; 3]>::default),
+                columns: self.header.kept.iter().map(|(name, column)| (name.clone(), text(row, *column))).collect(),
                 at_full_scale: 0,
             });
         }
@@ -162,6 +167,11 @@ impl Builder<'_> {
         }
         Ok(())
     }
+}
+
+/// What stands in a field.
+fn text(row: &csv::ByteRecord, at: usize) -> String {
+    String::from_utf8_lossy(row.get(at).unwrap_or_default().trim_ascii()).into_owned()
 }
 
 /// A number in another unit.

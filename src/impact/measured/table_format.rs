@@ -94,11 +94,13 @@ pub struct TableFormat {
     pub height_m: f64,
     /// Samples a second; the stamps are left aside.
     pub rate_hz: Option<f64>,
+    /// Further columns whose values are kept with each drop, where a table has them.
+    pub kept: Vec<String>,
 }
 
 impl Default for TableFormat {
     fn default() -> Self {
-        Self { columns: Vec::new(), time_s: 1.0, accel_g: 1.0, height_m: 1.0, rate_hz: None }
+        Self { columns: Vec::new(), time_s: 1.0, accel_g: 1.0, height_m: 1.0, rate_hz: None, kept: Vec::new() }
     }
 }
 

@@ -19,6 +19,8 @@ pub(super) struct Header {
     pub axial: Place,
     /// x, y, z.
     pub axes: [Option<Place>; 3],
+    /// Further columns that are kept, and where they stand.
+    pub kept: Vec<(String, usize)>,
     /// Columns that hold none of them.
     pub others: Vec<String>,
 }
@@ -44,7 +46,10 @@ impl Header {
         let missing: Vec<String> =
             needed.iter().filter(|(_, there)| !there).map(|(quantity, _)| format.name(*quantity).0.to_string()).collect();
         let Some(axial) = axial.filter(|_| missing.is_empty()) else { return Err(Fault::NoColumn { missing, known: KNOWN }) };
-        let others = names.iter().filter(|name| !wanted.contains(&name.as_str())).cloned().collect();
+        let kept: Vec<(String, usize)> =
+            names.iter().enumerate().filter(|(_, name)| format.kept.contains(name)).map(|(at, name)| (name.clone(), at)).collect();
+        let left_aside = |name: &&String| !wanted.contains(&name.as_str()) && !format.kept.contains(name);
+        let others = names.iter().filter(left_aside).cloned().collect();
         Ok(Self {
             trial: place(Quantity::Trial),
             session: place(Quantity::Session),
@@ -53,6 +58,7 @@ impl Header {
             time: place(Quantity::Time).filter(|_| format.rate_hz.is_none()),
             axial,
             axes: [Quantity::X, Quantity::Y, Quantity::Z].map(signed),
+            kept,
             others,
         })
     }

@@ -1,6 +1,6 @@
 //! A plan of synthetic drops, from a file.
 
-use super::{Hidden, Landings, Stalls};
+use super::{Hidden, Landings, ScatterLaw, Stalls};
 use crate::impact::effects::Model;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{ImpactFile, LoadError};
@@ -8,8 +8,10 @@ use crate::params::{ImpactFile, LoadError};
 /// How drops from the same height vary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrialVariation {
-    /// Coloured noise of the readings: standard deviation over the reading.
+    /// Coloured noise of the readings: standard deviation over the size that the law says.
     pub share: f64,
+    /// The law.
+    pub law: ScatterLaw,
     /// Its correlation time, s.
     pub correlation_s: f64,
     /// Relative standard deviation of the stiffness between drops.
@@ -85,6 +87,8 @@ pub const HIDDEN_NUMBERS: [(&str, [f64; 2], &str); 7] = [
 pub const HEIGHTS: &str = "drops.heights_m";
 /// Least and highest drop, m.
 pub const HEIGHT_BOUNDS_M: [f64; 2] = [0.01, 100.0];
+/// Key of the law of the scatter.
+pub const LAW: &str = "scatter.law";
 /// Key of what is hidden.
 pub const KIND: &str = "hidden.kind";
 const OWN: [&str; 5] = ["drops.", "scatter.", "logger.", "landing.", "hidden."];
@@ -108,7 +112,7 @@ impl Plan {
             .iter()
             .map(|number| number.0)
             .chain(HIDDEN_NUMBERS.iter().map(|number| number.0))
-            .chain([HEIGHTS, KIND])
+            .chain([HEIGHTS, KIND, LAW])
             .map(String::from)
             .collect();
         file.part(own).only(&known, &[])?;
@@ -125,6 +129,11 @@ impl Plan {
         };
         let scatter = TrialVariation {
             share: number("scatter.share")?,
+            law: if file.entries.contains_key(LAW) {
+                ScatterLaw::ALL[file.word(LAW, &ScatterLaw::NAMES)?]
+            } else {
+                ScatterLaw::Proportional
+            },
             correlation_s: number("scatter.correlation_ms")? * 1e-3,
             stiffness: number("scatter.stiffness")?,
             damping: number("scatter.damping")?,

@@ -95,13 +95,18 @@ fn record(
     let tilt = plan.scatter.tilt_deg.to_radians() * lean;
     let kept = libm::exp(-step_s / plan.scatter.correlation_s);
     let mut factor: f64 = StandardNormal.sample(rng);
+    let scatter = plan.scatter.share * plan.scatter.law.factor(plan.seed, height_m, rng);
+    let sizes_g = plan.scatter.law.sizes_g(fine);
     let mut readings = Vec::with_capacity(count);
     for i in 0..count {
         let fresh: f64 = StandardNormal.sample(rng);
         let noise: f64 = StandardNormal.sample(rng);
         factor = kept * factor + (1.0 - kept * kept).sqrt() * fresh;
         let t_s = (i as f64 - before as f64 + phase) * step_s;
-        let true_g = at(fine, t_s) * (1.0 + plan.scatter.share * factor) * libm::cos(tilt);
+        let true_g = match &sizes_g {
+            None => at(fine, t_s) * (1.0 + scatter * factor) * libm::cos(tilt),
+            Some(sizes_g) => (at(fine, t_s) + scatter * factor * at(sizes_g, t_s)) * libm::cos(tilt),
+        };
         let limited = true_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
         readings.push((limited * plan.counts_per_g).round() / plan.counts_per_g);
     }

@@ -110,6 +110,8 @@ impl Stalls {
         let times = self.times_s(step_s, rng);
         let lean: f64 = StandardNormal.sample(rng);
         let tilt = libm::cos(plan.scatter.tilt_deg.to_radians() * lean);
+        let scatter = plan.scatter.share * plan.scatter.law.factor(plan.seed, height_m, rng);
+        let sizes_g = plan.scatter.law.sizes_g(fine);
         let mut accel_g = Vec::with_capacity(times.len());
         let [mut factor, mut noise, mut tremor] = [0; 3].map(|_| -> f64 { StandardNormal.sample(rng) });
         let mut before_s = f64::NEG_INFINITY;
@@ -124,7 +126,14 @@ impl Stalls {
             }
             before_s = *t_s;
             let (true_g, held) = course.true_g(fine, *t_s);
-            let varied = if held { true_g + TREMOR[0] * tremor } else { true_g * (1.0 + plan.scatter.share * factor) * tilt };
+            let varied = if held {
+                true_g + TREMOR[0] * tremor
+            } else {
+                match &sizes_g {
+                    None => true_g * (1.0 + scatter * factor) * tilt,
+                    Some(sizes_g) => (true_g + scatter * factor * course.true_g(sizes_g, *t_s).0) * tilt,
+                }
+            };
             let reading = varied.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
             accel_g.push((reading * plan.counts_per_g).round() / plan.counts_per_g);
         }

@@ -4,6 +4,16 @@ use plotters::prelude::*;
 
 use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend};
 
+/// A black line on top of waves.
+pub(in crate::report) struct BandLine {
+    /// Its name in the legend; none for a line that only accompanies another.
+    pub label: Option<String>,
+    /// Width, pixels.
+    pub width: u32,
+    /// Its points.
+    pub points: Vec<(f64, f64)>,
+}
+
 /// Waves over one axis.
 pub(in crate::report) struct Bands {
     /// Over the chart.
@@ -16,15 +26,15 @@ pub(in crate::report) struct Bands {
     pub colour: usize,
     /// Single waves.
     pub waves: Vec<Vec<(f64, f64)>>,
-    /// A line on top, with its name.
-    pub line: Option<(String, Vec<(f64, f64)>)>,
+    /// Lines on top.
+    pub lines: Vec<BandLine>,
     /// At each time the first quartile, median and third quartile.
     pub quartiles: Vec<(f64, [f64; 3])>,
 }
 
 impl Chart for Bands {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
-        let points = || self.waves.iter().flatten().chain(self.line.iter().flat_map(|(_, line)| line));
+        let points = || self.waves.iter().flatten().chain(self.lines.iter().flat_map(|line| &line.points));
         let (left, right) = points().fold((0.0_f64, 1e-9_f64), |(left, right), point| (left.min(point.0), right.max(point.0)));
         let (low, high) = points().fold((0.0_f64, 1.0_f64), |(low, high), point| (low.min(point.1), high.max(point.1)));
         let words = Words { title: &self.title, across: self.across, up: self.up };
@@ -46,10 +56,12 @@ impl Chart for Bands {
             .draw_series(LineSeries::new(median, style))?
             .label("median")
             .legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
-        if let Some((name, line)) = &self.line {
-            let style = ShapeStyle::from(BLACK).stroke_width(3);
-            let drawn = chart.draw_series(LineSeries::new(line.iter().copied(), style))?;
-            drawn.label(name).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+        for line in &self.lines {
+            let style = ShapeStyle::from(BLACK).stroke_width(line.width);
+            let drawn = chart.draw_series(LineSeries::new(line.points.iter().copied(), style))?;
+            if let Some(label) = &line.label {
+                drawn.label(label).legend(move |(x, y)| PathElement::new([(x, y), (x + 22, y)], style));
+            }
         }
         legend(&mut chart, SeriesLabelPosition::UpperRight)
     }

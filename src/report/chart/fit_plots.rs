@@ -1,6 +1,6 @@
 //! The plots of a fit: the drops of each height with the fitted model's wave on top.
 
-use super::bands::Bands;
+use super::bands::{BandLine, Bands};
 use super::measure_plots::{quartiles, wave};
 use super::plot::{self, PlotError};
 use crate::report::data::fit_data::Run;
@@ -28,7 +28,7 @@ fn chart(run: &Run, height_m: f64, readings: &[f64], colour: usize) -> Bands {
         across: "time from the trigger, ms",
         up: "acceleration, g",
         colour,
-        line: Some((format!("{}, fitted", run.fit.model.name), line)),
+        lines: vec![BandLine { label: Some(format!("{}, fitted", run.fit.model.name)), width: 3, points: line }],
         quartiles: quartiles(&series),
         waves: series.into_iter().map(wave).collect(),
     }

@@ -60,7 +60,7 @@ fn waves(group: &DropGroup, drops: &[Drop], colour: usize) -> Option<Bands> {
         across: "time from the trigger, ms",
         up: "acceleration along the axis, g",
         colour,
-        line: None,
+        lines: Vec::new(),
         quartiles: quartiles(&clean),
         waves: clean.into_iter().map(wave).collect(),
     })

@@ -6,7 +6,10 @@ use serde_json::{Map, Value, json};
 
 use super::drop_data;
 use super::landing_data;
-use crate::impact::diagnose::{Adequacy, ByHeight, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict};
+use super::separating_experiment::SeparatingExperiment;
+use crate::impact::diagnose::{
+    Adequacy, ByHeight, Confounding, CovariateEffect, Diagnosis, EffectEstimate, FrameMode, Gap, Gaps, Ranked, StaticComparison, Verdict,
+};
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::fit::{Decimation, LeftOut};
 use crate::impact::landing::LandingAssessment;
@@ -39,12 +42,25 @@ pub struct Compared {
     pub frame_mode: Option<FrameMode>,
     /// Landings that are not level, where the drops have lateral axes.
     pub landing: Option<LandingAssessment>,
+    /// What explains how drops of one height vary.
+    pub covariates: Vec<CovariateEffect>,
+    /// What changes together with the height.
+    pub confounding: Vec<Confounding>,
+    /// What would separate the two.
+    pub separating: Option<SeparatingExperiment>,
 }
 
 impl Compared {
     /// How the readings of each height are compared, in sentences.
     pub fn sampling(&self) -> Vec<String> {
         self.sampling.iter().map(|(height_m, decimation)| format!("readings from {height_m} m: {decimation}")).collect()
+    }
+
+    /// What explains how drops of one height vary, and what cannot be told from the height, in sentences.
+    pub fn explained(&self) -> Vec<String> {
+        let covariates = self.covariates.iter().map(CovariateEffect::sentence);
+        let confounding = self.confounding.iter().map(|one| one.found.clone());
+        covariates.chain(confounding).chain(self.separating.iter().flat_map(SeparatingExperiment::sentences)).collect()
     }
 
     /// Falls, static test and frame mode, in sentences.
@@ -140,6 +156,9 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "sampling": compared.sampling.iter().map(sampling).collect::<Vec<_>>(),
         "left_out": compared.left_out,
         "held_out_heights_m": compared.held_out_heights_m,
+        "covariates": rounded(json!(compared.covariates)),
+        "confounding": rounded(json!(compared.confounding)),
+        "separating_experiment": compared.separating,
         "seed": compared.seed,
     });
     if let Some(mode) = &compared.frame_mode {
@@ -148,12 +167,11 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     if let Some(landing) = &compared.landing {
         all["landing"] = rounded(landing_data::landing(landing));
         if landing.decides() {
-            all["effects"] = rounded(json!([landing_data::effect(landing)]));
+            all["effects"] = rounded(landing_data::effects(landing));
             all["gap"]["after"] = rounded(landing.gaps.fitted.net_g);
             all["gap"]["held_out_after"] = rounded(landing.gaps.held_out.net_g);
             all["lack_of_fit_p"] = rounded(landing.lack_of_fit_p);
         }
-        all["covariates"] = rounded(json!(landing.covariates));
     }
     all
 }

@@ -1,12 +1,15 @@
 //! A diagnosis as it is asked for: the model, the drops as read, the heights held out.
 
 use super::diagnosis_data::Compared;
+use super::separating_experiment::SeparatingExperiment;
 use crate::impact::diagnose;
-use crate::impact::diagnose::{ChannelChoice, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison};
+use crate::impact::diagnose::{
+    ChannelChoice, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison, confounded,
+};
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
 use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
-use crate::impact::measured::{DropSet, Fall, StaticTest};
+use crate::impact::measured::{DropSet, Fall, Session, StaticTest};
 
 /// Most effects on top of spring and damper.
 pub const MOST_EFFECTS: usize = 3;
@@ -24,6 +27,8 @@ pub struct DiagnosisRequest<'a> {
     pub hold_out_heights_m: &'a [f64],
     /// A static test of the same frame, compared with each model and not fitted.
     pub static_test: Option<&'a StaticTest>,
+    /// Columns of the drops that may explain how drops of one height vary, besides their order, their session and their touches.
+    pub covariates: &'a [String],
     /// Most effects on top of spring and damper, 1 to 3.
     pub max_effects: usize,
     /// Of the simulated data.
@@ -46,6 +51,14 @@ pub enum RequestError {
         height_m: f64,
         /// The heights there are, m.
         known: Vec<String>,
+    },
+    /// A column that no drop has.
+    #[error(
+        "--covariate {name}: no drop has such a column; name a column of the drops' table, or a .csv file with the columns trial and {name}"
+    )]
+    NoSuchColumn {
+        /// Its name.
+        name: String,
     },
     /// Every height is held out.
     #[error("--hold-out-heights leaves no height to fit")]
@@ -70,6 +83,10 @@ impl DiagnosisRequest<'_> {
     /// [`RequestError`] when the drops or the heights do not allow one.
     pub fn diagnosed(mut self, stage: &dyn Fn(Stage)) -> Result<(Diagnosis, Compared), RequestError> {
         Self::bounds(self.max_effects)?;
+        let known = |name: &&String| self.drops.records().any(|record| record.columns.contains_key(*name));
+        if let Some(name) = self.covariates.iter().find(|name| !known(name)) {
+            return Err(RequestError::NoSuchColumn { name: name.clone() });
+        }
         let choice = ChannelChoice::of(self.drops, &self.model, Keep::Evidence, self.channel)?;
         self.model.sensor.channel = choice.chosen.channel;
         let waves = &choice.waves;
@@ -92,6 +109,9 @@ impl DiagnosisRequest<'_> {
         if let Some(landing) = &compared.landing {
             (found.verdict, found.reasons) = landing.verdict(&found);
         }
+        compared.covariates = self.explained(&choice, &fitted, compared.landing.as_ref());
+        compared.confounding = confounded(&choice.chosen, self.covariates);
+        compared.separating = SeparatingExperiment::of(&compared.confounding, &fitted, &found, compared.landing.as_ref(), self.seed);
         compared.frame_mode = self.model.frame_mode.map(|mode| FrameMode::of(mode, &found));
         compared.static_test = self.static_test.map(|test| StaticComparison::of(test, &found));
         Ok((found, compared))
@@ -105,6 +125,15 @@ impl DiagnosisRequest<'_> {
         let observed = ObservedLandings::of(&choice.chosen, &choice.waves)?;
         let evidence = LandingEvidence { fitted, held_out, observed: &observed, model: &self.model, diagnosis: found, seed: self.seed };
         LandingAssessment::of(&evidence)
+    }
+
+    /// What explains how drops of one fitted height vary.
+    fn explained(&self, choice: &ChannelChoice, fitted: &Waves, landing: Option<&LandingAssessment>) -> Vec<CovariateEffect> {
+        let session = Covariate::of_texts("session", fitted, &choice.chosen, |record| Some(Session::name_of(record)));
+        let column = |name: &String| Covariate::of_texts(name, fitted, &choice.chosen, |record| record.column(name).map(String::from));
+        let touched = landing.into_iter().flat_map(|landing| landing.covariates.iter().cloned());
+        let all = touched.chain([Covariate::trial(fitted), session]).chain(self.covariates.iter().map(column));
+        all.map(|covariate| covariate.explains(fitted, self.seed)).collect()
     }
 
     /// The record of what was compared.
@@ -123,6 +152,9 @@ impl DiagnosisRequest<'_> {
             static_test: None,
             frame_mode: None,
             landing: None,
+            covariates: Vec::new(),
+            confounding: Vec::new(),
+            separating: None,
         }
     }
 }

@@ -1,24 +1,27 @@
 //! The frame's own model fitted to drops, as words, JSON and CSV.
 
+use std::collections::BTreeMap;
+
 use serde_json::{Value, json};
 
 use crate::export::ExportError;
 use crate::export::table::csv;
-use crate::impact::frame_fit::{FrameFit, Height, Predicted};
+use crate::impact::fit::LeftOut;
+use crate::impact::frame_fit::{FrameFit, Height, MeasuredHeights, Predicted};
 
 /// What was fitted.
 pub struct Fitted<'a> {
     /// The frame's name.
     pub frame: &'a str,
     /// The figures of the drops.
-    pub heights: &'a [Height],
+    pub measured: &'a MeasuredHeights,
     /// The fit.
     pub fit: &'a FrameFit,
 }
 
 impl Fitted<'_> {
     fn measured(&self, height_m: f64) -> Option<&Height> {
-        self.heights.iter().find(|height| height.height_m == height_m)
+        self.measured.heights.iter().find(|height| height.height_m == height_m)
     }
 
     /// Each prediction with the word for how it came about.
@@ -35,12 +38,13 @@ pub fn json(found: &Fitted) -> Value {
     json!({
         "schema_version": 1,
         "frame": found.frame,
-        "heights": found.heights,
+        "heights": found.measured.heights,
         "estimates": found.fit.estimates,
         "young_mpa": found.fit.settings.young_mpa,
         "relaxation_exponent": found.fit.settings.relaxation_exponent,
         "fitted": found.fit.fitted,
         "left_out": found.fit.left_out,
+        "drops_left_out": found.measured.left_out,
         "from_one": found.fit.from_one,
         "interpolation": found.fit.interpolation,
     })
@@ -73,7 +77,7 @@ pub fn predictions_csv(found: &Fitted) -> Result<String, ExportError> {
 /// Head of the file of numbers.
 pub fn remark(found: &Fitted) -> String {
     let [modulus, loss] = &found.fit.estimates;
-    let heights: Vec<String> = found.heights.iter().map(|height| height.height_m.to_string()).collect();
+    let heights: Vec<String> = found.measured.heights.iter().map(|height| height.height_m.to_string()).collect();
     format!(
         "impact_modulus {:.3} ({:.3} to {:.3}) and impact_loss {:.3} ({:.3} to {:.3}) from drops of {} from {} m:\n\
          median peaks and impulses along the axis. They compensate for everything that the level-landing model leaves out, and apply to this print and ground only.",
@@ -96,7 +100,7 @@ pub fn table(found: &Fitted) -> String {
         found.frame,
         settings.young_mpa,
         settings.relaxation_exponent,
-        found.heights.len()
+        found.measured.heights.len()
     );
     text += "number              value   95 % of the medians' variation\n";
     for estimate in &found.fit.estimates {
@@ -123,5 +127,16 @@ pub fn table(found: &Fitted) -> String {
         );
     }
     text.push('\n');
+    text += &left_out(&found.measured.left_out);
     text
+}
+
+/// How many drops are in none of the figures, by what is wrong with them.
+fn left_out(drops: &[LeftOut]) -> String {
+    let mut by_reason: BTreeMap<&str, usize> = BTreeMap::new();
+    for drop in drops {
+        *by_reason.entry(drop.reason.split(':').next().unwrap_or_default()).or_default() += 1;
+    }
+    let each: Vec<String> = by_reason.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
+    if each.is_empty() { String::new() } else { format!("drops left out: {}\n\n", each.join(", ")) }
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use crate::impact::diagnose::EffectEstimate;
-use crate::impact::landing::{LANDING_TILT, LandingAssessment};
+use crate::impact::landing::{LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS};
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
@@ -24,34 +24,38 @@ pub fn landing(assessment: &LandingAssessment) -> Value {
 
 /// The same in sentences.
 pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
-    let covariates = assessment.covariates.iter().map(|covariate| {
-        format!(
-            "{} explains {:.0} % of the variation between drops of one height (p = {:.3})",
-            covariate.id,
-            1e2 * covariate.explained,
-            covariate.p
-        )
-    });
     let gates = assessment.gates.iter().map(|gate| format!("{}: {}", gate.id, gate.found));
-    std::iter::once(spread(assessment)).chain(gates).chain(covariates).collect()
+    std::iter::once(spread(assessment)).chain(gates).collect()
 }
 
 /// How landings vary, in a sentence.
 pub fn spread(assessment: &LandingAssessment) -> String {
     let value = |key: &str| {
         let found = assessment.estimates.iter().find(|estimate| estimate.key == key);
-        found.map_or(String::new(), |one| format!("{:.3} {} ({:.3} to {:.3})", one.value, one.unit, one.ci95[0], one.ci95[1]))
+        let unit = |one: &EffectEstimate| if one.unit == "1" { String::new() } else { format!(" {}", one.unit) };
+        found.map_or(String::new(), |one| format!("{:.3}{} ({:.3} to {:.3})", one.value, unit(one), one.ci95[0], one.ci95[1]))
+    };
+    let mount = match assessment.fit.legs.mount {
+        Some(_) => format!("; what carries the sensor swings at {}, with a damping of {}", value("f_hz"), value("zeta")),
+        None => String::new(),
     };
     format!(
-        "landings slope by {} at release along a diagonal, and turn at {} while they fall",
+        "landings slope by {} at release along a diagonal, and turn at {} while they fall{mount}",
         value("sigma_0_rad"),
         value("sigma_r_rad_s")
     )
 }
 
-/// The effect as a diagnosis lists it.
-pub fn effect(assessment: &LandingAssessment) -> Value {
-    let own = assessment.estimates.iter().filter(|estimate| estimate.key.starts_with("sigma"));
-    let parameters: BTreeMap<&str, &EffectEstimate> = own.map(|estimate| (estimate.key, estimate)).collect();
-    json!({ "id": LANDING_TILT, "parameters": parameters })
+/// The effects as a diagnosis lists them: the slopes, and the mount where there is one.
+pub fn effects(assessment: &LandingAssessment) -> Value {
+    let listed = |id: &str, keep: &dyn Fn(&EffectEstimate) -> bool| {
+        let own = assessment.estimates.iter().filter(|estimate| keep(estimate));
+        let parameters: BTreeMap<&str, &EffectEstimate> = own.map(|estimate| (estimate.key, estimate)).collect();
+        json!({ "id": id, "parameters": parameters })
+    };
+    let mut all = vec![listed(LANDING_TILT, &|estimate| estimate.key.starts_with("sigma"))];
+    if assessment.fit.legs.mount.is_some() {
+        all.push(listed(MOUNT_LOW_PASS, &|estimate| estimate.effect == MOUNT_LOW_PASS));
+    }
+    all.into()
 }

@@ -10,4 +10,5 @@ pub mod impact_data;
 pub mod impact_fit_data;
 pub mod landing_data;
 pub mod measure_data;
+pub mod separating_experiment;
 pub mod stiffness_data;

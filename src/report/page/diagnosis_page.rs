@@ -1,17 +1,18 @@
 //! A diagnosis as a page to read.
 
 use super::landing_section;
-use crate::impact::diagnose::{Diagnosis, Point, Verdict, joined};
-use crate::impact::landing::{LANDING_TILT, LandingAssessment};
+use crate::frame::assembly::Design;
+use crate::impact::diagnose::{CovariateEffect, Diagnosis, Point, Verdict, joined};
 use crate::report::chart::lines::{Lines, Series};
 use crate::report::chart::plot::{PlotError, files};
 use crate::report::data::diagnosis_data::Compared;
+use crate::report::data::separating_experiment::SeparatingExperiment;
 use crate::report::page::document::Block;
 
 /// Title of the page.
 pub fn title(diagnosis: &Diagnosis, compared: &Compared) -> String {
-    if compared.landing.as_ref().is_some_and(LandingAssessment::decides) {
-        return format!("Missing: {LANDING_TILT}");
+    if let Some(landing) = compared.landing.as_ref().filter(|landing| landing.decides()) {
+        return format!("Missing: {}", landing.ids().join(" + "));
     }
     let chosen = joined(&diagnosis.chosen);
     match diagnosis.verdict {
@@ -22,18 +23,19 @@ pub fn title(diagnosis: &Diagnosis, compared: &Compared) -> String {
     }
 }
 
-/// Everything, in the order of the work.
+/// Everything, in the order of the work; the frame that fell is drawn as it lands.
 ///
 /// # Errors
 /// When a figure cannot be drawn.
-pub fn blocks(diagnosis: &Diagnosis, compared: &Compared) -> Result<Vec<Block>, PlotError> {
+pub fn blocks(diagnosis: &Diagnosis, compared: &Compared, design: Option<&Design>) -> Result<Vec<Block>, PlotError> {
     let mut blocks = vec![Block::List(diagnosis.reasons.clone())];
     blocks.extend(drops(diagnosis, compared));
     blocks.extend(gaps(diagnosis));
     blocks.extend(waves(diagnosis)?);
     if let Some(landing) = &compared.landing {
-        blocks.extend(landing_section::blocks(landing)?);
+        blocks.extend(landing_section::blocks(landing, diagnosis, design)?);
     }
+    blocks.extend(explained(compared));
     blocks.extend(residual_map(diagnosis));
     blocks.extend(ranking(diagnosis));
     blocks.extend(estimates(diagnosis));
@@ -73,6 +75,30 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
     lines.extend(compared.left_out.iter().map(|left| format!("Left out: {}, {}.", left.trial, left.reason)));
     blocks.push(Block::List(lines));
+    blocks
+}
+
+/// What explains how drops of one height vary, and what changes together with the height.
+fn explained(compared: &Compared) -> Vec<Block> {
+    let or_dash = |value: Option<String>| value.unwrap_or_else(|| "-".into());
+    let row = |one: &CovariateEffect| {
+        let explained = or_dash(one.explained.map(|share| format!("{:.0} %", 1e2 * share)));
+        vec![one.id.clone(), explained, or_dash(one.p.map(|p| format!("{p:.3}"))), one.drops.to_string()]
+    };
+    let mut blocks = vec![
+        Block::Heading("What explains the variation between drops".into()),
+        Block::Text(
+            "Share of the variance between drops of one height, predicted for drops that the regression did not see, with a p-value by \
+             permutation. A dash: the quantity is the same for all drops of each height."
+                .into(),
+        ),
+        Block::Table(cells(["quantity", "explained", "p", "drops"]), compared.covariates.iter().map(row).collect()),
+    ];
+    let mut lines: Vec<String> = compared.confounding.iter().map(|one| one.found.clone()).collect();
+    lines.extend(compared.separating.iter().flat_map(SeparatingExperiment::sentences));
+    if !lines.is_empty() {
+        blocks.push(Block::List(lines));
+    }
     blocks
 }
 

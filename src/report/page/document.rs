@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::base64::base64;
 use crate::markdown::inert;
 
 /// A part of a page.
@@ -23,11 +24,20 @@ pub enum Block {
         /// What it shows.
         caption: String,
     },
+    /// A PNG picture with its file's name and caption.
+    Picture {
+        /// Name of the file beside the Markdown.
+        name: String,
+        /// The bytes of the file.
+        png: Vec<u8>,
+        /// What it shows.
+        caption: String,
+    },
 }
 
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#111}\
 table{border-collapse:collapse;margin:1rem 0;font-size:14px}td,th{border:1px solid #999;padding:.25rem .5rem;text-align:left;vertical-align:top}\
-th{background:#eee}figure{margin:1rem 0}figure svg{width:100%;height:auto}figcaption{font-size:14px}\
+th{background:#eee}figure{margin:1rem 0}figure svg,figure img{width:100%;height:auto}figcaption{font-size:14px}\
 @media print{body{margin:0;max-width:none}figure,table{break-inside:avoid}}";
 
 /// The page as Markdown; figures are files beside it.
@@ -47,6 +57,7 @@ pub fn markdown(title: &str, blocks: &[Block]) -> String {
                 write!(text, "\n{}{rule}{}", line(head), rows.iter().map(|row| line(row)).collect::<String>())
             }
             Block::Figure { name, caption, .. } => write!(text, "\n![{}]({name}.svg)\n", inert(caption)),
+            Block::Picture { name, caption, .. } => write!(text, "\n![{}]({name}.png)\n", inert(caption)),
         };
     }
     text
@@ -72,6 +83,11 @@ pub fn html(title: &str, blocks: &[Block]) -> String {
                 format!("<table>{}{}</table>\n", line(head, "th"), rows.iter().map(|row| line(row, "td")).collect::<String>())
             }
             Block::Figure { svg, caption, .. } => format!("<figure>{svg}<figcaption>{}</figcaption></figure>\n", escaped(caption)),
+            Block::Picture { png, caption, .. } => format!(
+                "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n",
+                escaped(caption),
+                base64(png)
+            ),
         };
     }
     text + "</body></html>\n"

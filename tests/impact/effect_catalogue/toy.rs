@@ -8,7 +8,7 @@ use flexframe::impact::effects::{
 };
 use flexframe::impact::fit::{FittedDrop, Waves};
 use flexframe::impact::sim::{SolverOptions, System, simulate, wave};
-use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, TrialVariation, records};
+use flexframe::impact::synthetic::{Plan, ReferenceTrajectory, ScatterLaw, TrialVariation, records};
 use flexframe::params::ImpactFile;
 
 /// A force that follows the compression late: q' = a x - q / 4 ms.
@@ -106,7 +106,8 @@ fn analytic_a_toy_effect_is_read_from_a_model_file() {
 
 #[test]
 fn planted_a_toy_effect_is_fitted_and_named() {
-    let variation = TrialVariation { share: 0.1, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
+    let variation =
+        TrialVariation { share: 0.1, law: ScatterLaw::Proportional, correlation_s: 1.5e-3, stiffness: 0.0, damping: 0.0, tilt_deg: 0.0 };
     let heights_m = vec![0.5, 1.0, 1.5];
     let plan = Plan {
         model: truth(),

@@ -1,0 +1,175 @@
+//! What changes together with the drop height, so that the drops cannot tell the two apart.
+//!
+//! A quantity explains the height as far as its values do in a linear regression (names: as the means of their groups do), less what
+//! as many random values would explain. Where no session is stated, the sensor's zero speaks: when it moved from height to height, so
+//! did mounting, day or both.
+
+use std::collections::BTreeMap;
+
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::search::RARE;
+use crate::impact::fit::Chosen;
+use crate::impact::measured::{Record, Session, Zero};
+
+/// A quantity that explains more of the height than this is confounded with it.
+const MOST: f64 = 0.5;
+/// Numbers with fewer different values than a drop in so many are names.
+const PER_NAME: usize = 4;
+/// Least error of a zero, g: a hundredth of the converter's step, for sensors without noise.
+const LEAST_ERROR_G: f64 = 1e-3;
+
+/// A quantity that changes together with the height.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Confounding {
+    /// `session`, `mount`, or a column's name.
+    pub with: String,
+    /// Part of the variation of the height that it explains.
+    pub share_of_height: f64,
+    /// What was found, in a sentence.
+    pub found: String,
+}
+
+/// Everything that is confounded with the height; `columns` are asked in addition to session and mount.
+pub fn confounded(chosen: &Chosen, columns: &[String]) -> Vec<Confounding> {
+    let records: Vec<&Record> = chosen.drops.iter().map(|drop| drop.record).collect();
+    let mut all = Vec::new();
+    if records.iter().all(|record| record.session.is_some()) {
+        all.extend(of_column("session", &records, |record| record.session.clone()));
+    } else {
+        all.extend(of_zeros(chosen));
+    }
+    all.extend(columns.iter().filter_map(|name| of_column(name, &records, |record| record.column(name).map(String::from))));
+    all
+}
+
+fn of_column(name: &str, records: &[&Record], text: impl Fn(&Record) -> Option<String>) -> Option<Confounding> {
+    let known: Vec<(String, f64)> = records.iter().filter_map(|record| Some((text(record)?, record.height_m))).collect();
+    let mut groups: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
+    known.iter().for_each(|(text, height_m)| groups.entry(text).or_default().push(*height_m));
+    let numbers: Option<Vec<f64>> = known.iter().map(|(text, _)| text.parse().ok().filter(|value: &f64| value.is_finite())).collect();
+    let share_of_height = match numbers.filter(|_| PER_NAME * groups.len() > known.len()) {
+        Some(numbers) => share_of_numbers(&numbers, &known)?,
+        None => share_of_groups(&groups, known.len())?,
+    };
+    if share_of_height <= MOST {
+        return None;
+    }
+    let apart = groups.values().all(|heights| heights.iter().all(|height_m| *height_m == heights[0]));
+    let found = if apart && PER_NAME * groups.len() <= known.len() {
+        format!("no {name} has drops from two heights: what differs between heights and between {name}s cannot be told apart")
+    } else {
+        format!(
+            "{name} explains {:.0} % of the drop height: what it does and what the height does can hardly be told apart",
+            1e2 * share_of_height
+        )
+    };
+    Some(Confounding { with: name.into(), share_of_height, found })
+}
+
+/// One minus the variance about a line, or the means of groups, over that about the mean, each by its degrees of freedom.
+fn share(left: f64, whole: f64, count: usize, parameters: usize) -> Option<f64> {
+    let free = count.checked_sub(parameters + 1).filter(|free| *free > 0)?;
+    (whole > 0.0).then(|| 1.0 - left / free as f64 / (whole / (count as f64 - 1.0)))
+}
+
+/// The least power of ten above a p-value, not below what the distribution is good for.
+fn least_bound(p: f64) -> f64 {
+    libm::pow(10.0, libm::log10(p.max(1e-12)).ceil())
+}
+
+fn sum_of_squares(values: &[f64]) -> f64 {
+    let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+    values.iter().map(|value| (value - mean).powi(2)).sum()
+}
+
+fn share_of_numbers(numbers: &[f64], known: &[(String, f64)]) -> Option<f64> {
+    let heights: Vec<f64> = known.iter().map(|(_, height_m)| *height_m).collect();
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let (a, b) = (mean(numbers), mean(&heights));
+    let product: f64 = numbers.iter().zip(&heights).map(|(number, height)| (number - a) * (height - b)).sum();
+    let (own, whole) = (sum_of_squares(numbers), sum_of_squares(&heights));
+    if own <= 0.0 {
+        return None;
+    }
+    share(whole - product * product / own, whole, known.len(), 1)
+}
+
+fn share_of_groups(groups: &BTreeMap<&str, Vec<f64>>, count: usize) -> Option<f64> {
+    let all: Vec<f64> = groups.values().flatten().copied().collect();
+    let left = groups.values().map(|heights| sum_of_squares(heights)).sum();
+    share(left, sum_of_squares(&all), count, groups.len().checked_sub(1)?)
+}
+
+/// The sensor's zero from height to height, where no session is stated.
+fn of_zeros(chosen: &Chosen) -> Option<Confounding> {
+    let sessions = Session::all(chosen.drops.iter().map(|drop| (drop.record, &drop.impact)));
+    let moved = |axis: usize| {
+        let zeros: Vec<(&str, Zero)> = sessions.iter().filter_map(|session| Some((session.name.as_str(), session.zeros[axis]?))).collect();
+        let weight = |zero: &Zero| zero.error_g.max(LEAST_ERROR_G).powi(-2);
+        let sum: f64 = zeros.iter().map(|(_, zero)| weight(zero)).sum();
+        let mean = zeros.iter().map(|(_, zero)| weight(zero) * zero.mean_g).sum::<f64>() / sum;
+        let squares: f64 = zeros.iter().map(|(_, zero)| weight(zero) * (zero.mean_g - mean).powi(2)).sum();
+        let law = ChiSquared::new(zeros.len().checked_sub(1).filter(|free| *free > 0)? as f64).ok()?;
+        Some((axis, law.sf(squares), zeros))
+    };
+    // Three axes are asked.
+    let (axis, p, zeros) = (0..3).filter_map(moved).min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, p, _)| 3.0 * p < RARE)?;
+    let each: Vec<String> = zeros.iter().map(|(name, zero)| format!("{:.2} g in {name}", zero.mean_g)).collect();
+    let found = format!(
+        "no session is stated, and the zero of {} moved from height to height ({}; p < {:.0e}): each height is a session, a day or a mounting of \
+         its own, and what these do cannot be told from what the height does",
+        ["x", "y", "z"][axis],
+        each.join(", "),
+        least_bound(3.0 * p)
+    );
+    Some(Confounding { with: "mount".into(), share_of_height: 1.0, found })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn records(of: &[(f64, &str)]) -> Vec<Record> {
+        let record = |(at, (height_m, session)): (usize, &(f64, &str))| Record {
+            trial: at.to_string(),
+            height_m: *height_m,
+            frame: None,
+            session: Some((*session).into()),
+            source: String::new(),
+            t_s: vec![0.0],
+            accel_g: vec![0.0],
+            axes_g: None,
+            columns: BTreeMap::new(),
+            at_full_scale: 0,
+        };
+        of.iter().enumerate().map(record).collect()
+    }
+
+    fn found(of: &[(f64, &str)]) -> Option<Confounding> {
+        let all = records(of);
+        of_column("session", &all.iter().collect::<Vec<_>>(), |record| record.session.clone())
+    }
+
+    #[test]
+    fn analytic_a_session_for_each_height_is_confounded_and_a_mixed_one_is_not() {
+        let apart: Vec<(f64, &str)> = (0..24).map(|i| if i < 12 { (0.5, "mon") } else { (1.5, "tue") }).collect();
+        let one = found(&apart).expect("it is");
+        assert!((one.share_of_height - 1.0).abs() < 1e-12 && one.found.starts_with("no session has drops from two"), "{one:?}");
+        let mixed: Vec<(f64, &str)> = (0..24).map(|i| (if i % 2 == 0 { 0.5 } else { 1.5 }, if i < 12 { "mon" } else { "tue" })).collect();
+        assert_eq!(found(&mixed), None);
+        // A name for each drop explains the height no better than random ones.
+        let names: Vec<String> = (0..24).map(|i| format!("d{i}")).collect();
+        let each: Vec<(f64, &str)> = names.iter().enumerate().map(|(i, name)| (if i < 12 { 0.5 } else { 1.5 }, name.as_str())).collect();
+        assert_eq!(found(&each), None);
+    }
+
+    #[test]
+    fn analytic_numbers_that_rise_with_the_height_are_confounded() {
+        let warm: Vec<String> = (0..24).map(|i| format!("{}", 20.0 + 0.1 * f64::from(i))).collect();
+        let rising: Vec<(f64, &str)> = warm.iter().enumerate().map(|(i, text)| (0.5 + 0.5 * (i / 8) as f64, text.as_str())).collect();
+        assert!(found(&rising).is_some_and(|one| one.share_of_height > 0.8));
+        let turned: Vec<(f64, &str)> = warm.iter().enumerate().map(|(i, text)| (0.5 + 0.5 * (i % 3) as f64, text.as_str())).collect();
+        assert_eq!(found(&turned), None);
+    }
+}
