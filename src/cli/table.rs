@@ -60,7 +60,8 @@ pub(super) fn brief(findings: &[Finding]) -> String {
 
 /// The tightest finding of a rule that holds, by its margin as a share of the limit, as a line.
 fn tightest_of(rule: &str, findings: &[Finding]) -> String {
-    let share = |f: &Finding| if f.limit == 0.0 { f64::INFINITY } else { f.margin / f.limit.abs() };
+    // What is held to zero has no share; it comes after what has one, by its margin.
+    let share = |f: &Finding| if f.limit == 0.0 { 1e6 + f.margin } else { f.margin / f.limit.abs() };
     let of_rule = findings.iter().filter(|f| f.rule == rule && f.verdict == Verdict::Holds);
     let Some(f) = of_rule.min_by(|a, b| share(a).total_cmp(&share(b))) else { return String::new() };
     let [value, limit, _] = f.figures();

@@ -16,8 +16,9 @@ fn flexframe(arguments: &[&str]) -> Output {
 fn commands() -> Vec<String> {
     let help = String::from_utf8(flexframe(&["--help"]).stdout).expect("UTF-8");
     let list = help.split("Options:\n").next().expect("the help lists the commands");
-    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
-    let named = list.lines().filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let grouped = || list.lines().filter(|line| line.starts_with("  "));
+    assert!(grouped().all(|line| line.chars().count() <= 80), "{list}");
+    let named = grouped().filter(|line| !line.starts_with("   "));
     named.filter_map(|line| line.split_whitespace().next()).map(String::from).collect()
 }
 
