@@ -4,11 +4,11 @@
 //! The numbers are those of the frame's own mechanics, `docs/mechanics.md`; limits and drop height stand in
 //! `params/mechanics.toml`. Strain is that of the drop alone, on top of what folding leaves.
 
-use super::catalogue::ground_clearance;
 use super::finding::Finding;
 use super::ground::{self, GroundClearance};
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Rule};
+use super::scene::Scene;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::result::prediction::Prediction;
@@ -57,7 +57,7 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
 
 /// The lowest body where it hits the ground.
 fn strike(design: &Design, masses: &MassTable, found: &Prediction) -> Option<Finding> {
-    let GroundClearance { lowest, clearance_mm, .. } = ground_clearance(design, masses)?;
+    let GroundClearance { lowest, clearance_mm, .. } = ground::measure(&Scene::new(design, masses))?;
     let value = found.speed_m_s(clearance_mm)?;
     let speed = Measure { rule: &RULE, value, limit: 0.0, unit: "m/s", levers: ground::LEVERS };
     let [told, _] = speed.figures(1);

@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 /// Names, each with what it is.
 fn names(what: What) -> Vec<(String, String)> {
     match what {
-        What::Presets => preset::names().map(|name| (name.into(), description(name))).collect(),
+        What::Presets => preset::names().map(|name| (name.into(), preset::description(name))).collect(),
         What::Parts => preset::bought_parts().into_iter().map(|(name, part)| (name, format!("{}, {} g", part.kind, part.mass_g))).collect(),
         What::Materials => preset::materials()
             .into_iter()
@@ -70,10 +70,4 @@ fn names(what: What) -> Vec<(String, String)> {
         What::Models => ImpactFile::names().map(|name| (name.into(), String::new())).collect(),
         What::Effects => effects::CATALOGUE.iter().map(|spec| (spec.id.into(), spec.title.into())).collect(),
     }
-}
-
-/// What a preset says of itself.
-fn description(name: &str) -> String {
-    let file = preset::text(name).and_then(|text| text.parse::<toml::Table>().ok());
-    file.and_then(|file| file.get("description")?.as_str().map(String::from)).unwrap_or_default()
 }

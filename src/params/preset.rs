@@ -53,6 +53,12 @@ pub fn text(name: &str) -> Option<&'static str> {
     PRESETS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
+/// What a preset says of itself; empty when it says nothing.
+pub fn description(name: &str) -> String {
+    let file = text(name).and_then(|text| text.parse::<toml::Table>().ok());
+    file.and_then(|file| file.get("description")?.as_str().map(String::from)).unwrap_or_default()
+}
+
 /// The printers' names.
 pub fn printer_names() -> impl Iterator<Item = &'static str> {
     PRINTERS.iter().map(|(name, _)| *name)

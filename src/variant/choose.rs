@@ -2,7 +2,7 @@
 //!
 //! Each combination of names is first looked at with the numbers of the frame as it is. The search then follows the nearest few.
 
-use super::descent::Ended;
+use super::ended::Ended;
 use super::problem::{SearchProblem, Solution, SolveError};
 use super::solve::{before, solve};
 use crate::params::FrameFile;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use super::aim::Aim;
-use super::descent::Ended;
+use super::ended::Ended;
 use super::feasible::presets;
 use super::measures::Evaluation;
 use super::problem::{SearchProblem, Solution, SolveError, Standing, Vary};

@@ -18,28 +18,6 @@ const SHORTER: f64 = 0.3;
 /// Over how much of a region planes are made by differences.
 const REACH: f64 = 0.25;
 
-/// How a search ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ended {
-    /// No step of any size is better.
-    Converged,
-    /// As many frames were looked at as were allowed.
-    Spent,
-    /// Somebody ended it: a budget of time, or a person.
-    Stopped,
-}
-
-impl Ended {
-    /// How it ended, before the count of frames.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Converged => "found no better step after",
-            Self::Spent => "gave up after",
-            Self::Stopped => "was ended after",
-        }
-    }
-}
-
 /// Follows the planes from values that were looked at, with no more than this many frames; ends when a frame keeps everything
 /// where that is all that is asked for. Says whether it came to an end by itself.
 pub(super) fn descend(search: &Search, start: &[f64], most: usize, feasible_is_enough: bool) -> bool {

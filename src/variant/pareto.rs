@@ -5,7 +5,8 @@
 //! beats, and those that violate a rule, are taken out. It is a set of known frames: nothing is said of what lies between.
 
 use super::aim::{Aim, direction};
-use super::descent::{Ended, descend};
+use super::descent::descend;
+use super::ended::Ended;
 use super::feasible::find;
 use super::measures::{Evaluation, Measure};
 use super::problem::{SearchProblem, SolveError, Vary};

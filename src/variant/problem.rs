@@ -1,7 +1,7 @@
 //! What a search is asked for, and what it answers.
 
 use super::aim::Aim;
-use super::descent::Ended;
+use super::ended::Ended;
 use super::goal::Goal;
 use super::measures::Evaluation;
 use std::ops::ControlFlow;

@@ -8,7 +8,8 @@
 //! the slow one included, and only one that keeps them all is an answer.
 
 use super::aim::Aim;
-use super::descent::{Ended, descend};
+use super::descent::descend;
+use super::ended::Ended;
 use super::feasible::find;
 use super::goal::Goal;
 use super::measures::Evaluation;

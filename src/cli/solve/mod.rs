@@ -1,5 +1,6 @@
 //! `flexframe solve`: a search for a better frame, or for the front of several goals.
 
+mod arguments;
 mod front;
 mod told;
 mod wish;
@@ -10,51 +11,14 @@ use std::sync::Arc;
 
 use super::failure::Failure;
 use super::frame_text::{self, Line};
-use super::options::{Common, FrameOption};
-use super::searching::{Following, SearchOptions};
+use super::options::Common;
+use super::searching::Following;
 use super::session;
 use super::terminal;
 use crate::params::frame_file::Value;
 use crate::variant::{Chosen, Evaluation, SearchProblem, SolveError, choose};
+pub(super) use arguments::Args;
 use wish::Wanted;
-
-/// Search for the frame with the least of a measure that keeps every limit.
-#[derive(Debug, clap::Args)]
-#[command(
-    after_help = "Examples:\n  flexframe solve --minimise mass --vary arm_rod,cage_rod,strut_rod,motor_position -o light\n  flexframe solve cognifly --minimise envelope.volume --subject-to 'clearance.propeller>=3mm' --vary arm_rod=70..90,cage_rod\n  flexframe solve --aim stiffness=10 --vary strut_rod\n  flexframe solve --minimise mass --choose bought.battery,materials.rigid --vary cage_rod,arm_rod,strut_rod\n  flexframe solve --pareto mass,envelope.width --vary cage_rod,arm_rod,strut_rod,motor_position -o out\n\nMeasures: mass, mass.printed, mass.rods, envelope.width, envelope.depth, envelope.height, envelope.volume, clearance.propeller,\nclearance.part, clearance.ground, engagement, hinge.strain, wall, printed.volume, peak; and of the frame's own mechanics, which\ntake a second or two a frame: stiffness, design_drop.peak, design_drop.travel, design_drop.strain. It is a local search: another start may\nlead elsewhere. Ctrl-C ends it with the best so far. Exit code 1 when no frame keeps every limit."
-)]
-pub(super) struct Args {
-    /// Which frame.
-    #[command(flatten)]
-    pub frame: FrameOption,
-    /// What to make small: a measure.
-    #[arg(long, value_name = "MEASURE", required_unless_present_any = ["aim", "pareto"], conflicts_with_all = ["aim", "pareto"])]
-    pub minimise: Option<String>,
-    /// What to come near to, such as stiffness=10.
-    #[arg(long, value_name = "MEASURE=VALUE", conflicts_with = "pareto")]
-    pub aim: Option<String>,
-    /// Frames of which none is better than another in all of two or three measures.
-    #[arg(long, value_delimiter = ',', value_name = "MEASURE,…", conflicts_with = "choose")]
-    pub pareto: Vec<String>,
-    /// What to keep besides the frame's limits, such as 'clearance.propeller>=3mm'; may be given several times.
-    #[arg(long, value_delimiter = ',', value_name = "GOAL")]
-    pub subject_to: Vec<String>,
-    /// What may vary: keys, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
-    #[arg(long, value_delimiter = ',', required_unless_present = "choose", value_name = "KEY,…")]
-    pub vary: Vec<String>,
-    /// Whole choices: keys of names, of all there are or of some, such as 'bought.battery=battery-2s-850|battery-2s-1100'.
-    #[arg(long, value_delimiter = ',', value_name = "KEY,…")]
-    pub choose: Vec<String>,
-    /// With a measure of the mechanics: their numbers instead of those that come with the program.
-    #[arg(long, value_name = "TOML")]
-    pub mechanics: Option<String>,
-    /// How long the search goes on.
-    #[command(flatten)]
-    pub search: SearchOptions,
-    /// Write the answer as NAME.toml; a front as CSV, JSON and picture into the folder `pareto-FRAME` of this one.
-    #[arg(short, long, value_name = "NAME")]
-    pub output: Option<String>,
-}
 
 /// Searches, says what it found, and writes it when asked to; exits 1 when no frame keeps every limit.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {

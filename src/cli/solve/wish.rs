@@ -1,6 +1,6 @@
 //! What `solve` is asked for, read from the command line.
 
-use super::Args;
+use super::arguments::Args;
 use crate::cli::choice;
 use crate::cli::failure::Failure;
 use crate::cli::session;
