@@ -30,7 +30,7 @@ fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
 }
 
 fn case(held: &CheckedFrame, judged: &Judged) -> TestCase {
-    let Judged { finding, standing, spots, made_of } = judged;
+    let Judged { finding, standing, spots, made_of, .. } = judged;
     let text = format!("{}{}{}", finding.message, made_of, place(spots.first()));
     let status = match standing {
         Standing::Good | Standing::Warning => TestCaseStatus::success(),
