@@ -18,6 +18,7 @@ use crate::memo::Memo;
 use crate::params::PartName;
 
 const CLEARANCES: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
+const UNDER_RODS: &[&str] = &["rods.strut_rod_length_mm", "battery.battery_height_mm", "bought.battery"];
 const RIMS: &[&str] = &["lid.lid_reach_mm", "lid.lid_clearance_mm"];
 const MAGNETS: &[&str] = &["bracket.magnet_gap_mm"];
 const CONNECTOR: &[&str] = &["bracket.connector_width_mm"];
@@ -28,7 +29,7 @@ pub static RULE: Rule = Rule {
     requires: "the battery slides out and meets its stops",
     units: &["mm3", "mm"],
     limits: &[],
-    levers: Levers::Sets(&[CLEARANCES, RIMS, MAGNETS, CONNECTOR]),
+    levers: Levers::Sets(&[CLEARANCES, UNDER_RODS, RIMS, MAGNETS, CONNECTOR]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick(check)]),
@@ -54,12 +55,14 @@ pub struct CartridgePassage {
     pub shared_mm3: f64,
     /// Length of the way out, mm.
     pub way_mm: f64,
+    /// The keys that drive it.
+    pub levers: &'static [&'static str],
 }
 
 impl CartridgePassage {
     fn finding(&self) -> Finding {
-        let Self { pair, shared_mm3, way_mm } = self;
-        let measure = Measure { rule: &RULE, value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers: CLEARANCES };
+        let Self { pair, shared_mm3, way_mm, levers } = self;
+        let measure = Measure { rule: &RULE, value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers };
         let (subject, message) = match pair {
             Some([piece, other]) => (
                 format!("{piece} past {other}"),
@@ -133,15 +136,19 @@ fn passage(scene: &Scene) -> Vec<Finding> {
     let pairs: Vec<(&Placed, &Placed)> = pieces.iter().flat_map(|piece| rest.iter().map(|other| (*piece, *other))).collect();
     let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(&scene.design.memo, piece, other, free_mm, way_mm)).collect();
     let names = |piece: &Placed, other: &Placed| Some([piece.body.name.clone(), other.body.name.clone()]);
+    // What belongs to a module is beside or under the sleeve's height: no clearance inside of the sleeve moves it.
+    let levers = |other: &Placed| if other.body.module.is_some() { UNDER_RODS } else { CLEARANCES };
     let in_the_way: Vec<Finding> = pairs
         .iter()
         .zip(&met)
         .filter(|(_, met)| **met > TOUCH_MM3)
-        .map(|((piece, other), met)| CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm }.finding())
+        .map(|((piece, other), met)| {
+            CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm, levers: levers(other) }.finding()
+        })
         .collect();
     if in_the_way.is_empty() {
         let shared_mm3 = met.iter().copied().fold(0.0, f64::max);
-        return vec![CartridgePassage { pair: None, shared_mm3, way_mm }.finding()];
+        return vec![CartridgePassage { pair: None, shared_mm3, way_mm, levers: CLEARANCES }.finding()];
     }
     in_the_way
 }

@@ -10,13 +10,15 @@ use super::ground::{self, GroundClearance};
 use super::printing::{bed, bridge, footing, gap, island, layer_direction, overhang, wall};
 use super::rule::{Cost, Found, Pass, Rule};
 use super::scene::Scene;
-use super::{cartridge, centre_of_mass, clearance, envelope, fold, hinge, interference, mass_budget, propeller, seating, strength};
+use super::{
+    cartridge, centre_of_mass, clearance, envelope, fold, hardware, hinge, interference, mass_budget, propeller, seating, strength,
+};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::memo::{Progress, Step};
 
 /// Every rule, in the order of the report: the only list.
-pub static CATALOGUE: [&Rule; 20] = [
+pub static CATALOGUE: [&Rule; 21] = [
     &envelope::RULE,
     &mass_budget::RULE,
     &centre_of_mass::RULE,
@@ -24,6 +26,7 @@ pub static CATALOGUE: [&Rule; 20] = [
     &clearance::RULE,
     &seating::RULE,
     &interference::RULE,
+    &hardware::RULE,
     &ground::RULE,
     &hinge::RULE,
     &fold::RULE,
@@ -50,6 +53,15 @@ pub fn check_by(rules: &[&Rule], dearest: Cost, design: &Design, masses: &MassTa
         ControlFlow::Continue(found) => found,
         ControlFlow::Break(never) => match never {},
     }
+}
+
+/// What one rule finds, without the search for a fold. A rule whose findings come about in a pass of another is asked with all of them.
+pub fn check_one(rule: &Rule, design: &Design, masses: &MassTable) -> Vec<Finding> {
+    let own = |known: &&&Rule| known.id == rule.id && matches!(known.found, Found::By(_));
+    let alone: Vec<&Rule> = CATALOGUE.iter().filter(own).copied().collect();
+    let others = CATALOGUE.iter().copied().filter(|known| alone.is_empty() && known.id != fold::RULE.id);
+    let rules: Vec<&Rule> = alone.iter().copied().filter(|known| known.id != fold::RULE.id).chain(others).collect();
+    check_by(&rules, Cost::Slow, design, masses).into_iter().filter(|finding| finding.rule == rule.id).collect()
 }
 
 /// The same with somebody who follows it, rule by rule; none when that one ended it.

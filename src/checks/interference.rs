@@ -11,13 +11,19 @@ use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::frame::assembly::Kind;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
+use crate::frame::assembly::screw_solids::threads_mm3;
 use crate::params::PartName;
 
 const ROD_FIT: &[&str] = &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"];
 const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
-const KNEE_WINDOW: &[&str] = &["knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"];
+const KNEE_WINDOW: &[&str] = &["fork.fork_cheek_gap_mm", "knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"];
 const SLEEVE: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"];
 const OTHER: &[&str] = &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"];
+const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "bought.motor_screw"];
+const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
+const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
+const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
+const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
     id: "interference",
@@ -25,7 +31,7 @@ pub static RULE: Rule = Rule {
     requires: "bodies share no volume beyond the intended press fits",
     units: &["mm3"],
     limits: &[],
-    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER]),
+    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, COMPUTER, CAMERA, SENSOR]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick(check)]),
@@ -66,7 +72,15 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         return (ring * ROUNDING, ROD_FIT);
     }
     let is = |name| a.is_part(name) || b.is_part(name);
+    let has = |name: &str| [a, b].iter().any(|p| matches!(p.shape.kind, Kind::Bought(bought) if bought == name));
+    let [in_motor, in_hub] = threads_mm3(frame, &scene.design.centre).map(|thread| thread * ROUNDING);
     match () {
+        () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
+        () if has("stack_screw") && is(PartName::Hub) => (in_hub, STACK),
+        () if ["flight_controller", "motor_controller", "stack_screw", "damper"].into_iter().any(has) => (0.0, STACK),
+        () if has("camera") => (0.0, CAMERA),
+        () if has("computer") => (0.0, COMPUTER),
+        () if has("flow_sensor") => (0.0, SENSOR),
         () if is(PartName::Hub) && is(PartName::HubJoint) => (plugs_mm3(frame) * ROUNDING, PLUG_FIT),
         () if is(PartName::Knee) && is(PartName::Fork) => (0.0, KNEE_WINDOW),
         () if is(PartName::BatterySleeve) => (0.0, SLEEVE),
@@ -104,6 +118,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
 mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
+    use crate::params::Frame;
 
     #[test]
     fn planted_a_motor_in_its_mount() {
@@ -111,8 +126,8 @@ mod tests {
         assert_eq!(violated(&frame.found(check)), []);
         frame.move_body("motor_FR", [0.0, 0.0, -0.5]);
         let found = frame.found(check);
-        let broken = violated(&found);
-        assert!(broken.len() == 1 && broken[0].subject == "motor_mount_FR and motor_FR" && broken[0].value > 10.0, "{broken:?}");
+        let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
+        assert_eq!(broken, ["motor_mount_FR and motor_FR", "motor_FR and motor_screw_FR"]);
     }
 
     #[test]
@@ -120,6 +135,22 @@ mod tests {
         let mut frame = Planted::preset("cognifly");
         frame.move_body("cage_FR_top", [-1.0, 0.0, 0.0]);
         assert!(violated(&frame.found(check)).iter().any(|f| f.subject.contains("cage_FR_top")));
+    }
+
+    #[test]
+    fn planted_a_flight_controller_that_is_larger_than_its_bay() {
+        let large = |frame: &mut Frame| frame.bought.get_mut("flight_controller").expect("has one").part.size_mm = [90.0, 90.0, 60.0];
+        let found = Planted::frame(large).found(check);
+        for meets in ["battery_bracket and flight_controller", "battery_sleeve and flight_controller"] {
+            assert!(violated(&found).iter().any(|f| f.subject == meets && f.value > 100.0), "{meets}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn planted_screw_heads_in_the_skirt_of_the_mount() {
+        // Two lines of 0.6 mm: the heads of M2 screws on a circle of 9 mm need 1.1 mm at most.
+        let found = Planted::frame(|frame| frame.motor_mount.motor_skirt_wall_mm = 1.2).found(check);
+        assert!(violated(&found).iter().any(|f| f.subject == "motor_mount_FR and motor_screw_FR"), "{found:?}");
     }
 
     #[test]

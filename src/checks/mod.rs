@@ -13,6 +13,7 @@ mod finding;
 mod fold;
 pub mod gate;
 mod ground;
+mod hardware;
 mod hinge;
 mod interference;
 mod mass_budget;
@@ -25,7 +26,7 @@ mod seating;
 mod strength;
 
 pub use cartridge::{CartridgeMeeting, CartridgePassage};
-pub use catalogue::{CATALOGUE, check, check_by, followed, ground_clearance};
+pub use catalogue::{CATALOGUE, check, check_by, check_one, followed, ground_clearance};
 pub use centre_of_mass::CentreOffset;
 pub use clearance::RodClearance;
 pub use envelope::Extent;

@@ -73,7 +73,8 @@ fn group(other: &Placed) -> &'static str {
 
 /// What a propeller stands on.
 fn carries(other: &Placed, propeller: &Placed) -> bool {
-    let under = other.shape.kind == Kind::Motor || other.is_part(crate::params::PartName::MotorMount);
+    let screws = matches!(other.shape.kind, Kind::Bought(_)) && other.body.module.is_some();
+    let under = other.shape.kind == Kind::Motor || screws || other.is_part(crate::params::PartName::MotorMount);
     under && other.body.module == propeller.body.module
 }
 

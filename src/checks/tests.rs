@@ -57,7 +57,21 @@ fn analytic_margin_and_verdict_agree() {
 }
 
 /// Keys of a frame file that choose something whole.
-const CHOICES: [&str; 6] = ["printer", "materials.flexible", "materials.rigid", "bought.battery", "bought.motor", "bought.rod"];
+const CHOICES: [&str; 13] = [
+    "printer",
+    "materials.flexible",
+    "materials.rigid",
+    "bought.battery",
+    "bought.camera",
+    "bought.computer",
+    "bought.flight_controller",
+    "bought.flow_sensor",
+    "bought.motor",
+    "bought.motor_screw",
+    "bought.propeller",
+    "bought.rod",
+    "bought.stack_screw",
+];
 
 fn is_key(key: &str) -> bool {
     CHOICES.contains(&key)

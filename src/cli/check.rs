@@ -12,7 +12,7 @@ use super::progress::Progress;
 use super::session;
 use super::{frames, output, table, terminal};
 use crate::checks::gate::{
-    Baseline, CheckedFrame, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
+    Baseline, CheckedFrame, Judged, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
 };
 use crate::checks::{self, Finding, Tightest};
 use crate::frame::assembly::mass;
@@ -21,6 +21,7 @@ use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile};
+use crate::workspace::advice;
 
 /// Hold frames against their limits; exits 1 when one is violated.
 #[derive(Debug, clap::Args)]
@@ -54,6 +55,13 @@ pub(super) struct Args {
     pub mechanics: MechanicsOption,
 }
 
+impl Args {
+    /// Whether the findings are printed for a person, each with its sentence.
+    fn tells_a_person(&self, common: &Common) -> bool {
+        matches!(self.format, None | Some(CheckFormat::Text)) && !common.json && !common.quiet && !self.update_baseline
+    }
+}
+
 /// How `check` says what it found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum CheckFormat {
@@ -83,7 +91,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, args, policy, &memo).map_err(|failure| {
+            let result = hold(&asked, args, common, policy, &memo).map_err(|failure| {
                 messages.push(failure.render());
                 refused(&failure)
             });
@@ -112,7 +120,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 /// One frame's findings.
-fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<CheckedFrame, Failure> {
+fn hold(asked: &str, args: &Args, common: &Common, policy: Policy, memo: &Arc<Memo>) -> Result<CheckedFrame, Failure> {
     let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: args.rigid.clone() })?;
     let found = memo.try_get("findings", &frame.name, &frame, || {
         let design = session::designed(frame.clone(), &file, memo)?;
@@ -123,7 +131,9 @@ fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<Ch
     if let Some(settings) = session::mechanics(&args.mechanics)? {
         findings.extend(strength(frame.clone(), &file, &settings, memo)?);
     }
-    Ok(CheckedFrame::new(&frame, &file, findings, masses, policy))
+    // Trying remedies takes seconds: it is done for a person who reads them.
+    let advice = if args.tells_a_person(common) { advice(&file, &findings, memo) } else { Vec::new() };
+    Ok(CheckedFrame::new(&frame, &file, findings, masses, policy).advised(advice))
 }
 
 /// What the design drop of the frame's own model does to it.
@@ -226,7 +236,7 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
 }
 
 fn frame_text(args: &Args, held: &CheckedFrame) -> String {
-    let findings: Vec<Finding> = held.findings.iter().map(|judged| judged.finding.clone()).collect();
+    let findings: Vec<Finding> = held.findings.iter().map(Judged::told).collect();
     let every = || findings.iter().map(|finding| Tightest { finding, of: 1 }).collect::<Vec<_>>();
     let table = if args.all { table::findings(&every()) } else { table::brief(&findings) };
     let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));

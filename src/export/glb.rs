@@ -211,7 +211,7 @@ pub(super) fn accessor(view: Index<View>, count: usize, component: ComponentType
 
 fn material(shape: &Shape) -> Material {
     let flexible = shape.kind.is_flexible();
-    let metal = matches!(shape.kind, Kind::Motor) || shape.name.starts_with("magnet");
+    let metal = matches!(shape.kind, Kind::Motor) || shape.name.starts_with("magnet") || shape.name.ends_with("_screw");
     Material {
         name: Some(format!("{} ({})", shape.name, shape.material)),
         alpha_mode: Checked::Valid(if shape.colour[3] < 1.0 { AlphaMode::Blend } else { AlphaMode::Opaque }),

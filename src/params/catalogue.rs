@@ -93,6 +93,8 @@ pub struct BoughtPart {
     pub stock_length_mm: Option<f64>,
     /// What a rod is made of.
     pub material: Option<String>,
+    /// Wall of a rod that is a tube, mm; a rod without one is solid.
+    pub wall_mm: Option<f64>,
     /// Diameter of a motor's body, mm.
     pub body_diameter_mm: Option<f64>,
     /// Height of a motor, mm.
@@ -107,6 +109,12 @@ pub struct BoughtPart {
     pub hole_diameter_mm: Option<f64>,
     /// Hole that a motor's shaft needs in what it stands on, mm.
     pub shaft_hole_diameter_mm: Option<f64>,
+    /// Diameter of a motor's shaft, mm.
+    pub shaft_diameter_mm: Option<f64>,
+    /// Thickness of a board without what is soldered onto it, mm.
+    pub board_thickness_mm: Option<f64>,
+    /// Width and thickness of a tie's strap, mm.
+    pub strap_mm: Option<[f64; 2]>,
     /// Distances of a board's mounting holes, mm.
     pub hole_pattern_mm: Option<[f64; 2]>,
     /// Distance of a sensor's two mounting holes, mm.
@@ -131,11 +139,50 @@ pub struct BoughtPart {
     pub price_source: Option<String>,
 }
 
+/// Thickness of a circuit board that does not state its own, mm: that of usual FR-4 laminate.
+const USUAL_BOARD_MM: f64 = 1.6;
+
 impl BoughtPart {
     /// Whether its price comes with a currency and a source, or there is none.
     pub fn is_priced_whole(&self) -> bool {
         let stated = [self.price.is_some(), self.currency.is_some(), self.price_source.is_some()];
         stated == [true; 3] || stated == [false; 3]
+    }
+
+    /// Height of a motor from its mounting face to the face that carries the propeller, mm.
+    pub fn motor_height_mm(&self) -> f64 {
+        self.height_mm.unwrap_or(self.size_mm[2])
+    }
+
+    /// Height of a propeller's hub along the shaft, mm.
+    pub fn hub_mm(&self) -> f64 {
+        self.hub_height_mm.unwrap_or(self.size_mm[2])
+    }
+
+    /// Thickness of its circuit board, mm: as stated, else that of most boards, and no more than the whole is high.
+    pub fn board_mm(&self) -> f64 {
+        self.board_thickness_mm.unwrap_or(USUAL_BOARD_MM).min(self.size_mm[2])
+    }
+
+    /// What is stated of it and cannot be, with the key to change.
+    pub fn contradiction(&self) -> Option<(&'static str, String)> {
+        let [length, width, height] = self.size_mm;
+        if let Some([along, across]) = self.hole_pattern_mm {
+            // A camera's pattern is stated as it hangs, a board's as it lies: both beside the first two sizes.
+            if along >= length || across >= width {
+                let message = format!("`hole_pattern_mm`: holes {along} x {across} mm apart lie outside of {length} x {width} mm");
+                return Some(("hole_pattern_mm", message));
+            }
+        }
+        if self.board_thickness_mm.is_some_and(|board| board > height) {
+            return Some(("board_thickness_mm", format!("`board_thickness_mm` is more than the whole is high, {height} mm")));
+        }
+        match (self.wall_mm, self.diameter_mm) {
+            (Some(wall), Some(diameter)) if 2.0 * wall >= diameter => {
+                Some(("wall_mm", format!("`wall_mm`: a tube of {diameter} mm has no wall of {wall} mm; a solid rod states none")))
+            }
+            _ => None,
+        }
     }
 }
 

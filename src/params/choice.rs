@@ -79,6 +79,11 @@ impl Catalogues {
             if !part.is_priced_whole() {
                 return Err(bad_override(file, &key, "bought part", "parts", &name, "its price lacks currency or price_source"));
             }
+            if let Some((field, message)) = part.contradiction() {
+                let stated = format!("override.parts.{name}.{field}");
+                let at = if file.entries.contains_key(&stated) { stated.as_str() } else { &key };
+                return Err(bad_override(file, at, "bought part", "parts", &name, &message));
+            }
             items.insert(role.into(), BoughtItem { name, quantity, part });
         }
         for (role, _, kind) in ROLES {

@@ -48,11 +48,15 @@ impl Material {
 
 impl BoughtPart {
     /// Its figures.
-    pub const FIGURES: [Figure; 20] = [
+    pub const FIGURES: [Figure; 24] = [
         figure("size_mm", [0.1, 2000.0], "mm"),
         figure("mass_g", [0.0, 5000.0], "g"),
         figure("diameter_mm", [0.1, 500.0], "mm"),
         figure("stock_length_mm", [10.0, 1e4], "mm"),
+        figure("wall_mm", [0.1, 20.0], "mm"),
+        figure("shaft_diameter_mm", [0.3, 20.0], "mm"),
+        figure("board_thickness_mm", [0.1, 10.0], "mm"),
+        figure("strap_mm", [0.3, 20.0], "mm"),
         figure("body_diameter_mm", [1.0, 200.0], "mm"),
         figure("height_mm", [0.1, 200.0], "mm"),
         figure("hub_height_mm", [0.1, 50.0], "mm"),

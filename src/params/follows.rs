@@ -8,44 +8,79 @@ use super::frame::BoughtItem;
 /// Room around a connector's section in its channel, across and up together, mm: 10.55 x 5.55 around an XT30.
 const CONNECTOR_CLEARANCE_MM: f64 = 0.35;
 
+/// From a motor's face to the underside of its propeller, mm: what the catalogued sizes leave of the 14.2 mm from plate to propeller
+/// that the real frame's side view shows (CogniFly-STL, Right.png, to +-2 mm): 10.8 mm of motor, half of 5.0 mm of propeller.
+const PROPELLER_GAP_MM: f64 = 0.9;
+
+/// Everything bought, by role.
+type Bought = BTreeMap<String, BoughtItem>;
+
 /// A number that follows from a bought part.
 struct Follows {
     key: &'static str,
-    role: &'static str,
-    figure: fn(&BoughtPart) -> Option<f64>,
+    /// The roles that it may follow from; the first that the frame has counts.
+    roles: &'static [&'static str],
+    figure: fn(&BoughtPart, &Bought) -> Option<f64>,
     /// What holds when the frame does without that part.
     without: Option<f64>,
 }
 
-const FOLLOWS: [Follows; 16] = [
-    Follows { key: "rod_diameter_mm", role: "rod", figure: |rod| rod.diameter_mm, without: None },
-    Follows { key: "propeller_diameter_mm", role: "propeller", figure: |propeller| propeller.diameter_mm, without: None },
-    Follows { key: "battery_length_mm", role: "battery", figure: |battery| Some(battery.size_mm[0]), without: None },
-    Follows { key: "battery_width_mm", role: "battery", figure: |battery| Some(battery.size_mm[1]), without: None },
-    Follows { key: "battery_height_mm", role: "battery", figure: |battery| Some(battery.size_mm[2]), without: None },
-    Follows { key: "battery_mass_g", role: "battery", figure: |battery| Some(battery.mass_g), without: None },
-    Follows { key: "motor_hole_circle_mm", role: "motor", figure: |motor| motor.hole_pcd_mm, without: None },
-    Follows { key: "motor_hole_diameter_mm", role: "motor", figure: |motor| motor.hole_diameter_mm, without: None },
-    Follows { key: "motor_shaft_hole_mm", role: "motor", figure: |motor| motor.shaft_hole_diameter_mm, without: None },
-    Follows { key: "stack_pattern_mm", role: "flight_controller", figure: |board| Some(board.hole_pattern_mm?[0]), without: Some(20.0) },
-    Follows { key: "pi_pattern_along_mm", role: "computer", figure: |board| Some(board.hole_pattern_mm?[0]), without: Some(58.0) },
-    Follows { key: "pi_pattern_across_mm", role: "computer", figure: |board| Some(board.hole_pattern_mm?[1]), without: Some(23.0) },
-    Follows { key: "magnet_length_mm", role: "magnet", figure: |magnet| Some(magnet.size_mm[0]), without: Some(10.0) },
-    Follows { key: "magnet_width_mm", role: "magnet", figure: |magnet| Some(magnet.size_mm[1]), without: Some(5.0) },
-    Follows { key: "connector_width_mm", role: "connector", figure: |c| Some(c.size_mm[1] + CONNECTOR_CLEARANCE_MM), without: Some(10.55) },
-    Follows { key: "connector_height_mm", role: "connector", figure: |c| Some(c.size_mm[2] + CONNECTOR_CLEARANCE_MM), without: Some(5.55) },
+impl Follows {
+    /// From a part that every frame has.
+    const fn always(key: &'static str, roles: &'static [&'static str], figure: fn(&BoughtPart, &Bought) -> Option<f64>) -> Self {
+        Self { key, roles, figure, without: None }
+    }
+
+    /// From a part that a frame may do without.
+    const fn or(key: &'static str, roles: &'static [&'static str], figure: fn(&BoughtPart, &Bought) -> Option<f64>, without: f64) -> Self {
+        Self { key, roles, figure, without: Some(without) }
+    }
+}
+
+const STACK: &[&str] = &["flight_controller", "motor_controller"];
+
+const FOLLOWS: [Follows; 21] = [
+    Follows::always("rod_diameter_mm", &["rod"], |rod, _| rod.diameter_mm),
+    Follows::always("propeller_diameter_mm", &["propeller"], |propeller, _| propeller.diameter_mm),
+    Follows::always("propeller_height_mm", &["propeller"], propeller_height_mm),
+    Follows::always("battery_length_mm", &["battery"], |battery, _| Some(battery.size_mm[0])),
+    Follows::always("battery_width_mm", &["battery"], |battery, _| Some(battery.size_mm[1])),
+    Follows::always("battery_height_mm", &["battery"], |battery, _| Some(battery.size_mm[2])),
+    Follows::always("battery_mass_g", &["battery"], |battery, _| Some(battery.mass_g)),
+    Follows::always("motor_hole_circle_mm", &["motor"], |motor, _| motor.hole_pcd_mm),
+    Follows::always("motor_hole_diameter_mm", &["motor"], |motor, _| motor.hole_diameter_mm),
+    Follows::always("motor_shaft_hole_mm", &["motor"], |motor, _| motor.shaft_hole_diameter_mm),
+    Follows::or("stack_pattern_mm", STACK, |board, _| Some(board.hole_pattern_mm?[0]), 20.0),
+    Follows::or("pi_pattern_along_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[0]), 58.0),
+    Follows::or("pi_pattern_across_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[1]), 23.0),
+    Follows::or("camera_pattern_across_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[0]), 21.0),
+    Follows::or("camera_pattern_up_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[1]), 12.5),
+    Follows::or("sensor_hole_pitch_mm", &["flow_sensor"], |sensor, _| sensor.hole_pitch_mm, 30.7),
+    Follows::or("magnet_length_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[0]), 10.0),
+    Follows::or("magnet_width_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[1]), 5.0),
+    Follows::or("magnet_thickness_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[2]), 3.0),
+    Follows::or("connector_width_mm", &["connector"], |c, _| Some(c.size_mm[1] + CONNECTOR_CLEARANCE_MM), 10.55),
+    Follows::or("connector_height_mm", &["connector"], |c, _| Some(c.size_mm[2] + CONNECTOR_CLEARANCE_MM), 5.55),
 ];
 
+/// From the motor's seat to the middle of its propeller: the propeller is on the motor.
+fn propeller_height_mm(propeller: &BoughtPart, bought: &Bought) -> Option<f64> {
+    let motor = &bought.get("motor")?.part;
+    let height_mm = motor.motor_height_mm() + PROPELLER_GAP_MM + 0.5 * propeller.hub_mm();
+    // Sums of decimals are not exact, and this one is printed as the key's value.
+    Some((height_mm * 1e6).round() / 1e6)
+}
+
 /// The number that a bought part, or its absence, gives a key.
-pub(super) fn from_bought(bought: &BTreeMap<String, BoughtItem>, key: &str) -> Option<f64> {
+pub(super) fn from_bought(bought: &Bought, key: &str) -> Option<f64> {
     let rule = FOLLOWS.iter().find(|rule| rule.key == key)?;
-    match bought.get(rule.role) {
-        Some(item) => (rule.figure)(&item.part),
+    match rule.roles.iter().find_map(|role| bought.get(*role)) {
+        Some(item) => (rule.figure)(&item.part, bought),
         None => rule.without,
     }
 }
 
 /// The role of the bought part that a key's number follows from.
 pub fn role_of(key: &str) -> Option<&'static str> {
-    FOLLOWS.iter().find(|rule| rule.key == key).map(|rule| rule.role)
+    FOLLOWS.iter().find(|rule| rule.key == key).and_then(|rule| rule.roles.first()).copied()
 }

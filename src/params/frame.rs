@@ -132,6 +132,12 @@ pub fn catalogue() -> impl Iterator<Item = &'static Parameter> {
 }
 
 impl Frame {
+    /// Inner diameter of the rods, mm: 0 unless the bought rod is a tube.
+    pub fn rod_bore_mm(&self) -> f64 {
+        let wall_mm = self.bought.get("rod").and_then(|rod| rod.part.wall_mm);
+        wall_mm.map_or(0.0, |wall| (self.rods.rod_diameter_mm - 2.0 * wall).max(0.0))
+    }
+
     /// One of its numbers, by table and key.
     pub fn value(&self, table: &str, key: &str) -> Option<f64> {
         match table {

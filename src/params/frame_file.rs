@@ -8,6 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::files::{Disk, Files};
+use super::follows;
 use super::preset;
 use super::refusal::{LONGEST_CHAIN, Place, Reason, Refusal, Source, nearest};
 
@@ -221,7 +222,32 @@ impl FrameFile {
 
     /// A refusal that points at a key, or at nothing when no file states it.
     pub fn refuse(&self, key: &str, reason: Reason) -> Refusal {
-        Refusal { reason: Box::new(reason), place: self.entries.get(key).map(|entry| entry.place.clone()) }
+        let typed = self.entries.get(key);
+        let place = match typed {
+            Some(entry) if self.is_own(entry) => Some(entry.place.clone()),
+            // The value is a preset's, or a bought part's: what the user's own file has to do with it is what can be changed.
+            _ => self.own_place(&reason).or_else(|| typed.map(|entry| entry.place.clone())),
+        };
+        Refusal { reason: Box::new(reason), place }
+    }
+
+    /// Whether an entry stands in a file of the user's, or was asked for.
+    fn is_own(&self, entry: &Entry) -> bool {
+        entry.depth == 0 || self.files.iter().any(|source| Arc::ptr_eq(source, &entry.place.source))
+    }
+
+    /// The place in the user's files nearest to what a refusal speaks of: a key that it names, the choice of the part that such a key
+    /// follows from, or the base.
+    fn own_place(&self, reason: &Reason) -> Option<Place> {
+        let text = format!("{reason} {}", reason.remedy());
+        let words: Vec<&str> = text.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+        let named = |key: &str| {
+            let last = key.rsplit('.').next().unwrap_or(key);
+            let chosen = |word: &&str| key.strip_prefix("bought.").is_some_and(|role| follows::role_of(word) == Some(role));
+            words.contains(&last) || words.iter().any(chosen)
+        };
+        let own = self.entries.iter().filter(|(key, entry)| key.contains('.') && self.is_own(entry) && named(key));
+        own.min_by_key(|(_, entry)| entry.depth).map(|(_, entry)| entry.place.clone()).or_else(|| self.base.clone())
     }
 }
 

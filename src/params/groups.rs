@@ -318,7 +318,7 @@ parameters! {
         bracket_side_wall_mm: 1.0..=2.5 => [BatteryBracket, BatterySleeve, BatteryLid],
         /// Thickness of the base between the two uprights.
         bracket_base_mm: 2.0..=5.0 => [BatteryBracket],
-        /// From the base's top up to the top of the uprights: room for the electronics under the hub.
+        /// From the base's top up to the top of the uprights: room for the electronics; connector, magnet and tie hole may need more.
         bay_height_mm: 14.0..=45.0 => [BatteryBracket],
         /// From the top of the connector's channel up to the magnet's pocket.
         bracket_wall_mm: 1.2..=3.0 => [BatteryBracket, BatteryLid],

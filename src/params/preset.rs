@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::de::DeserializeOwned;
 
 use super::catalogue::{BoughtPart, Material, Printer};
+use super::roles::ROLES;
 
 /// Name and text of each preset; the first is the default.
 const PRESETS: [(&str, &str); 6] = [
@@ -57,6 +58,25 @@ pub fn text(name: &str) -> Option<&'static str> {
 pub fn description(name: &str) -> String {
     let file = text(name).and_then(|text| text.parse::<toml::Table>().ok());
     file.and_then(|file| file.get("description")?.as_str().map(String::from)).unwrap_or_default()
+}
+
+/// The names of the catalogues that a key of a frame file can have: a printer, a material, a bought part. Empty for any other key.
+pub fn names_for(key: &str) -> Vec<String> {
+    let of_kind = |text: &str, table: &str, kind: &str| -> Vec<String> {
+        let all: toml::Table = toml::from_str(text).unwrap_or_default();
+        let entries = all.get(table).and_then(toml::Value::as_table).into_iter().flatten();
+        let fits = |entry: &toml::Value| entry.get("kind").and_then(toml::Value::as_str) == Some(kind);
+        entries.filter(|(_, entry)| fits(entry)).map(|(name, _)| name.clone()).collect()
+    };
+    match key.split_once('.') {
+        None if key == "printer" => printer_names().map(String::from).collect(),
+        Some(("materials", _)) => of_kind(MATERIALS, "materials", "printed"),
+        Some(("bought", role)) => {
+            let kind = ROLES.iter().find(|(known, ..)| *known == role).map_or("", |(.., kind)| *kind);
+            of_kind(BOUGHT, "parts", kind)
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// The printers' names.

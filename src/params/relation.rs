@@ -77,7 +77,7 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "the gap between the leg's root and the hub",
         "raise hub_leg_mouth_mm, or lower hub_leg_socket_depth_mm or hub_leg_root_mm",
     )?;
-    motor_holes(frame)?;
+    bought(frame)?;
     centre(frame)?;
     let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
     let last = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm
@@ -130,6 +130,47 @@ fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str)
     let message = format!("{what} would be {value} mm, it must be at least {least} mm");
     Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy: remedy.into() }) })
 }
+
+/// What is bought finds the holes that it needs, and something that carries it.
+fn bought(frame: &Frame) -> Result<(), Broken> {
+    motor_holes(frame)?;
+    carried_camera(frame)?;
+    stack(frame)
+}
+
+/// The camera stands on the computer's board.
+fn carried_camera(frame: &Frame) -> Result<(), Broken> {
+    let has = |role: &str| frame.bought.contains_key(role);
+    if has("computer") || !has("camera") {
+        return Ok(());
+    }
+    let message =
+        "`bought.computer` = \"none\" leaves nothing for the camera to stand on: its connectors are screwed onto the computer's board"
+            .into();
+    let remedy = "write camera = \"none\" in [bought], too, or name a computer".into();
+    Err(Broken { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// The boards under the hub hang on four screws: their holes are one square.
+fn stack(frame: &Frame) -> Result<(), Broken> {
+    let boards = [("bought.flight_controller", "flight_controller"), ("bought.motor_controller", "motor_controller")];
+    let patterns = boards.into_iter().filter_map(|(key, role)| Some((key, frame.bought.get(role)?)));
+    for (key, item) in patterns {
+        let Some([along, across]) = item.part.hole_pattern_mm else { continue };
+        let pattern = frame.hub.stack_pattern_mm;
+        if [along, across].iter().all(|side| (side - pattern).abs() <= HOLE_PLAY_MM) {
+            continue;
+        }
+        let name = &item.name;
+        let message = format!("the holes of `{name}` are {along} x {across} mm apart, those of the hub's stack {pattern} x {pattern} mm");
+        let remedy = "choose boards of one square pattern for flight_controller and motor_controller, or \"none\" for one of them; without stack_pattern_mm the hub follows the first".into();
+        return Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) });
+    }
+    Ok(())
+}
+
+/// How far the holes of a board may be from those that it is screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
+const HOLE_PLAY_MM: f64 = 0.5;
 
 /// The motor mount has four screw holes.
 fn motor_holes(frame: &Frame) -> Result<(), Broken> {

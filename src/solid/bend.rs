@@ -75,6 +75,15 @@ impl Bend {
         }
     }
 
+    /// The same hinge with its pivot a little farther out, mm; necks stay where they are.
+    pub fn moved_out(&self, by_mm: f64) -> Self {
+        let mut moved = *self;
+        if let Self::Web { pivot, outward, .. } = &mut moved {
+            *pivot += outward.into_inner() * by_mm;
+        }
+        moved
+    }
+
     /// The same hinge, not folded.
     pub fn unfolded(&self) -> Self {
         let mut unfolded = *self;

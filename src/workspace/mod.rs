@@ -4,12 +4,14 @@
 //! built from nothing, to the last bit. Nothing here opens a file.
 
 mod answer;
+mod remedy;
 #[cfg(test)]
 mod tests;
 
 use std::sync::Arc;
 
 pub use answer::{Answer, Refused};
+pub use remedy::{Remedy, advice};
 
 use crate::checks::{self, CATALOGUE, Cost, Finding};
 use crate::export::File;

@@ -131,7 +131,6 @@ fn analytic_enough_of_the_drawn_frames_close() {
 /// The bodies that a line of the mass table stands for.
 fn bodies_of<'a>(design: &'a Design, line: &str) -> Vec<&'a Body> {
     let shapes: Vec<String> = match line {
-        "flight_controller" | "motor_controller" => vec!["stack".into()],
         "connector" | "magnet" => vec![format!("{line}_bracket"), format!("{line}_lid")],
         other => vec![other.into()],
     };

@@ -96,6 +96,44 @@ fn analytic_random_frames_are_sound_and_seated() {
     assert!(bad.is_empty(), "{} of {} frames are faulty:\n{}", bad.len(), frames.len(), bad.join("\n"));
 }
 
+/// Moves nearly every parameter by up to this share of its value: as harmless as a change can be.
+const NUDGE: f64 = 0.03;
+
+/// Nudges all but one parameter in sixteen, within its bounds. Limits stay.
+fn nudges(base: &Frame, runner: &mut TestRunner) -> Vec<(String, f64)> {
+    let mut changed = Vec::new();
+    for p in parameters().filter(|p| p.table != "limits") {
+        let (lot, way) = drawn((0..16u32, -NUDGE..NUDGE), runner);
+        let Some(value) = base.value(p.table, p.key).filter(|_| lot > 0) else { continue };
+        changed.push((format!("{}.{}", p.table, p.key), ((value * (1.0 + way)).clamp(p.min, p.max) * 1e4).round() / 1e4));
+    }
+    changed
+}
+
+/// Frames a little beside the presets, as many as `FLEXFRAME_NUDGED` says: each that the relations of the parameters allow, and
+/// whose rods close, can be made.
+#[test]
+fn analytic_nudged_frames_can_be_made() {
+    let wanted: usize = std::env::var("FLEXFRAME_NUDGED").ok().and_then(|text| text.parse().ok()).unwrap_or(8);
+    let mut runner = runner(3);
+    let (mut frames, mut refused) = (Vec::new(), BTreeMap::new());
+    for base in BASES.iter().cycle() {
+        let text = common::toml(base, &nudges(&common::resolve(&common::toml(base, &[])).expect("a preset"), &mut runner));
+        match common::resolve(&text) {
+            Ok(frame) if Skeleton::new(&frame).is_ok() => frames.push((text, frame)),
+            Ok(_) => *refused.entry("the rods do not close".to_string()).or_insert(0) += 1,
+            Err(error) => *refused.entry(error.to_string()).or_insert(0) += 1,
+        }
+        if frames.len() >= wanted {
+            break;
+        }
+    }
+    println!("{} accepted; refused meanwhile: {refused:#?}", frames.len());
+    let made = |(text, frame): &(String, Frame)| Design::new(frame.clone()).err().map(|error| format!("{error}\n{text}"));
+    let bad: Vec<String> = frames.par_iter().filter_map(made).collect();
+    assert!(bad.is_empty(), "{} of {} frames cannot be made:\n{}", bad.len(), frames.len(), bad.join("\n"));
+}
+
 /// A frame file with one mistake in it, and what the answer has to contain.
 struct Mistake {
     text: String,

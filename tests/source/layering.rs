@@ -113,7 +113,7 @@ const LAYERS: [(&str, &[&str]); 32] = [
             "variant",
         ],
     ),
-    ("workspace", &["memo", "params", "frame/assembly", "checks", "export", "report"]),
+    ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "report"]),
     (
         "cli",
         &[
@@ -141,6 +141,7 @@ const LAYERS: [(&str, &[&str]); 32] = [
             "variant",
             "schema",
             "report",
+            "workspace",
         ],
     ),
 ];

@@ -30,7 +30,7 @@ fn of_refusal(asked: &str, refused: &Refused) -> String {
 fn of_frame(held: &CheckedFrame) -> Vec<(u8, String)> {
     let mut lines = Vec::new();
     for judged in &held.findings {
-        let Judged { finding, standing, spots, made_of } = judged;
+        let Judged { finding, standing, spots, made_of, .. } = judged;
         let (rank, word) = match standing {
             Standing::Good => continue,
             Standing::Fails => (0, "error"),

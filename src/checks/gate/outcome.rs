@@ -16,8 +16,22 @@ pub struct Judged {
     pub standing: Standing,
     /// Where the frame file drives it, the first most; empty for what is good.
     pub spots: Vec<Spot>,
+    /// What clears it, tried on the frame, as a clause that goes after its message; empty where nobody asked.
+    pub advice: String,
     /// What its value is made of, as a clause that goes after its message; empty where the message says all.
     pub made_of: String,
+}
+
+impl Judged {
+    /// The finding as a person reads it: what was tried stands for the keys that might be.
+    pub fn told(&self) -> Finding {
+        let mut finding = self.finding.clone();
+        if !self.advice.is_empty() {
+            finding.message = format!("{}; {}", finding.message, self.advice);
+            finding.levers.clear();
+        }
+        finding
+    }
 }
 
 /// A frame that was checked against its limits.
@@ -38,10 +52,18 @@ impl CheckedFrame {
             let (rule, standing) = (policy.rule(&finding), policy.standing(&frame.name, &finding));
             let spots = if standing == Standing::Good { Vec::new() } else { spots(&finding, rule, file, &masses) };
             let made_of = rule.map_or(String::new(), |rule| masses_named(rule, &masses));
-            Judged { finding, standing, spots, made_of }
+            Judged { finding, standing, spots, advice: String::new(), made_of }
         };
         let findings = findings.into_iter().map(judge).collect();
         Self { frame: frame.name.clone(), findings, masses }
+    }
+
+    /// The same with what was tried for each of its findings, in their order.
+    pub fn advised(mut self, advice: Vec<String>) -> Self {
+        for (judged, advice) in self.findings.iter_mut().zip(advice) {
+            judged.advice = advice;
+        }
+        self
     }
 
     /// How many findings have a standing.

@@ -41,7 +41,7 @@ fn of_frame(asked: &str, held: &CheckedFrame, rules: &[&Rule]) -> Vec<Value> {
 }
 
 fn result(asked: &str, held: &CheckedFrame, judged: &Judged, rules: &[&Rule]) -> Value {
-    let Judged { finding, standing, spots, made_of } = judged;
+    let Judged { finding, standing, spots, made_of, .. } = judged;
     let level = match standing {
         Standing::Fails => "error",
         Standing::Accepted => "note",

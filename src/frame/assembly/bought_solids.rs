@@ -1,10 +1,15 @@
-//! Plain solids for the bought parts of the centre, where they sit in the assembly: for interference and pictures.
+//! Solids of the bought parts, at their catalogued sizes, where they sit in the assembly: for interference, clearances and pictures.
+//!
+//! A battery's, sensor's and camera's wires are not drawn, nor what of a zip tie lies outside of its holes.
 
+use super::board_solid::{Populated, board};
+use super::screw_solids;
 use crate::frame::parts::battery_bracket::connector;
-use crate::frame::parts::outline::{along_y, upright};
-use crate::frame::skeleton::centre::{BOARD_THICKNESS_MM, Centre};
+use crate::frame::parts::outline::along_y;
+use crate::frame::skeleton::{Centre, Stack};
 use crate::params::Frame;
-use crate::solid::{Contour, Feature, Profile};
+use crate::params::catalogue::BoughtPart as Entry;
+use crate::solid::Feature;
 
 /// A bought part of the centre.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -13,8 +18,10 @@ pub enum BoughtPart {
     Battery,
     /// The computer's board.
     Computer,
-    /// Flight and motor controllers on the stack holes under the hub.
-    Stack,
+    /// The flight controller under the hub.
+    FlightController,
+    /// The motor controllers' board under it.
+    MotorController,
     /// The half of the power connector in the bracket.
     ConnectorBracket,
     /// The half of the power connector in the lid.
@@ -27,38 +34,41 @@ pub enum BoughtPart {
     FlowSensor,
     /// The camera board with its lens.
     Camera,
+    /// The four screws of the boards under the hub.
+    StackScrews,
+    /// The four dampers of the flight controller.
+    Dampers,
+    /// The four ties through hub, carrier and bracket.
+    Ties,
 }
 
-/// Board of the computer beyond its hole pattern (Pi Zero: 65 x 30 on 58 x 23), each side, mm.
-const BOARD_MARGIN_MM: f64 = 3.5;
-/// Boards of the stack beyond their hole pattern, each side, mm.
-const STACK_MARGIN_MM: f64 = 3.5;
-/// Air between hub and stack, and height of the stack, mm.
-const STACK_GAP_MM: f64 = 1.5;
-const STACK_HEIGHT_MM: f64 = 13.0;
 /// Play of the connector in its channel, each side, mm.
 const CONNECTOR_PLAY_MM: f64 = 0.175;
-/// Depth of the connector's bracket half beyond the upright, and of the lid half behind the lid, mm.
-const CONNECTOR_DEEP_MM: [f64; 2] = [3.0, 6.0];
-/// Flow sensor (Matek 3901-L0X, from pictures): width, depth behind and before its holes, height, mm.
-const SENSOR_MM: [f64; 4] = [36.5, 9.5, 3.0, 3.0];
-/// Camera board, hung by its upper edge: width, height below and above the middle of its holes, thickness, mm.
-const CAMERA_MM: [f64; 4] = [25.0, 15.75, 8.25, 1.1];
-/// Lens, at the height of the lower holes: half its width, middle above that of the holes, depth, mm.
-const LENS_MM: [f64; 3] = [4.25, -6.25, 5.0];
+/// Depth of the connector's lid half behind the lid, mm.
+const CONNECTOR_BEHIND_MM: f64 = 6.0;
+/// The flow sensor's edge in front of its holes, mm (Matek 3901-L0X, from pictures).
+const SENSOR_BEFORE_MM: f64 = 3.0;
+/// Thickness of a camera's circuit board, mm (Raspberry Pi camera).
+const CAMERA_BOARD_MM: f64 = 1.1;
+/// Half the width of a camera's lens, mm.
+const LENS_HALF_MM: f64 = 4.25;
 
 impl BoughtPart {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 13] = [
         Self::Battery,
         Self::Computer,
-        Self::Stack,
+        Self::FlightController,
+        Self::MotorController,
         Self::ConnectorBracket,
         Self::ConnectorLid,
         Self::MagnetBracket,
         Self::MagnetLid,
         Self::FlowSensor,
         Self::Camera,
+        Self::StackScrews,
+        Self::Dampers,
+        Self::Ties,
     ];
 
     /// The name in files.
@@ -66,29 +76,46 @@ impl BoughtPart {
         match self {
             Self::Battery => "battery",
             Self::Computer => "computer",
-            Self::Stack => "stack",
+            Self::FlightController => "flight_controller",
+            Self::MotorController => "motor_controller",
             Self::ConnectorBracket => "connector_bracket",
             Self::ConnectorLid => "connector_lid",
             Self::MagnetBracket => "magnet_bracket",
             Self::MagnetLid => "magnet_lid",
             Self::FlowSensor => "flow_sensor",
             Self::Camera => "camera",
+            Self::StackScrews => "stack_screw",
+            Self::Dampers => "damper",
+            Self::Ties => "tie",
         }
     }
 
-    /// Its solid, in the assembly's axes.
-    pub fn feature(self, frame: &Frame, centre: &Centre) -> Feature {
+    /// The role in the frame file.
+    pub fn role(self) -> &'static str {
         match self {
+            Self::ConnectorBracket | Self::ConnectorLid => "connector",
+            Self::MagnetBracket | Self::MagnetLid => "magnet",
+            other => other.slug(),
+        }
+    }
+
+    /// Its solid, in the assembly's axes; none where the frame does without it, or has nothing that it belongs to.
+    pub fn feature(self, frame: &Frame, centre: &Centre) -> Option<Feature> {
+        let part = &frame.bought.get(self.role())?.part;
+        Some(match self {
             Self::Battery => battery(frame, centre),
-            Self::Computer => computer(frame, centre),
-            Self::Stack => stack(frame, centre),
-            Self::ConnectorBracket => connector_bracket(frame, centre),
+            Self::Computer => computer(part, frame, centre),
+            Self::FlightController | Self::MotorController => return stack_board(self.role(), frame, centre),
+            Self::ConnectorBracket => connector_bracket(part, frame, centre),
             Self::ConnectorLid => connector_lid(frame, centre),
             Self::MagnetBracket => magnet(frame, centre, -centre.bracket_half_mm + frame.bracket.magnet_thickness_mm),
             Self::MagnetLid => magnet(frame, centre, -centre.bracket_half_mm - frame.bracket.magnet_gap_mm),
-            Self::FlowSensor => flow_sensor(frame, centre),
-            Self::Camera => camera(frame, centre),
-        }
+            Self::FlowSensor => flow_sensor(part, frame, centre),
+            Self::Camera => camera(part, frame, centre),
+            Self::StackScrews => return screw_solids::stack_screws(part, frame, centre),
+            Self::Dampers => return screw_solids::dampers(frame, centre),
+            Self::Ties => return screw_solids::ties(part, frame, centre),
+        })
     }
 }
 
@@ -99,22 +126,24 @@ fn battery(frame: &Frame, centre: &Centre) -> Feature {
     Feature::cuboid_between([-half, rear, low], [half, centre.front_y_mm, low + b.battery_height_mm])
 }
 
-fn computer(frame: &Frame, centre: &Centre) -> Feature {
+/// Long along y, on its carrier; its lower side is bare.
+fn computer(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
     let p = &frame.pi_carrier;
-    let size = [p.pi_pattern_across_mm + 2.0 * BOARD_MARGIN_MM, p.pi_pattern_along_mm + 2.0 * BOARD_MARGIN_MM];
-    let board = Contour::rounded_rectangle([0.0, 0.0], size, 3.0);
-    upright(Profile::new(board), [centre.carrier_top_mm(), centre.carrier_top_mm() + BOARD_THICKNESS_MM])
+    board(part, true, [p.pi_pattern_across_mm, p.pi_pattern_along_mm], centre.carrier_top_mm(), Populated::Above)
 }
 
-fn stack(frame: &Frame, centre: &Centre) -> Feature {
-    let half = 0.5 * frame.hub.stack_pattern_mm + STACK_MARGIN_MM;
-    let top = -centre.hub_half_height_mm - STACK_GAP_MM;
-    Feature::cuboid_between([-half, -half, top - STACK_HEIGHT_MM], [half, half, top])
+fn stack_board(role: &str, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let stack = Stack::new(frame, centre);
+    let placed = stack.boards.iter().find(|board| board.role == role)?;
+    let low_mm = placed.middle_mm - 0.5 * placed.part.size_mm[2];
+    Some(board(placed.part, false, [frame.hub.stack_pattern_mm; 2], low_mm, Populated::Both))
 }
 
-fn connector_bracket(frame: &Frame, centre: &Centre) -> Feature {
+/// As long as the mated pair, less what the lid's half takes of it.
+fn connector_bracket(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
     let rear = -centre.bracket_half_mm;
-    let reach = [rear, rear + 2.0 * frame.hub.tie_ring_radius_mm + CONNECTOR_DEEP_MM[0]];
+    let lid_rear = centre.rim_y_mm - frame.lid.lid_reach_mm - frame.lid.lid_block_depth_mm - CONNECTOR_BEHIND_MM;
+    let reach = [rear, (lid_rear + part.size_mm[0]).max(rear + 1.0)];
     along_y(connector(&frame.bracket, CONNECTOR_PLAY_MM, centre.connector_z_mm + centre.bracket_z_mm()), reach)
 }
 
@@ -122,7 +151,7 @@ fn connector_lid(frame: &Frame, centre: &Centre) -> Feature {
     let (b, z) = (&frame.bracket, centre.connector_z_mm + centre.bracket_z_mm());
     let rear = centre.rim_y_mm - frame.lid.lid_reach_mm - frame.lid.lid_block_depth_mm;
     let nose = along_y(connector(b, b.connector_step_mm + CONNECTOR_PLAY_MM, z), [rear - 0.5, -centre.bracket_half_mm - 0.05]);
-    Feature::union([nose, along_y(connector(b, CONNECTOR_PLAY_MM, z), [rear - CONNECTOR_DEEP_MM[1], rear])])
+    Feature::union([nose, along_y(connector(b, CONNECTOR_PLAY_MM, z), [rear - CONNECTOR_BEHIND_MM, rear])])
 }
 
 /// A magnet whose front face is at this y.
@@ -132,20 +161,28 @@ fn magnet(frame: &Frame, centre: &Centre, front: f64) -> Feature {
     Feature::cuboid_between([-half, front - b.magnet_thickness_mm, z - up], [half, front, z + up])
 }
 
-fn flow_sensor(frame: &Frame, centre: &Centre) -> Feature {
+/// Under its tray, its bare side up.
+fn flow_sensor(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
     let s = &frame.sleeve;
-    let [width, behind, before, height] = SENSOR_MM;
+    let [width, depth, height] = part.size_mm;
+    let before = SENSOR_BEFORE_MM.min(0.5 * depth);
     let holes = centre.front_y_mm + s.sensor_reach_mm;
     let top = centre.sleeve_z_mm() + centre.outer_mm[1] + s.tray_lift_mm - s.tray_thickness_mm;
-    Feature::cuboid_between([-0.5 * width, holes - behind, top - height], [0.5 * width, holes + before, top])
+    Feature::cuboid_between([-0.5 * width, holes + before - depth, top - height], [0.5 * width, holes + before, top])
 }
 
-fn camera(frame: &Frame, centre: &Centre) -> Feature {
-    let [width, below, above, thick] = CAMERA_MM;
-    let [lens, lift, deep] = LENS_MM;
-    let back = 0.5 * frame.pi_carrier.pi_pattern_along_mm + frame.camera.camera_reach_mm;
-    let z = centre.board_top_mm() + frame.camera.camera_lift_mm;
-    let board = Feature::cuboid_between([-0.5 * width, back, z - below], [0.5 * width, back + thick, z + above]);
-    let barrel = Feature::cuboid_between([-lens, back + 0.5 * thick, z + lift - lens], [lens, back + thick + deep, z + lift + lens]);
-    Feature::union([board, barrel])
+/// Upright, its back on the connectors' posts, its upper holes as far from the upper edge as from the sides. The lens is as high as the
+/// lower holes, and all that the camera is deep beyond its circuit board is in front of that.
+fn camera(part: &Entry, frame: &Frame, centre: &Centre) -> Feature {
+    let ([width, height, deep], c) = (part.size_mm, &frame.camera);
+    let thick = part.board_thickness_mm.unwrap_or(CAMERA_BOARD_MM).min(deep);
+    let above = 0.5 * c.camera_pattern_up_mm + 0.5 * (width - c.camera_pattern_across_mm).clamp(0.0, height);
+    let back = 0.5 * frame.pi_carrier.pi_pattern_along_mm + c.camera_reach_mm;
+    let z = centre.board_top_mm() + c.camera_lift_mm;
+    let [low, high] = [z + above - height, z + above];
+    let board = Feature::cuboid_between([-0.5 * width, back, low], [0.5 * width, back + thick, high]);
+    let half = LENS_HALF_MM.min(0.5 * width).min(0.5 * height);
+    let lens = (z - 0.5 * c.camera_pattern_up_mm).clamp(low + half, high - half);
+    let barrel = Feature::cuboid_between([-half, back + 0.5 * thick, lens - half], [half, back + deep, lens + half]);
+    if deep > thick { Feature::union([board, barrel]) } else { board }
 }

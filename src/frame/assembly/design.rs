@@ -9,12 +9,14 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::body::{Body, Kind, Shape};
+use super::bought_solids::BoughtPart;
 use super::printed::{Printed, Recipe};
-use crate::frame::assembly::bought_solids::BoughtPart;
+use super::screw_solids::motor_screws;
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
-use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for};
+use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for, module_turn, placement};
 use crate::memo::{Memo, Progress, Step};
+use crate::params::catalogue::BoughtPart as Entry;
 use crate::params::frame::{NamedMaterial, TargetSize};
 use crate::params::{Frame, PartName};
 use crate::solid::gate::GateError;
@@ -176,11 +178,10 @@ impl Design {
 
     fn place_rods(&mut self) {
         let material = self.frame.rod_material.clone();
-        let radius = 0.5 * self.frame.rods.rod_diameter_mm;
         for role in RodRole::ALL {
             let length = self.skeleton.length_mm(role);
             let name = format!("{}_rod", role.slug());
-            let feature = Feature::cylinder(radius, length);
+            let feature = rod_solid(&self.frame, length);
             let shape = self.add_plain(&name, Kind::Rod(role), &material.name, material.material.colour, &feature);
             let bodies: Vec<Body> = self
                 .skeleton
@@ -196,22 +197,32 @@ impl Design {
         }
     }
 
-    /// Motors on their mounts, and the discs that the propellers sweep.
+    /// Motors on their mounts with their screws, and the discs that the propellers sweep.
     fn place_motors(&mut self) {
-        let [motor, propeller] = ["motor", "propeller"].map(|role| self.frame.bought.get(role).cloned());
+        let [motor, propeller, screw] = ["motor", "propeller", "motor_screw"].map(|role| self.frame.bought.get(role).cloned());
         let mount = self.frame.motor_mount.clone();
         if let Some(motor) = motor {
-            let diameter = motor.part.body_diameter_mm.unwrap_or(motor.part.size_mm[0]);
-            let height = motor.part.height_mm.unwrap_or(motor.part.size_mm[2]);
-            let feature = Feature::cylinder(0.5 * diameter, height);
+            let through_mm = propeller.as_ref().map_or(0.0, |propeller| mount.propeller_height_mm + 0.5 * propeller.part.hub_mm());
+            let feature = motor_solid(&motor.part, through_mm);
             let shape = self.add_plain("motor", Kind::Motor, &motor.name, [0.12, 0.12, 0.13, 1.0], &feature);
             self.on_motor_axes("motor", shape, 0.0);
         }
         if let Some(propeller) = propeller {
-            let height = propeller.part.hub_height_mm.unwrap_or(propeller.part.size_mm[2]);
+            let height = propeller.part.hub_mm();
             let feature = Feature::cylinder(0.5 * mount.propeller_diameter_mm, height);
             let shape = self.add_plain("propeller", Kind::Propeller, &propeller.name, [0.9, 0.62, 0.05, 0.35], &feature);
             self.on_motor_axes("propeller", shape, mount.propeller_height_mm - 0.5 * height);
+        }
+        let Some(screw) = screw else { return };
+        if let Some(feature) = motor_screws(&screw.part, &self.frame) {
+            let shape = self.add_plain("motor_screw", Kind::Bought("motor_screw"), &screw.name, STEEL, &feature);
+            let first = placement::motor_mount(&self.frame, &self.skeleton.closure);
+            self.bodies.extend(MODULE_NAMES.iter().enumerate().map(|(module, quadrant)| Body {
+                name: format!("motor_screw_{quadrant}"),
+                shape,
+                module: Some(module),
+                pose: module_turn(module) * first,
+            }));
         }
     }
 
@@ -225,8 +236,9 @@ impl Design {
 
     fn place_bought(&mut self) {
         for part in BoughtPart::ALL {
-            let Some((material, colour)) = bought_look(&self.frame, part) else { continue };
-            let feature = part.feature(&self.frame, &self.centre);
+            let Some(feature) = part.feature(&self.frame, &self.centre) else { continue };
+            let Some(material) = self.frame.bought.get(part.role()).map(|item| item.name.clone()) else { continue };
+            let colour = colour(part);
             let shape = self.add_plain(part.slug(), Kind::Bought(part.slug()), &material, colour, &feature);
             self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
         }
@@ -306,18 +318,43 @@ impl Plain {
     }
 }
 
-/// Catalogue name and colour of a bought part in the centre; `None` when the frame has none.
-fn bought_look(frame: &Frame, part: BoughtPart) -> Option<(String, [f32; 4])> {
-    let (role, colour) = match part {
-        BoughtPart::Battery => ("battery", [0.35, 0.36, 0.45, 1.0]),
-        BoughtPart::Computer => ("computer", [0.01, 0.25, 0.06, 1.0]),
-        BoughtPart::Stack => ("flight_controller", [0.05, 0.06, 0.1, 1.0]),
-        BoughtPart::ConnectorBracket | BoughtPart::ConnectorLid => ("connector", [0.85, 0.6, 0.02, 1.0]),
-        BoughtPart::MagnetBracket | BoughtPart::MagnetLid => ("magnet", [0.5, 0.5, 0.52, 1.0]),
-        BoughtPart::FlowSensor => ("flow_sensor", [0.01, 0.08, 0.35, 1.0]),
-        BoughtPart::Camera => ("camera", [0.01, 0.22, 0.05, 1.0]),
-    };
-    frame.bought.get(role).map(|item| (item.name.clone(), colour))
+/// Linear colour of steel: red, green, blue, alpha.
+const STEEL: [f32; 4] = [0.35, 0.35, 0.37, 1.0];
+
+/// A motor's body, on its shaft where that is catalogued. The shaft reaches this far above the seat, mm: through its propeller.
+fn motor_solid(part: &Entry, through_mm: f64) -> Feature {
+    let height = part.motor_height_mm();
+    let body = Feature::cylinder(0.5 * part.body_diameter_mm.unwrap_or(part.size_mm[0]), height);
+    match part.shaft_diameter_mm.filter(|_| through_mm > height) {
+        Some(shaft) => Feature::union([body, Feature::cylinder(0.5 * shaft, through_mm - 0.5 * height).at(0.0, 0.0, 0.5 * height)]),
+        None => body,
+    }
+}
+
+/// A rod along z, hollow where it is catalogued as a tube.
+fn rod_solid(frame: &Frame, length_mm: f64) -> Feature {
+    let rod = Feature::cylinder(0.5 * frame.rods.rod_diameter_mm, length_mm);
+    match frame.rod_bore_mm() {
+        bore if bore > 0.0 => rod.minus([Feature::bore(0.5 * bore, length_mm + 2.0).at(0.0, 0.0, -1.0)]),
+        _ => rod,
+    }
+}
+
+/// Linear colour of a bought part in the centre.
+fn colour(part: BoughtPart) -> [f32; 4] {
+    match part {
+        BoughtPart::Battery => [0.35, 0.36, 0.45, 1.0],
+        BoughtPart::Computer => [0.01, 0.25, 0.06, 1.0],
+        BoughtPart::FlightController => [0.05, 0.06, 0.1, 1.0],
+        BoughtPart::MotorController => [0.1, 0.05, 0.12, 1.0],
+        BoughtPart::ConnectorBracket | BoughtPart::ConnectorLid => [0.85, 0.6, 0.02, 1.0],
+        BoughtPart::MagnetBracket | BoughtPart::MagnetLid => [0.5, 0.5, 0.52, 1.0],
+        BoughtPart::FlowSensor => [0.01, 0.08, 0.35, 1.0],
+        BoughtPart::Camera => [0.01, 0.22, 0.05, 1.0],
+        BoughtPart::StackScrews => STEEL,
+        BoughtPart::Dampers => [0.45, 0.03, 0.03, 1.0],
+        BoughtPart::Ties => [0.02, 0.02, 0.02, 1.0],
+    }
 }
 
 /// The second solution is narrower than wanted by this, mm: meshes have rounded corners, and the size is a limit.

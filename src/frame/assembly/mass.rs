@@ -156,7 +156,7 @@ fn basis(basis: MassBasis) -> &'static str {
     }
 }
 
-/// Each line's mass over the bodies that stand for it; lines without a body sit at the hub, or on the motors.
+/// Each line's mass over the bodies that stand for it; lines without a body sit at the hub, extras at their position.
 fn moments(design: &Design, lines: &[MassLine]) -> Sum {
     let mut sum = Sum::default();
     for line in lines {
@@ -171,9 +171,8 @@ fn moments(design: &Design, lines: &[MassLine]) -> Sum {
             sum.add(share, body.pose * centre, own);
         }
         if bodies.is_empty() {
-            for place in places_without_body(design, &line.name) {
-                sum.add(line.total_g / place.1, place.0, Matrix3::zeros());
-            }
+            let at = design.frame.extras.get(&line.name).map_or([0.0; 3], |extra| extra.position_mm);
+            sum.add(line.total_g, Point3::from(at), Matrix3::zeros());
         }
     }
     sum
@@ -185,17 +184,6 @@ fn stands_for(kind: &Kind, line: &str) -> bool {
         Kind::Rod(role) => line.strip_suffix("_rod") == Some(role.slug()),
         Kind::Motor => line == "motor",
         Kind::Propeller => line == "propeller",
-        Kind::Bought("stack") => line == "flight_controller" || line == "motor_controller",
         Kind::Bought(name) => *name == line || name.strip_suffix("_bracket") == Some(line) || name.strip_suffix("_lid") == Some(line),
     }
-}
-
-/// Where a line without a body of its own sits, and over how many places it is shared.
-fn places_without_body(design: &Design, line: &str) -> Vec<(Point3<f64>, f64)> {
-    if line == "motor_screw" {
-        let seats = crate::frame::skeleton::MODULE_NAMES.iter().filter_map(|module| design.skeleton.node(&format!("M_{module}")));
-        return seats.map(|seat| (seat, 4.0)).collect();
-    }
-    let at = design.frame.extras.get(line).map_or([0.0; 3], |extra| extra.position_mm);
-    vec![(Point3::from(at), 1.0)]
 }

@@ -1,5 +1,6 @@
 //! The assembled frame: every part made once, flat and folded, and put where the skeleton says.
 
+mod board_solid;
 mod body;
 pub mod bought_solids;
 #[cfg(test)]
@@ -12,6 +13,7 @@ mod parts_tests;
 pub mod press_fit;
 mod printed;
 mod refusal;
+pub mod screw_solids;
 
 pub use body::{Body, Kind, Shape};
 pub use bought_solids::BoughtPart;

@@ -102,10 +102,16 @@ impl Printed {
 
 impl Flat {
     fn of(feature: &Feature, turn: &UnitQuaternion<f64>, memo: &Memo) -> Result<Self, GateError> {
-        let solid = MeshSolid::build_from(feature, memo).simplified().reimported();
-        let (printed, pose) = laid(&solid, turn)?;
-        let mesh = printed.mesh();
-        let topology = gate::pass(&mesh)?;
+        let raw = MeshSolid::build_from(feature, memo);
+        let made = |below_mm: f64| {
+            let solid = raw.without_detail(below_mm).reimported();
+            let (printed, pose) = laid(&solid, turn)?;
+            let mesh = printed.mesh();
+            gate::pass(&mesh).map(|topology| (solid, pose, mesh, topology))
+        };
+        // As after a bend: where taking away detail makes facets cross or vanish, less is taken away.
+        let [most, less @ ..] = DETAILS_MM;
+        let (solid, pose, mesh, topology) = less.iter().fold(made(most), |made_so_far, below| made_so_far.or_else(|_| made(*below)))?;
         let exact_volume_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
         exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
         let print_pose = (pose.rotation.coords.into(), pose.translation.vector.into());
@@ -148,14 +154,28 @@ pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSol
     Err(refused)
 }
 
-/// Detail that is simplified away after a bend, mm, in the order in which it is tried.
+/// Detail that is simplified away, mm, in the order in which it is tried.
 const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
 
+/// How far a hinge is moved out, mm, in the order in which it is tried.
+const OFF_CORNER_MM: [f64; 4] = [0.0, 0.01, 0.004, 0.015];
+
 /// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
-/// part of a hundred; then less is taken away.
+/// part of a hundred; then less is taken away. A hinge lies where two sockets' mitres end in one point: in another part of a
+/// hundred the cut grazes that point, and then the hinge is moved off it.
 fn bent(flat: &MeshSolid, bends: &[Bend], part: &str, memo: &Memo) -> Result<MeshSolid, GateError> {
-    let fold = |solid: MeshSolid, bend: &Bend| bend.apply_cut(&solid, || sides(&solid, bend, part, memo)).reimported();
-    Ok(simplified(&bends.iter().fold(flat.clone(), fold), &DETAILS_MM)?.0.reimported())
+    let mut refused = GateError::Empty;
+    for off_mm in OFF_CORNER_MM {
+        let fold = |solid: MeshSolid, bend: &Bend| {
+            let bend = bend.moved_out(off_mm);
+            bend.apply_cut(&solid, || sides(&solid, &bend, part, memo)).reimported()
+        };
+        match simplified(&bends.iter().fold(flat.clone(), fold), &DETAILS_MM) {
+            Ok((solid, _)) => return Ok(solid.reimported()),
+            Err(error) => refused = error,
+        }
+    }
+    Err(refused)
 }
 
 /// A solid cut at a hinge: what stays where it is when the part is folded there, and what moves. However far it is folded, the cut is

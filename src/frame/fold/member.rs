@@ -31,13 +31,15 @@ pub enum Member {
     Motor,
     /// Propeller.
     Propeller,
+    /// The motor's four screws.
+    MotorScrews,
     /// The plate in the middle.
     Hub,
 }
 
 impl Member {
     /// Every member.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::HubJoint,
         Self::Arm(true),
         Self::Arm(false),
@@ -53,6 +55,7 @@ impl Member {
         Self::Cage(false),
         Self::Motor,
         Self::Propeller,
+        Self::MotorScrews,
         Self::Hub,
     ];
 
@@ -72,6 +75,7 @@ impl Member {
             Self::Cage(up) => format!("cage_{m}_{}", side(up)),
             Self::Motor => format!("motor_{m}"),
             Self::Propeller => format!("propeller_{m}"),
+            Self::MotorScrews => format!("motor_screw_{m}"),
             Self::Hub => "hub".into(),
         }
     }
@@ -86,7 +90,9 @@ impl Member {
             Self::Corner(true) => PartName::TopCorner,
             Self::Corner(false) => PartName::BottomCorner,
             Self::Hub => PartName::Hub,
-            Self::Arm(_) | Self::Leg | Self::Strut(_) | Self::Cage(_) | Self::Motor | Self::Propeller => return None,
+            Self::Arm(_) | Self::Leg | Self::Strut(_) | Self::Cage(_) | Self::Motor | Self::Propeller | Self::MotorScrews => {
+                return None;
+            }
         })
     }
 
@@ -97,9 +103,15 @@ impl Member {
             Self::Leg => RodRole::Leg,
             Self::Strut(_) => RodRole::Strut,
             Self::Cage(_) => RodRole::Cage,
-            Self::HubJoint | Self::Mount | Self::Fork | Self::Knee | Self::Corner(_) | Self::Motor | Self::Propeller | Self::Hub => {
-                return None;
-            }
+            Self::HubJoint
+            | Self::Mount
+            | Self::Fork
+            | Self::Knee
+            | Self::Corner(_)
+            | Self::Motor
+            | Self::Propeller
+            | Self::MotorScrews
+            | Self::Hub => return None,
         })
     }
 }
@@ -184,7 +196,14 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
         }
         Member::Corner(up) => corner(up, frame, skeleton.closure.corner_radius_mm),
         // Rods are above; what stands for no capsule is met by no other while a sequence is looked for.
-        Member::Arm(_) | Member::Leg | Member::Strut(_) | Member::Cage(_) | Member::Motor | Member::Propeller | Member::Hub => Vec::new(),
+        Member::Arm(_)
+        | Member::Leg
+        | Member::Strut(_)
+        | Member::Cage(_)
+        | Member::Motor
+        | Member::Propeller
+        | Member::MotorScrews
+        | Member::Hub => Vec::new(),
     }
 }
 

@@ -36,12 +36,14 @@ pub(super) struct Piece {
 /// A rod's piece is longer by this at both ends than it must be, mm.
 const ROD_END_MM: f64 = 0.5;
 
-/// The pieces of a design. A propeller's disc is what it sweeps when it turns, not a body that is carried about.
+/// The pieces of a design. A propeller's disc is what it sweeps when it turns, not a body that is carried about; screws are turned in when
+/// what they hold stands.
 pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
     // Modules share their shapes: each is cut once.
     let mut cut: Vec<(usize, Vec<Side>)> = Vec::new();
     let mut found = Vec::new();
-    for body in design.bodies.iter().filter(|body| design.shape(body).kind != Kind::Propeller) {
+    let carried = |body: &&Body| !matches!(design.shape(body).kind, Kind::Propeller | Kind::Bought("motor_screw"));
+    for body in design.bodies.iter().filter(carried) {
         let member = Member::ALL.into_iter().find(|m| m.body(body.module.unwrap_or(0)) == body.name);
         if !cut.iter().any(|(shape, _)| *shape == body.shape) {
             cut.push((body.shape, sides(design, body, member, module)));

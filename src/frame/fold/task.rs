@@ -100,7 +100,7 @@ impl Task {
             Self::PushBottomCage => vec![(Cage(false), Corner(false))],
             Self::PushTopCage => vec![(Cage(true), Corner(true))],
             Self::CloseRing => vec![(HubJoint, Hub)],
-            Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor)],
+            Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor), (MotorScrews, Motor)],
             Self::BendLeg | Self::BendTop => Vec::new(),
         }
     }
@@ -136,6 +136,7 @@ impl Task {
             (Self::ThreadKnee, _) => left(),
             (Self::PushStruts, Member::Strut(up)) | (Self::PushFoot | Self::PushTop, Member::Corner(up)) => strut_up(up),
             (Self::PushBottomCage | Self::PushTopCage, _) => -Vector3::x(),
+            (Self::SeatMotor, Member::MotorScrews) => -Vector3::z(),
             (Self::SeatMotor, _) => Vector3::z(),
             _ => outward(),
         }

@@ -123,6 +123,14 @@ impl MotorMount {
         self.top_mm > 0.5 * self.ring_diameter_mm + RAISED_MM
     }
 
+    /// Axes of the motor's screws, x and y.
+    pub fn screw_axes_mm(&self) -> [[f64; 2]; 4] {
+        [45.0, 135.0, 225.0, 315.0].map(|deg| {
+            let (angle, r) = (Angle::deg(deg), 0.5 * self.holes.circle_mm);
+            [r * angle.cos(), r * angle.sin()]
+        })
+    }
+
     fn plate_bottom_mm(&self) -> f64 {
         self.top_mm - self.plate_mm
     }
@@ -175,13 +183,7 @@ impl MotorMount {
         let (low, high) = (self.plate_bottom_mm() - 1.0, self.top_mm + 1.0);
         let drilled =
             |x: f64, y: f64, diameter: f64| Feature::bore_between(Point3::new(x, y, low), Point3::new(x, y, high), 0.5 * diameter);
-        let mut holes: Vec<_> = (0..4)
-            .map(|i| {
-                let angle = Angle::deg(45.0 + 90.0 * f64::from(i));
-                let r = 0.5 * self.holes.circle_mm;
-                drilled(r * angle.cos(), r * angle.sin(), self.holes.screw_mm)
-            })
-            .collect();
+        let mut holes: Vec<_> = self.screw_axes_mm().into_iter().map(|[x, y]| drilled(x, y, self.holes.screw_mm)).collect();
         if self.holes.shaft_mm > 0.0 {
             holes.push(drilled(0.0, 0.0, self.holes.shaft_mm));
         }

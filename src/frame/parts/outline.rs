@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Matrix3, Point2, Rotation3, Translation3, UnitQuaterni
 use crate::solid::{Contour, Feature, Profile, SEGMENTS_PER_TURN, Segment};
 
 /// How far features are sunk into each other or past a surface, mm, so that no two faces coincide.
-pub(super) const SINK_MM: f64 = 0.01;
+pub(in crate::frame) const SINK_MM: f64 = 0.01;
 
 /// A corner of a rounded polygon: position and radius, mm.
 pub(super) type Corner = ([f64; 2], f64);

@@ -5,7 +5,7 @@
 use nalgebra::{Point2, UnitQuaternion, Vector2};
 
 use super::outline::{Line, Pen};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
@@ -18,8 +18,8 @@ pub static PART: PrintedPart = PrintedPart {
     seat: Seat::Centre(Centre::carrier_pose),
     fold: Fold::Stands,
     print_turn,
-    // It stays without a computer: the ties that hold the bracket run over it.
-    needed: always,
+    // Without a computer the ties that hold the bracket run over the hub.
+    needed: |frame| frame.bought.contains_key("computer"),
     walls: &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
 };
 

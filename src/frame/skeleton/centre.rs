@@ -18,9 +18,6 @@ const FRONT_RIM_MM: f64 = 0.088;
 /// Least distance from the lid's block to the end of its shell, mm.
 const SHELL_STEP_MM: f64 = 0.11;
 
-/// Thickness of the computer's circuit board, mm; the camera connectors stand on it.
-pub const BOARD_THICKNESS_MM: f64 = 1.4;
-
 /// Shared dimensions of the rigid parts, mm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Centre {
@@ -66,6 +63,7 @@ pub struct Centre {
     pub lid_magnet_depth_mm: f64,
     bracket_z_mm: f64,
     carrier_top_mm: f64,
+    board_mm: f64,
     board_hole_mm: [f64; 2],
 }
 
@@ -108,6 +106,7 @@ impl Centre {
             lid_magnet_depth_mm: bracket.magnet_thickness_mm + bracket.magnet_gap_mm - lid.lid_clearance_mm,
             bracket_z_mm: -hub_half_height_mm - bracket.stack_z_offset_mm,
             carrier_top_mm: hub_half_height_mm + frame.pi_carrier.carrier_thickness_mm,
+            board_mm: frame.bought.get("computer").map_or(0.0, |computer| computer.part.board_mm()),
             board_hole_mm: [0.5 * frame.pi_carrier.pi_pattern_across_mm, 0.5 * frame.pi_carrier.pi_pattern_along_mm],
         }
     }
@@ -159,9 +158,9 @@ impl Centre {
         self.carrier_top_mm
     }
 
-    /// Height of the computer board's upper face.
+    /// Height of the upper face of the computer's circuit board; the camera connectors stand on it.
     pub fn board_top_mm(&self) -> f64 {
-        self.carrier_top_mm + BOARD_THICKNESS_MM
+        self.carrier_top_mm + self.board_mm
     }
 
     /// From the bracket's origin down to the middle of the lid.

@@ -76,9 +76,14 @@ impl Section {
 
     /// A disc.
     pub fn disc(radius_mm: f64, centre: Vector3<f64>, axes: Matrix3<f64>) -> Self {
-        let square = radius_mm * radius_mm;
-        let area = std::f64::consts::PI * square;
-        let second = area * square / 4.0;
+        Self::ring(radius_mm, 0.0, centre, axes)
+    }
+
+    /// A disc with a round hole in its middle.
+    pub fn ring(radius_mm: f64, bore_mm: f64, centre: Vector3<f64>, axes: Matrix3<f64>) -> Self {
+        let [outer, inner] = [radius_mm, bore_mm].map(|radius| radius * radius);
+        let area = std::f64::consts::PI * (outer - inner);
+        let second = area * (outer + inner) / 4.0;
         Self {
             area_mm2: area,
             centre,

@@ -49,7 +49,7 @@ impl Bound {
             let shape = design.shape(body);
             let nodes: Vec<usize> = match (shape.kind, body.module) {
                 (Kind::Propeller, _) => continue,
-                (Kind::Motor, Some(module)) => model.motors.get(module).copied().into_iter().collect(),
+                (Kind::Motor | Kind::Bought(_), Some(module)) => model.motors.get(module).copied().into_iter().collect(),
                 _ => model.skins.iter().find(|skin| skin.body == index).map_or(vec![model.hub], |skin| skin.nodes.clone()),
             };
             let flexible = shape.kind.is_flexible();

@@ -46,7 +46,8 @@ impl Builder<'_> {
         let z = if way.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };
         let y = z.cross(&way).normalize();
         let radius = 0.5 * self.design.frame.rods.rod_diameter_mm;
-        let section = Section::disc(radius, Vector3::zeros(), Matrix3::from_columns(&[way, y, way.cross(&y)]));
+        let bore = 0.5 * self.design.frame.rod_bore_mm();
+        let section = Section::ring(radius, bore, Vector3::zeros(), Matrix3::from_columns(&[way, y, way.cross(&y)]));
         let g_mm3 = self.weights.rod_g_mm3;
         let first = self.structure.beams.len();
         for pair in nodes.windows(2) {

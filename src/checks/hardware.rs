@@ -1,0 +1,261 @@
+//! Bought parts go together: rods with what the bill of materials says they are, screws with the holes and threads that take them,
+//! boards with the holes that carry them, propellers with their motors and inside of the cage.
+//!
+//! What is compared is what the catalogue states and what the frame has. A figure that an entry does not state is not compared.
+
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+
+use super::finding::Finding;
+use super::measure::Measure;
+use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
+use super::scene::{Placed, Scene, bounds_of};
+use crate::frame::assembly::Kind;
+use crate::frame::skeleton::{RodRole, Stack};
+use crate::params::Frame;
+use crate::params::catalogue::BoughtPart;
+
+const ROD: &[&str] = &["rods.rod_diameter_mm", "bought.rod"];
+const ROD_ALONE: &[&str] = &["bought.rod"];
+const MOTOR_THREAD: &[&str] = &["bought.motor_screw", "bought.motor"];
+const MOTOR_LENGTH: &[&str] = &["bought.motor_screw", "motor_mount.motor_plate_thickness_mm"];
+const STACK_THREAD: &[&str] = &["hub.stack_pilot_diameter_mm", "bought.stack_screw"];
+const STACK_HEAD: &[&str] = &["hub.stack_counterbore_diameter_mm", "bought.stack_screw"];
+const STACK_LENGTH: &[&str] = &["bought.stack_screw", "hub.stack_counterbore_depth_mm"];
+const SEAT: &[&str] = &["motor_mount.propeller_height_mm"];
+const CAGE: &[&str] = &["rods.cage_rod_length_mm", "motor_mount.motor_position_mm", "bought.propeller"];
+const MOTOR_HOLES: &[&str] = &["motor_mount.motor_hole_circle_mm", "bought.motor"];
+const COMPUTER_HOLES: &[&str] = &["pi_carrier.pi_pattern_along_mm", "pi_carrier.pi_pattern_across_mm", "bought.computer"];
+const CAMERA_HOLES: &[&str] = &["camera.camera_pattern_across_mm", "camera.camera_pattern_up_mm", "bought.camera"];
+const SENSOR_HOLES: &[&str] = &["sleeve.sensor_hole_pitch_mm", "bought.flow_sensor"];
+
+pub static RULE: Rule = Rule {
+    id: "hardware_fit",
+    title: "Hardware",
+    requires: "bought parts fit each other and what holds them",
+    units: &["mm", "%"],
+    limits: &[],
+    levers: Levers::Sets(&[
+        ROD,
+        ROD_ALONE,
+        MOTOR_THREAD,
+        MOTOR_LENGTH,
+        STACK_THREAD,
+        STACK_HEAD,
+        STACK_LENGTH,
+        SEAT,
+        CAGE,
+        MOTOR_HOLES,
+        COMPUTER_HOLES,
+        CAMERA_HOLES,
+        SENSOR_HOLES,
+    ]),
+    blame: Blame::Levers,
+    in_search: InSearch::Constraints { subjects: &["rod", "screw", "holes", "propellers on", "propellers in"], binds: false },
+    found: Found::By(&[Pass::quick(check)]),
+};
+
+/// Two sizes that should be one may differ by this, mm: more than tolerances of stock, less than between two sizes that are sold.
+const SAME_MM: f64 = 0.1;
+/// How far holes may be from those they are screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
+const HOLE_PLAY_MM: f64 = 0.5;
+/// How far a rod's catalogued mass may be from that of its volume, %: densities of pultruded carbon spread by less.
+const ROD_MASS_PERCENT: f64 = 15.0;
+/// Least engagement of a motor's screw, in diameters: the real frame's M2 x 4 through 2.5 mm reach in by 0.75.
+const ENGAGED: f64 = 0.5;
+/// Most engagement, in diameters: beyond, screws of small motors meet the windings.
+const ENGAGED_MOST: f64 = 1.5;
+/// Height of a nut, in diameters (ISO 4032: 1.6 mm of M2, 2.4 mm of M3).
+const NUT: f64 = 0.8;
+/// By how much a self-tapping screw's thread is wider than its pilot hole, mm, in the middle (0.1 on the real frame), and how far off.
+const BITE_MM: [f64; 2] = [0.1, 0.2];
+
+pub(super) fn check(scene: &Scene) -> Vec<Finding> {
+    let mut found = rods(&scene.design.frame);
+    found.extend(motor_screws(&scene.design.frame));
+    found.extend(stack_screws(scene));
+    found.extend(holes(&scene.design.frame));
+    found.extend(seat(&scene.design.frame));
+    found.extend(cage(scene));
+    found
+}
+
+fn part<'a>(frame: &'a Frame, role: &str) -> Option<&'a BoughtPart> {
+    frame.bought.get(role).map(|item| &item.part)
+}
+
+fn name<'a>(frame: &'a Frame, role: &str) -> &'a str {
+    frame.bought.get(role).map_or("", |item| &item.name)
+}
+
+fn measure(value: f64, limit: f64, unit: &'static str, levers: &'static [&'static str]) -> Measure {
+    Measure { rule: &RULE, value, limit, unit, levers }
+}
+
+/// The rods of the frame are those of the bill of materials, and weigh what their volume does.
+fn rods(frame: &Frame) -> Vec<Finding> {
+    let Some(rod) = part(frame, "rod") else { return Vec::new() };
+    let mut found = Vec::new();
+    let (called, diameter_mm) = (name(frame, "rod"), frame.rods.rod_diameter_mm);
+    if let Some(bought_mm) = rod.diameter_mm {
+        let message =
+            format!("the frame's bores are made for rods of {diameter_mm} mm, {called} in the bill of materials has {bought_mm} mm");
+        found.push(measure((diameter_mm - bought_mm).abs(), SAME_MM, "mm", ROD).at_most("rod: diameter".into(), message));
+        let bore_mm = rod.wall_mm.map_or(0.0, |wall| (bought_mm - 2.0 * wall).max(0.0));
+        let length_mm = rod.stock_length_mm.unwrap_or(rod.size_mm[0]);
+        let volume_mm3 = FRAC_PI_4 * (bought_mm * bought_mm - bore_mm * bore_mm) * length_mm;
+        let solid_g = volume_mm3 * 1e-3 * frame.rod_material.material.density_g_cm3;
+        let off = 100.0 * (rod.mass_g / solid_g - 1.0);
+        let hint = if off < 0.0 && rod.wall_mm.is_none() { "; a tube states its wall_mm" } else { "" };
+        let what = if bore_mm > 0.0 { "tube" } else { "rod" };
+        let message = format!(
+            "{called}: {:.2} g are stated for {length_mm:.0} mm, a {what} of {bought_mm} mm of {} weighs {solid_g:.2} g{hint}",
+            rod.mass_g, frame.rod_material.name
+        );
+        found.push(measure(off.abs(), ROD_MASS_PERCENT, "%", ROD_ALONE).at_most("rod: mass".into(), message));
+    }
+    found
+}
+
+/// The motors' screws have their thread, and reach in far enough, and not too far.
+fn motor_screws(frame: &Frame) -> Vec<Finding> {
+    let (Some(screw), Some(motor)) = (part(frame, "motor_screw"), part(frame, "motor")) else { return Vec::new() };
+    let (Some(thread), Some(length)) = (screw.thread_mm, screw.length_mm) else { return Vec::new() };
+    let called = name(frame, "motor_screw");
+    let mut found = Vec::new();
+    if let Some(hole) = motor.hole_diameter_mm {
+        let message = format!("{called} has a thread of {thread} mm, the holes of {} one of {hole} mm", name(frame, "motor"));
+        found.push(measure((thread - hole).abs(), SAME_MM, "mm", MOTOR_THREAD).at_most("screw of the motor: thread".into(), message));
+    }
+    let plate = frame.motor_mount.motor_plate_thickness_mm;
+    let engaged = length - plate;
+    let least = measure(engaged, ENGAGED * thread, "mm", MOTOR_LENGTH);
+    let [reach, need] = least.figures(2);
+    let message = format!("{called} goes through {plate} mm of plate and {reach} mm into the motor, {need} mm are needed");
+    found.push(least.at_least("screw of the motor: engagement".into(), message));
+    let most = measure(engaged, ENGAGED_MOST * thread, "mm", MOTOR_LENGTH);
+    let [reach, room] = most.figures(2);
+    let message = format!("{called} goes {reach} mm into the motor; beyond {room} mm screws meet the windings");
+    found.push(most.at_most("screw of the motor: windings".into(), message));
+    found
+}
+
+/// The screws of the stack bite into the hub, sink into it, and reach through the boards.
+fn stack_screws(scene: &Scene) -> Vec<Finding> {
+    let (frame, centre) = (&scene.design.frame, &scene.design.centre);
+    let Some(screw) = part(frame, "stack_screw") else { return Vec::new() };
+    let stack = Stack::new(frame, centre);
+    let (Some(thread), Some(length), Some(lowest)) = (screw.thread_mm, screw.length_mm, stack.lowest_board_mm()) else {
+        return Vec::new();
+    };
+    let (called, hub) = (name(frame, "stack_screw"), &frame.hub);
+    let bite = thread - hub.stack_pilot_diameter_mm;
+    let [meant, off] = BITE_MM;
+    let message = format!("{called} is {bite:.2} mm wider than its pilot hole in the hub, {meant:.2} mm hold without splitting it");
+    let mut found = vec![measure((bite - meant).abs(), off, "mm", STACK_THREAD).at_most("screw of the stack: bite".into(), message)];
+    if let Some(head) = screw.head_diameter_mm {
+        let sunk = measure(head, hub.stack_counterbore_diameter_mm, "mm", STACK_HEAD);
+        let [wide, bore] = sunk.figures(2);
+        let message = format!("the head of {called} is {wide} mm wide, its counterbore {bore} mm");
+        found.push(sunk.at_most("screw of the stack: head".into(), message));
+    }
+    let beyond = measure(lowest - (stack.seat_mm - length), NUT * thread, "mm", STACK_LENGTH);
+    let [reach, nut] = beyond.figures(2);
+    let message = format!("{called} reaches {reach} mm beyond the lowest board under the hub, a nut is {nut} mm high");
+    found.push(beyond.at_least("screw of the stack: length".into(), message));
+    found
+}
+
+/// The holes that carry a bought part are where it has its own.
+fn holes(frame: &Frame) -> Vec<Finding> {
+    let [motor, computer, camera, sensor] = ["motor", "computer", "camera", "flow_sensor"].map(|role| part(frame, role));
+    let (carrier, hung) = (&frame.pi_carrier, &frame.camera);
+    let own: [(&str, Option<f64>, f64, &'static [&'static str]); 6] = [
+        ("motor", motor.and_then(|m| m.hole_pcd_mm), frame.motor_mount.motor_hole_circle_mm, MOTOR_HOLES),
+        ("computer, along", computer.and_then(|c| Some(c.hole_pattern_mm?[0])), carrier.pi_pattern_along_mm, COMPUTER_HOLES),
+        ("computer, across", computer.and_then(|c| Some(c.hole_pattern_mm?[1])), carrier.pi_pattern_across_mm, COMPUTER_HOLES),
+        ("camera, across", camera.and_then(|c| Some(c.hole_pattern_mm?[0])), hung.camera_pattern_across_mm, CAMERA_HOLES),
+        ("camera, up", camera.and_then(|c| Some(c.hole_pattern_mm?[1])), hung.camera_pattern_up_mm, CAMERA_HOLES),
+        ("flow_sensor", sensor.and_then(|s| s.hole_pitch_mm), frame.sleeve.sensor_hole_pitch_mm, SENSOR_HOLES),
+    ];
+    let off = |(which, own, held, levers): (&str, Option<f64>, f64, &'static [&'static str])| {
+        let (own, role) = (own?, which.split(',').next().unwrap_or(which));
+        let message = format!("the holes of {} are {own} mm apart, those that hold it {held} mm", name(frame, role));
+        Some(measure((own - held).abs(), HOLE_PLAY_MM, "mm", levers).at_most(format!("holes of the {which}"), message))
+    };
+    own.into_iter().filter_map(off).collect()
+}
+
+/// A propeller stands on its motor, not in it.
+fn seat(frame: &Frame) -> Option<Finding> {
+    let (motor, propeller) = (part(frame, "motor")?, part(frame, "propeller")?);
+    let under = frame.motor_mount.propeller_height_mm - 0.5 * propeller.hub_mm();
+    let air = measure(under, motor.motor_height_mm(), "mm", SEAT);
+    let [height, top] = air.figures(2);
+    let message = format!("the underside of the propeller is {height} mm above the motor's seat, the motor is {top} mm high");
+    Some(air.at_least("propellers on the motors".into(), message))
+}
+
+/// No propeller reaches out of the ring that keeps it off walls.
+fn cage(scene: &Scene) -> Option<Finding> {
+    let ring = |p: &&Placed| p.shape.kind == Kind::Rod(RodRole::Cage);
+    let cage = bounds_of(scene.placed.iter().filter(ring))?;
+    let mount = &scene.design.frame.motor_mount;
+    let wide = measure(
+        2.0 * (mount.motor_position_mm * FRAC_1_SQRT_2) + mount.propeller_diameter_mm,
+        (cage.high[0] - cage.low[0]).min(cage.high[1] - cage.low[1]),
+        "mm",
+        CAGE,
+    );
+    let [sweep, cage_mm] = wide.figures(2);
+    let message = format!("the propellers sweep {sweep} mm across, the cage that keeps them off a wall is {cage_mm} mm wide");
+    Some(wide.at_most("propellers in the cage".into(), message))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::{Planted, violated};
+
+    fn broken(change: impl FnOnce(&mut Frame)) -> Vec<String> {
+        violated(&Planted::frame(change).found(check)).into_iter().map(|f| f.subject).collect()
+    }
+
+    fn own(frame: &mut Frame, role: &str, change: impl FnOnce(&mut BoughtPart)) {
+        change(&mut frame.bought.get_mut(role).expect("has one").part);
+    }
+
+    #[test]
+    fn planted_rods_that_are_not_those_of_the_bill() {
+        assert_eq!(broken(|_| {}), Vec::<String>::new());
+        assert_eq!(broken(|frame| frame.rods.rod_diameter_mm = 2.5), ["rod: diameter"]);
+        assert_eq!(broken(|frame| own(frame, "rod", |rod| rod.mass_g = 5.0)), ["rod: mass"]);
+        let tube = |rod: &mut BoughtPart| (rod.wall_mm, rod.mass_g) = (Some(0.5), 6.09);
+        assert_eq!(broken(|frame| own(frame, "rod", tube)), Vec::<String>::new());
+    }
+
+    #[test]
+    fn planted_screws_that_do_not_fit() {
+        assert_eq!(broken(|frame| own(frame, "motor_screw", |screw| screw.length_mm = Some(3.0))), ["screw of the motor: engagement"]);
+        assert_eq!(broken(|frame| own(frame, "motor_screw", |screw| screw.length_mm = Some(6.0))), ["screw of the motor: windings"]);
+        assert_eq!(broken(|frame| own(frame, "motor", |motor| motor.hole_diameter_mm = Some(1.6))), ["screw of the motor: thread"]);
+        assert_eq!(broken(|frame| own(frame, "stack_screw", |screw| screw.length_mm = Some(6.0))), ["screw of the stack: length"]);
+        let m3 = broken(|frame| {
+            own(frame, "stack_screw", |screw| {
+                (screw.thread_mm, screw.head_diameter_mm, screw.length_mm) = (Some(3.0), Some(5.5), Some(20.0))
+            });
+        });
+        assert_eq!(m3, ["screw of the stack: bite", "screw of the stack: head"]);
+    }
+
+    #[test]
+    fn planted_holes_elsewhere() {
+        assert_eq!(broken(|frame| frame.camera.camera_pattern_up_mm = 14.0), ["holes of the camera, up"]);
+        assert_eq!(broken(|frame| frame.motor_mount.motor_hole_circle_mm = 8.0), ["holes of the motor"]);
+    }
+
+    #[test]
+    fn planted_propellers_in_the_motor_and_out_of_the_cage() {
+        assert_eq!(broken(|frame| frame.motor_mount.propeller_height_mm = 13.0), ["propellers on the motors"]);
+        assert_eq!(broken(|frame| frame.motor_mount.propeller_diameter_mm = 120.0), ["propellers in the cage"]);
+    }
+}

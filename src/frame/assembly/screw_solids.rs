@@ -1,0 +1,103 @@
+//! Solids of screws, dampers and ties, at their catalogued sizes, where they hold something.
+
+use std::f64::consts::FRAC_PI_4;
+
+use nalgebra::Point3;
+
+use crate::frame::parts::MotorMount;
+use crate::frame::skeleton::{Centre, Stack};
+use crate::params::Frame;
+use crate::params::catalogue::BoughtPart;
+use crate::solid::Feature;
+
+/// Play of a tie's strap in the slot that it leaves the bracket by, mm: it lies on the slot's lower face.
+const STRAP_PLAY_MM: f64 = 0.05;
+/// How far a tie reaches out of the bracket's slot, mm.
+const STRAP_OUT_MM: f64 = 2.0;
+
+/// A screw along z whose head rests on a face at this height, the thread below it; none where a size of it is not catalogued.
+fn screw(part: &BoughtPart, at: [f64; 2], seat_mm: f64, way: f64) -> Option<Feature> {
+    let (thread, length) = (part.thread_mm?, part.length_mm?);
+    let (head, high) = (part.head_diameter_mm?, part.head_height_mm?);
+    let [x, y] = at;
+    let to = |z: f64| Point3::new(x, y, seat_mm + way * z);
+    // The thread begins in the head: they are one body.
+    let shaft = Feature::cylinder_between(to(-length), to(0.5 * high), 0.5 * thread);
+    Some(Feature::union([shaft, Feature::cylinder_between(to(0.0), to(high), 0.5 * head)]))
+}
+
+/// The four screws of the stack, heads up in their counterbores; none where no board hangs there.
+pub(super) fn stack_screws(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let stack = Stack::new(frame, centre);
+    stack.boards.first()?;
+    let screws: Option<Vec<Feature>> = Stack::axes_mm(frame).into_iter().map(|at| screw(part, at, stack.seat_mm, 1.0)).collect();
+    Some(Feature::union(screws?))
+}
+
+/// The screws of a motor in the axes of its mount, heads down under the plate; none where a size of them is not catalogued.
+pub(super) fn motor_screws(part: &BoughtPart, frame: &Frame) -> Option<Feature> {
+    let mount = MotorMount::from_frame(frame);
+    let under_plate = mount.top_mm - mount.plate_mm;
+    let screws: Option<Vec<Feature>> = mount.screw_axes_mm().into_iter().map(|at| screw(part, at, under_plate, -1.0)).collect();
+    Some(Feature::union(screws?))
+}
+
+/// The dampers: round, above and below the first board, and through its holes.
+pub(super) fn dampers(frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let stack = Stack::new(frame, centre);
+    let (part, middle) = stack.dampers?;
+    let board = stack.boards.first()?.part;
+    let thread = frame.bought.get("stack_screw").and_then(|screw| screw.part.thread_mm).unwrap_or(0.0);
+    let [across, _, height] = part.size_mm;
+    let (neck, thick) = (board.hole_diameter_mm.unwrap_or(0.0).min(across), board.board_mm().min(height));
+    let one = |[x, y]: [f64; 2]| {
+        let piece = |from: f64, to: f64, diameter: f64| {
+            Feature::cylinder_between(Point3::new(x, y, middle + from), Point3::new(x, y, middle + to), 0.5 * diameter)
+        };
+        let (half, half_board) = (0.5 * height, 0.5 * thick);
+        let bore = Feature::bore_between(Point3::new(x, y, middle - height), Point3::new(x, y, middle + height), 0.5 * thread);
+        let body = Feature::union([
+            piece(half_board, half, across),
+            piece(-half, -half_board, across),
+            piece(-half_board - 0.1, half_board + 0.1, neck),
+        ]);
+        if thread > 0.0 { body.minus([bore]) } else { body }
+    };
+    // A board without holes that a damper's neck passes has no dampers.
+    (neck > thread + 0.2 && height > thick + 0.4).then(|| Feature::union(Stack::axes_mm(frame).map(one)))
+}
+
+/// What of the ties is in their holes: through hub and carrier, in front and behind down into the bracket and out of its slots.
+pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let [wide, thick] = part.strap_mm?;
+    let (radius, half_hub) = (centre.tie_radius_mm, centre.hub_half_height_mm);
+    let top = if frame.bought.contains_key("computer") { centre.carrier_top_mm() } else { half_hub };
+    let upright = |[x, y]: [f64; 2], low: f64| {
+        // Flat towards the hub's axis.
+        let [a, b] = if x == 0.0 { [0.5 * wide, 0.5 * thick] } else { [0.5 * thick, 0.5 * wide] };
+        Feature::cuboid_between([x - a, y - b, low], [x + a, y + b, top])
+    };
+    let floor = centre.bracket_z_mm() - frame.bracket.tie_hole_depth_mm + STRAP_PLAY_MM;
+    let out = centre.bracket_half_mm + STRAP_OUT_MM;
+    let leg = |side: f64| {
+        let [near, far] = [side * (radius - 0.5 * thick), side * out];
+        let low = [-0.5 * wide, near.min(far), floor];
+        Feature::cuboid_between(low, [0.5 * wide, near.max(far), floor + thick])
+    };
+    let sides =
+        [1.0, -1.0].map(|side| Feature::union([upright([side * radius, 0.0], -half_hub), upright([0.0, side * radius], floor), leg(side)]));
+    Some(Feature::union(sides))
+}
+
+/// What the threads of a frame's screws are meant to share with what they are screwed into, mm³: a motor, the hub.
+pub fn threads_mm3(frame: &Frame, centre: &Centre) -> [f64; 2] {
+    let screw = |role: &str| frame.bought.get(role).map(|item| &item.part).and_then(|part| Some((part.thread_mm?, part.length_mm?)));
+    let ring = |outer: f64, inner: f64, length: f64| 4.0 * (FRAC_PI_4 * (outer * outer - inner * inner) * length).max(0.0);
+    let in_motor = screw("motor_screw")
+        .map_or(0.0, |(thread, length)| ring(thread, 0.0, (length - frame.motor_mount.motor_plate_thickness_mm).max(0.0)));
+    let in_hub = screw("stack_screw").map_or(0.0, |(thread, length)| {
+        let plate = Stack::new(frame, centre).seat_mm + centre.hub_half_height_mm;
+        ring(thread, frame.hub.stack_pilot_diameter_mm, plate.min(length))
+    });
+    [in_motor, in_hub]
+}

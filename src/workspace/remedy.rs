@@ -1,0 +1,324 @@
+//! Remedies: the change of one key that clears a violation. It is tried on the frame before it is named.
+//!
+//! The levers of a violated rule are moved, each alone and step by step up to its bounds, until the rule holds; then the step is made as
+//! small as it can be, and every rule but the fold's is asked about the frame with it. Where no lever helps, and none of them chooses a bought
+//! part, the rods and what else drives the parts that the violation names are tried. This takes seconds: it is for a person who reads a report, not for a search.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
+use crate::figures::decimals;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass;
+use crate::memo::Memo;
+use crate::params::frame_file::Value;
+use crate::params::parameter::Parameter;
+use crate::params::{Frame, FrameFile, parameters, preset};
+
+/// Rods are tried for every violation.
+const RODS: [&str; 3] = ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm"];
+/// First step, as a share of the value, and of the way between the bounds where that is more.
+const FIRST_STEP: [f64; 2] = [0.02, 0.01];
+/// A step is twice the one before it, so many times.
+const DOUBLINGS: i32 = 6;
+/// Steps without effect after which a direction is given up.
+const PATIENCE: usize = 5;
+/// How often the last step is halved.
+const HALVINGS: usize = 5;
+/// Share of the value by which other keys are moved to see whether they have an effect.
+const PROBE: f64 = 0.2;
+/// Keys, beyond the levers, that are tried in earnest: those with the most effect.
+const OTHERS: usize = 3;
+/// Remedies that are named for a violation.
+const NAMED: usize = 2;
+/// Groups of violations that are looked at; the first are the report's first.
+const GROUPS: usize = 3;
+
+/// A change that clears a violation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remedy {
+    /// The key, with its table.
+    pub key: String,
+    /// Its value now.
+    pub from: String,
+    /// The value that clears the violation.
+    pub to: String,
+    /// By how much the frame gets heavier, g.
+    pub heavier_g: f64,
+    /// What is violated then that was not before, the first of it.
+    pub breaks: Option<String>,
+}
+
+impl fmt::Display for Remedy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { key, from, to, heavier_g, breaks } = self;
+        let sign = if *heavier_g < 0.0 { "" } else { "+" };
+        write!(f, "{key} {from} -> {to} clears it ({sign}{} g)", decimals(*heavier_g, 1))?;
+        breaks.as_ref().map_or(Ok(()), |broken| write!(f, ", but breaks {broken}"))
+    }
+}
+
+/// What a person reads of the remedies for each finding, in their order: empty for what is not violated, or was not looked at.
+pub fn advice(file: &FrameFile, findings: &[Finding], memo: &Arc<Memo>) -> Vec<String> {
+    let Some(bench) = Bench::new(file, memo).filter(|_| findings.iter().any(|f| f.verdict == Verdict::Violated)) else {
+        return vec![String::new(); findings.len()];
+    };
+    let (mut groups, mut told): (Vec<(&Finding, String)>, Vec<String>) = (Vec::new(), Vec::new());
+    for finding in findings {
+        let known = groups.iter().find(|(known, _)| alike(known, finding)).map(|(_, text)| text.clone());
+        told.push(match known {
+            _ if finding.verdict != Verdict::Violated || !bench.sees(finding) => String::new(),
+            Some(text) => text,
+            None if groups.len() >= GROUPS => String::new(),
+            None => {
+                let text = sentence(&bench.remedies(finding));
+                groups.push((finding, text.clone()));
+                text
+            }
+        });
+    }
+    told
+}
+
+/// Whether one remedy is to clear both.
+fn alike(a: &Finding, b: &Finding) -> bool {
+    a.rule == b.rule && a.levers == b.levers && a.unit == b.unit
+}
+
+fn sentence(remedies: &[Remedy]) -> String {
+    match remedies {
+        [] => "no single key was found that clears it".into(),
+        some => some.iter().map(Remedy::to_string).collect::<Vec<_>>().join("; or "),
+    }
+}
+
+/// The frame on which changes are tried.
+struct Bench<'a> {
+    file: &'a FrameFile,
+    frame: Frame,
+    memo: &'a Arc<Memo>,
+    mass_g: f64,
+    found: Vec<Finding>,
+}
+
+impl<'a> Bench<'a> {
+    /// None for a frame that cannot be designed.
+    fn new(file: &'a FrameFile, memo: &'a Arc<Memo>) -> Option<Self> {
+        let frame = Frame::resolve(file).ok()?;
+        let design = Design::with(frame.clone(), memo).ok()?;
+        let masses = mass::table(&design);
+        let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
+        Some(Self { file, frame, memo, mass_g: masses.total_g, found })
+    }
+
+    /// Whether it is found again: only then its end can be seen.
+    fn sees(&self, finding: &Finding) -> bool {
+        self.found.iter().any(|f| f.rule == finding.rule && f.subject == finding.subject && f.verdict == Verdict::Violated)
+    }
+
+    /// The frame with a key changed; none where that is refused.
+    fn design(&self, key: &str, value: &Value) -> Option<Design> {
+        let mut file = self.file.clone();
+        file.set(key, value.clone());
+        Design::with(Frame::resolve(&file).ok()?, self.memo).ok()
+    }
+
+    /// The least margin of the findings that are like this one, with a key changed; none where there is no such frame.
+    fn margin(&self, finding: &Finding, rule: &Rule, key: &str, value: &Value) -> Option<f64> {
+        let design = self.design(key, value)?;
+        let found = checks::check_one(rule, &design, &mass::table(&design));
+        let same = found.iter().filter(|f| f.verdict != Verdict::Note && (alike(f, finding) || f.subject == finding.subject));
+        Some(same.map(|f| f.margin).fold(f64::INFINITY, f64::min))
+    }
+
+    /// The remedies of a violation, the lightest change first; those that break something else only where there are no others.
+    fn remedies(&self, finding: &Finding) -> Vec<Remedy> {
+        let Some(rule) = CATALOGUE.iter().find(|rule| rule.id == finding.rule) else { return Vec::new() };
+        let levers: Vec<&str> = finding.levers.iter().map(|lever| &**lever).collect();
+        let of = |keys: &[&str]| -> Vec<Remedy> { keys.par_iter().flat_map_iter(|key| self.by_key(finding, rule, key)).collect() };
+        let mut found = of(&levers);
+        // A bought part that is in the way is replaced, not built around.
+        let bought = levers.iter().any(|lever| lever.starts_with("bought."));
+        if !bought && found.iter().all(|remedy| remedy.breaks.is_some()) {
+            found.extend(of(&self.effective(finding, rule, &levers).iter().map(String::as_str).collect::<Vec<_>>()));
+        }
+        if found.iter().any(|remedy| remedy.breaks.is_none()) {
+            found.retain(|remedy| remedy.breaks.is_none());
+        }
+        found.truncate(NAMED);
+        found
+    }
+
+    /// Other keys with an effect, the most effective first: rods, and what drives the parts that the subject names.
+    fn effective(&self, finding: &Finding, rule: &Rule, levers: &[&str]) -> Vec<String> {
+        let drives = |p: &&Parameter| p.drives.iter().any(|part| finding.subject.contains(part.slug()));
+        let driving = parameters().filter(drives).filter(|p| p.table != "fit").map(|p| format!("{}.{}", p.table, p.key));
+        let keys: BTreeSet<String> = driving.chain(RODS.map(String::from)).filter(|key| !levers.contains(&key.as_str())).collect();
+        let keys: Vec<String> = keys.into_iter().collect();
+        let gain = |key: &String| {
+            let parameter = parameter(key)?;
+            let value = self.frame.value(parameter.table, parameter.key)?;
+            let step = PROBE * value.abs().max(0.1 * (parameter.max - parameter.min));
+            let margin = |to: f64| self.margin(finding, rule, key, &Value::Number(to.clamp(parameter.min, parameter.max)));
+            [value + step, value - step].into_iter().filter_map(margin).reduce(f64::max).map(|margin| (margin, key.clone()))
+        };
+        let mut gains: Vec<(f64, String)> =
+            keys.par_iter().filter_map(gain).filter(|(margin, _)| *margin > finding.margin + 1e-6).collect();
+        gains.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
+        gains.into_iter().take(OTHERS).map(|(_, key)| key).collect()
+    }
+
+    /// The smallest change of one key that clears a violation.
+    fn by_key(&self, finding: &Finding, rule: &Rule, key: &str) -> Option<Remedy> {
+        match parameter(key) {
+            Some(parameter) => {
+                let value = self.frame.value(parameter.table, parameter.key)?;
+                let ways = [1.0, -1.0].map(|way| self.number(finding, rule, parameter, value, way));
+                let nearest = ways.into_iter().flatten().min_by(|a, b| (a - value).abs().total_cmp(&(b - value).abs()))?;
+                self.remedy(key, plain(value), Value::Number(nearest), plain(nearest))
+            }
+            None => {
+                let now = match self.file.entries.get(key).map(|entry| &entry.value) {
+                    Some(Value::Text(name)) => name.clone(),
+                    _ => return None,
+                };
+                let clears = |name: &String| {
+                    let value = Value::Text(name.clone());
+                    let cleared = self.margin(finding, rule, key, &value)? >= 0.0;
+                    cleared.then(|| self.remedy(key, now.clone(), value, name.clone())).flatten()
+                };
+                let names: Vec<String> = preset::names_for(key).into_iter().filter(|name| *name != now).collect();
+                let found: Vec<Remedy> = names.par_iter().filter_map(clears).collect();
+                let rank = |remedy: &Remedy| (remedy.breaks.is_some(), remedy.heavier_g.abs());
+                found.into_iter().min_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)))
+            }
+        }
+    }
+
+    /// The nearest value of a number in one direction that clears a violation, rounded away from the value it has.
+    fn number(&self, finding: &Finding, rule: &Rule, parameter: &Parameter, value: f64, way: f64) -> Option<f64> {
+        let key = format!("{}.{}", parameter.table, parameter.key);
+        let at = |to: f64| self.margin(finding, rule, &key, &Value::Number(to));
+        let first = (FIRST_STEP[0] * value.abs()).max(FIRST_STEP[1] * (parameter.max - parameter.min));
+        let (mut last, mut idle) = (value, 0);
+        for doubling in 0..=DOUBLINGS {
+            let to = (value + way * first * libm::exp2(f64::from(doubling))).clamp(parameter.min, parameter.max);
+            if to == last {
+                return None;
+            }
+            let margin = at(to)?;
+            if margin >= 0.0 {
+                return self.least(&at, [last, to], parameter);
+            }
+            idle = if margin > finding.margin + 1e-9 { 0 } else { idle + 1 };
+            if idle >= PATIENCE {
+                return None;
+            }
+            last = to;
+        }
+        None
+    }
+
+    /// The value nearest to the first, which does not clear a violation, that clears it as the second does.
+    fn least(&self, margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut good]: [f64; 2], parameter: &Parameter) -> Option<f64> {
+        let clears = |to: f64| margin(to).is_some_and(|margin| margin >= 0.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (bad + good);
+            if clears(middle) {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        let grid = if parameter.max - parameter.min > 20.0 { 10.0 } else { 100.0 };
+        let away = if good > bad { (good * grid).ceil() } else { (good * grid).floor() } / grid;
+        [away, good].into_iter().map(|to| to.clamp(parameter.min, parameter.max)).find(|to| clears(*to))
+    }
+
+    /// A change that clears a violation, with what else it does.
+    fn remedy(&self, key: &str, from: String, value: Value, to: String) -> Option<Remedy> {
+        let design = self.design(key, &value)?;
+        let masses = mass::table(&design);
+        let known = |f: &Finding| self.found.iter().any(|k| k.verdict == Verdict::Violated && k.rule == f.rule);
+        let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
+        let new = found.iter().find(|f| f.verdict == Verdict::Violated && !known(f));
+        let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));
+        Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
+    }
+}
+
+/// The rules that a change is asked by: a search for a fold takes longer than all others together.
+fn all_but_the_fold() -> Vec<&'static Rule> {
+    CATALOGUE.into_iter().filter(|rule| rule.id != "fold_sequence").collect()
+}
+
+/// The parameter of a key; none of a name.
+fn parameter(key: &str) -> Option<&'static Parameter> {
+    let (table, key) = key.split_once('.')?;
+    parameters().find(|p| p.table == table && p.key == key)
+}
+
+/// A value as a person types it.
+fn plain(value: f64) -> String {
+    format!("{}", (value * 1e4).round() / 1e4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The file with a remedy in it.
+    fn mended(file: &FrameFile, remedy: &Remedy) -> FrameFile {
+        let value = remedy.to.parse().map_or_else(|_| Value::Text(remedy.to.clone()), Value::Number);
+        let mut file = file.clone();
+        file.set(&remedy.key, value);
+        file
+    }
+
+    /// Each remedy for the first violation of a rule, applied, clears it; the keys.
+    fn keys(text: &str, rule: &str) -> Vec<String> {
+        let file = FrameFile::parse("own.toml", text).expect("reads");
+        let memo = Arc::default();
+        let bench = Bench::new(&file, &memo).expect("can be designed");
+        let violated = |found: &[Finding], of: &Finding| found.iter().any(|f| f.verdict == Verdict::Violated && alike(f, of));
+        let broken = bench.found.iter().find(|f| f.rule == rule && f.verdict == Verdict::Violated).expect("is violated");
+        let remedies = bench.remedies(broken);
+        for remedy in &remedies {
+            let mended = mended(&file, remedy);
+            let after = Bench::new(&mended, &memo).expect("can be designed");
+            assert!(!violated(&after.found, broken), "{remedy}");
+            assert!((after.mass_g - bench.mass_g - remedy.heavier_g).abs() < 1e-6, "{remedy}");
+        }
+        remedies.into_iter().map(|remedy| remedy.key).collect()
+    }
+
+    #[test]
+    fn planted_rods_of_4_mm_ask_for_a_wider_cheek_gap() {
+        let found = keys("base = \"cognifly\"\nbought.rod = \"rod-carbon-4\"\n", "interference");
+        assert!(found.contains(&"fork.fork_cheek_gap_mm".to_string()), "{found:?}");
+    }
+
+    #[test]
+    fn planted_a_high_battery_asks_for_longer_struts() {
+        let found = keys("base = \"cognifly\"\nbattery.battery_height_mm = 30.0\n", "battery_slide");
+        assert!(found.contains(&"rods.strut_rod_length_mm".to_string()), "{found:?}");
+    }
+
+    #[test]
+    fn planted_rods_of_2_mm_ask_for_a_thinner_bar() {
+        let found = keys("base = \"cognifly\"\nbought.rod = \"rod-carbon-2\"\n", "overhang");
+        assert!(found.contains(&"fork.fork_bar_height_mm".to_string()), "{found:?}");
+    }
+
+    #[test]
+    fn analytic_nothing_is_said_of_a_frame_that_keeps_its_limits() {
+        let file = FrameFile::load("cognifly").expect("a preset");
+        let memo = Arc::default();
+        let bench = Bench::new(&file, &memo).expect("can be designed");
+        assert!(advice(&file, &bench.found, &memo).iter().all(String::is_empty));
+    }
+}
