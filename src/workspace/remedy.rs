@@ -303,18 +303,6 @@ mod tests {
     }
 
     #[test]
-    fn planted_a_high_battery_asks_for_longer_struts() {
-        let found = keys("base = \"cognifly\"\nbattery.battery_height_mm = 30.0\n", "battery_slide");
-        assert!(found.contains(&"rods.strut_rod_length_mm".to_string()), "{found:?}");
-    }
-
-    #[test]
-    fn planted_rods_of_2_mm_ask_for_a_thinner_bar() {
-        let found = keys("base = \"cognifly\"\nbought.rod = \"rod-carbon-2\"\n", "overhang");
-        assert!(found.contains(&"fork.fork_bar_height_mm".to_string()), "{found:?}");
-    }
-
-    #[test]
     fn analytic_nothing_is_said_of_a_frame_that_keeps_its_limits() {
         let file = FrameFile::load("cognifly").expect("a preset");
         let memo = Arc::default();
