@@ -41,6 +41,9 @@ pub(super) struct Args {
     /// How to say it; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
     pub format: Option<CheckFormat>,
+    /// Try on the frame what clears each kind of violation, and name that: seconds to a minute.
+    #[arg(long)]
+    pub remedies: bool,
     /// Notes beyond their figure fail, too.
     #[arg(long)]
     pub strict: bool,
@@ -53,13 +56,6 @@ pub(super) struct Args {
     /// Whether the mechanics are asked.
     #[command(flatten)]
     pub mechanics: MechanicsOption,
-}
-
-impl Args {
-    /// Whether the findings are printed for a person, each with its sentence.
-    fn tells_a_person(&self, common: &Common) -> bool {
-        matches!(self.format, None | Some(CheckFormat::Text)) && !common.json && !common.quiet && !self.update_baseline
-    }
 }
 
 /// How `check` says what it found.
@@ -91,7 +87,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let outcomes: Vec<Outcome> = names
         .into_iter()
         .map(|asked| {
-            let result = hold(&asked, args, common, policy, &memo).map_err(|failure| {
+            let result = hold(&asked, args, policy, &memo).map_err(|failure| {
                 messages.push(failure.render());
                 refused(&failure)
             });
@@ -120,7 +116,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 /// One frame's findings.
-fn hold(asked: &str, args: &Args, common: &Common, policy: Policy, memo: &Arc<Memo>) -> Result<CheckedFrame, Failure> {
+fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<CheckedFrame, Failure> {
     let (frame, file) = session::load(&FrameOption { frame: asked.into(), rigid: args.rigid.clone() })?;
     let found = memo.try_get("findings", &frame.name, &frame, || {
         let design = session::designed(frame.clone(), &file, memo)?;
@@ -131,8 +127,7 @@ fn hold(asked: &str, args: &Args, common: &Common, policy: Policy, memo: &Arc<Me
     if let Some(settings) = session::mechanics(&args.mechanics)? {
         findings.extend(strength(frame.clone(), &file, &settings, memo)?);
     }
-    // Trying remedies takes seconds: it is done for a person who reads them.
-    let advice = if args.tells_a_person(common) { advice(&file, &findings, memo) } else { Vec::new() };
+    let advice = if args.remedies { advice(&file, &findings, memo) } else { Vec::new() };
     Ok(CheckedFrame::new(&frame, &file, findings, masses, policy).advised(advice))
 }
 

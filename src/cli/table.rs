@@ -24,7 +24,7 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
             unit = finding.unit
         );
         if finding.verdict == Verdict::Violated {
-            let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(&finding.levers)) };
+            let mend = if finding.levers.is_empty() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
             text += &format!("          {}{mend}\n", one_line(&finding.message));
         }
         if finding.verdict == Verdict::Note && finding.margin < 0.0 {
@@ -43,7 +43,7 @@ pub(super) fn brief(findings: &[Finding]) -> String {
     let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let mut text = String::new();
     for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
-        let mend = if finding.levers.is_empty() { String::new() } else { format!("; try {}", one_of(&finding.levers)) };
+        let mend = if finding.levers.is_empty() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
         let message = format!("{} {}: {}{mend}", "VIOLATED", finding.rule, one_line(&finding.message));
         let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n");
         text += &format!("{}\n", if colour { lines.replacen("VIOLATED", &verdict(finding, true), 1) } else { lines });

@@ -208,6 +208,13 @@ fn planted_a_table_where_a_value_belongs() {
 }
 
 #[test]
+fn planted_a_remedy_is_tried_before_it_is_named() {
+    let frame = "base = \"cognifly\"\n[limits]\nenvelope_height_mm = 112.0\n";
+    let check = text(&Bench::new(frame).run("check", &["--remedies"]).stdout);
+    assert_says(&check, &["VIOLATED envelope", "clears it ("]);
+}
+
+#[test]
 fn regress_no_figure_is_minus_zero_and_no_limit_is_broken_by_itself() {
     let frame = "base = \"cognifly\"\n[limits]\nmass_budget_g = 231.0\nenvelope_width_mm = 205.0\npropeller_clearance_mm = 4.0\n";
     let bench = Bench::new(frame);
@@ -218,7 +225,7 @@ fn regress_no_figure_is_minus_zero_and_no_limit_is_broken_by_itself() {
         let minus = text.split_whitespace().find(|word| word.starts_with("-0") && word.trim_matches(['-', '0', '.', ',']).is_empty());
         assert_eq!(minus, None);
     }
-    assert_says(&check, &["clears it (", "the budget is 231.0 g", "print corners and hub joints flat"]);
+    assert_says(&check, &["driven by", "the budget is 231.0 g", "print corners and hub joints flat"]);
 }
 
 #[test]
