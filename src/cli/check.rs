@@ -233,7 +233,7 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
 fn frame_text(args: &Args, held: &CheckedFrame) -> String {
     let findings: Vec<Finding> = held.findings.iter().map(Judged::told).collect();
     let every = || findings.iter().map(|finding| Tightest { finding, of: 1 }).collect::<Vec<_>>();
-    let table = if args.all { table::findings(&every()) } else { table::brief(&findings) };
+    let table = if args.all { table::findings(&every()) } else { table::brief(&findings, args.strict) };
     let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));
     let (frame, mass_g, count) = (&held.frame, held.masses.total_g, findings.len());
     let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };

@@ -39,14 +39,20 @@ const COLUMNS: usize = 80;
 
 /// What a person has to read of a frame: every violation with its remedies, then the tightest finding of each rule that holds, a
 /// line each, and how many notes there are. No line is longer than [`COLUMNS`].
-pub(super) fn brief(findings: &[Finding]) -> String {
+///
+/// With `strict` a note beyond its figure fails, so it is told, too.
+pub(super) fn brief(findings: &[Finding], strict: bool) -> String {
     let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let mut text = String::new();
-    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
+    let warns = |finding: &Finding| strict && finding.verdict == Verdict::Note && finding.margin < 0.0;
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated || warns(finding)) {
+        let word = if warns(finding) { "WARNING " } else { "VIOLATED" };
         let mend = if finding.levers.is_empty() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
-        let message = format!("{} {}: {}{mend}", "VIOLATED", finding.rule, one_line(&finding.message));
+        let message = format!("{word} {}: {}{mend}", finding.rule, one_line(&finding.message));
         let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n");
-        text += &format!("{}\n", if colour { lines.replacen("VIOLATED", &verdict(finding, true), 1) } else { lines });
+        let painted = format!("{}{word}{}", PAINT[if warns(finding) { 2 } else { 0 }], PAINT[3]);
+        text += &if colour { lines.replacen(word, &painted, 1) } else { lines };
+        text.push('\n');
     }
     let mut told: Vec<&str> = Vec::new();
     for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Holds) {
@@ -55,7 +61,7 @@ pub(super) fn brief(findings: &[Finding]) -> String {
             text += &tightest_of(&finding.rule, findings);
         }
     }
-    text + &notes(findings)
+    if strict { text } else { text + &notes(findings) }
 }
 
 /// The tightest finding of a rule that holds, by its margin as a share of the limit, as a line.
