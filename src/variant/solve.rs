@@ -58,7 +58,7 @@ pub(super) fn own_values(problem: &SearchProblem, frame: &Frame) -> Vec<f64> {
 pub(super) fn before(problem: &SearchProblem) -> Result<(f64, f64), String> {
     let frame = Frame::resolve(problem.file).map_err(|refusal| refusal.to_string())?;
     let (own, search) = (own_values(problem, &frame), Search::new(problem, &CATALOGUE));
-    search.look_at(&[own.clone()]);
+    search.look_at(std::slice::from_ref(&own));
     search.known(&own).map(|point| (point.violated, point.aim)).ok_or_else(|| "ended before".into())
 }
 

@@ -5,7 +5,7 @@ mod front;
 mod told;
 mod wish;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -77,7 +77,7 @@ fn answered<T>(found: Result<T, SolveError>) -> Result<Option<T>, Failure> {
     }
 }
 
-fn write(place: &PathBuf, base: &str, what: &str, chosen: &Chosen, args: &Args) -> Result<(), Failure> {
+fn write(place: &Path, base: &str, what: &str, chosen: &Chosen, args: &Args) -> Result<(), Failure> {
     let name = |(key, name): &(String, String)| Line { key: key.clone(), value: Value::Text(name.clone()), why: "chosen".into() };
     let mut lines: Vec<Line> = chosen.names.iter().map(name).collect();
     lines.extend(chosen.solution.values.iter().map(|(vary, before, after)| Line {
