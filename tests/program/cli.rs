@@ -157,7 +157,10 @@ fn planted_materials_and_parts_of_the_wrong_kind() {
 fn planted_a_flexible_material_that_is_not_known_to_stretch() {
     let own = "kind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.0, 0.0, 0.0, 1.0]\nsource = \"x\"\n";
     let message = refused(&format!("base = \"cognifly\"\n[materials]\nflexible = \"mine\"\n[override.materials.mine]\n{own}"));
-    assert_says(&message, &["does not say its elongation_at_break_percent", "[override.materials.mine], or choose one of `abs`, `petg`, `pla`, `tpu-85a`"]);
+    assert_says(
+        &message,
+        &["does not say its elongation_at_break_percent", "[override.materials.mine], or choose one of `abs`, `petg`, `pla`, `tpu-85a`"],
+    );
     let kind = refused("base = \"cognifly\"\n[override.materials.abs]\nkind = \"print\"\n");
     assert_says(&kind, &["`kind` is \"print\", it is \"printed\" or \"rod\"", "params/materials.toml explains the keys", "frame.toml:3"]);
 }
