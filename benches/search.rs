@@ -53,9 +53,9 @@ fn main() {
             file.set_number(&format!("limits.{key}"), value);
         }
         let (begun, first) = (Instant::now(), AtomicUsize::new(0));
-        let follows = |standing: &flexframe::variant::Standing| {
-            if standing.best.is_some() {
-                let _ = first.compare_exchange(0, standing.looked_at, Ordering::SeqCst, Ordering::SeqCst);
+        let follows = |progress: &flexframe::variant::SearchProgress| {
+            if progress.best.is_some() {
+                let _ = first.compare_exchange(0, progress.looked_at, Ordering::SeqCst, Ordering::SeqCst);
             }
             ControlFlow::Continue(())
         };

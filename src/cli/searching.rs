@@ -7,7 +7,7 @@ use super::bounded;
 use super::interrupt::Finishing;
 use super::options::Common;
 use super::progress::Progress;
-use crate::variant::{Ended, Standing};
+use crate::variant::{Ended, SearchProgress};
 
 /// How long a search goes on.
 #[derive(Debug, clap::Args)]
@@ -42,14 +42,14 @@ impl Following {
     }
 
     /// Tells where the search is, and whether it may go on.
-    pub fn hears(&self, standing: &Standing) -> ControlFlow<()> {
+    pub fn hears(&self, search: &SearchProgress) -> ControlFlow<()> {
         let spent = self.begun.elapsed();
-        let best = match (standing.best, &standing.missed) {
+        let best = match (search.best, &search.missed) {
             (Some(best), _) => format!("best {best:.2} {}", self.unit),
             (None, Some(missed)) => format!("missed yet: {missed}"),
             (None, None) => "no frame yet".into(),
         };
-        self.progress.stage(standing.looked_at, format!("{best}, at most {:.0} s left", self.left_s(standing, spent)));
+        self.progress.stage(search.looked_at, format!("{best}, at most {:.0} s left", self.left_s(search, spent)));
         let too_late = self.budget.is_some_and(|budget| spent >= budget);
         if too_late || self.finishing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
@@ -60,9 +60,9 @@ impl Following {
     }
 
     /// At the pace so far, and no longer than the budget.
-    fn left_s(&self, standing: &Standing, spent: Duration) -> f64 {
-        let frames_left = standing.most.saturating_sub(standing.looked_at) as f64;
-        let by_frames_s = spent.as_secs_f64() * frames_left / standing.looked_at.max(1) as f64;
+    fn left_s(&self, search: &SearchProgress, spent: Duration) -> f64 {
+        let frames_left = search.most.saturating_sub(search.looked_at) as f64;
+        let by_frames_s = spent.as_secs_f64() * frames_left / search.looked_at.max(1) as f64;
         let by_budget_s = self.budget.map_or(f64::INFINITY, |budget| budget.saturating_sub(spent).as_secs_f64());
         by_frames_s.min(by_budget_s)
     }

@@ -13,7 +13,7 @@ const FOLLOWED: usize = 3;
 
 /// A key that holds a name, and the names that it may hold.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Choice {
+pub struct NameChoice {
     /// The key with its table.
     pub key: String,
     /// The names.
@@ -32,7 +32,10 @@ pub struct Chosen {
 ///
 /// # Errors
 /// When there are more combinations than half the frames, or no frame that was looked at keeps every limit.
-pub fn choose(problem: &SearchProblem, choices: &[Choice]) -> Result<Chosen, SolveError> {
+pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen, SolveError> {
+    if choices.is_empty() {
+        return solve(problem).map(|solution| Chosen { names: Vec::new(), solution });
+    }
     let combinations = combinations(choices);
     if 2 * combinations.len() > problem.most {
         let (count, most) = (combinations.len(), problem.most);
@@ -49,7 +52,7 @@ pub fn choose(problem: &SearchProblem, choices: &[Choice]) -> Result<Chosen, Sol
             begun.push((order, names, file));
         }
     }
-    begun.sort_by(|(a, ..), (b, ..)| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    begun.sort_by(|(a, ..), (b, ..)| a.order(b));
     let each = (problem.most - looked_at) / FOLLOWED.min(begun.len()).max(1);
     let (mut best, mut refused): (Option<Chosen>, Option<SolveError>) = (None, None);
     for (_, names, file) in begun.into_iter().take(FOLLOWED) {
@@ -66,7 +69,12 @@ pub fn choose(problem: &SearchProblem, choices: &[Choice]) -> Result<Chosen, Sol
                     break;
                 }
             }
-            Err(error) => refused = Some(refused.unwrap_or(error)),
+            Err(error) => {
+                if let SolveError::Infeasible { looked_at: count, .. } = &error {
+                    looked_at += count;
+                }
+                refused = Some(refused.unwrap_or(error));
+            }
         }
     }
     match (best, refused) {
@@ -74,13 +82,14 @@ pub fn choose(problem: &SearchProblem, choices: &[Choice]) -> Result<Chosen, Sol
             best.solution.looked_at = looked_at;
             Ok(best)
         }
+        (None, Some(SolveError::Infeasible { ended, missed, .. })) => Err(SolveError::Infeasible { looked_at, ended, missed }),
         (None, Some(error)) => Err(error),
         (None, None) => Err(SolveError::Problem("--choose: the frame refuses every combination".into())),
     }
 }
 
 /// Every way to choose a name for each key.
-fn combinations(choices: &[Choice]) -> Vec<Vec<(String, String)>> {
+fn combinations(choices: &[NameChoice]) -> Vec<Vec<(String, String)>> {
     choices.iter().fold(vec![Vec::new()], |all, choice| {
         let longer = |begun: &Vec<(String, String)>| {
             let begun = begun.clone();
@@ -105,7 +114,7 @@ mod tests {
 
     #[test]
     fn analytic_combinations_are_all_ways_to_choose() {
-        let choice = |key: &str, names: &[&str]| Choice { key: key.into(), names: names.iter().map(ToString::to_string).collect() };
+        let choice = |key: &str, names: &[&str]| NameChoice { key: key.into(), names: names.iter().map(ToString::to_string).collect() };
         let all = combinations(&[choice("a", &["1", "2"]), choice("b", &["x", "y", "z"])]);
         let told: Vec<String> = all.iter().map(|names| names.iter().map(|(_, name)| name.as_str()).collect()).collect();
         assert_eq!(told, ["1x", "1y", "1z", "2x", "2y", "2z"]);

@@ -6,7 +6,7 @@ use super::aim::Aim;
 use super::ended::Ended;
 use super::feasible::presets;
 use super::measures::Evaluation;
-use super::problem::{SearchProblem, Solution, SolveError, Standing, Vary};
+use super::problem::{SearchProblem, SearchProgress, Solution, SolveError, Vary};
 use super::solve::solve;
 use crate::checks::Verdict;
 use crate::frame::assembly::Design;
@@ -25,7 +25,7 @@ pub struct Request<'a> {
     /// How many frames may be looked at.
     pub most: usize,
     /// Who follows the search, and may end it.
-    pub follows: &'a (dyn Fn(&Standing) -> ControlFlow<()> + Sync + 'a),
+    pub follows: &'a (dyn Fn(&SearchProgress) -> ControlFlow<()> + Sync + 'a),
 }
 
 /// A number that had to change.

@@ -19,58 +19,33 @@ const SHORTER: f64 = 0.3;
 const REACH: f64 = 0.25;
 
 /// Follows the planes from values that were looked at, with no more than this many frames; ends when a frame keeps everything
-/// where that is all that is asked for. Says whether it came to an end by itself.
-pub(super) fn descend(search: &Search, start: &[f64], most: usize, feasible_is_enough: bool) -> bool {
+/// where that is all that is asked for.
+pub(super) fn descend(search: &Search, start: &[f64], most: usize, feasible_is_enough: bool) {
     let budget = search.looked_at() + most;
     let spent = || search.left() == 0 || search.looked_at() >= budget;
     let least = if matches!(search.aim(), Aim::Near(_)) { LEAST_NEAR } else { LEAST };
     let mut radius = REGION;
-    let Some(mut planes) = Planes::at(search, start, REACH * radius) else { return true };
-    let mut here = best_beside(search, &mut planes, start);
+    let Some(mut planes) = Planes::at(search, start, REACH * radius) else { return };
     let mut fresh = true;
     while !spent() {
         if feasible_is_enough && planes.point().violated == 0.0 {
-            return true;
+            return;
         }
         let steps = [radius, SHORTER * radius].map(|radius| planes.best_within(search, radius));
         search.look_at(&steps);
         for values in &steps {
             planes.learn(search, values);
         }
-        let better = |values: &&Vec<f64>| search.known(values).is_some_and(|point| point.better_than(planes.point()));
-        let found = steps.iter().filter(better).min_by(|a, b| order(search, a, b)).cloned();
-        if let Some(values) = found {
-            radius = if values == steps[0] { (1.5 * radius).min(WIDEST) } else { (0.7 * radius).max(least) };
-            planes.move_to(search, &values);
-            (here, fresh) = (values, false);
+        if let Some(values) = planes.move_to_better(search, &steps) {
+            radius = if *values == steps[0] { (1.5 * radius).min(WIDEST) } else { (0.7 * radius).max(least) };
+            fresh = false;
         } else if radius > least {
             radius *= SHORTER * SHORTER.sqrt();
-            if !fresh && let Some(anew) = Planes::at(search, &here, REACH * radius.max(least)) {
+            if !fresh && let Some(anew) = Planes::at(search, planes.here(), REACH * radius.max(least)) {
                 (planes, fresh) = (anew, true);
-                here = best_beside(search, &mut planes, &here);
             }
         } else {
-            return true;
+            return;
         }
     }
-    false
-}
-
-/// Moves the planes to the best of the points that they were made of.
-fn best_beside(search: &Search, planes: &mut Planes, centre: &[f64]) -> Vec<f64> {
-    let better = |values: &Vec<f64>| search.known(values).is_some_and(|point| point.better_than(planes.point()));
-    let best = search.order().into_iter().rev().take(search.problem().vary.len() + 1).filter(better).min_by(|a, b| order(search, a, b));
-    match best {
-        Some(values) => {
-            planes.move_to(search, &values);
-            values
-        }
-        None => centre.to_vec(),
-    }
-}
-
-fn order(search: &Search, a: &[f64], b: &[f64]) -> std::cmp::Ordering {
-    let key = |values: &[f64]| search.known(values).map_or((f64::INFINITY, f64::INFINITY), |point| (point.violated, point.aim));
-    let (a, b) = (key(a), key(b));
-    a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
 }

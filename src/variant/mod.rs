@@ -18,7 +18,7 @@ mod sensitivity;
 mod solve;
 
 pub use aim::Aim;
-pub use choose::{Choice, Chosen, choose};
+pub use choose::{Chosen, NameChoice, choose};
 pub use create::{CreateError, Creation, Moved, Request, create};
 pub use difference::{Changed, Difference, Side, Trend};
 pub use ended::Ended;
@@ -26,6 +26,6 @@ pub use goal::{Goal, GoalError, Increase, Sense};
 pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, measure, measure_names};
 pub use pareto::{Front, FrontPoint, front};
 pub use peak::{PEAK_CAVEAT, predicted_peak_g};
-pub use problem::{Binding, SearchProblem, Solution, SolveError, Standing, Vary};
+pub use problem::{Binding, SearchProblem, SearchProgress, Solution, SolveError, Vary};
 pub use sensitivity::{Response, sensitivity};
 pub use solve::solve;

@@ -21,8 +21,8 @@ const MOST: usize = 3000;
 
 /// The aim and the margins around a point, to first order.
 pub(super) struct Planes {
-    /// Where they touch, in shares of the bounds.
-    centre: Vec<f64>,
+    /// The values at which they touch.
+    here: Vec<f64>,
     /// What is known there.
     point: Point,
     margins: Vec<f64>,
@@ -31,22 +31,21 @@ pub(super) struct Planes {
 }
 
 impl Planes {
-    /// Planes at values that were looked at, by differences over this share of the bounds; none where there is no frame.
+    /// Planes at values that were looked at, by differences over this share of the bounds; none where there is no frame. They touch the
+    /// best of the points that they are made of.
     pub fn at(search: &Search, values: &[f64], reach: f64) -> Option<Self> {
         let point = search.known(values)?;
         let margins = point.margins.clone()?;
-        let centre = search.shares(values);
-        let mut planes = Self { slopes: DMatrix::zeros(point.measures.len() + margins.len(), centre.len()), centre, point, margins };
+        let slopes = DMatrix::zeros(point.measures.len() + margins.len(), values.len());
+        let mut planes = Self { here: values.to_vec(), point, margins, slopes };
         let beside: Vec<[Vec<f64>; 2]> = (0..values.len()).map(|at| search.problem().vary[at].beside(values, at, reach)).collect();
         search.look_at(&beside.iter().map(|[first, _]| first.clone()).collect::<Vec<_>>());
         let there = |values: &Vec<f64>| search.known(values).is_some_and(|point| point.margins.is_some());
         // Where there is no frame on one side there may be one on the other.
         search.look_at(&beside.iter().filter(|[first, _]| !there(first)).map(|[_, other]| other.clone()).collect::<Vec<_>>());
-        for sides in &beside {
-            if let Some(values) = sides.iter().find(|values| there(values)) {
-                planes.learn(search, values);
-            }
-        }
+        let made_of: Vec<&Vec<f64>> = beside.iter().filter_map(|sides| sides.iter().find(|values| there(values))).collect();
+        made_of.iter().for_each(|values| planes.learn(search, values));
+        planes.move_to_better(search, made_of);
         Some(planes)
     }
 
@@ -64,33 +63,37 @@ impl Planes {
         self.slopes += missed * way.transpose() / length;
     }
 
-    /// The same planes where they touch a better point.
-    pub fn move_to(&mut self, search: &Search, values: &[f64]) {
-        let Some(point) = search.known(values) else { return };
-        if let Some(margins) = point.margins.clone() {
-            (self.centre, self.point, self.margins) = (search.shares(values), point, margins);
-        }
+    /// Moves to the best of these values if it is better than where the planes touch; says which it is then.
+    pub fn move_to_better<'v>(&mut self, search: &Search, among: impl IntoIterator<Item = &'v Vec<f64>>) -> Option<&'v Vec<f64>> {
+        let known = among.into_iter().filter_map(|values| Some((values, search.known(values)?)));
+        let (values, point) = known.filter(|(_, point)| point.better_than(&self.point)).min_by(|(_, a), (_, b)| a.order(b))?;
+        self.margins = point.margins.clone()?;
+        (self.here, self.point) = (values.clone(), point);
+        Some(values)
     }
 
-    /// What is known of the centre.
+    /// The values at which they touch.
+    pub fn here(&self) -> &[f64] {
+        &self.here
+    }
+
+    /// What is known there.
     pub fn point(&self) -> &Point {
         &self.point
     }
 
     fn way(&self, search: &Search, values: &[f64]) -> DVector<f64> {
-        let shares = search.shares(values);
-        DVector::from_iterator(shares.len(), shares.iter().zip(&self.centre).map(|(to, from)| to - from))
+        DVector::from_vec(search.shares(values)) - DVector::from_vec(search.shares(&self.here))
     }
 
     /// The values that are best by the planes, no farther from the centre than a share of the bounds in each.
     pub fn best_within(&self, search: &Search, radius: f64) -> Vec<f64> {
-        let count = self.centre.len();
+        let (count, centre) = (self.here.len(), search.shares(&self.here));
         let tight = self.tight(radius);
         // What is violated may stay so at a price, each by itself, lest one of them pays for all others.
         let violated: Vec<usize> = tight.iter().copied().filter(|&at| self.margins[at] < RESERVE).collect();
         let slack = |at: usize| count + violated.iter().position(|&other| other == at).unwrap_or(violated.len());
-        let bounds: Vec<(f64, f64)> = self
-            .centre
+        let bounds: Vec<(f64, f64)> = centre
             .iter()
             .map(|share| ((-share / radius).max(-1.0), ((1.0 - share) / radius).min(1.0)))
             .chain(violated.iter().map(|&at| (0.0, 2.0 * (RESERVE - self.margins[at]))).chain([(0.0, f64::from(u8::MAX))]))
@@ -103,13 +106,16 @@ impl Planes {
             .map(|&at| move |x: &[f64], (): &mut ()| self.margin(at, &x[..count], radius) - RESERVE + x[slack(at)])
             .map(|constraint| Box::new(constraint) as Box<dyn Fn(&[f64], &mut ()) -> f64 + '_>)
             .collect();
-        let price = |x: &[f64], (): &mut ()| self.aim(search, &x[..count], radius) + PRICE * x[count..].iter().sum::<f64>();
+        let at =
+            |step: &[f64]| -> Vec<f64> { centre.iter().zip(step).map(|(share, part)| (share + part * radius).clamp(0.0, 1.0)).collect() };
+        let price =
+            |x: &[f64], (): &mut ()| self.aim(search, &at(&x[..count]), &x[..count], radius) + PRICE * x[count..].iter().sum::<f64>();
         let tolerances = StopTols { xtol_abs: vec![STEPS[1]; start.len()], ..StopTols::default() };
         // However it ends, its last point is as good as any that planes can name: the frame there decides.
         let step = match cobyla::minimize(price, &start, &bounds, &kept, (), MOST, RhoBeg::All(STEPS[0]), Some(tolerances)) {
             Ok((_, step, _)) | Err((_, step, _)) => step,
         };
-        search.values(&self.shares(&step[..count], radius))
+        search.values(&at(&step[..count]))
     }
 
     /// The margins that a step within the box can bring below what is kept in reserve.
@@ -120,10 +126,6 @@ impl Planes {
         (0..self.margins.len()).filter(|&at| lowest(at) < RESERVE).collect()
     }
 
-    fn shares(&self, step: &[f64], radius: f64) -> Vec<f64> {
-        self.centre.iter().zip(step).map(|(share, part)| (share + part * radius).clamp(0.0, 1.0)).collect()
-    }
-
     fn row(&self, row: usize, step: &[f64], radius: f64) -> f64 {
         radius * self.slopes.row(row).iter().zip(step).map(|(slope, part)| slope * part).sum::<f64>()
     }
@@ -132,10 +134,11 @@ impl Planes {
         self.margins[at] + self.row(self.point.measures.len() + at, step, radius)
     }
 
-    fn aim(&self, search: &Search, step: &[f64], radius: f64) -> f64 {
+    /// The aim after a step that leads to these shares.
+    fn aim(&self, search: &Search, to: &[f64], step: &[f64], radius: f64) -> f64 {
         let shares: Vec<f64> = self.point.measures.iter().enumerate().map(|(row, share)| share + self.row(row, step, radius)).collect();
         let distance = match search.aim() {
-            Aim::Near(from) => search.shares(from).iter().zip(self.shares(step, radius)).map(|(from, to)| (to - from).powi(2)).sum(),
+            Aim::Near(from) => search.shares(from).iter().zip(to).map(|(from, to)| (to - from).powi(2)).sum(),
             _ => 0.0,
         };
         search.aim().of(&shares, search.scales(), distance)

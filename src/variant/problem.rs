@@ -85,14 +85,14 @@ pub struct SearchProblem<'a> {
     /// How many frames may be looked at.
     pub most: usize,
     /// Who follows the search, and may end it.
-    pub follows: &'a (dyn Fn(&Standing) -> ControlFlow<()> + Sync + 'a),
+    pub follows: &'a (dyn Fn(&SearchProgress) -> ControlFlow<()> + Sync + 'a),
     /// Numbers of the frame's own mechanics, where the aim or a goal is one of their measures: a second or two a frame.
     pub mechanics: Option<MechanicsSettings>,
 }
 
 /// Where a search is.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Standing {
+pub struct SearchProgress {
     /// How many frames were looked at.
     pub looked_at: usize,
     /// How many may be.

@@ -1,6 +1,7 @@
 //! Points of a search: each is a frame, looked at once.
 
 use std::cell::{Cell, RefCell};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use rayon::prelude::*;
 use super::aim::Aim;
 use super::goal::Goal;
 use super::measures::{Evaluation, Measure};
-use super::problem::{SearchProblem, Standing};
+use super::problem::{SearchProblem, SearchProgress};
 use crate::checks::{Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
 use crate::frame::skeleton::Skeleton;
@@ -37,9 +38,14 @@ impl Point {
         Self { aim, measures: Vec::new(), margins: None, violated: NOWHERE, why: Some(why) }
     }
 
-    /// Whether it is nearer to the answer than another: it misses less, or keeps everything with a smaller aim.
+    /// Which of two is nearer to the answer: the one that misses less, or keeps everything with a smaller aim.
+    pub fn order(&self, other: &Self) -> Ordering {
+        self.violated.total_cmp(&other.violated).then(self.aim.total_cmp(&other.aim))
+    }
+
+    /// Whether it is nearer to the answer than another.
     pub fn better_than(&self, other: &Self) -> bool {
-        (self.violated, self.aim) < (other.violated, other.aim)
+        self.order(other) == Ordering::Less
     }
 }
 
@@ -223,8 +229,8 @@ impl<'a> Search<'a> {
         let missed = best.as_ref().and_then(|point| worst_of(point.margins.as_ref()?, self));
         let told = |point: Point| point.measures.first().map_or(point.aim, |share| share * self.look.scales[0]);
         let best = best.filter(|point| point.violated == 0.0).map(told);
-        let standing = Standing { looked_at: self.looked_at(), most: self.problem().most, best, missed };
-        if (self.problem().follows)(&standing) == ControlFlow::Break(()) {
+        let progress = SearchProgress { looked_at: self.looked_at(), most: self.problem().most, best, missed };
+        if (self.problem().follows)(&progress) == ControlFlow::Break(()) {
             self.ended.set(true);
         }
     }
@@ -323,6 +329,6 @@ pub(super) fn worst_of(margins: &[f64], search: &Search) -> Option<String> {
 pub(super) fn ranked(search: &Search) -> Vec<Vec<f64>> {
     let mut all: Vec<(Vec<f64>, Point)> =
         search.order().into_iter().filter_map(|values| search.known(&values).map(|point| (values, point))).collect();
-    all.sort_by(|(_, a), (_, b)| a.violated.total_cmp(&b.violated).then(a.aim.total_cmp(&b.aim)));
+    all.sort_by(|(_, a), (_, b)| a.order(b));
     all.into_iter().map(|(values, _)| values).collect()
 }

@@ -14,7 +14,7 @@ use super::feasible::find;
 use super::goal::Goal;
 use super::measures::Evaluation;
 use super::problem::{Binding, SearchProblem, Solution, SolveError, Vary};
-use super::search::{Search, ranked, scale, worst_of};
+use super::search::{Point, Search, ranked, scale, worst_of};
 use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::params::Frame;
 
@@ -54,12 +54,12 @@ pub(super) fn own_values(problem: &SearchProblem, frame: &Frame) -> Vec<f64> {
     problem.vary.iter().map(|v| frame.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect()
 }
 
-/// What a problem's frame misses as it is, and its aim.
-pub(super) fn before(problem: &SearchProblem) -> Result<(f64, f64), String> {
+/// What is known of a problem's frame as it is.
+pub(super) fn before(problem: &SearchProblem) -> Result<Point, String> {
     let frame = Frame::resolve(problem.file).map_err(|refusal| refusal.to_string())?;
     let (own, search) = (own_values(problem, &frame), Search::new(problem, &CATALOGUE));
     search.look_at(std::slice::from_ref(&own));
-    search.known(&own).map(|point| (point.violated, point.aim)).ok_or_else(|| "ended before".into())
+    search.known(&own).ok_or_else(|| "ended before".into())
 }
 
 /// Makes the aim small, from the best frame and then from others that lead elsewhere.

@@ -11,6 +11,9 @@ pub fn json(outcomes: &[Outcome]) -> serde_json::Value {
         value["fails"] = (judged.standing == Standing::Fails).into();
         value["accepted"] = (judged.standing == Standing::Accepted).into();
         let place = |spot: &Spot| serde_json::json!({ "file": spot.file, "line": spot.line, "column": spot.column, "key": spot.key });
+        if !judged.advice.is_empty() {
+            value["advice"] = judged.advice.as_str().into();
+        }
         value["places"] = judged.spots.iter().map(place).collect::<Vec<_>>().into();
         value
     };

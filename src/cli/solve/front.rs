@@ -39,7 +39,7 @@ pub(super) fn told(found: &Option<Front>, frame: &str, into: Option<&Path>, comm
 fn table(front: &Front) -> String {
     let goals = front.goals.iter().map(|goal| format!("{:>22}", format!("{}, {}", goal.name, goal.unit)));
     let vary = front.vary.iter().map(|vary| format!("{:>22}", vary.parameter.key));
-    let mut text = format!("{}\n\n{}\n", searching::told(front.looked_at, front.ended), goals.chain(vary).collect::<String>().trim_start());
+    let mut text = format!("{}\n\n{}\n", searching::told(front.looked_at, front.ended), goals.chain(vary).collect::<String>());
     for point in &front.points {
         let goals = front.goals.iter().zip(&point.goals).map(|(goal, value)| format!("{:>22}", goal.reported(Some(*value))));
         let values = point.values.iter().map(|value| format!("{:>22}", decimals(*value, 3)));

@@ -6,7 +6,7 @@ use crate::cli::failure::Failure;
 use crate::cli::session;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::{Frame, FrameFile};
-use crate::variant::{Aim, Choice, Goal, Measure, Vary, measure, measure_names};
+use crate::variant::{Aim, Goal, Measure, NameChoice, Vary, measure, measure_names};
 
 /// How many goals a front may have.
 const GOALS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -96,11 +96,11 @@ pub(super) fn varied(args: &Args, frame: &Frame) -> Result<Vec<Vary>, Failure> {
 }
 
 /// The names to choose from: `bought.battery`, or `bought.battery=battery-2s-850|battery-2s-1100`.
-pub(super) fn choices(args: &Args, frame: &Frame, file: &FrameFile) -> Result<Vec<Choice>, Failure> {
+pub(super) fn choices(args: &Args, frame: &Frame, file: &FrameFile) -> Result<Vec<NameChoice>, Failure> {
     args.choose.iter().map(|text| chosen_from(text, frame, file)).collect()
 }
 
-fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<Choice, Failure> {
+fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<NameChoice, Failure> {
     let usage = |message: String| Failure::Usage { message: format!("--choose {text}: {message}") };
     let (key, names) = text.split_once('=').map_or((text, None), |(key, names)| (key, Some(names)));
     let known = choice::of(key.trim(), frame, file)?
@@ -112,7 +112,7 @@ fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<Choice, Fa
         None => known.names,
         Some(names) => names.split('|').map(|name| name.trim().to_string()).collect(),
     };
-    Ok(Choice { key: known.key, names })
+    Ok(NameChoice { key: known.key, names })
 }
 
 /// How far a parameter without bounds of its own may vary, in shares of its value.
