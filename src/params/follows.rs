@@ -55,7 +55,7 @@ const FOLLOWS: [Follows; 21] = [
     Follows::or("pi_pattern_across_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[1]), 23.0),
     Follows::or("camera_pattern_across_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[0]), 21.0),
     Follows::or("camera_pattern_up_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[1]), 12.5),
-    Follows::or("sensor_hole_pitch_mm", &["flow_sensor"], |sensor, _| sensor.hole_pitch_mm, 30.7),
+    Follows::or("sensor_hole_pitch_mm", &["flow_sensor"], |sensor, _| sensor.hole_pitch_mm, 30.5),
     Follows::or("magnet_length_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[0]), 10.0),
     Follows::or("magnet_width_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[1]), 5.0),
     Follows::or("magnet_thickness_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[2]), 3.0),

@@ -2,12 +2,11 @@
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, relative, resolve } from "node:path";
+import { join, relative } from "node:path";
 import type { Page } from "@playwright/test";
 import { unzipSync } from "fflate";
-import { expect, settled, shot, start, test } from "./studio.ts";
+import { expect, program, settled, shot, start, test } from "./studio.ts";
 
-const program = resolve(process.env["FLEXFRAME"] ?? "../../target/release/flexframe");
 const PRESETS = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
 
 async function downloaded(page: Page, button: string | RegExp): Promise<Map<string, Uint8Array>> {

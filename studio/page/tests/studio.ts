@@ -1,10 +1,23 @@
 // What the stories share: a page that must not ask anybody else for anything, and must not complain.
-import { mkdirSync } from "node:fs";
-import { join } from "node:path";
+import { execFileSync } from "node:child_process";
+import { mkdirSync, mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
 import { test as bare, expect } from "@playwright/test";
 import type { Page } from "@playwright/test";
 
 export { expect };
+
+/** The command line that the page has to agree with. */
+export const program = resolve(process.env["FLEXFRAME"] ?? "../../target/release/flexframe");
+
+/** The peak that the command line gives for a drop of a frame, g. */
+export function peakOfDrop(frame: string, model: string, height: number): number {
+  const folder = mkdtempSync(join(tmpdir(), "studio-"));
+  const options = ["drop", frame, "--model", model, "--height", String(height), "--json", "-q", "-o", folder];
+  const answer = JSON.parse(execFileSync(program, options, { encoding: "utf8" })) as { heights: { peak_sensor_g: number }[] };
+  return answer.heights[0]!.peak_sensor_g;
+}
 
 const shots = join(process.env["STUDIO_WORK"] ?? "test-results", "..", "studio-pictures");
 
