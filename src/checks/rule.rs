@@ -143,6 +143,11 @@ impl Rule {
         matches!(self.in_search, InSearch::Constraints { binds: true, .. })
     }
 
+    /// Whether its findings come about in a pass of its own.
+    pub fn has_own_pass(&self) -> bool {
+        matches!(self.found, Found::By(_))
+    }
+
     /// What the rule requires, as a sentence.
     pub fn sentence(&self) -> String {
         sentence(self.requires)

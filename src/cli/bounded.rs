@@ -1,6 +1,11 @@
 //! Numbers of the command line: each option that takes one states its bounds here, and its refusal names them.
 
+use std::time::Duration;
+
 use clap::builder::ValueParser;
+
+/// Longest time that is waited for, s: a year.
+const LONGEST_S: f64 = 3.2e7;
 
 /// A number from a least to a most one; the unit is for the message.
 pub(super) fn number([min, max]: [f64; 2], unit: &'static str) -> ValueParser {
@@ -20,6 +25,16 @@ pub(super) fn count([min, max]: [u32; 2]) -> ValueParser {
         Err(error) => Err(format!("{error}: give {min} to {max}")),
     };
     ValueParser::new(parse)
+}
+
+/// A time such as 90s, 10m or 2h; a plain number is seconds.
+pub(super) fn duration(text: &str) -> Result<Duration, String> {
+    let wrong = || format!("{text:?} is no time: give seconds, or a number with s, m or h, such as 10m");
+    let units = [('s', 1.0), ('m', 60.0), ('h', 3600.0)];
+    let ending = units.iter().find_map(|(letter, seconds)| Some((text.strip_suffix(*letter)?, *seconds)));
+    let (number, unit) = ending.unwrap_or((text, 1.0));
+    let seconds = number.trim().parse::<f64>().map_err(|_| wrong())? * unit;
+    if (0.0..=LONGEST_S).contains(&seconds) { Ok(Duration::from_secs_f64(seconds)) } else { Err(wrong()) }
 }
 
 fn parser(min: f64, max: f64, unit: &'static str, good: impl Fn(f64) -> bool + Clone + Send + Sync + 'static) -> ValueParser {

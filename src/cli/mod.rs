@@ -38,6 +38,7 @@ mod slicer;
 mod solve;
 mod stiffness;
 mod studio;
+mod study;
 mod synthesize;
 mod table;
 mod terminal;
@@ -103,7 +104,7 @@ commands! {
     "Design": Build in build, Check in check, New in new, Solve in solve, Explain in explain, Params in params, Watch in watch, Studio in studio;
     "Make": Fold in fold, Bom in bom, Coupon in coupon, Weigh in weigh, Render in render;
     "Simulate": Drop in drop, Stiffness in stiffness;
-    "Compare": Diff in diff;
+    "Compare": Diff in diff, Study in study;
     "Measured drops": Measure in measure, Fit in fit, Diagnose in diagnose, Synthesize in synthesize;
     "Names and shells": List in list, Schema in schema, Completions in completions, Man in man;
 }

@@ -15,7 +15,7 @@ use crate::variant::{CreateError, Creation, Request, SolveError, create};
 /// Write a variant of a frame, with what has to change to keep every limit.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 260\n\nRods and motors are moved as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
+    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 261\n\nRods and motors are moved as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
 )]
 pub(super) struct Args {
     /// Name of the variant; NAME.toml is written.

@@ -10,9 +10,9 @@ use crate::frame::assembly::{Design, DesignError};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::frame_file::Value;
+use crate::params::lookup::{LookupError, lookup};
 use crate::params::parameter::Parameter;
-use crate::params::refusal::nearest;
-use crate::params::{Frame, FrameFile, LoadError, parameters, preset};
+use crate::params::{Frame, FrameFile, LoadError, preset};
 
 /// Numbers of the mechanics, where they are to be asked.
 pub(super) fn mechanics(option: &MechanicsOption) -> Result<Option<MechanicsSettings>, Failure> {
@@ -47,35 +47,17 @@ pub(super) fn refused(file: &FrameFile, error: &DesignError) -> Failure {
     LoadError::Refused(error.refusal(file)).into()
 }
 
-/// A parameter by its key, with or without its table; the ending `_length_mm` or `_mm` may be left out, and a beginning is
-/// enough where only one key has it.
+/// A parameter by what was typed for it.
 pub(super) fn parameter(key: &str) -> Result<&'static Parameter, Failure> {
-    let whole = |p: &&Parameter| key == p.key || key == format!("{}.{}", p.table, p.key);
-    let bare = key.rsplit('.').next().unwrap_or(key);
-    let table = key.rsplit_once('.').map(|(table, _)| table);
-    let within = |p: &&Parameter| table.is_none_or(|table| table == p.table);
-    let short = |p: &&Parameter| within(p) && ["_length_mm", "_mm", "_deg", "_g"].iter().any(|unit| p.key == format!("{bare}{unit}"));
-    for fits in [&whole as &dyn Fn(&&Parameter) -> bool, &short] {
-        if let Some(found) = parameters().find(|p| fits(p)) {
-            return Ok(found);
-        }
-    }
-    let begun: Vec<&'static Parameter> = parameters().filter(|p| within(p) && !bare.is_empty() && p.key.starts_with(bare)).collect();
-    match begun[..] {
-        [only] => Ok(only),
-        [] if choice::is_one(key) => {
-            Err(Failure::Usage { message: format!("`{key}` is a name, not a number; `flexframe explain {key}` lists the names") })
-        }
-        [] => {
-            let near = nearest(bare, parameters().map(|p| p.key));
-            let meant = near.first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
-            Err(Failure::Usage { message: format!("there is no parameter `{key}`{meant}; `flexframe params` lists them") })
-        }
-        _ => {
-            let names: Vec<String> = begun.iter().take(6).map(|p| format!("`{}`", p.key)).collect();
-            Err(Failure::Usage { message: format!("`{key}` may be any of {}", names.join(", ")) })
-        }
-    }
+    lookup(key).map_err(|error| {
+        let message = match error {
+            LookupError::Unknown { .. } if choice::is_one(key) => {
+                format!("`{key}` is a name, not a number; `flexframe explain {key}` lists the names")
+            }
+            error => error.to_string(),
+        };
+        Failure::Usage { message }
+    })
 }
 
 /// Loads and resolves a frame with the command line's changes on top.

@@ -31,6 +31,9 @@ pub(super) struct Args {
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; \
                       worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
+/// Requests that are answered side by side: as many as browsers ask of one server.
+const ANSWERING: usize = 6;
+
 /// Largest file of the page, bytes.
 const LARGEST: u64 = 64 << 20;
 
@@ -56,9 +59,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if !common.quiet {
         terminal::print(&format!("{address}{}\n", if opened { "" } else { " (open it in a browser)" }))?;
     }
-    for request in server.incoming_requests() {
-        answer(&args.folder, request);
-    }
+    // A browser that reads slowly must not keep others waiting.
+    std::thread::scope(|scope| {
+        for _ in 0..ANSWERING {
+            scope.spawn(|| server.incoming_requests().for_each(|request| answer(&args.folder, request)));
+        }
+    });
     Ok(ExitCode::SUCCESS)
 }
 

@@ -140,6 +140,22 @@ impl ImpactFile {
         }
     }
 
+    /// A list of texts; `None` when it is not stated.
+    ///
+    /// # Errors
+    /// When it is no such list, or empty.
+    pub fn texts(&self, key: &str) -> Result<Option<Vec<String>>, Refusal> {
+        let Some(entry) = self.entries.get(key) else { return Ok(None) };
+        let list = match &entry.value {
+            Value::Other(toml::Value::Array(list)) if !list.is_empty() => {
+                list.iter().map(|value| value.as_str().map(String::from)).collect::<Option<Vec<String>>>()
+            }
+            _ => None,
+        };
+        let wrong = || Reason::WrongType { key: key.into(), found: entry.value.kind().into(), expected: "a list of texts".into() };
+        list.map(Some).ok_or_else(|| self.refuse(key, wrong()))
+    }
+
     /// The same file with those keys alone for which the answer is yes.
     #[must_use]
     pub fn part(&self, keep: impl Fn(&str) -> bool) -> Self {

@@ -116,6 +116,8 @@ pub struct Measure {
     pub doc: &'static str,
     /// Which way is better.
     pub better: Better,
+    /// The rules whose findings it reads.
+    rules: &'static [&'static str],
     value: Source,
 }
 
@@ -137,6 +139,11 @@ impl Measure {
         value.filter(|value| value.is_finite())
     }
 
+    /// Whether it reads the findings of a rule.
+    pub fn reads(&self, rule: &str) -> bool {
+        self.rules.contains(&rule)
+    }
+
     /// Whether it is one of the frame's own mechanics.
     pub fn is_mechanics(&self) -> bool {
         matches!(self.value, Source::Mechanics(_))
@@ -155,32 +162,41 @@ impl Measure {
 
 /// Every measure, in the order of tables: those of the design, then those of its mechanics.
 pub const MEASURES: [Measure; 19] = [
-    design("mass", "g", "take-off mass", Better::Less, |e| Some(e.masses.total_g)),
-    design("mass.printed", "g", "mass of all printed parts", Better::Less, |e| Some(e.mass_of_g("printed"))),
-    design("mass.rods", "g", "mass of all rods", Better::Less, |e| Some(e.mass_of_g("rod"))),
-    design("envelope.width", "mm", "width without propellers", Better::Less, |e| e.extent_mm("width without")),
-    design("envelope.depth", "mm", "depth without propellers", Better::Less, |e| e.extent_mm("depth without")),
-    design("envelope.height", "mm", "height without propellers", Better::Less, |e| e.extent_mm("height without")),
-    design("envelope.volume", "cm3", "width times depth times height, without propellers", Better::Less, |e| {
+    design("mass", "g", "take-off mass", Better::Less, &[], |e| Some(e.masses.total_g)),
+    design("mass.printed", "g", "mass of all printed parts", Better::Less, &[], |e| Some(e.mass_of_g("printed"))),
+    design("mass.rods", "g", "mass of all rods", Better::Less, &[], |e| Some(e.mass_of_g("rod"))),
+    design("envelope.width", "mm", "width without propellers", Better::Less, &["envelope"], |e| e.extent_mm("width without")),
+    design("envelope.depth", "mm", "depth without propellers", Better::Less, &["envelope"], |e| e.extent_mm("depth without")),
+    design("envelope.height", "mm", "height without propellers", Better::Less, &["envelope"], |e| e.extent_mm("height without")),
+    design("envelope.volume", "cm3", "width times depth times height, without propellers", Better::Less, &["envelope"], |e| {
         let sides = ["width without", "depth without", "height without"].map(|axis| e.extent_mm(axis));
         sides.into_iter().try_fold(1e-3, |all, side| side.map(|side| all * side))
     }),
-    design("clearance.propeller", "mm", "from a propeller's disc to the nearest thing", Better::More, |e| {
+    design("clearance.propeller", "mm", "from a propeller's disc to the nearest thing", Better::More, &["propeller_clearance"], |e| {
         e.extreme("propeller_clearance", false, |_| true)
     }),
-    design("clearance.part", "mm", "from a rod to the nearest rod, or part that does not hold it", Better::More, |e| {
-        e.extreme("part_clearance", false, |_| true)
-    }),
-    design("clearance.ground", "mm", "from what hangs lowest to the ground", Better::More, |e| {
+    design(
+        "clearance.part",
+        "mm",
+        "from a rod to the nearest rod, or part that does not hold it",
+        Better::More,
+        &["part_clearance"],
+        |e| e.extreme("part_clearance", false, |_| true),
+    ),
+    design("clearance.ground", "mm", "from what hangs lowest to the ground", Better::More, &["ground_clearance"], |e| {
         e.extreme("ground_clearance", false, |_| true)
     }),
-    design("engagement", "mm", "least length of a rod inside a socket", Better::More, |e| {
+    design("engagement", "mm", "least length of a rod inside a socket", Better::More, &["socket_seating"], |e| {
         e.extreme("socket_seating", false, |f| f.subject.ends_with("engagement"))
     }),
-    design("hinge.strain", "%", "largest strain of a folded hinge", Better::Less, |e| e.extreme("hinge_strain", true, |f| f.unit == "%")),
-    design("wall", "mm", "thinnest wall of a printed part", Better::More, |e| e.extreme("thinnest_wall", false, |_| true)),
-    design("printed.volume", "mm3", "volume of all printed parts", Better::Less, |e| Some(e.printed_mm3())),
-    design("peak", "g", "predicted peak of a drop from 1 m", Better::Less, |e| Some(e.peak_g)),
+    design("hinge.strain", "%", "largest strain of a folded hinge", Better::Less, &["hinge_strain"], |e| {
+        e.extreme("hinge_strain", true, |f| f.unit == "%")
+    }),
+    design("wall", "mm", "thinnest wall of a printed part", Better::More, &["thinnest_wall"], |e| {
+        e.extreme("thinnest_wall", false, |_| true)
+    }),
+    design("printed.volume", "mm3", "volume of all printed parts", Better::Less, &[], |e| Some(e.printed_mm3())),
+    design("peak", "g", "predicted peak of a drop from 1 m", Better::Less, &["ground_clearance"], |e| Some(e.peak_g)),
     mechanics("stiffness", "N/mm", "force over displacement at 8 mm", Better::Neither, |p| p.secant_8_mm_n_mm),
     mechanics("design_drop.peak", "g", "payload's peak in the design drop", Better::Less, |p| p.payload_peak_g),
     mechanics("design_drop.travel", "mm", "payload's way down in the design drop", Better::Less, |p| p.travel_mm),
@@ -192,13 +208,14 @@ const fn design(
     unit: &'static str,
     doc: &'static str,
     better: Better,
+    rules: &'static [&'static str],
     value: fn(&Evaluation) -> Option<f64>,
 ) -> Measure {
-    Measure { name, unit, doc, better, value: Source::Design(value) }
+    Measure { name, unit, doc, better, rules, value: Source::Design(value) }
 }
 
 const fn mechanics(name: &'static str, unit: &'static str, doc: &'static str, better: Better, value: fn(&Prediction) -> f64) -> Measure {
-    Measure { name, unit, doc, better, value: Source::Mechanics(value) }
+    Measure { name, unit, doc, better, rules: &[], value: Source::Mechanics(value) }
 }
 
 /// What the measures of the mechanics are, and how far they can be trusted.
@@ -238,6 +255,9 @@ mod tests {
         assert!(rest == quick.findings, "the other rules say something else");
         for measure in &MEASURES {
             assert_eq!(measure.of(&quick), measure.of(&whole), "{}", measure.name);
+            let read: Vec<&Rule> = CATALOGUE.iter().copied().filter(|rule| measure.reads(rule.id)).collect();
+            let of_its_rules = Evaluation::by(&read, Cost::Quick, Design::with(frame(), &memo).expect("is one"));
+            assert_eq!(measure.of(&of_its_rules), measure.of(&quick), "{} by its own rules", measure.name);
             assert_eq!(measure.of(&quick).is_none(), measure.is_mechanics(), "{}", measure.name);
         }
     }

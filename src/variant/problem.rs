@@ -37,8 +37,8 @@ impl Vary {
         format!("{}.{}", self.parameter.table, self.parameter.key)
     }
 
-    /// The value at a share of the way between the bounds, as it is written.
-    pub(super) fn at(&self, share: f64) -> f64 {
+    /// The value at a share of the way between the bounds, as it is written: in thousandths.
+    pub fn at(&self, share: f64) -> f64 {
         let [least, most] = self.bounds;
         let value = least + share.clamp(0.0, 1.0) * (most - least);
         ((value * 1000.0).round() / 1000.0).clamp(least, most)

@@ -12,4 +12,5 @@ mod hostile;
 mod kept;
 mod measure;
 mod sinks;
+mod study;
 mod variant;

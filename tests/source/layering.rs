@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The wings of `src`, in the order in which data flows through them: a wing imports only those before it.
-const WINGS: [&str; 17] = [
+const WINGS: [&str; 18] = [
     "units",
     "figures",
     "markdown",
@@ -19,6 +19,7 @@ const WINGS: [&str; 17] = [
     "export",
     "impact",
     "variant",
+    "study",
     "schema",
     "report",
     "workspace",
@@ -26,7 +27,7 @@ const WINGS: [&str; 17] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 32] = [
+const LAYERS: [(&str, &[&str]); 33] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
@@ -84,6 +85,7 @@ const LAYERS: [(&str, &[&str]); 32] = [
             "impact/sim",
         ],
     ),
+    ("study", &["memo", "params", "frame/assembly", "mechanics", "checks", "export", "variant"]),
     ("schema", &["params", "impact/effects", "impact/synthetic"]),
     (
         "report",
@@ -111,6 +113,7 @@ const LAYERS: [(&str, &[&str]); 32] = [
             "impact/diagnose",
             "impact/landing",
             "variant",
+            "study",
         ],
     ),
     ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "report"]),
@@ -139,6 +142,7 @@ const LAYERS: [(&str, &[&str]); 32] = [
             "impact/frame_fit",
             "impact/diagnose",
             "variant",
+            "study",
             "schema",
             "report",
             "workspace",
@@ -147,7 +151,7 @@ const LAYERS: [(&str, &[&str]); 32] = [
 ];
 
 /// What may stand in some layers only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 42] = [
+const CONFINED: [(&str, &str); 44] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -160,10 +164,10 @@ const CONFINED: [(&str, &str); 42] = [
     ("ab_glyph", "report"),
     ("miette", "params"),
     ("toml::", "params"),
-    ("read_to_string", "params"),
-    ("fs::read(", "impact/measured"),
+    ("read_to_string", "params cli"),
+    ("fs::read(", "impact/measured cli"),
     ("read_dir", "impact/measured cli"),
-    ("csv::", "impact/measured export report"),
+    ("csv::", "impact/measured export study report"),
     ("quick_junit", "checks/gate"),
     ("cobyla", "variant"),
     ("crunch::", "printing/plates"),
@@ -190,6 +194,8 @@ const CONFINED: [(&str, &str); 42] = [
     ("fs::remove", "cli"),
     ("process::exit", "cli"),
     ("postcard", "memo solid"),
+    ("sobol_burley", "study"),
+    ("parquet::", "study"),
 ];
 
 /// What makes a file differ from run to run.

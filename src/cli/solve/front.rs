@@ -25,7 +25,8 @@ pub(super) fn told(found: &Option<Front>, frame: &str, into: Option<&Path>, comm
     if let Some(folder) = into {
         let mut files = vec![("pareto.csv".to_string(), front_data::csv(front)?.into_bytes())];
         files.push(("pareto.json".into(), format!("{json:#}\n").into_bytes()));
-        let plots = front_plot::plots(front, frame);
+        let points: Vec<&[f64]> = front.points.iter().map(|point| &point.goals[..]).collect();
+        let plots = front_plot::plots(&front.goals, &points, frame);
         files
             .extend(plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?);
         let place = output::write_folder(folder, &format!("pareto-{frame}"), &files)?;

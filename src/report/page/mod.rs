@@ -11,5 +11,6 @@ mod landing_figures;
 #[cfg(feature = "charts")]
 mod landing_section;
 pub mod print_settings;
+pub mod study_page;
 pub mod summary;
 pub mod weighing_page;

@@ -1,0 +1,53 @@
+//! Rows on the cores of this machine.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError, mpsc};
+
+use crate::cli::failure::Failure;
+use crate::study::{Evaluator, Outcome, Study};
+
+/// Evaluates rows side by side, one a core, and hands each to `finished` as it comes; ends between rows when that says so.
+pub(super) fn evaluate(
+    study: &Study,
+    rows: &[usize],
+    cores: usize,
+    mut finished: impl FnMut(usize, Outcome) -> Result<ControlFlow<()>, Failure>,
+) -> Result<(), Failure> {
+    let (next, ended) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let (send, receive) = mpsc::channel();
+    let pools = (0..cores).map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build()).collect::<Result<Vec<_>, _>>();
+    let pools = pools.map_err(|error| Failure::Machine { what: "cannot begin a thread".into(), error: std::io::Error::other(error) })?;
+    let failure = Mutex::new(None);
+    std::thread::scope(|scope| {
+        let (next, ended) = (&next, &ended);
+        for pool in &pools {
+            let send = send.clone();
+            scope.spawn(move || {
+                // Rows on one core have no results in common with those on others, as waiting for them would cost more.
+                let evaluator = Evaluator::new(study);
+                while !ended.load(Ordering::Relaxed) {
+                    let Some(row) = rows.get(next.fetch_add(1, Ordering::Relaxed)) else { return };
+                    if send.send((*row, pool.install(|| evaluator.row(*row)))).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(send);
+        for (row, outcome) in receive {
+            match finished(row, outcome) {
+                Ok(ControlFlow::Continue(())) => {}
+                Ok(ControlFlow::Break(())) => ended.store(true, Ordering::Relaxed),
+                Err(error) => {
+                    ended.store(true, Ordering::Relaxed);
+                    *failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+                }
+            }
+        }
+    });
+    match failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        Some(error) => Err(error),
+        None => Ok(()),
+    }
+}

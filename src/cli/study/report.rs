@@ -1,0 +1,100 @@
+//! `flexframe study report`.
+
+use std::process::ExitCode;
+
+use super::journal_file::outcomes;
+use super::study_option::{StudyOption, journal_of};
+use crate::cli::failure::Failure;
+use crate::cli::options::Common;
+use crate::cli::output;
+use crate::cli::terminal;
+use crate::report::chart::study_plots;
+use crate::report::page::document;
+use crate::report::page::study_page::StudyReport;
+use crate::study::{Column, Indices, Outcomes, Study, front, indices};
+use crate::variant::Better;
+
+/// Write the front, charts, sensitivities and failures of a study as a page.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    #[command(flatten)]
+    study: StudyOption,
+    /// Goals of the front: two or three measures of the study [default: its first two that have a better side].
+    #[arg(long, value_delimiter = ',', value_name = "MEASURE,…")]
+    goals: Vec<String>,
+}
+
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let study = args.study.load()?;
+    let folder = args.study.folder(&study);
+    let known = outcomes(&journal_of(&folder), &study)?;
+    let goals = goals(args, &study)?;
+    let found = front(&study, &known, &goals).map_err(|error| Failure::Usage { message: format!("--goals: {error}") })?;
+    let explained = explained(&study, &known);
+    let report = StudyReport { study: &study, outcomes: &known, goals: &goals, front: &found, indices: &explained };
+    let plots = study_plots::plots(&study, &known, &goals, &found, &explained);
+    let plots = plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
+    let json = json(&report);
+    let blocks = report.blocks(&plots);
+    let mut files = vec![
+        ("report.md".to_string(), document::markdown(&report.title(), &blocks).into_bytes()),
+        ("report.html".into(), document::html(&report.title(), &blocks).into_bytes()),
+        ("report.json".into(), format!("{json:#}\n").into_bytes()),
+    ];
+    files.extend(plots);
+    let place = output::write_folder(&folder, "report", &files)?;
+    if common.json {
+        terminal::print_json(&json)?;
+    } else if !common.quiet {
+        terminal::print(&format!("{}: written; {} rows that none beats\n", place.display(), found.len()))?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn goals(args: &Args, study: &Study) -> Result<Vec<String>, Failure> {
+    let sided = study.columns.iter().filter(|column| matches!(column, Column::Measure(measure) if measure.better != Better::Neither));
+    let goals: Vec<String> = if args.goals.is_empty() { sided.take(2).map(Column::name).collect() } else { args.goals.clone() };
+    let twice = goals.iter().enumerate().any(|(at, goal)| goals[..at].contains(goal));
+    if (2..=3).contains(&goals.len()) && !twice {
+        return Ok(goals);
+    }
+    Err(Failure::Usage { message: "--goals: give two or three measures of the study, with commas between".into() })
+}
+
+/// The indices of every figure that varies, where the study is made for them.
+fn explained(study: &Study, outcomes: &Outcomes) -> Vec<(usize, Indices)> {
+    let is_measure = |column: &Column| matches!(column, Column::Measure(_));
+    let columns = study.columns.iter().enumerate().filter(|(_, column)| is_measure(column));
+    columns.filter_map(|(at, _)| Some((at, indices(study, outcomes, at).ok()?))).collect()
+}
+
+fn json(report: &StudyReport) -> serde_json::Value {
+    let study = report.study;
+    let point = |(row, figures): &(usize, Vec<f64>)| {
+        let figures: serde_json::Map<String, serde_json::Value> =
+            report.goals.iter().cloned().zip(figures.iter().map(|figure| serde_json::json!(figure))).collect();
+        serde_json::json!({ "row": row, "measures": figures })
+    };
+    let index = |(column, indices): &(usize, Indices)| {
+        let axis = |(at, axis): (usize, &crate::study::Axis)| {
+            let of = |index: &crate::study::Index| serde_json::json!({ "share": index.share, "half_interval": index.half_interval });
+            serde_json::json!({ "key": axis.key(), "first": of(&indices.first[at]), "total": of(&indices.total[at]) })
+        };
+        serde_json::json!({
+            "measure": study.columns[*column].name(),
+            "groups": indices.groups,
+            "left_out": indices.left_out,
+            "axes": study.axes.iter().enumerate().map(axis).collect::<Vec<_>>(),
+        })
+    };
+    serde_json::json!({
+        "schema_version": 1,
+        "study": study.name,
+        "rows": study.rows(),
+        "known": report.outcomes.known(),
+        "refused": report.outcomes.refused(),
+        "goals": report.goals,
+        "front": report.front.iter().map(point).collect::<Vec<_>>(),
+        "indices": report.indices.iter().map(index).collect::<Vec<_>>(),
+    })
+}

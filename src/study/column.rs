@@ -1,0 +1,94 @@
+//! What a study says of each frame.
+
+use crate::checks::{CATALOGUE, Rule, Verdict};
+use crate::variant::{Evaluation, MEASURES, Measure};
+
+/// A column of figures.
+#[derive(Clone, Copy)]
+pub enum Column {
+    /// A measure.
+    Measure(&'static Measure),
+    /// The tightest margin of a rule, in the unit of its findings; below zero where it is violated.
+    Margin(&'static Rule),
+    /// How many findings of the rules that the study looks at are violated.
+    Violations,
+}
+
+/// How the column of a rule's margin begins.
+pub(super) const MARGIN: &str = "margin.";
+/// The column of the count of violations.
+const VIOLATIONS: &str = "violations";
+
+impl Column {
+    /// Its name.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Measure(measure) => measure.name.into(),
+            Self::Margin(rule) => format!("{MARGIN}{}", rule.id),
+            Self::Violations => VIOLATIONS.into(),
+        }
+    }
+
+    /// The unit of its figures; empty for a plain number, and for a rule that has findings in several.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            Self::Measure(measure) => measure.unit,
+            Self::Margin(rule) => match rule.units {
+                [unit] => unit,
+                _ => "",
+            },
+            Self::Violations => "",
+        }
+    }
+
+    /// The columns of a name: one, or those of all margins.
+    pub(super) fn of(name: &str) -> Option<Vec<Self>> {
+        if name == "margins" {
+            return Some(rules_of_margins().map(Self::Margin).collect());
+        }
+        if name == VIOLATIONS {
+            return Some(vec![Self::Violations]);
+        }
+        let margin = name.strip_prefix(MARGIN).and_then(|id| rules_of_margins().find(|rule| rule.id == id));
+        let measure = MEASURES.iter().find(|measure| measure.name == name);
+        margin.map(Self::Margin).or(measure.map(Self::Measure)).map(|column| vec![column])
+    }
+
+    /// Every name that [`Column::of`] knows.
+    pub(super) fn names() -> Vec<String> {
+        let margins = rules_of_margins().map(|rule| format!("{MARGIN}{}", rule.id));
+        let plain = ["margins", VIOLATIONS].map(String::from);
+        MEASURES.iter().map(|measure| measure.name.to_string()).chain(plain).chain(margins).collect()
+    }
+
+    /// The rules that it asks for.
+    pub(super) fn rules(&self) -> Vec<&'static Rule> {
+        match self {
+            Self::Measure(measure) => CATALOGUE.iter().copied().filter(|rule| measure.reads(rule.id)).collect(),
+            Self::Margin(rule) if rule.has_own_pass() => vec![rule],
+            Self::Margin(_) | Self::Violations => rules_of_margins().collect(),
+        }
+    }
+
+    /// Its figure of a frame; none where the frame has no such thing.
+    pub(super) fn of_frame(&self, evaluation: &Evaluation) -> Option<f64> {
+        match self {
+            Self::Measure(measure) => measure.of(evaluation),
+            Self::Margin(rule) => {
+                let own = evaluation.findings.iter().filter(|f| f.rule == rule.id && f.verdict != Verdict::Note);
+                own.map(|finding| finding.margin).filter(|margin| margin.is_finite()).reduce(f64::min)
+            }
+            Self::Violations => Some(evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).count() as f64),
+        }
+    }
+
+    /// Whether the frame's own mechanics have to be asked.
+    pub(super) fn is_mechanics(&self) -> bool {
+        matches!(self, Self::Measure(measure) if measure.is_mechanics())
+    }
+}
+
+/// The rules that are kept on every frame of a search: quick enough for every frame of a study, too.
+fn rules_of_margins() -> impl Iterator<Item = &'static Rule> {
+    CATALOGUE.iter().copied().filter(|rule| !rule.constraints().is_empty())
+}

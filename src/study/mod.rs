@@ -1,0 +1,32 @@
+//! Studies: many frames, one a row, over ranges of parameters.
+//!
+//! A [`Study`] is read from a plan file. Row `n` of a study is a pure function of the plan and of `n`, so rows can be evaluated in
+//! any order, by any number of processes, and again after an interruption; the table is the same. No file is opened for writing here.
+
+mod axis;
+mod column;
+mod evaluate;
+mod front;
+mod journal;
+mod outcomes;
+#[cfg(feature = "parquet")]
+mod parquet_table;
+mod plan;
+mod plan_file;
+mod sampling;
+mod sobol_indices;
+mod table;
+
+pub use axis::{Axis, Input};
+pub use column::Column;
+pub use evaluate::Evaluator;
+pub use front::{FrontError, front};
+pub use journal::{Journal, JournalError, KEY_OF_STUDY, begun, line};
+pub use outcomes::{Outcome, Outcomes};
+#[cfg(feature = "parquet")]
+pub use parquet_table::parquet;
+pub use plan::Study;
+pub use plan_file::{SAMPLES, load};
+pub use sampling::{Sampling, most_rows};
+pub use sobol_indices::{Index, Indices, IndicesError, indices};
+pub use table::csv;

@@ -1,0 +1,257 @@
+//! The plan of a study as typed, and what is wrong with it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::axis::{Axis, Input};
+use super::column::Column;
+use super::plan::Study;
+use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
+use crate::mechanics::settings::MechanicsSettings;
+use crate::params::files::Files;
+use crate::params::frame_file::Value;
+use crate::params::lookup::lookup;
+use crate::params::refusal::{Reason, Refusal, nearest};
+use crate::params::{Frame, FrameFile, ImpactFile, LoadError};
+use crate::variant::Vary;
+
+/// Rows of a plan that does not say how many.
+pub const SAMPLES: usize = 1000;
+/// Values of an axis of a grid that does not say how many.
+const GRID_POINTS: usize = 5;
+/// Most values of an axis of a grid.
+const MOST_POINTS: f64 = 10_000.0;
+/// Largest table of samples read, bytes.
+const LARGEST_TABLE: u64 = 1 << 30;
+/// Keys beside the tables `vary` and `choose`.
+const KEYS: [&str; 9] = ["base", "sampling", "samples", "points", "seed", "measures", "mechanics", "table", "description"];
+/// What is said of each frame when a plan does not say.
+const MEASURES: [&str; 8] =
+    ["mass", "envelope.width", "envelope.depth", "envelope.height", "clearance.propeller", "peak", "margins", "violations"];
+
+/// Reads a plan: the path of a TOML file.
+///
+/// # Errors
+/// When it, its base, its table or its mechanics cannot be read, or are refused.
+pub fn load(path: &str, files: &dyn Files) -> Result<Study, LoadError> {
+    let file = ImpactFile::load_from(path, files)?;
+    let folder = Path::new(path).parent().unwrap_or(Path::new(""));
+    only_known(&file)?;
+    let named = text(&file, "base")?.unwrap_or_else(|| "cognifly".into());
+    let base_name = beside(folder, named);
+    let base = FrameFile::load_from(&base_name, files)?;
+    let frame = Frame::resolve(&base)?;
+    let columns = columns(&file)?;
+    let mechanics_path = text(&file, "mechanics")?.map(|path| beside(folder, path));
+    let asks_mechanics = columns.iter().any(Column::is_mechanics);
+    let mechanics = asks_mechanics.then(|| MechanicsSettings::load(mechanics_path.as_deref())).transpose()?;
+    let (axes, sampling, listed) = match text(&file, "table")? {
+        Some(table) => {
+            let listed = read(&beside(folder, table), files)?;
+            let (axes, rows) = from_table(&file, &listed)?;
+            (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
+        }
+        None => {
+            let axes = axes(&file, &base, &frame)?;
+            let sampling = sampling(&file, &axes)?;
+            (axes, sampling, String::new())
+        }
+    };
+    let seed = whole(&file, "seed", [0.0, f64::from(u32::MAX)])?.unwrap_or(1) as u32;
+    let typed: Vec<String> = file.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect();
+    let based: Vec<String> = base.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect();
+    let text = format!("{}\n{}\n{listed}\n{mechanics:?}", typed.join("\n"), based.join("\n"));
+    Ok(Study { name: file.name, base, base_name, axes, sampling, seed, columns, mechanics, text })
+}
+
+/// A file named in a plan: a path from the plan's folder; what is no file stays a name.
+fn beside(folder: &Path, name: String) -> String {
+    let is_file = [".toml", ".csv"].iter().any(|ending| name.ends_with(ending));
+    if is_file { folder.join(&name).display().to_string() } else { name }
+}
+
+/// A table of samples.
+fn read(path: &str, files: &dyn Files) -> Result<String, LoadError> {
+    let path = PathBuf::from(path);
+    let bytes = files.bytes(&path, LARGEST_TABLE + 1).map_err(|error| LoadError::Unreadable { path: path.clone(), error })?;
+    if bytes.len() as u64 > LARGEST_TABLE {
+        return Err(LoadError::TooLarge { path });
+    }
+    let not_text = |error| LoadError::Unreadable { path, error: std::io::Error::new(std::io::ErrorKind::InvalidData, error) };
+    String::from_utf8(bytes).map_err(not_text)
+}
+
+fn only_known(file: &ImpactFile) -> Result<(), Refusal> {
+    let known = |key: &str| KEYS.contains(&key) || key.starts_with("vary.") || key.starts_with("choose.");
+    let Some(key) = file.entries.keys().find(|key| !known(key)) else { return Ok(()) };
+    let reason = match nearest(key, KEYS) {
+        near if near.is_empty() => impossible(
+            format!("unknown key `{key}`"),
+            format!("the keys of a study are {}, and the tables vary and choose", KEYS.join(", ")),
+        ),
+        near => Reason::UnknownKey { key: key.clone(), nearest: near },
+    };
+    Err(file.refuse(key, reason))
+}
+
+fn impossible(message: String, remedy: String) -> Reason {
+    Reason::Impossible { message, remedy }
+}
+
+fn text(file: &ImpactFile, key: &str) -> Result<Option<String>, Refusal> {
+    match file.entries.get(key).map(|entry| &entry.value) {
+        None => Ok(None),
+        Some(Value::Text(text)) => Ok(Some(text.clone())),
+        Some(other) => Err(file.refuse(key, Reason::WrongType { key: key.into(), found: other.kind().into(), expected: "a text".into() })),
+    }
+}
+
+fn whole(file: &ImpactFile, key: &str, bounds: [f64; 2]) -> Result<Option<usize>, Refusal> {
+    match file.number(key, bounds, "1")? {
+        Some(value) if value.fract() != 0.0 => {
+            Err(file.refuse(key, impossible(format!("`{key}` = {value} is no whole number"), "give a whole number".into())))
+        }
+        found => Ok(found.map(|value| value as usize)),
+    }
+}
+
+fn columns(file: &ImpactFile) -> Result<Vec<Column>, Refusal> {
+    let names = file.texts("measures")?.unwrap_or_else(|| MEASURES.map(String::from).to_vec());
+    let mut columns: Vec<Column> = Vec::new();
+    for name in names {
+        let Some(found) = Column::of(&name) else {
+            let known = Column::names();
+            let near = nearest(&name, known.iter().map(String::as_str));
+            let reason = match near.is_empty() {
+                true => impossible(format!("there is no measure `{name}`"), format!("there are {}", known.join(", "))),
+                false => Reason::UnknownName { kind: "measure".into(), name, nearest: near },
+            };
+            return Err(file.refuse("measures", reason));
+        };
+        for column in found {
+            if columns.iter().all(|known| known.name() != column.name()) {
+                columns.push(column);
+            }
+        }
+    }
+    Ok(columns)
+}
+
+/// What varies: `vary.KEY = [LEAST, MOST]`, then `choose.KEY = ["NAME", …]`.
+fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>, Refusal> {
+    let mut axes: Vec<Axis> = Vec::new();
+    for key in file.entries.keys().filter(|key| key.starts_with("vary.")) {
+        axes.push(number_axis(file, key)?);
+    }
+    for key in file.entries.keys().filter(|key| key.starts_with("choose.")) {
+        axes.push(name_axis(file, key, base)?);
+    }
+    let twice = axes.iter().enumerate().find(|(at, axis)| axes[..*at].iter().any(|other| other.key() == axis.key()));
+    if let Some((_, axis)) = twice {
+        let message = format!("`{}` varies twice in the study on {}", axis.key(), frame.name);
+        return Err(file.refuse("vary", impossible(message, "state each key once".into())));
+    }
+    if axes.is_empty() {
+        let remedy = "state ranges, such as vary.arm_rod = [70, 90], names, such as choose.bought.battery = [\"…\", \"…\"], or a table";
+        return Err(file.refuse("vary", impossible("nothing varies in this study".into(), remedy.into())));
+    }
+    Ok(axes)
+}
+
+fn number_axis(file: &ImpactFile, key: &str) -> Result<Axis, Refusal> {
+    let typed = key.strip_prefix("vary.").unwrap_or(key);
+    let parameter = lookup(typed)
+        .map_err(|error| file.refuse(key, impossible(error.to_string(), "`flexframe params` lists the keys of numbers".into())))?;
+    let bounds = file.numbers(key, [parameter.min, parameter.max], parameter.unit())?;
+    match bounds[..] {
+        [least, most] if least <= most => Ok(Axis::Number(Vary { parameter, bounds: [least, most] })),
+        _ => {
+            let message = format!("`{key}` is no range");
+            Err(file.refuse(key, impossible(message, format!("give [LEAST, MOST] within {} to {}", parameter.min, parameter.max))))
+        }
+    }
+}
+
+/// A key of names; the frame's reader says what is wrong with a key or a name.
+fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile) -> Result<Axis, Refusal> {
+    let of_frame = key.strip_prefix("choose.").unwrap_or(key).to_string();
+    let names = file.texts(key)?.unwrap_or_default();
+    for name in &names {
+        let mut with = base.clone();
+        with.ask(&of_frame, Value::Text(name.clone()), format!("{key} = {name}"));
+        if let Err(refusal) = Frame::resolve(&with)
+            && matches!(*refusal.reason, Reason::UnknownKey { .. } | Reason::UnknownName { .. } | Reason::WrongKind { .. })
+        {
+            return Err(file.refuse(key, *refusal.reason));
+        }
+    }
+    Ok(Axis::Name { key: of_frame, names })
+}
+
+fn sampling(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
+    let name = NAMES[file.word("sampling", &NAMES)?];
+    let samples = whole(file, "samples", [1.0, most_rows(name) as f64])?.unwrap_or(SAMPLES);
+    let dimensions = if name == "saltelli" { 2 * axes.len() } else { axes.len() };
+    if matches!(name, "sobol" | "saltelli") && dimensions > SOBOL_DIMENSIONS {
+        let message = format!("{} axes are too many for Sobol' points", axes.len());
+        return Err(file.refuse("sampling", impossible(message, "sampling = \"latin_hypercube\"".into())));
+    }
+    Ok(match name {
+        "sobol" => Sampling::Sobol { samples },
+        "saltelli" => Sampling::Saltelli { samples },
+        "grid" => grid(file, axes)?,
+        _ => Sampling::LatinHypercube { samples, layers: Layers::default() },
+    })
+}
+
+/// A grid: `points` values of every range, and every name.
+fn grid(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
+    let all = whole(file, "points", [1.0, MOST_POINTS])?.unwrap_or(GRID_POINTS);
+    let count = |axis: &Axis| match axis {
+        Axis::Name { names, .. } => names.len(),
+        Axis::Number(_) | Axis::Listed(_) => all,
+    };
+    let points: Vec<usize> = axes.iter().map(count).collect();
+    let most = most_rows("grid");
+    match points.iter().try_fold(1_usize, |all, count| all.checked_mul(*count)).filter(|rows| *rows <= most) {
+        Some(_) => Ok(Sampling::Grid { points }),
+        None => Err(file.refuse("points", impossible(format!("the grid has more than {most} rows"), "take fewer points".into()))),
+    }
+}
+
+/// The axes and rows of a table of samples: a head of keys, then numbers and names.
+fn from_table(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input>>), Refusal> {
+    let refuse =
+        |message: String| file.refuse("table", impossible(message, "a head of keys, then a row a frame, with commas between".into()));
+    if file.entries.keys().any(|key| key.starts_with("vary.") || key.starts_with("choose.")) {
+        return Err(refuse("with a table, its columns vary, and nothing else".into()));
+    }
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let head = reader.headers().map_err(|error| refuse(error.to_string()))?.clone();
+    let mut axes: Vec<Axis> =
+        head.iter().map(|key| lookup(key).map_or_else(|_| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
+    let mut rows = Vec::new();
+    for (at, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| refuse(error.to_string()))?;
+        let mut row = Vec::new();
+        for (axis, field) in axes.iter_mut().zip(&record) {
+            row.push(match axis {
+                Axis::Name { names, .. } => {
+                    if !names.iter().any(|known| known == field) {
+                        names.push(field.into());
+                    }
+                    Input::Name(field.into())
+                }
+                Axis::Number(_) | Axis::Listed(_) => {
+                    let number = field.parse::<f64>().ok().filter(|value| value.is_finite());
+                    Input::Number(number.ok_or_else(|| refuse(format!("row {at}: {field:?} is no number for {}", axis.key())))?)
+                }
+            });
+        }
+        rows.push(row);
+    }
+    if rows.is_empty() || axes.is_empty() {
+        return Err(refuse("the table has no rows".into()));
+    }
+    Ok((axes, rows))
+}

@@ -1,0 +1,148 @@
+"""A study on this machine, on a real HyperQueue server, and its sensitivities by SALib.
+
+    study.py FLEXFRAME FOLDER
+
+The server runs on the loopback with three workers. It is killed with them in the middle of a study; another server takes over. The table
+is then that of an undisturbed run on this machine, byte for byte. One line a result: "ok NAME", "FAILED NAME: WHY"."""
+
+import csv
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import numpy
+from SALib.analyze import sobol
+
+PROGRAM, FOLDER = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+ROWS = 12
+PLAN = f"""base = "cognifly"
+sampling = "sobol"
+samples = {ROWS}
+measures = ["mass", "envelope.width"]
+[vary]
+arm_rod = [62, 92]
+cage_rod = [172, 178]
+"""
+GROUPS = 8
+SENSITIVITY = f"""base = "cognifly"
+sampling = "saltelli"
+samples = {GROUPS}
+measures = ["mass"]
+[vary]
+arm_rod = [76, 80]
+strut_rod = [47, 52]
+"""
+SERVER = """
+import pathlib, sys, threading
+from hyperqueue.cluster import LocalCluster, WorkerConfig
+cluster = LocalCluster(server_dir=sys.argv[1])
+for _ in range(3):
+    cluster.start_worker(WorkerConfig(cores=1))
+pathlib.Path(sys.argv[2]).write_text(str(cluster.cluster.server_dir))
+threading.Event().wait()
+"""
+
+
+def result(name, good, why=""):
+    why = " ".join(str(why).split())
+    print(f"ok {name}" if good else f"FAILED {name}: {why}", flush=True)
+
+
+def study(*words, env=None):
+    done = subprocess.run([PROGRAM, "study", *words], capture_output=True, text=True, timeout=900, env=env)
+    return done.returncode, done.stdout + done.stderr
+
+
+class Server:
+    """A HyperQueue server with three workers, in a process of its own."""
+
+    def __init__(self, name):
+        self.folder, ready = FOLDER / name, FOLDER / f"{name}.ready"
+        self.folder.mkdir()
+        self.process = subprocess.Popen([sys.executable, "-c", SERVER, self.folder, ready], stdout=subprocess.DEVNULL)
+        deadline = time.monotonic() + 60
+        while not ready.exists() or not ready.read_text():
+            if self.process.poll() is not None or time.monotonic() > deadline:
+                raise RuntimeError("the HyperQueue server does not start")
+            time.sleep(0.1)
+        self.directory = ready.read_text()
+
+    def env(self):
+        return {**os.environ, "HQ_SERVER_DIR": self.directory, "PATH": f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"}
+
+    def kill(self):
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait()
+
+
+def on_hyperqueue(plan, expected):
+    out = FOLDER / "cluster"
+    first = Server("first")
+    run = [PROGRAM, "study", "run", plan, "--engine", "hq", "--block", "2", "-o", out]
+    # In a group of its own, so that nothing of it outlives the server.
+    waiting = subprocess.Popen(run, env=first.env(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    blocks = out / "study-plan/blocks"
+    deadline = time.monotonic() + 300
+    while len(list(blocks.glob("*.jsonl"))) < 2 and time.monotonic() < deadline and waiting.poll() is None:
+        time.sleep(0.05)
+    first.kill()
+    said = waiting.communicate(timeout=300)[0]
+    done = len(list(blocks.glob("*.jsonl")))
+    result("study on HyperQueue: a killed server ends the run with exit code 3", waiting.returncode == 3, f"{waiting.returncode}: {said}")
+    kept = sum(1 for line in (out / "study-plan/rows.jsonl").read_text().splitlines()) - 1
+    result("study on HyperQueue: what was finished is kept", 0 < kept + done < ROWS, f"{kept} rows and {done} blocks")
+    second = Server("second")
+    try:
+        code, said = study("run", plan, "--engine", "hq", "--block", "2", "-o", out, env=second.env())
+    finally:
+        second.kill()
+    result("study on HyperQueue: another server goes on", code == 0, said)
+    table = (out / "study-plan/study.csv")
+    result("study on HyperQueue: the table of this machine", table.exists() and table.read_bytes() == expected, "the tables differ")
+    result("study on HyperQueue: no file of a block is left", not blocks.exists(), str(list(blocks.glob("*")) if blocks.exists() else ""))
+
+
+def sensitivities():
+    plan, out = FOLDER / "sensitivity.toml", FOLDER / "out"
+    plan.write_text(SENSITIVITY)
+    code, said = study("run", plan, "-o", out)
+    result("study: sensitivities run", code == 0, said)
+    rows = list(csv.DictReader((out / "study-sensitivity/study.csv").open()))
+    figures = numpy.array([float(row["mass"]) for row in rows])
+    problem = {"num_vars": 2, "names": ["arm", "strut"], "bounds": [[76, 80], [47, 52]]}
+    theirs = sobol.analyze(problem, figures, calc_second_order=False, num_resamples=200, seed=1)
+    code, said = study("report", plan, "-o", out, "--json")
+    result("study: a report of one measure asks for goals", code == 2 and "two or three" in said, said)
+    plan.write_text(SENSITIVITY.replace('["mass"]', '["mass", "mass.rods"]'))
+    code, said = study("run", plan, "-o", out, "--restart")
+    code, said = study("report", plan, "-o", out, "--json")
+    result("study: the report is made", code == 0, said)
+    ours = json.loads(said)["indices"][0]["axes"]
+    for order, key in (("first", "S1"), ("total", "ST")):
+        off = max(abs(axis[order]["share"] - share) for axis, share in zip(ours, theirs[key]))
+        result(f"study: {order} Sobol' indices are SALib's", off < 1e-9, f"off by {off}")
+        wide = max(abs(axis[order]["half_interval"] / half - 1) for axis, half in zip(ours, theirs[key + "_conf"]))
+        result(f"study: intervals of the {order} indices are SALib's within a third", wide < 0.34, f"off by {wide:.2f}")
+
+
+def main():
+    shutil.rmtree(FOLDER, ignore_errors=True)
+    FOLDER.mkdir(parents=True)
+    plan = FOLDER / "plan.toml"
+    plan.write_text(PLAN)
+    code, said = study("run", plan, "-o", FOLDER / "local")
+    result("study: runs on this machine", code == 0, said)
+    table = (FOLDER / "local/study-plan/study.csv").read_bytes()
+    rows = list(csv.DictReader(table.decode().splitlines()))
+    refused = [row for row in rows if row["refused"]]
+    result("study: a frame that does not close is a row with its reason", len(rows) == ROWS and 0 < len(refused) < ROWS, f"{len(refused)} refused")
+    on_hyperqueue(plan, table)
+    sensitivities()
+
+
+main()

@@ -1,0 +1,164 @@
+//! Studies through the program: rows that survive a kill, refusals, the page, a row as a frame.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use assert_cmd::cargo::cargo_bin;
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// A row of this plan is made in under a second; arms of 56 and of 66 mm close to no frame.
+const PLAN: &str = "base = \"cognifly\"\nsampling = \"grid\"\npoints = 4\nmeasures = [\"mass\", \"envelope.width\", \"margin.envelope\", \"violations\"]\n\
+                    [vary]\narm_rod = [56, 86]\n[choose]\nbought.rod = [\"rod-carbon-3\", \"rod-bamboo-3\"]\n";
+
+struct Desk(TempDir);
+
+impl Desk {
+    fn new(plan: &str) -> Self {
+        let desk = Self(tempfile::tempdir().expect("a folder"));
+        fs::write(desk.path().join("s.toml"), plan).expect("can be written");
+        desk
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(cargo_bin("flexframe"));
+        command.arg("study").args(arguments).current_dir(self.path()).env("NO_COLOR", "1");
+        command
+    }
+
+    fn run(&self, arguments: &[&str]) -> (i32, String, String) {
+        let done = self.command(arguments).output().expect("the program starts");
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+        (done.status.code().expect("ends"), text(done.stdout), text(done.stderr))
+    }
+
+    fn good(&self, arguments: &[&str]) -> String {
+        let (code, out, err) = self.run(arguments);
+        assert_eq!(code, 0, "{arguments:?}: {out}{err}");
+        out
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    fn table(&self, out: &str) -> Vec<Vec<String>> {
+        let text = self.read(&format!("{out}/study-s/study.csv"));
+        let rows = csv_rows(&text);
+        assert_eq!(rows[0][0], "row");
+        rows
+    }
+}
+
+fn csv_rows(text: &str) -> Vec<Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(text.as_bytes());
+    reader.records().map(|record| record.expect("a row").iter().map(String::from).collect()).collect()
+}
+
+#[test]
+fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() {
+    let desk = Desk::new(PLAN);
+    desk.good(&["run", "s.toml", "-o", "whole", "-q"]);
+    let journal = desk.path().join("out/study-s/rows.jsonl");
+    let mut run = desk.command(&["run", "s.toml", "--cores", "1"]).stdout(Stdio::null()).spawn().expect("starts");
+    let rows = || fs::read_to_string(&journal).unwrap_or_default().lines().count();
+    let begun = Instant::now();
+    while rows() < 6 && begun.elapsed() < Duration::from_secs(120) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    run.kill().expect("can be killed");
+    run.wait().expect("ends");
+    let kept = rows() - 1;
+    assert!((5..8).contains(&kept), "{kept} rows were finished when it was killed");
+    assert!(!desk.path().join("out/study-s/study.csv").exists(), "half a table is none");
+    // What was being written when the machine lost its power.
+    fs::write(&journal, fs::read_to_string(&journal).expect("is there") + "{\"row\":7,\"fig").expect("can be written");
+    let out: Value = serde_json::from_str(&desk.good(&["run", "s.toml", "--json"])).expect("JSON");
+    assert_eq!((out["known"].as_u64(), out["evaluated"].as_u64()), (Some(8), Some(8 - kept as u64)), "{out}");
+    assert_eq!(desk.read("out/study-s/study.csv"), desk.read("whole/study-s/study.csv"));
+
+    // A frame that cannot be is a row with its reason; the others have figures that other commands give, too.
+    let table = desk.table("out");
+    let column = |name: &str| table[0].iter().position(|known| known == name).unwrap_or_else(|| panic!("{name} in {:?}", table[0]));
+    let refused: Vec<&Vec<String>> = table[1..].iter().filter(|row| !row[column("refused")].is_empty()).collect();
+    assert_eq!(refused.len(), 4, "{table:?}");
+    let reasons = ["the way left between motor mount and fork", "the struts would tilt by"];
+    let has_reason = |row: &Vec<String>| reasons.iter().any(|reason| row[column("refused")].contains(reason));
+    assert!(refused.iter().all(|row| has_reason(row) && row[column("mass")].is_empty()), "{refused:?}");
+    let (at, row) = table[1..].iter().enumerate().next_back().expect("rows");
+    desk.good(&["pick", "s.toml", &at.to_string(), "-o", "mine"]);
+    let picked = desk.read("mine.toml");
+    assert!(picked.contains("rod = \"rod-bamboo-3\"") && picked.contains("arm_rod_length_mm = 86"), "{picked}");
+    let checked =
+        Command::new(cargo_bin("flexframe")).args(["check", "mine.toml", "--json"]).current_dir(desk.path()).output().expect("starts");
+    let checked: Value = serde_json::from_slice(&checked.stdout).expect("JSON");
+    let mass = checked.to_string();
+    assert!(mass.contains(&row[column("mass")]), "{} g is not in {mass}", row[column("mass")]);
+
+    let (code, _, err) = desk.run(&["report", "s.toml", "--goals", "mass,envelope.width"]);
+    assert_eq!(code, 0, "{err}");
+    let page = desk.read("out/study-s/report/report.html");
+    assert!(page.contains("the way left between motor mount and fork") && page.contains("<svg") && !page.contains("http://localhost"));
+    let report: Value = serde_json::from_str(&desk.read("out/study-s/report/report.json")).expect("JSON");
+    assert_eq!((report["rows"].as_u64(), report["refused"].as_u64()), (Some(8), Some(4)));
+    let (code, _, err) = desk.run(&["report", "s.toml", "--goals", "mass,peak"]);
+    assert!(code == 2 && err.contains("the study has no measure `peak`"), "{err}");
+}
+
+#[test]
+fn planted_rows_of_another_plan_are_no_rows_of_this_one() {
+    let desk = Desk::new("samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 41]\n");
+    desk.good(&["run", "s.toml"]);
+    fs::write(desk.path().join("s.toml"), "samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 42]\n").expect("can be written");
+    let (code, _, err) = desk.run(&["run", "s.toml"]);
+    assert!(code == 2 && err.contains("--restart"), "{err}");
+    desk.good(&["run", "s.toml", "--restart"]);
+    let table = desk.table("out");
+    assert!(table.len() == 3 && table[1..].iter().all(|row| row[2].is_empty() && !row[3].is_empty()), "{table:?}");
+    let (code, _, err) = desk.run(&["pick", "s.toml", "2", "-o", "mine"]);
+    assert!(code == 2 && err.contains("rows 0 to 1"), "{err}");
+    // A budget that is spent leaves rows for the next run.
+    fs::write(desk.path().join("s.toml"), "samples = 9\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 42]\n").expect("can be written");
+    let out: Value =
+        serde_json::from_str(&desk.good(&["run", "s.toml", "--restart", "--cores", "1", "--budget", "0s", "--json"])).expect("JSON");
+    assert!(out["known"].as_u64().is_some_and(|known| (1..9).contains(&known)) && out["table"].is_null(), "{out}");
+}
+
+#[test]
+fn planted_plans_that_cannot_be_are_refused_at_their_line() {
+    let vary = "[vary]\narm_rod = [70, 80]\n";
+    let cases = [
+        (format!("samples = 0\n{vary}"), "samples"),
+        (format!("samples = 2.5\n{vary}"), "no whole number"),
+        (format!("sampling = \"halton\"\n{vary}"), "latin_hypercube"),
+        (format!("sampling = \"sobol\"\nsamples = 65537\n{vary}"), "65536"),
+        (format!("measures = [\"mas\"]\n{vary}"), "`mass`"),
+        (format!("sample = 3\n{vary}"), "`samples`"),
+        ("[vary]\narm_rodd = [70, 80]\n".into(), "no parameter `arm_rodd`"),
+        ("[vary]\narm_rod = [80, 70]\n".into(), "no range"),
+        ("[vary]\narm_rod = [-1, 70]\n".into(), "out of bounds"),
+        ("[vary]\narm_rod = [70, 80]\nrods.arm_rod_length_mm = [70, 80]\n".into(), "varies twice"),
+        ("[choose]\nbought.battery = [\"battery-2s-850\", \"no-such\"]\n".into(), "no-such"),
+        ("[choose]\nbought.batery = [\"battery-2s-850\"]\n".into(), "bought.batery"),
+        ("samples = 3\n".into(), "nothing varies"),
+        ("table = \"t.csv\"\n".into(), "cannot read"),
+        (format!("base = \"no-such\"\n{vary}"), "no frame `no-such`"),
+    ];
+    let desk = Desk::new("");
+    for (plan, word) in &cases {
+        fs::write(desk.path().join("s.toml"), plan).expect("can be written");
+        let (code, _, err) = desk.run(&["run", "s.toml"]);
+        assert!(code == 2 && err.contains(word), "{plan}: {code} {err}");
+        assert!(!desk.path().join("out").exists(), "a plan that is refused writes nothing");
+    }
+    fs::write(desk.path().join("t.csv"), "arm_rod,bought.rod\n78,rod-carbon-3\nx,rod-carbon-3\n").expect("can be written");
+    fs::write(desk.path().join("s.toml"), "table = \"t.csv\"\n").expect("can be written");
+    let (code, _, err) = desk.run(&["plan", "s.toml"]);
+    assert!(code == 2 && err.contains("row 1: \"x\" is no number for rods.arm_rod_length_mm"), "{err}");
+}
