@@ -10,6 +10,7 @@ use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::export::simulator::{self, LegSpring, SimulatorFormat, SimulatorModel};
+use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{self, MassTable};
 use crate::impact::effects::Model;
@@ -105,8 +106,8 @@ fn legs_of(model: &Model) -> LegSpring {
 /// What a simulator is told, in short.
 fn table(model: &SimulatorModel) -> String {
     let SimulatorModel { whole, legs, motors, .. } = model;
-    let [x, y, z] = whole.centre_m.map(|value| value * 1e3);
-    let mut text = format!("mass {:.1} g, centre {x:.1}, {y:.1}, {z:.1} mm (x front, y left, z up)\n", whole.mass_kg * 1e3);
+    let [x, y, z] = whole.centre_m.map(|value| decimals(value * 1e3, 1));
+    let mut text = format!("mass {:.1} g, centre {x}, {y}, {z} mm (x front, y left, z up)\n", whole.mass_kg * 1e3);
     text += &format!("legs {:.0} N/m and {:.1} N s/m ({})\n", legs.stiffness_n_m, legs.damping_n_s_m, legs.from);
     for motor in motors {
         let spin = motor.spin.abbreviation();

@@ -17,8 +17,11 @@ use super::xml::{Xml, comment, document, empty, within};
 const STEP_S: f64 = 0.0001;
 /// The least impedance that MuJoCo takes.
 const IMPEDANCE: &str = "0.0001 0.0001 0.001";
-/// Time constant and damping ratio of the contact of what is rigid: as stiff as some twenty steps allow.
+/// Time constant, s, and damping ratio of the contact of what is rigid: a choice, ten times as stiff as MuJoCo's own. With that one
+/// a contact gives less than the feet do, and the sleeve would sink into the ground.
 const RIGID: &str = "0.002 1";
+/// Contacts are as stiff as stated here, whatever the frame stands on or hits.
+const PRIORITY: (&str, &str) = ("priority", "1");
 /// Height of the disc that stands for a propeller, m: for the eye only.
 const DISC_M: f64 = 0.002;
 
@@ -108,8 +111,14 @@ fn body(xml: &mut Xml, model: &SimulatorModel) -> io::Result<()> {
         empty(xml, "freejoint", &[("name", "free")])?;
         inertial(xml, &model.frame, [0.0; 3])?;
         for shape in &model.shapes {
-            let geom =
-                [("name", shape.name.as_str()), ("type", "mesh"), ("mesh", &shape.name), ("solref", RIGID), ("rgba", "0.3 0.5 0.8 0.3")];
+            let geom = [
+                ("name", shape.name.as_str()),
+                ("type", "mesh"),
+                ("mesh", &shape.name),
+                PRIORITY,
+                ("solref", RIGID),
+                ("rgba", "0.3 0.5 0.8 0.3"),
+            ];
             empty(xml, "geom", &geom)?;
         }
         feet(xml, model)?;
@@ -133,8 +142,7 @@ fn feet(xml: &mut Xml, model: &SimulatorModel) -> io::Result<()> {
     let spring = numbers([-model.legs.stiffness_n_m / share, -model.legs.damping_n_s_m / share]);
     for foot in &model.feet {
         let (at, radius) = (numbers(foot.position_m), number(foot.radius_m));
-        // A higher priority: the spring is the foot's, whatever it stands on.
-        let geom = [("name", foot.name.as_str()), ("type", "sphere"), ("size", &radius), ("pos", &at), ("priority", "1")];
+        let geom = [("name", foot.name.as_str()), ("type", "sphere"), ("size", &radius), ("pos", &at), PRIORITY];
         let contact = [("solref", spring.as_str()), ("solimp", IMPEDANCE), ("rgba", "0.1 0.1 0.1 1")];
         empty(xml, "geom", &[&geom[..], &contact[..]].concat())?;
     }
