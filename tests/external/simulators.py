@@ -16,9 +16,11 @@ import mujoco
 import numpy as np
 import pybullet as p
 import trimesh
+from pydrake.geometry import Role
 from pydrake.math import RigidTransform
 from pydrake.multibody.parsing import Parser
-from pydrake.multibody.plant import MultibodyPlant
+from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
+from pydrake.systems.framework import DiagramBuilder
 
 GRAVITY = 9.81
 # Shares of a mass or an inertia, of a peak, of a depth.
@@ -27,6 +29,8 @@ DRIFT_M, ROLL_DEG = 0.001, 0.1
 HEIGHTS_M = [0.3, 0.5, 1.0, 1.5]
 # Front is x and left is y, the design has right x and front y: one row an axis.
 AXES = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])
+
+SHAPES, QUADRANTS = ["cage", "hub", "sleeve"], ["FR", "FL", "BL", "BR"]
 
 BINARY, WORK = sys.argv[1], Path(sys.argv[2])
 FAILED = []
@@ -159,7 +163,7 @@ def fallen(folder, height_m, feet_only):
     model, data = loaded(folder)
     if feet_only:
         # `drop` knows no second body under the frame: the gap adds no force there.
-        for name in ["cage", "hub", "sleeve"]:
+        for name in SHAPES:
             model.geom(name).contype, model.geom(name).conaffinity = 0, 0
     mujoco.mj_forward(model, data)
     standing = data.qpos[2]
@@ -204,7 +208,7 @@ def standing_faults(folder, table):
     depth, expected = height - data.qpos[2], table[0] * GRAVITY / stiffness
     faults = [f"stands {1e3 * depth:.4f} mm deep, not {1e3 * expected:.4f}"] if abs(depth / expected - 1) > OF_DEPTH else []
     feet = touching(model, data)
-    return faults + ([f"stands on {sorted(feet)}"] if feet != {f"foot_{q}" for q in ["FR", "FL", "BL", "BR"]} else [])
+    return faults + ([f"stands on {sorted(feet)}"] if feet != {f"foot_{q}" for q in QUADRANTS} else [])
 
 
 # --- PyBullet, Drake, trimesh ------------------------------------------------------------------------------
@@ -242,7 +246,8 @@ def bullet_faults(folder, table):
 
 
 def drake_faults(folder, table):
-    plant = MultibodyPlant(0.001)
+    # With a scene, or the meshes are not opened.
+    plant, scene = AddMultibodyPlantSceneGraph(DiagramBuilder(), 0.001)
     [instance] = Parser(plant).AddModels(str(folder / "model.sdf"))
     plant.Finalize()
     context = plant.CreateDefaultContext()
@@ -252,14 +257,18 @@ def drake_faults(folder, table):
     centre = whole.get_com()
     inertia = whole.Shift(centre).CalcRotationalInertia().CopyToFullMatrix3()
     joints = [plant.get_joint(i).name() for i in plant.GetJointIndices(instance)]
-    motors = [f"motor_{q}_joint" for q in ["FR", "FL", "BL", "BR"]]
+    motors = [f"motor_{q}_joint" for q in QUADRANTS]
     faults = [] if all(motor in joints for motor in motors) else [f"joints {joints}"]
+    inspector = scene.model_inspector()
+    contacts = [inspector.GetName(g).split("::")[-1] for g in inspector.GetAllGeometryIds(Role.kProximity)]
+    expected = [*(f"{shape}_collision" for shape in SHAPES), *(f"foot_{q}" for q in QUADRANTS)]
+    faults += [] if sorted(contacts) == sorted(expected) else [f"contact shapes {contacts}"]
     return faults + off_the_table(table, whole.get_mass(), centre, inertia)
 
 
 def mesh_faults(folder):
     faults = []
-    for shape in ["cage", "hub", "sleeve"]:
+    for shape in SHAPES:
         mesh = trimesh.load(folder / "meshes" / f"{shape}.obj", process=False)
         if not (mesh.is_watertight and mesh.volume > 0):
             faults.append(f"{shape} is not closed")
