@@ -1,4 +1,4 @@
-//! MJCF, the format of MuJoCo (XML reference of MuJoCo 3 and 4): the frame as one free body, and a scene with a floor.
+//! MJCF, the format of MuJoCo (tested with MuJoCo 4.0): the frame as one free body, and a scene with a floor.
 //!
 //! **Legs.** Each foot is a sphere with a contact of its own. MuJoCo takes stiffness and damping of a contact by the unit of its
 //! effective mass when `solref` is negative, and mixes what it computes with them by the impedance d of `solimp`: with a constant d the
@@ -10,10 +10,12 @@
 use std::io;
 
 use super::figures::{number, numbers};
-use super::model::{GRAVITY_M_S2, Motor, RigidBody, SimulatorModel};
+use super::model::{Motor, RigidBody, SimulatorModel};
 use super::xml::{Xml, comment, document, empty, within};
+use crate::units::GRAVITY_M_S2;
 
-/// Step of the simulation, s. In a step a foot falls 0.5 mm from 1.5 m, and the first force is late by that much of the spring's.
+/// Step of the simulation, s. A foot that falls from 1.5 m moves 0.5 mm in a step, so the first force has that much of the spring in it:
+/// 1 to 2 % of the peak.
 const STEP_S: f64 = 0.0001;
 /// The least impedance that MuJoCo takes.
 const IMPEDANCE: &str = "0.0001 0.0001 0.001";
@@ -22,6 +24,10 @@ const IMPEDANCE: &str = "0.0001 0.0001 0.001";
 const RIGID: &str = "0.002 1";
 /// Contacts are as stiff as stated here, whatever the frame stands on or hits.
 const PRIORITY: (&str, &str) = ("priority", "1");
+/// The group of contact shapes that viewers do not show until they are asked to.
+const HIDDEN: (&str, &str) = ("group", "3");
+/// What nothing touches: it is for the eye.
+const SEEN: [(&str, &str); 2] = [("contype", "0"), ("conaffinity", "0")];
 /// Height of the disc that stands for a propeller, m: for the eye only.
 const DISC_M: f64 = 0.002;
 
@@ -33,7 +39,7 @@ pub(super) fn frame(model: &SimulatorModel) -> io::Result<Vec<u8>> {
         let gravity = numbers([0.0, 0.0, -GRAVITY_M_S2]);
         let option =
             [("timestep", number(STEP_S)), ("gravity", gravity), ("integrator", "implicitfast".into()), ("cone", "elliptic".into())];
-        within_all(xml, "option", &option)?;
+        empty_of(xml, "option", &option)?;
         custom(xml, model)?;
         assets(xml, model)?;
         within(xml, "worldbody", &[], |xml| body(xml, model))?;
@@ -63,7 +69,7 @@ pub(super) fn scene(model: &SimulatorModel) -> io::Result<Vec<u8>> {
 }
 
 /// An empty element whose values are made here.
-fn within_all(xml: &mut Xml, name: &str, attributes: &[(&str, String)]) -> io::Result<()> {
+fn empty_of(xml: &mut Xml, name: &str, attributes: &[(&str, String)]) -> io::Result<()> {
     let borrowed: Vec<(&str, &str)> = attributes.iter().map(|(key, value)| (*key, value.as_str())).collect();
     empty(xml, name, &borrowed)
 }
@@ -117,10 +123,12 @@ fn body(xml: &mut Xml, model: &SimulatorModel) -> io::Result<()> {
                 ("mesh", &shape.name),
                 PRIORITY,
                 ("solref", RIGID),
+                HIDDEN,
                 ("rgba", "0.3 0.5 0.8 0.3"),
             ];
             empty(xml, "geom", &geom)?;
         }
+        rods(xml, model)?;
         feet(xml, model)?;
         let imu = numbers(model.imu.position_m);
         empty(xml, "site", &[("name", "imu"), ("pos", &imu), ("size", "0.003"), ("rgba", "0.8 0.1 0.1 1")])?;
@@ -134,6 +142,16 @@ fn body(xml: &mut Xml, model: &SimulatorModel) -> io::Result<()> {
             .filter_map(|motor| Some((motor, motor.body.as_ref()?)))
             .try_for_each(|(motor, body)| propeller(xml, motor, body))
     })
+}
+
+/// The rods, to be seen.
+fn rods(xml: &mut Xml, model: &SimulatorModel) -> io::Result<()> {
+    for rod in &model.rods {
+        let (ends, radius) = (numbers(rod.from_m.into_iter().chain(rod.to_m)), number(rod.radius_m));
+        let geom = [("type", "capsule"), ("fromto", ends.as_str()), ("size", &radius), ("rgba", "0.15 0.15 0.15 1")];
+        empty(xml, "geom", &[&geom[..], &SEEN].concat())?;
+    }
+    Ok(())
 }
 
 /// The spheres that the frame stands on, each with its share of the legs.
@@ -155,8 +173,8 @@ fn propeller(xml: &mut Xml, motor: &Motor, body: &RigidBody) -> io::Result<()> {
     within(xml, "body", &[("name", &body.name), ("pos", &at)], |xml| {
         inertial(xml, body, motor.position_m)?;
         let size = numbers([0.5 * motor.propeller_diameter_m, 0.5 * DISC_M]);
-        let disc = [("type", "cylinder"), ("size", size.as_str()), ("contype", "0"), ("conaffinity", "0"), ("rgba", "0.9 0.6 0.1 0.4")];
-        empty(xml, "geom", &disc)
+        let disc = [("type", "cylinder"), ("size", size.as_str()), ("rgba", "0.9 0.6 0.1 0.4")];
+        empty(xml, "geom", &[&disc[..], &SEEN].concat())
     })
 }
 

@@ -15,7 +15,7 @@ mod urdf;
 mod xml;
 
 pub use convex_shape::ConvexShape;
-pub use model::{Foot, Imu, LegSpring, Motor, RigidBody, SimulatorModel};
+pub use model::{Foot, Imu, LegSpring, Motor, RigidBody, SeenRod, SimulatorModel};
 pub use propeller::{TORQUE_OVER_THRUST, torque_over_thrust_m};
 
 use super::format::ExportError;

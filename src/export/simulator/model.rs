@@ -9,11 +9,9 @@ use super::figures::rounded;
 use super::propeller::torque_over_thrust_m;
 use crate::frame::assembly::mass::{Lump, MassTable, lump_of};
 use crate::frame::assembly::{Body, Design, Kind};
-use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Spin, Stack};
+use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Rod, Spin, Stack};
 use crate::params::PartName;
-
-/// Standard gravity as everywhere in this program, m/s².
-pub(super) const GRAVITY_M_S2: f64 = 9.81;
+use crate::units::GRAVITY_M_S2;
 
 /// A rigid body.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -106,6 +104,19 @@ pub struct Foot {
     pub radius_m: f64,
 }
 
+/// A rod, to be seen.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeenRod {
+    /// Its name.
+    pub name: String,
+    /// One end, m.
+    pub from_m: [f64; 3],
+    /// The other end, m.
+    pub to_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+}
+
 /// A frame for simulators.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SimulatorModel {
@@ -131,6 +142,8 @@ pub struct SimulatorModel {
     pub feet: Vec<Foot>,
     /// Height of the origin above the ground when the frame stands, m.
     pub standing_height_m: f64,
+    /// The rods; their masses are in the frame's.
+    pub rods: Vec<SeenRod>,
     /// Shapes for contact; they belong to the frame.
     pub shapes: Vec<ConvexShape>,
 }
@@ -156,6 +169,7 @@ impl SimulatorModel {
             legs,
             feet: feet(design, ground_mm),
             standing_height_m: rounded(-ground_mm * 1e-3),
+            rods: rods(design),
             shapes: shapes(design),
         }
     }
@@ -224,4 +238,10 @@ fn feet(design: &Design, ground_mm: f64) -> Vec<Foot> {
         Some(Foot { name: format!("foot_{quadrant}"), position_m: point_m(node), radius_m: rounded((node.z - ground_mm) * 1e-3) })
     };
     MODULE_NAMES.iter().filter_map(foot).collect()
+}
+
+fn rods(design: &Design) -> Vec<SeenRod> {
+    let radius_m = rounded(0.5e-3 * design.frame.rods.rod_diameter_mm);
+    let seen = |rod: &Rod| SeenRod { name: rod.name.clone(), from_m: point_m(rod.start), to_m: point_m(rod.end), radius_m };
+    design.skeleton.rods.iter().map(seen).collect()
 }
