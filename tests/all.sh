@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, as a wheel, too, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, OCCT, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib, its library as a WebAssembly module in Node, the studio in a
+# trimesh, manifold3d, lib3mf, OCCT, MuJoCo, PyBullet, Drake, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib,
+# its library as a WebAssembly module in Node, the studio in a
 # browser, and the steps of
 # docs/ci on a sample repository.
 #
@@ -109,6 +110,16 @@ cadquery_from_pypi() {
     "$python" -c 'import OCP.STEPCAFControl' 2>/dev/null
 }
 
+# Engines of simulators. Drake, which alone of PyPI's packages reads SDF, takes some hundred megabytes.
+simulators_from_pypi() {
+    [[ -x $python ]] || from_pypi || return
+    local imports='import mujoco, pybullet, pydrake.multibody.parsing, trimesh'
+    "$python" -c "$imports" >/dev/null 2>&1 && return
+    echo "installing mujoco, pybullet and drake"
+    "$python" -m pip install --quiet --disable-pip-version-check mujoco==4.0.0 pybullet==3.2.7 drake==1.51.1 >>"$work/pip.log" 2>&1 || true
+    "$python" -c "$imports" >/dev/null 2>&1
+}
+
 # --- Rust --------------------------------------------------------------------------------------------------
 
 # Counts what cargo counted, one result a test.
@@ -158,7 +169,7 @@ build_presets() {
 every_folder() {
     local command
     "$binary" build --step -q --no-cache -o "$1" || return
-    for command in fold stiffness coupon; do
+    for command in fold stiffness coupon export; do
         "$binary" "$command" -q --no-cache -o "$1" || return
     done
 }
@@ -355,6 +366,16 @@ occt_reads_steps() {
     "$python" tests/external/check_step.py "${folders[@]}" | tee -a "$results" || failed "STEP" "exit code $?"
 }
 
+# Frames for simulators in the simulators: loaded, weighed, hovering, turning, dropped.
+simulators_run_frames() {
+    heading "MuJoCo, PyBullet and Drake run every preset"
+    if simulators_from_pypi; then
+        "$python" tests/external/simulators.py "$PWD/$binary" "$work/simulators" | tee -a "$results" || failed "simulators" "exit code $?"
+    else
+        skipped "MuJoCo, PyBullet and Drake" "not installed"
+    fi
+}
+
 # Plates as a person opens them, under a profile that contradicts them.
 slicer_slices_plates() {
     heading "PrusaSlicer slices the plates of every preset"
@@ -476,6 +497,7 @@ by_other_programs() {
     python_agrees_with_manifests
     lib3mf_reads_plates
     occt_reads_steps
+    simulators_run_frames
     slicer_slices_plates
     slicer_weighs_parts
     slicer_times_coupon

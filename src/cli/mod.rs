@@ -14,6 +14,7 @@ mod diagnose;
 mod diff;
 mod drop;
 mod explain;
+mod export;
 mod failure;
 mod fit;
 mod fold;
@@ -103,7 +104,7 @@ macro_rules! commands {
 commands! {
     "Design": Build in build, Check in check, New in new, Solve in solve, Explain in explain, Params in params, Watch in watch, Studio in studio;
     "Make": Fold in fold, Bom in bom, Coupon in coupon, Weigh in weigh, Render in render;
-    "Simulate": Drop in drop, Stiffness in stiffness;
+    "Simulate": Drop in drop, Stiffness in stiffness, Export in export;
     "Compare": Diff in diff, Study in study;
     "Measured drops": Measure in measure, Fit in fit, Diagnose in diagnose, Synthesize in synthesize;
     "Names and shells": List in list, Schema in schema, Completions in completions, Man in man;

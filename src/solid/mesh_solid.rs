@@ -191,6 +191,12 @@ impl MeshSolid {
         Self::of(Manifold::hull_manifolds(&[self.kernel().clone(), other.kernel().clone()]))
     }
 
+    /// The smallest convex solid around points, mm; empty where they lie in a plane.
+    pub fn hull_of(points: &[Point3<f64>]) -> Self {
+        let points: Vec<Vec3> = points.iter().map(|p| vec3(&p.coords)).collect();
+        Self::of(Manifold::hull(&points))
+    }
+
     /// The cut at a height z, mm.
     pub fn slice(&self, z_mm: f64) -> Region {
         Region::of(self.kernel().slice(z_mm))

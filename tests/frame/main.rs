@@ -17,4 +17,5 @@ mod plates;
 mod random_frames;
 #[expect(dead_code, reason = "the example that writes docs/comparison.md uses the rest")]
 mod real;
+mod simulators;
 mod step;

@@ -42,7 +42,7 @@ fn changes(base: &Frame, reach: f64, runner: &mut TestRunner) -> Vec<(String, f6
 }
 
 /// Draws sets until enough of them are frames that are not refused and whose rods close; counts why others were.
-fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) {
+pub(crate) fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) {
     let mut runner = runner(1);
     let (mut frames, mut refused) = (Vec::new(), BTreeMap::new());
     for base in BASES.iter().cycle() {

@@ -464,6 +464,34 @@ fn planted_folds_that_cannot_be_are_refused_with_the_reason() {
 }
 
 #[test]
+fn analytic_export_writes_the_formats_that_are_asked_for() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    let folder = Path::new(&bench.path("out")).join("frame-simulators");
+    for (options, written) in [
+        (&["--mjcf"][..], &["frame.xml", "scene.xml"][..]),
+        (&["--urdf", "--sdf"], &["frame.urdf", "model.sdf", "model.config"]),
+        (&[], &["frame.xml", "scene.xml", "frame.urdf", "model.sdf", "model.config"]),
+    ] {
+        let output = bench.run("export", &[options, &["--model", "paper", "--json"]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let told: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!((told["legs"]["stiffness_n_m"].as_f64(), told["legs"]["damping_n_s_m"].as_f64()), (Some(7040.0), Some(46.0)));
+        let kept: serde_json::Value = serde_json::from_slice(&fs::read(folder.join("simulator.json")).expect("is written")).expect("JSON");
+        assert_eq!(told, kept);
+        for name in ["frame.xml", "scene.xml", "frame.urdf", "model.sdf", "model.config"] {
+            assert_eq!(folder.join(name).exists(), written.contains(&name), "{options:?} {name}");
+        }
+        assert!(folder.join("meshes/cage.obj").exists());
+    }
+    let own = bench.run("export", &["--mjcf", "--json"]);
+    let told: serde_json::Value = serde_json::from_slice(&own.stdout).expect("JSON");
+    assert_eq!(told["legs"]["from"], "frame");
+    let output = bench.run("export", &["--model", "paper", "--mechanics", "absent.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert_says(&text(&output.stderr), &["--mechanics", "--model frame"]);
+}
+
+#[test]
 fn regress_fold_draws_one_step() {
     let bench = Bench::new("base = \"cognifly\"\n");
     let output = bench.run("fold", &["--step", "9", "--png", "-q"]);

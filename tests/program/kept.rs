@@ -9,7 +9,7 @@ use assert_cmd::cargo::cargo_bin;
 use crate::drops::{self, Seen};
 
 /// What writes a folder, cheaply; the folder's name is what is new in `o`.
-const WRITERS: [&[&str]; 15] = [
+const WRITERS: [&[&str]; 16] = [
     &["build", "cognifly", "--no-pictures"],
     &["build", "cognifly", "--part", "knee"],
     &["render", "cognifly"],
@@ -18,6 +18,7 @@ const WRITERS: [&[&str]; 15] = [
     &["fold", "cognifly"],
     &["coupon", "cognifly"],
     &["stiffness", "cognifly"],
+    &["export", "cognifly", "--model", "paper"],
     &["diff", "cognifly", "cognifly-v8"],
     &["drop", "--height", "0.5"],
     &["drop", "cognifly", "--model", "frame", "--height", "0.5"],

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::body::{Kind, Shape};
+use super::body::{Body, Kind, Shape};
 use super::design::Design;
 use crate::params::catalogue::MassBasis;
 use crate::units::Density;
@@ -57,7 +57,12 @@ pub struct Lump {
 
 /// Lines of the table taken together; everything at the origin when they weigh nothing.
 pub fn lump(design: &Design, lines: &[MassLine]) -> Lump {
-    let sum = moments(design, lines);
+    lump_of(design, lines, &|_| true)
+}
+
+/// What of the lines some bodies carry; `None` stands for what no body carries, at the hub or at an extra's position.
+pub fn lump_of(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) -> bool) -> Lump {
+    let sum = moments(design, lines, carries);
     let centre = if sum.mass > 0.0 { sum.first / sum.mass } else { Vector3::zeros() };
     let inertia_g_mm2 = sum.about_origin - (Matrix3::identity() * centre.norm_squared() - centre * centre.transpose()) * sum.mass;
     Lump { mass_g: sum.mass, centre_mm: centre.into(), inertia_g_mm2 }
@@ -157,12 +162,12 @@ fn basis(basis: MassBasis) -> &'static str {
 }
 
 /// Each line's mass over the bodies that stand for it; lines without a body sit at the hub, extras at their position.
-fn moments(design: &Design, lines: &[MassLine]) -> Sum {
+fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) -> bool) -> Sum {
     let mut sum = Sum::default();
     for line in lines {
         let bodies: Vec<_> = design.bodies.iter().filter(|body| stands_for(&design.shape(body).kind, &line.name)).collect();
         let share = line.total_g / bodies.len().max(1) as f64;
-        for body in &bodies {
+        for body in bodies.iter().filter(|body| carries(Some(body))) {
             let mesh = &design.shape(body).mesh;
             let (centre, unit_inertia) = mesh.moments();
             let turn = body.pose.rotation.to_rotation_matrix();
@@ -170,7 +175,7 @@ fn moments(design: &Design, lines: &[MassLine]) -> Sum {
             let own = turn.matrix() * unit_inertia * turn.matrix().transpose() * density;
             sum.add(share, body.pose * centre, own);
         }
-        if bodies.is_empty() {
+        if bodies.is_empty() && carries(None) {
             let at = design.frame.extras.get(&line.name).map_or([0.0; 3], |extra| extra.position_mm);
             sum.add(line.total_g, Point3::from(at), Matrix3::zeros());
         }
