@@ -52,7 +52,7 @@ flexframe build examples/frames/pi-zero-2w.toml     # its files, into out/pi-zer
 `python3 examples/gallery.py PROGRAM` writes this page from what the program says, and with `--pictures` the pictures, too (that
 needs Pillow). `tests/all.sh` builds and checks each frame, and compares this page with the program.
 
-Size is without propellers; budget and largest size are the frame's limits. A margin is the distance to its limit, and the narrowest
+Size is without propellers; budget and envelope are the frame's limits. A margin is the distance to its limit, and the narrowest
 are named with what is left of it. The design drop is from 1 m onto the lower ring, by the frame's own mechanics with the band that
 [mechanics](mechanics.md) states; its peak is that of the payload. Printing hours are the least that the largest flow of each material
 takes, as `flexframe bom` has them.
@@ -111,7 +111,7 @@ def section(program, frame):
         "take-off mass": f"{mass['value']:.0f} g, of which {check['masses']['estimated_g']:.0f} g are estimates",
         "budget": f"{mass['limit']:.0f} g",
         "size": " x ".join(f"{axis['value']:.0f}" for axis in size) + " mm",
-        "largest size": " x ".join(f"{axis['limit']:.0f}" for axis in size) + " mm",
+        "envelope": " x ".join(f"{axis['limit']:.0f}" for axis in size) + " mm",
         "propeller": bought(bom["buy"], "propeller"),
         "motor": bought(bom["buy"], "motor"),
         "battery": bought(bom["buy"], "battery"),
