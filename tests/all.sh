@@ -190,6 +190,16 @@ same_bytes() {
     done
 }
 
+# Each frame of examples/frames builds and keeps its limits, those of its design drop, too; docs/gallery.md says what the program says.
+gallery_is_that_of_the_program() {
+    heading "the gallery is that of the program"
+    if command -v python3 >/dev/null; then
+        python3 examples/gallery.py --check "$binary" | tee -a "$results" || failed "gallery" "exit code $?"
+    else
+        skipped "gallery" "no python3"
+    fi
+}
+
 engine=$PWD/studio/dist/engine
 
 # Rust for WebAssembly: the target of the Rust that is there, or Debian's, which builds its standard library from its sources.
@@ -472,6 +482,7 @@ outside() {
     fi
     build_presets
     same_bytes
+    gallery_is_that_of_the_program
     # Two lanes, as hardly any of these steps keeps both cores busy.
     in_a_browser >"$work/browser.log" 2>&1 &
     local browser=$!
