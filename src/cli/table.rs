@@ -72,7 +72,17 @@ fn tightest_of(rule: &str, findings: &[Finding]) -> String {
     let Some(f) = of_rule.min_by(|a, b| share(a).total_cmp(&share(b))) else { return String::new() };
     let [value, limit, _] = f.figures();
     let subject: String = one_line(&f.subject).chars().take(28).collect();
-    format!("{rule:<19} {subject:<28} {value:>8} limit {limit:>7} {}\n", f.unit)
+    format!("{rule:<19} {subject:<28} {value:>7} {:<8} {limit:>7} {}\n", side(f), f.unit)
+}
+
+/// On which side of its limit a value has to be; the limit alone where the two are as good as one.
+fn side(finding: &Finding) -> &'static str {
+    let above = finding.value - finding.limit;
+    match (finding.margin > 0.0).then_some(above > 0.0) {
+        Some(true) => "at least",
+        Some(false) => "at most",
+        None => "limit",
+    }
 }
 
 /// How many notes there are, by rule.

@@ -199,9 +199,9 @@ impl Reason {
 fn known_names(kind: &str) -> String {
     match kind {
         "base" => format!("a base is a file beside this one, or a preset: {}", super::preset::names().collect::<Vec<_>>().join(", ")),
-        "material" => "params/materials.toml holds the materials".into(),
-        "printer" => "params/printers holds the printers".into(),
-        _ => "params/bought.toml holds the bought parts".into(),
+        "material" => "`flexframe list materials` lists the materials; [override.materials.NAME] describes one of your own".into(),
+        "printer" => "`flexframe list printers` lists the printers; [override.printers.NAME] describes one of your own".into(),
+        _ => "`flexframe list parts` lists the bought parts; [override.parts.NAME] describes one of your own".into(),
     }
 }
 
