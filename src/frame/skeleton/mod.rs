@@ -8,10 +8,12 @@ mod closure;
 mod graph;
 mod module;
 pub mod placement;
+mod rotation;
 mod stack;
 
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
 pub use module::{MODULE_NAMES, module_turn};
+pub use rotation::{Rotation, motor_number};
 pub use stack::{Stack, StackBoard};
