@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use serde::Serialize;
 
 use super::mount::{Fixing, MOUNTS, Mount, Stage};
-use super::part_lines::{PartLine, PartsSeen};
+use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::Ways;
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{FoldSequence, Meeting, Sweep};
@@ -72,6 +72,17 @@ pub struct Mounting {
     pub after: Vec<MountStep>,
 }
 
+/// Least and most that a part is shown off its place, mm.
+const SHOWN_MM: [f64; 2] = [25.0, 140.0];
+
+impl MountStep {
+    /// How far off its place what moves is shown, in frame axes, mm.
+    pub fn shown_off_mm(&self) -> Vector3<f64> {
+        let along = self.from.map_or_else(Vector3::zeros, Vector3::from);
+        along * self.travel_mm.clamp(SHOWN_MM[0], SHOWN_MM[1])
+    }
+}
+
 /// Mounts that are done, by their names.
 type Done = BTreeSet<&'static str>;
 
@@ -101,6 +112,15 @@ impl Mounting {
     /// What of the bill all steps take in hand, the fold's among them.
     pub fn parts(&self) -> impl Iterator<Item = &PartLine> {
         self.steps().flat_map(|step| &step.parts).chain(self.fold_parts.iter().flatten())
+    }
+
+    /// The step, from 0 among all, in which a body is first taken in hand; none of a body that no step is about.
+    pub fn first_step(&self, fold: &FoldSequence, body: &str) -> Option<usize> {
+        let mounted = |steps: &[MountStep]| steps.iter().position(|step| step.onto == body || step.brings.iter().any(|name| name == body));
+        let folded = || fold.steps.iter().position(|step| fold_bodies(step).iter().any(|name| name == body));
+        let (before, folds) = (self.before.len(), fold.steps.len());
+        let in_fold = || folded().map(|at| before + at);
+        mounted(&self.before).or_else(in_fold).or_else(|| mounted(&self.after).map(|at| before + folds + at))
     }
 
     /// All steps, without the fold's between them.

@@ -86,11 +86,16 @@ impl<'a> PartsSeen<'a> {
 
     /// Of a step of the fold, in all four modules.
     pub(super) fn of_fold(&mut self, step: &Step) -> Vec<PartLine> {
-        let members: Vec<Member> = step.task.contacts().into_iter().chain(step.task.lever()).flat_map(|(a, b)| [a, b]).collect();
-        let bodies = members.iter().filter(|m| **m != Member::Hub).flat_map(|m| (0..MODULE_NAMES.len()).map(|module| m.body(module)));
-        let hub = members.contains(&Member::Hub).then(|| Member::Hub.body(0));
-        self.of(bodies.chain(hub))
+        self.of(fold_bodies(step).into_iter())
     }
+}
+
+/// The bodies of all four modules that a step of the fold is about.
+pub(super) fn fold_bodies(step: &Step) -> Vec<String> {
+    let members: Vec<Member> = step.task.contacts().into_iter().chain(step.task.lever()).flat_map(|(a, b)| [a, b]).collect();
+    let hub = members.contains(&Member::Hub).then(|| Member::Hub.body(0));
+    let bodies = members.iter().filter(|m| **m != Member::Hub).flat_map(|m| (0..MODULE_NAMES.len()).map(|module| m.body(module)));
+    bodies.chain(hub).collect()
 }
 
 /// Lines of a bill, each with its quantity, that the steps' lines do not add up to.
