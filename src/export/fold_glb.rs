@@ -16,8 +16,8 @@ use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use serde_json::json;
 
 use super::fold_skin::{Hinge, hinges};
-use super::mount_motion::MountMotion;
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
+use super::mount_motion::MountMotion;
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
 use crate::frame::skeleton::module_turn;

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use flexframe::export::{fold_glb, glb, stl};
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, TABLE_MM, Task, sweeps};
+use flexframe::frame::mounting::Mounting;
 use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
 use flexframe::report::booklet::content::Booklet;
@@ -201,7 +202,8 @@ fn analytic_the_animation_ends_in_the_assembled_frame() {
     let (moving, frame) = (gltf::Gltf::from_slice(&bytes).expect("reads"), gltf::Gltf::from_slice(&still).expect("reads"));
     let played = Played { document: &moving.document, blob: moving.blob.as_deref().expect("a chunk") };
     let stands = Played { document: &frame.document, blob: frame.blob.as_deref().expect("a chunk") };
-    assert_eq!(moving.animations().count(), sequence.steps.len() + 1);
+    let mounts = Mounting::new(&design, &sequence).steps().count();
+    assert_eq!(moving.animations().count(), mounts + sequence.steps.len() + 1);
     let wanted = stands.global(None);
     for shown in [played.global(Some(("all", 1e9))), played.global(None)] {
         for body in &design.bodies {
@@ -349,6 +351,7 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
     let page = booklet_html::html(&booklet);
     assert!(!page.contains("http") && !page.contains("<script"), "fetches something");
     assert_eq!(page.matches("<section>").count(), sequence.steps.len());
+    assert_eq!(page.matches("<section class=\"half\">").count(), Mounting::new(&design, &sequence).steps().count() + 1);
     for step in &sequence.steps {
         assert!(page.contains(step.title) && step.caution.is_none_or(|caution| page.contains(caution)), "{}", step.title);
     }

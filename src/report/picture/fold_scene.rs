@@ -24,9 +24,9 @@ const EXPLODED_SIZE: [u32; 2] = [1600, 1200];
 /// Height of the letters in a picture, pixels.
 const LETTERS: f64 = 26.0;
 /// Linear colours of what moves, of what it meets, and of the rest.
-const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
+pub(super) const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
 /// Places along an arrow.
-const ARROW_PLACES: usize = 16;
+pub(super) const ARROW_PLACES: usize = 16;
 /// Room between layers of the centre when it is taken apart, mm.
 const LAYER_MM: f64 = 45.0;
 
@@ -47,10 +47,13 @@ impl Picture {
 }
 
 /// A body in a picture, with a mesh of its own.
-struct Shown {
-    mesh: Arc<Mesh>,
-    pose: Isometry3<f64>,
-    colour: [f32; 4],
+pub(super) struct Shown {
+    /// In its own axes.
+    pub mesh: Arc<Mesh>,
+    /// Where it stands.
+    pub pose: Isometry3<f64>,
+    /// Linear red, green, blue, alpha.
+    pub colour: [f32; 4],
 }
 
 /// Everything about a step that its pictures need.
@@ -99,11 +102,13 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
     draw(&shown, &[], &camera, EXPLODED_SIZE)
 }
 
-fn items(shown: &[Shown]) -> Vec<Item<'_>> {
+/// Bodies as the rasteriser takes them.
+pub(super) fn items(shown: &[Shown]) -> Vec<Item<'_>> {
     shown.iter().map(|s| Item { mesh: &s.mesh, pose: s.pose, colour: s.colour }).collect()
 }
 
-fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
+/// Bodies with arrows, each with a label or none.
+pub(super) fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
     let mut fills = fills_of(&items(shown), camera);
     fills.extend(arrows.iter().flat_map(|(arrow, _)| arrow.fills(camera)));
     let [width, height] = size.map(|s| s as usize);
