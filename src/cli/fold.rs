@@ -97,8 +97,10 @@ fn step_pictures(design: &Design, sequence: &FoldSequence, number: usize) -> Res
     match number.checked_sub(1) {
         Some(at) if at < before => Ok(mount(&mounting.before[at])),
         Some(at) if at < before + folds => {
-            let [before, after] = fold_scene::step(design, sequence, at - before);
-            Ok(vec![("before.png".into(), before.png()), ("after.png".into(), after.png())])
+            let pictures = fold_scene::step(design, sequence, at - before);
+            let names: &[&str] =
+                if pictures.len() == 2 { &["before.png", "after.png"] } else { &["before.png", "between.png", "after.png"] };
+            Ok(names.iter().zip(&pictures).map(|(name, picture)| ((*name).to_string(), picture.png())).collect())
         }
         Some(at) if at < last => Ok(mount(&mounting.after[at - before - folds])),
         _ => Err(Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") }),
@@ -118,8 +120,8 @@ fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, V
         ("exploded.png".into(), booklet.apart.png()),
     ];
     for (index, page) in booklet.pages.iter().enumerate() {
-        for (picture, after) in page.pictures.iter().zip([false, true]) {
-            files.push((booklet_html::picture_name(index + 1, after), picture.png()));
+        for (at, picture) in page.pictures.iter().enumerate() {
+            files.push((booklet_html::picture_name(index + 1, at, page.pictures.len()), picture.png()));
         }
     }
     for (panels, after) in [(&booklet.before, false), (&booklet.after, true)] {

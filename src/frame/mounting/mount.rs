@@ -220,7 +220,7 @@ pub static MOUNTS: [Mount; 19] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "Lead the twelve motor wires out between the two uprights, six to the left and six to the right; solder the connector's wires to the motor controller's battery pads. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front.",
+        text: "Solder the connector's wires to the motor controller's battery pads. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front. The bay stays open to the left and to the right: the motor wires come in there.",
         tool: "soldering iron",
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 10.0,

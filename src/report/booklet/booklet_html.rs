@@ -12,9 +12,14 @@ figcaption { font-size: 9pt } table { border-collapse: collapse; font-size: 8.5p
 .columns { display: grid; grid-template-columns: 3fr 2fr; gap: 8mm } ol { padding-left: 0; list-style: none; font-size: 8.5pt } .cover { max-width: 85mm } \
 .caution { border: 2px solid #000; padding: 2mm } .facts { font-weight: bold }";
 
-/// Names of the pictures, in their order, beside the page.
-pub fn picture_name(step: usize, after: bool) -> String {
-    format!("steps/{step:02}_{}.png", if after { "after" } else { "before" })
+/// Names of a step's pictures, by their order among so many, beside the page.
+pub fn picture_name(step: usize, at: usize, of: usize) -> String {
+    let name = match at {
+        0 => "before",
+        at if at + 1 == of => "after",
+        _ => "between",
+    };
+    format!("steps/{step:02}_{name}.png")
 }
 
 /// Names of the pictures of the mounts, in their order, beside the page.
@@ -70,8 +75,8 @@ fn section(page: &mut String, number: usize, step: &Page) {
     step.parts.iter().for_each(|line| page.push_str(&format!("<p>{}</p>\n", escaped(&part_words(line)))));
     step.measures.iter().for_each(|line| page.push_str(&format!("<p>{}</p>\n", escaped(line))));
     step.caution.iter().for_each(|line| page.push_str(&format!("<p class=\"caution\"><strong>Caution.</strong> {}</p>\n", escaped(line))));
-    for (after, caption) in [(false, "Before"), (true, "After")] {
-        let name = picture_name(number, after);
+    for (at, caption) in step.captions().iter().enumerate() {
+        let name = picture_name(number, at, step.pictures.len());
         let _ = writeln!(page, "<figure><img src=\"{name}\" alt=\"{heading}: {caption}\"><figcaption>{caption}</figcaption></figure>");
     }
     page.push_str("</section>\n");

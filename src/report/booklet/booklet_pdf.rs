@@ -181,8 +181,9 @@ impl Sheet<'_, '_> {
         self.words(&step.heading, HEADING);
         self.words(&step.facts, TEXT);
         self.gap(5.0);
-        for (picture, caption) in step.pictures.iter().zip(["Before", "After"]) {
-            self.picture(picture, WIDTHS[0]);
+        let width = WIDTHS[0] * 2.0 / step.pictures.len().max(2) as f32;
+        for (picture, caption) in step.pictures.iter().zip(step.captions()) {
+            self.picture(picture, width);
             self.words(caption, SMALL);
             self.gap(3.0);
         }

@@ -65,8 +65,8 @@ pub struct Page {
     pub caution: Option<String>,
     /// What is taken in hand for the first time.
     pub parts: Vec<PartLine>,
-    /// Before, with arrows, and after.
-    pub pictures: [Picture; 2],
+    /// Before, with arrows, half done where a loop is closed, and after.
+    pub pictures: Vec<Picture>,
 }
 
 impl Booklet {
@@ -212,6 +212,11 @@ fn cuts(design: &Design) -> Vec<String> {
 }
 
 impl Page {
+    /// A word for each picture.
+    pub fn captions(&self) -> &'static [&'static str] {
+        if self.pictures.len() == 2 { &["Before", "After"] } else { &["Before", "Half done: rods and bores meet", "After"] }
+    }
+
     fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
         let each = step.minutes / step.repeats as f64;
         let often = if step.repeats == 1 { "once".into() } else { format!("{} x", step.repeats) };

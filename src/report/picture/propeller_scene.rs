@@ -10,7 +10,7 @@ use crate::frame::assembly::{Design, Kind};
 use crate::frame::skeleton::{MODULE_NAMES, Rotation, motor_number};
 
 /// Width and height, pixels.
-const SIZE: [u32; 2] = [960, 760];
+const SIZE: [u32; 2] = [960, 640];
 /// Radius of an arrow over that of the propeller.
 const RADIUS: f64 = 0.75;
 /// How far around an arrow goes, radians.
@@ -39,7 +39,7 @@ pub fn rotations(design: &Design) -> Picture {
             let angle = begins + turns.sign() * AROUND * i as f64 / (2 * ARROW_PLACES) as f64;
             Point3::new(seat.x + radius * libm::cos(angle), seat.y + radius * libm::sin(angle), seat.z)
         });
-        arrows.push((Arrow { way: way.collect() }, format!("{}", motor_number(module))));
+        arrows.push((Arrow { way: way.collect() }, motor_number(module).to_string()));
     }
     let mut points = corners(&items(&shown));
     points.extend(arrows.iter().flat_map(|(arrow, _)| &arrow.way));
