@@ -7,6 +7,7 @@ use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
 use flexframe::frame::mounting::{MOUNTS, Mounting, without_a_step};
 use flexframe::params::Frame;
+use nalgebra::Vector3;
 
 use crate::common;
 
@@ -97,10 +98,15 @@ fn planted_an_order_in_which_something_is_in_the_way() {
 }
 
 #[test]
-fn planted_a_body_in_the_way_of_a_board() {
+fn planted_a_motor_behind_the_sleeve_is_in_the_way_of_the_battery() {
     let mut design = designed("cognifly");
-    let camera = design.bodies.iter_mut().find(|body| body.name == "motor_controller").expect("has one");
-    camera.pose.translation.vector.x += 14.0;
+    let battery = design.bodies.iter().find(|body| body.name == "battery").expect("has one");
+    let [low, high] = design.placed(battery).bounds_mm();
+    let motor = design.bodies.iter_mut().find(|body| body.name == "motor_BL").expect("has one");
+    motor.pose.translation.vector = Vector3::new(0.0, low[1] - 40.0, 0.5 * (low[2] + high[2]));
     let mounting = mounted(&design);
-    assert!(mounting.steps().any(|step| step.sweep.beyond_mm3 > 0.0), "nothing is found");
+    for step in mounting.steps() {
+        assert_eq!(step.sweep.beyond_mm3 > 0.0, step.mount == "cartridge", "{}: {:?}", step.title, step.sweep);
+    }
+    assert!(mounting.after.iter().flat_map(|step| &step.sweep.meetings).all(|m| m.bodies[1] == "motor_BL"));
 }

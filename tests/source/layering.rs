@@ -26,7 +26,7 @@ const WINGS: [&str; 17] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 32] = [
+const LAYERS: [(&str, &[&str]); 33] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
