@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use flexframe::export::{fold_glb, glb, stl};
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, TABLE_MM, Task, sweeps};
+use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, STEP_S, TABLE_MM, Task, sweeps};
 use flexframe::frame::mounting::Mounting;
 use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
@@ -168,7 +168,9 @@ impl Played<'_> {
                         let turned = q(all[before]).slerp(&q(all[after]), t);
                         local.1 = [turned.i, turned.j, turned.k, turned.w];
                     }
-                    _ => panic!("only turns and moves"),
+                    // What is hidden has no size; where it stands is the same.
+                    ReadOutputs::Scales(_) => {}
+                    _ => panic!("only turns, moves and sizes"),
                 }
             }
         }
@@ -340,6 +342,31 @@ fn planted_flat_states() {
         let Some(part) = design.printed.iter().find(|part| part.name.slug() == name) else { continue };
         let (lies, written) = (stl::binary(&lying.mesh).expect("bytes"), stl::binary(&part.mesh).expect("bytes"));
         assert!(lies == written, "{name}");
+    }
+}
+
+#[test]
+fn analytic_nothing_is_seen_before_its_step() {
+    let design = Design::with(Frame::load("cognifly").expect("a preset").0, common::memo()).expect("designs");
+    let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let mounting = Mounting::new(&design, &sequence);
+    let moving = gltf::Gltf::from_slice(&fold_glb::fold(&design, &sequence).expect("a file")).expect("reads");
+    let blob = moving.blob.as_deref().expect("a chunk");
+    let all = moving.animations().find(|animation| animation.name() == Some("all")).expect("the animation");
+    for body in &design.bodies {
+        let first = mounting.first_step(&sequence, &body.name).expect("a step is about it");
+        let sizes = all.channels().find_map(|channel| {
+            let reader = channel.reader(|_| Some(blob));
+            let of = channel.target().node().name() == Some(&body.name);
+            match reader.read_outputs().filter(|_| of)? {
+                ReadOutputs::Scales(sizes) => Some(reader.read_inputs()?.zip(sizes).collect::<Vec<_>>()),
+                _ => None,
+            }
+        });
+        let hidden = sizes.iter().flatten().filter(|(_, size)| size[0] == 0.0).map(|(at, _)| *at).fold(-1.0, f32::max);
+        let seen = sizes.iter().flatten().filter(|(_, size)| size[0] == 1.0).map(|(at, _)| *at).fold(f32::INFINITY, f32::min);
+        let begins = first as f32 * STEP_S as f32;
+        assert!(hidden < begins.max(1e-6) && (first == 0 || (seen - begins).abs() < 1e-4), "{}: {hidden} {seen} {begins}", body.name);
     }
 }
 
