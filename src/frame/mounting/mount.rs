@@ -234,7 +234,7 @@ pub static MOUNTS: [Mount; 19] = [
         fixing: Fixing::Ties("tie"),
         needs: &[("carrier", "the ties pass through the carrier"), ("bracket", "the ties pass through the bracket")],
         title: "Ties",
-        text: "Put two ties through carrier, hub and bracket, in front and at the rear, and out by the bracket's slots; two through carrier and hub, left and right. Pull them tight and cut what is over.",
+        text: "Put two ties through the holes of hub and bracket, in front and at the rear, and out by the bracket's slots; two through the hub's holes left and right. Where there is a carrier, all four go through it, too. Pull them tight and cut what is over.",
         tool: "side cutter",
         minutes: 4.0,
         ..GLUED
