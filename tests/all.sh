@@ -317,22 +317,25 @@ khronos_validates_glbs() {
     fi
 }
 
-# Every page is there: one for the title and one a step.
+# Every page is there: one for the title, half a one for each mount and for the propellers' directions, and one a step of the fold.
 qpdf_reads_instructions() {
     heading "qpdf reads the instructions"
     if ! from_debian qpdf qpdf; then
         skipped "qpdf" "not installed"
         return
     fi
-    local file pages steps name
+    local file pages wanted name before folds after
     for file in "$built"/*/instructions.pdf; do
         name=${file#"$built/"}
-        steps=$(grep -c '"number":' "${file%/*}/fold.json")
+        before=$(grep -c '"stage": "before_fold"' "${file%/*}/fold.json")
+        folds=$(grep -c '"stage": "fold"' "${file%/*}/fold.json")
+        after=$(grep -c '"stage": "after_fold"' "${file%/*}/fold.json")
+        wanted=$((1 + (before + 1) / 2 + folds + (after + 2) / 2))
         pages=$(qpdf --show-npages "$file")
-        if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == $((steps + 1)) ]]; then
+        if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == "$wanted" ]]; then
             ok "qpdf $name"
         else
-            failed "qpdf $name" "$pages pages for $steps steps; $(tail -1 "$work/qpdf.log")"
+            failed "qpdf $name" "$pages pages, not $wanted; $(tail -1 "$work/qpdf.log")"
         fi
     done
 }

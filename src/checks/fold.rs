@@ -7,12 +7,14 @@ use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, fold_inputs, sweeps};
+use crate::frame::mounting::Mounting;
 
 const HOLD: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
 const PLUG: &[&str] = &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"];
 const ORDER: &[&str] = &["rods.strut_rod_length_mm", "motor_mount.motor_position_mm", "corner.corner_node_to_bottom_mm"];
 const NOTCH: &[&str] = &["corner.notch_half_angle_deg"];
 const WAY: &[&str] = &["motor_mount.motor_position_mm", "rods.strut_rod_length_mm"];
+const MOUNTED: &[&str] = &["bracket.bay_height_mm", "camera.camera_reach_mm", "lid.lid_slide_clearance_mm"];
 const FLAT: &[&str] = &["rods.arm_rod_length_mm"];
 
 pub static RULE: Rule = Rule {
@@ -21,7 +23,7 @@ pub static RULE: Rule = Rule {
     requires: "a sequence exists in which the frame can be assembled",
     units: &["", "mm", "deg", "mm3", "steps"],
     limits: &[],
-    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, FLAT]),
+    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, MOUNTED, FLAT]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &["fold: hold", "fold: notch", "fold: flat", "fold"], binds: true },
     found: Found::By(&[Pass::quick(check), Pass::slow(way)]),
@@ -66,14 +68,27 @@ fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
     let message = match met {
         Some((step, m)) => {
             let [a, b] = &m.bodies;
-            format!(
-                "step {}, {}: {a} and {b} share {:.2} mm3 on the way, {:.2} mm3 are meant",
-                step.number, step.title, m.shared_mm3, m.allowed_mm3
-            )
+            format!("{}: {a} and {b} share {:.2} mm3 on the way, {:.2} mm3 are meant", step.title, m.shared_mm3, m.allowed_mm3)
         }
         None => format!("nothing is in the way of any step: {pairs} pairs of pieces that move to each other"),
     };
     measure(value, 0.0, "mm3", WAY).at_most("fold: way".into(), message)
+}
+
+/// What is in the way of a mount.
+fn mounted(scene: &Scene, fold: &FoldSequence) -> Finding {
+    let mounting = Mounting::new(scene.design, fold);
+    let worst = mounting.steps().max_by(|a, b| a.sweep.beyond_mm3.total_cmp(&b.sweep.beyond_mm3));
+    let value = worst.map_or(0.0, |step| step.sweep.beyond_mm3);
+    let pairs: usize = mounting.steps().map(|step| step.sweep.pairs).sum();
+    let message = match worst.and_then(|step| step.sweep.meetings.first().map(|meeting| (step, meeting))) {
+        Some((step, m)) => {
+            let [a, b] = &m.bodies;
+            format!("{}: {a} and {b} share {:.2} mm3 on the way into place, {:.2} mm3 are meant", step.title, m.shared_mm3, m.allowed_mm3)
+        }
+        None => format!("nothing is in the way of what is mounted: {pairs} pairs of bodies"),
+    };
+    measure(value, 0.0, "mm3", MOUNTED).at_most("mounting: way".into(), message)
 }
 
 /// The module on a table, before the first step.
@@ -123,7 +138,7 @@ fn of_sequence(scene: &Scene) -> (bool, Vec<Finding>) {
 /// Nothing is in the way of a step; without a sequence there is nothing to say.
 pub(super) fn way(scene: &Scene) -> Vec<Finding> {
     let fold = FoldSequence::new(&scene.design.frame, &scene.design.skeleton);
-    fold.iter().map(|fold| in_the_way(scene, fold)).collect()
+    fold.iter().flat_map(|fold| [in_the_way(scene, fold), mounted(scene, fold)]).collect()
 }
 
 #[cfg(test)]

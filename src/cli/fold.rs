@@ -13,9 +13,10 @@ use super::terminal;
 use crate::export::{fold_glb, fold_json};
 use crate::frame::assembly::{Design, mass};
 use crate::frame::fold::{FoldSequence, sweeps};
+use crate::frame::mounting::{MountStep, Mounting};
 use crate::report::booklet::content::Booklet;
 use crate::report::booklet::{booklet_html, booklet_pdf};
-use crate::report::picture::fold_scene;
+use crate::report::picture::{fold_scene, mount_scene};
 
 /// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
 #[derive(Debug, clap::Args)]
@@ -63,11 +64,20 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         };
         terminal::print(&String::from_utf8_lossy(&steps))?;
     } else if !common.quiet {
-        let steps = sequence.steps.iter().filter(|s| args.step.is_none_or(|number| number == s.number));
-        let lines = steps.map(|s| format!("{:>2}  {} x  {}\n", s.number, s.repeats, s.title));
+        let all = titles(&design, &sequence).into_iter().enumerate().map(|(at, title)| (at + 1, title));
+        let lines = all.filter(|(at, _)| args.step.is_none_or(|number| number == *at));
+        let lines = lines.map(|(number, (repeats, title))| format!("{number:>2}  {repeats} x  {title}\n"));
         terminal::print(&format!("{}{}: {} files\n", lines.collect::<String>(), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// All steps in their order: how often, and what.
+fn titles(design: &Design, sequence: &FoldSequence) -> Vec<(usize, &'static str)> {
+    let mounting = Mounting::new(design, sequence);
+    let mounts = |steps: &[MountStep]| steps.iter().map(|step| (1, step.title)).collect::<Vec<_>>();
+    let folds = sequence.steps.iter().map(|step| (step.repeats, step.title));
+    mounts(&mounting.before).into_iter().chain(folds).chain(mounts(&mounting.after)).collect()
 }
 
 fn failed(error: std::io::Error) -> Failure {
@@ -78,13 +88,23 @@ fn steps_as_json(design: &Design, sequence: &FoldSequence) -> Result<Vec<u8>, Fa
     fold_json::fold_json(design, sequence, &sweeps(design, sequence)).map_err(|error| failed(error.into()))
 }
 
-/// Before and after of one step.
+/// Before and after of one step; of a mount the one picture there is.
 fn step_pictures(design: &Design, sequence: &FoldSequence, number: usize) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let Some(at) = number.checked_sub(1).filter(|at| *at < sequence.steps.len()) else {
-        return Err(Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {}", sequence.steps.len()) });
-    };
-    let [before, after] = fold_scene::step(design, sequence, at);
-    Ok(vec![("before.png".into(), before.png()), ("after.png".into(), after.png())])
+    let mounting = Mounting::new(design, sequence);
+    let (before, folds) = (mounting.before.len(), sequence.steps.len());
+    let mount = |step: &MountStep| vec![("mount.png".to_string(), mount_scene::mount(design, step).png())];
+    let last = before + folds + mounting.after.len();
+    match number.checked_sub(1) {
+        Some(at) if at < before => Ok(mount(&mounting.before[at])),
+        Some(at) if at < before + folds => {
+            let pictures = fold_scene::step(design, sequence, at - before);
+            let names: &[&str] =
+                if pictures.len() == 2 { &["before.png", "after.png"] } else { &["before.png", "between.png", "after.png"] };
+            Ok(names.iter().zip(&pictures).map(|(name, picture)| ((*name).to_string(), picture.png())).collect())
+        }
+        Some(at) if at < last => Ok(mount(&mounting.after[at - before - folds])),
+        _ => Err(Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") }),
+    }
 }
 
 fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
@@ -100,9 +120,13 @@ fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, V
         ("exploded.png".into(), booklet.apart.png()),
     ];
     for (index, page) in booklet.pages.iter().enumerate() {
-        for (picture, after) in page.pictures.iter().zip([false, true]) {
-            files.push((booklet_html::picture_name(index + 1, after), picture.png()));
+        for (at, picture) in page.pictures.iter().enumerate() {
+            files.push((booklet_html::picture_name(index + 1, at, page.pictures.len()), picture.png()));
         }
+    }
+    for (panels, after) in [(&booklet.before, false), (&booklet.after, true)] {
+        let named = panels.iter().enumerate().map(|(at, panel)| (booklet_html::panel_name(at, after), panel.picture.png()));
+        files.extend(named);
     }
     Ok(files)
 }

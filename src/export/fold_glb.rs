@@ -17,6 +17,7 @@ use serde_json::json;
 
 use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
+use super::mount_motion::MountMotion;
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
 use crate::frame::skeleton::module_turn;
@@ -37,16 +38,23 @@ struct Actor {
     chains: Chains,
 }
 
-/// The fold of a design.
+/// The mounts' motion, and the node of each body.
+struct Stage {
+    motion: MountMotion,
+    nodes: Vec<Index<Node>>,
+}
+
+/// The fold of a design, with what is mounted before and after it.
 ///
 /// # Errors
 /// When the header cannot be written as JSON.
 pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
+    let motion = MountMotion::new(design, fold);
     let mut file = GlbFile::new();
     file.describe(&json!({
         "frame": design.frame.name,
         "units": "metre; the frame's own axes, X right, Y front, Z up, hang below the node `frame`",
-        "steps": fold.steps.iter().map(|step| step.title).collect::<Vec<_>>(),
+        "steps": motion.titles(fold),
     }))?;
     let hinged: Vec<(Member, Vec<Hinge>)> = HINGED.iter().map(|m| (*m, hinges(&design.frame, fold.module.bends(*m)))).collect();
     for shape in &design.shapes {
@@ -70,9 +78,9 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
         }));
         children.push(node);
     }
-    file.add_frame_node(&design.frame.name, children);
+    file.add_frame_node(&design.frame.name, children.clone());
     file.add_to_scene(skinned);
-    file.animate(design, fold, &actors);
+    file.animate(design, fold, &actors, &Stage { motion, nodes: children });
     file.into_bytes()
 }
 
@@ -193,50 +201,81 @@ impl GlbFile {
     }
 
     /// One animation a step and one with all of them.
-    fn animate(&mut self, design: &Design, fold: &FoldSequence, actors: &[Actor]) {
+    fn animate(&mut self, design: &Design, fold: &FoldSequence, actors: &[Actor], stage: &Stage) {
         let rules = fold.rules(&design.frame, &design.skeleton);
         let order: Vec<Task> = fold.order();
+        let titles = stage.motion.titles(fold);
+        let begins = stage.motion.before;
         let mut all: Vec<Moment> = Vec::new();
         let mut done = Done::new();
-        for (at, step) in fold.steps.iter().enumerate() {
-            let shown = moments(&rules, &order, &done, step.task);
-            self.add_animation(&format!("{:02} {}", step.number, step.title), &shown, actors);
-            let start_s = STEP_S * at as f64;
-            // A step begins where the last one ended.
-            let fresh = shown.into_iter().skip(usize::from(at > 0));
-            all.extend(fresh.map(|moment| Moment { at_s: start_s + moment.at_s, ..moment }));
-            done.insert(step.task);
+        for (number, title) in titles.iter().enumerate() {
+            let mut animation = named(format!("{:02} {title}", number + 1));
+            if let Some(step) = number.checked_sub(begins).and_then(|at| fold.steps.get(at)) {
+                let shown = moments(&rules, &order, &done, step.task);
+                self.add_fold(&mut animation, &shown, actors);
+                let start_s = STEP_S * number as f64;
+                // A step begins where the last one ended.
+                let fresh = shown.into_iter().skip(usize::from(number > begins));
+                all.extend(fresh.map(|moment| Moment { at_s: start_s + moment.at_s, ..moment }));
+                done.insert(step.task);
+            }
+            self.add_stage(&mut animation, design, stage, [number, number + 1]);
+            self.root.push(animation);
         }
-        self.add_animation("all", &all, actors);
+        let mut animation = named("all".into());
+        self.add_fold(&mut animation, &all, actors);
+        self.add_stage(&mut animation, design, stage, [0, titles.len()]);
+        self.root.push(animation);
     }
 
-    fn add_animation(&mut self, name: &str, shown: &[Moment], actors: &[Actor]) {
+    /// The motion of the modules.
+    fn add_fold(&mut self, animation: &mut Animation, shown: &[Moment], actors: &[Actor]) {
         let times: Vec<f64> = shown.iter().map(|moment| moment.at_s).collect();
         let input = self.add_times(&times);
-        let mut animation =
-            Animation { extensions: None, extras: None, channels: Vec::new(), name: Some(name.into()), samplers: Vec::new() };
         for actor in actors {
             let about = module_turn(actor.module);
             let poses: Vec<Isometry3<f64>> = shown.iter().map(|moment| about * moment.pose(actor.member) * actor.roll).collect();
             let places: Vec<Vec<f32>> = poses.iter().map(|pose| metres(&pose.translation.vector).to_vec()).collect();
             let turns = steady(poses.iter().map(|pose| pose.rotation));
-            self.add_track(&mut animation, input, actor.node, Property::Translation, &places);
-            self.add_track(&mut animation, input, actor.node, Property::Rotation, &turns);
+            self.add_track(animation, input, actor.node, Property::Translation, &places);
+            self.add_track(animation, input, actor.node, Property::Rotation, &turns);
             for (index, (hinge, nodes)) in actor.chains.iter().enumerate() {
                 let turns = steady(shown.iter().map(|moment| share(hinge, moment.fold_deg(actor.member, index))));
                 for node in nodes {
-                    self.add_track(&mut animation, input, *node, Property::Rotation, &turns);
+                    self.add_track(animation, input, *node, Property::Rotation, &turns);
                 }
             }
         }
-        self.root.push(animation);
+    }
+
+    /// The motion of the centre's bodies from one step to another; what no step has taken in hand yet is hidden.
+    fn add_stage(&mut self, animation: &mut Animation, design: &Design, stage: &Stage, [first, last]: [usize; 2]) {
+        let steps: Vec<usize> = (first..=last).collect();
+        let times: Vec<f64> = steps.iter().map(|step| STEP_S * (step - first) as f64).collect();
+        let input = self.add_times(&times);
+        for ((index, body), node) in design.bodies.iter().enumerate().zip(&stage.nodes) {
+            if body.module.is_none() {
+                let at = |step: &usize| metres(&(body.pose.translation.vector + stage.motion.off_mm(&body.name, *step))).to_vec();
+                let places: Vec<Vec<f32>> = steps.iter().map(at).collect();
+                self.add_track(animation, input, *node, Property::Translation, &places);
+            }
+            let appears = stage.motion.first[index];
+            if appears > first {
+                let last = steps.len() - 1;
+                let size = |(at, step): (usize, &usize)| vec![if at == last && last == 1 || *step < appears { 0.0 } else { 1.0 }; 3];
+                let sizes: Vec<Vec<f32>> = steps.iter().enumerate().map(size).collect();
+                self.add_track(animation, input, *node, Property::Scale, &sizes);
+            }
+        }
     }
 
     fn add_track(&mut self, animation: &mut Animation, input: Index<Accessor>, node: Index<Node>, path: Property, rows: &[Vec<f32>]) {
         let kind = if path == Property::Rotation { Type::Vec4 } else { Type::Vec3 };
         let output = self.shared_numbers(rows, kind);
         let sampler = Index::new(animation.samplers.len() as u32);
-        let interpolation = Checked::Valid(Interpolation::Linear);
+        // What appears does so at once.
+        let between = if path == Property::Scale { Interpolation::Step } else { Interpolation::Linear };
+        let interpolation = Checked::Valid(between);
         animation.samplers.push(Sampler { extensions: None, extras: None, input, interpolation, output });
         let target = Track { extensions: None, extras: None, node, path: Checked::Valid(path) };
         animation.channels.push(Channel { sampler, target, extensions: None, extras: None });
@@ -251,6 +290,10 @@ impl GlbFile {
         self.last_numbers = Some((index, rows.to_vec()));
         index
     }
+}
+
+fn named(name: String) -> Animation {
+    Animation { extensions: None, extras: None, channels: Vec::new(), name: Some(name), samplers: Vec::new() }
 }
 
 /// Quaternions of a motion, each on the side of the one before: q and -q are the same turn but not between them.

@@ -14,6 +14,7 @@ mod fold_skin;
 mod format;
 pub mod glb;
 pub mod manifest;
+mod mount_motion;
 pub mod simulator;
 pub mod step;
 pub mod stl;

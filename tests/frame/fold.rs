@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use flexframe::export::{fold_glb, glb, stl};
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, TABLE_MM, Task, sweeps};
+use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, STEP_S, TABLE_MM, Task, sweeps};
+use flexframe::frame::mounting::Mounting;
 use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
 use flexframe::report::booklet::content::Booklet;
@@ -167,7 +168,9 @@ impl Played<'_> {
                         let turned = q(all[before]).slerp(&q(all[after]), t);
                         local.1 = [turned.i, turned.j, turned.k, turned.w];
                     }
-                    _ => panic!("only turns and moves"),
+                    // What is hidden has no size; where it stands is the same.
+                    ReadOutputs::Scales(_) => {}
+                    _ => panic!("only turns, moves and sizes"),
                 }
             }
         }
@@ -201,7 +204,8 @@ fn analytic_the_animation_ends_in_the_assembled_frame() {
     let (moving, frame) = (gltf::Gltf::from_slice(&bytes).expect("reads"), gltf::Gltf::from_slice(&still).expect("reads"));
     let played = Played { document: &moving.document, blob: moving.blob.as_deref().expect("a chunk") };
     let stands = Played { document: &frame.document, blob: frame.blob.as_deref().expect("a chunk") };
-    assert_eq!(moving.animations().count(), sequence.steps.len() + 1);
+    let mounts = Mounting::new(&design, &sequence).steps().count();
+    assert_eq!(moving.animations().count(), mounts + sequence.steps.len() + 1);
     let wanted = stands.global(None);
     for shown in [played.global(Some(("all", 1e9))), played.global(None)] {
         for body in &design.bodies {
@@ -342,6 +346,31 @@ fn planted_flat_states() {
 }
 
 #[test]
+fn analytic_nothing_is_seen_before_its_step() {
+    let design = Design::with(Frame::load("cognifly").expect("a preset").0, common::memo()).expect("designs");
+    let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let mounting = Mounting::new(&design, &sequence);
+    let moving = gltf::Gltf::from_slice(&fold_glb::fold(&design, &sequence).expect("a file")).expect("reads");
+    let blob = moving.blob.as_deref().expect("a chunk");
+    let all = moving.animations().find(|animation| animation.name() == Some("all")).expect("the animation");
+    for body in &design.bodies {
+        let first = mounting.first_step(&sequence, &body.name).expect("a step is about it");
+        let sizes = all.channels().find_map(|channel| {
+            let reader = channel.reader(|_| Some(blob));
+            let of = channel.target().node().name() == Some(&body.name);
+            match reader.read_outputs().filter(|_| of)? {
+                ReadOutputs::Scales(sizes) => Some(reader.read_inputs()?.zip(sizes).collect::<Vec<_>>()),
+                _ => None,
+            }
+        });
+        let hidden = sizes.iter().flatten().filter(|(_, size)| size[0] == 0.0).map(|(at, _)| *at).fold(-1.0, f32::max);
+        let seen = sizes.iter().flatten().filter(|(_, size)| size[0] == 1.0).map(|(at, _)| *at).fold(f32::INFINITY, f32::min);
+        let begins = first as f32 * STEP_S as f32;
+        assert!(hidden < begins.max(1e-6) && (first == 0 || (seen - begins).abs() < 1e-4), "{}: {hidden} {seen} {begins}", body.name);
+    }
+}
+
+#[test]
 fn regress_instructions_have_every_step_and_need_nothing_else() {
     let design = designed("cognifly-mini");
     let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
@@ -349,6 +378,7 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
     let page = booklet_html::html(&booklet);
     assert!(!page.contains("http") && !page.contains("<script"), "fetches something");
     assert_eq!(page.matches("<section>").count(), sequence.steps.len());
+    assert_eq!(page.matches("<section class=\"half\">").count(), Mounting::new(&design, &sequence).steps().count() + 1);
     for step in &sequence.steps {
         assert!(page.contains(step.title) && step.caution.is_none_or(|caution| page.contains(caution)), "{}", step.title);
     }

@@ -12,6 +12,7 @@ mod measured_overlap;
 mod measured_parts;
 mod measured_skeleton;
 mod mechanics;
+mod mounting;
 mod numbers;
 mod plates;
 mod random_frames;

@@ -494,15 +494,15 @@ fn analytic_export_writes_the_formats_that_are_asked_for() {
 #[test]
 fn regress_fold_draws_one_step() {
     let bench = Bench::new("base = \"cognifly\"\n");
-    let output = bench.run("fold", &["--step", "9", "--png", "-q"]);
+    let output = bench.run("fold", &["--step", "18", "--png", "-q"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let folder = Path::new(&bench.path("out")).join("frame-step-9");
+    let folder = Path::new(&bench.path("out")).join("frame-step-18");
     for name in ["before.png", "after.png"] {
         assert!(fs::read(folder.join(name)).expect("is written").starts_with(b"\x89PNG"), "{name}");
     }
-    let output = bench.run("fold", &["--step", "16", "--png"]);
+    let output = bench.run("fold", &["--step", "35", "--png"]);
     assert_eq!(output.status.code(), Some(2));
-    assert_says(&text(&output.stderr), &["there is no step 16", "1 to 15"]);
+    assert_says(&text(&output.stderr), &["there is no step 35", "1 to 34"]);
 }
 
 #[test]

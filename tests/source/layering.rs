@@ -27,7 +27,7 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 33] = [
+const LAYERS: [(&str, &[&str]); 34] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
@@ -38,6 +38,7 @@ const LAYERS: [(&str, &[&str]); 33] = [
     ("frame/parts", &["units", "params", "solid", "frame/skeleton"]),
     ("frame/assembly", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts"]),
     ("frame/fold", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
+    ("frame/mounting", &["memo", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability"]),
     ("printing/weighing", &["units", "params", "frame/assembly"]),
@@ -55,12 +56,27 @@ const LAYERS: [(&str, &[&str]); 33] = [
             "frame/parts",
             "frame/assembly",
             "frame/fold",
+            "frame/mounting",
             "printing/printability",
             "mechanics",
         ],
     ),
     ("checks/gate", &["markdown", "params", "frame/assembly", "checks"]),
-    ("export", &["units", "markdown", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold", "printing/plates", "mechanics"]),
+    (
+        "export",
+        &[
+            "units",
+            "markdown",
+            "params",
+            "solid",
+            "frame/skeleton",
+            "frame/assembly",
+            "frame/fold",
+            "frame/mounting",
+            "printing/plates",
+            "mechanics",
+        ],
+    ),
     ("impact/body", &["frame/assembly", "checks"]),
     ("impact/effects", &["units", "params", "impact/body"]),
     ("impact/sim", &["units", "impact/body", "impact/effects"]),
@@ -97,6 +113,7 @@ const LAYERS: [(&str, &[&str]); 33] = [
             "frame/skeleton",
             "frame/assembly",
             "frame/fold",
+            "frame/mounting",
             "printing/printability",
             "printing/plates",
             "printing/weighing",
@@ -126,6 +143,7 @@ const LAYERS: [(&str, &[&str]); 33] = [
             "params",
             "frame/assembly",
             "frame/fold",
+            "frame/mounting",
             "printing/plates",
             "printing/weighing",
             "printing/coupon",

@@ -67,16 +67,8 @@ pub fn files(model: &SimulatorModel, formats: &[SimulatorFormat]) -> Result<Vec<
     Ok(files)
 }
 
-/// The record as it is written.
-#[derive(serde::Serialize)]
-struct Versioned<'a> {
-    schema_version: u32,
-    #[serde(flatten)]
-    model: &'a SimulatorModel,
-}
-
 fn json(model: &SimulatorModel) -> Result<Vec<u8>, ExportError> {
-    let mut text = serde_json::to_string_pretty(&Versioned { schema_version: 1, model }).map_err(ExportError::of("simulator.json"))?;
+    let mut text = serde_json::to_string_pretty(model).map_err(ExportError::of("simulator.json"))?;
     text.push('\n');
     Ok(text.into_bytes())
 }

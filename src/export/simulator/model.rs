@@ -120,6 +120,8 @@ pub struct SeenRod {
 /// A frame for simulators.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SimulatorModel {
+    /// Version of this record's keys.
+    pub schema_version: u32,
     /// The frame's name.
     pub name: String,
     /// One line about it.
@@ -158,6 +160,7 @@ impl SimulatorModel {
         balance(&mut motors, &whole);
         let ground_mm = ground_mm(design);
         Self {
+            schema_version: 1,
             name: design.frame.name.clone(),
             description: design.frame.description.clone(),
             generator: format!("flexframe {}", env!("CARGO_PKG_VERSION")),

@@ -25,6 +25,19 @@ impl Spin {
         }
     }
 
+    /// The sign of the propeller's own turn about Z, up.
+    pub fn sign(self) -> f64 {
+        -self.reaction()
+    }
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Clockwise => "clockwise",
+            Self::CounterClockwise => "counter-clockwise",
+        }
+    }
+
     /// The abbreviation that firmware uses.
     pub fn abbreviation(self) -> &'static str {
         match self {

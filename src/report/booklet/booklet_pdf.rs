@@ -1,7 +1,8 @@
-//! The instructions as a PDF: A4, a title page and a page a step.
+//! The instructions as a PDF: A4, a title page, two mounts a page, and a page a step of the fold.
 
 use super::pdf_document::{PdfDocument, PdfSheet};
-use crate::report::booklet::content::{Booklet, Page};
+use crate::frame::mounting::PartLine;
+use crate::report::booklet::content::{Booklet, Page, Panel, part_words};
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::lettering::Lettering;
 
@@ -18,6 +19,13 @@ const LEADING: f32 = 1.35;
 /// Width of a step's pictures and of the one on the title page, points.
 const WIDTHS: [f32; 2] = [420.0, 270.0];
 
+/// Mounts on a sheet, the width of a mount's picture, and where the column of its parts begins, points.
+const PANELS: usize = 2;
+const PANEL_PICTURE: f32 = 335.0;
+const PANEL_PARTS: f32 = 345.0;
+/// Points in a millimetre.
+const MM: f32 = 72.0 / 25.4;
+
 /// The typeface inside cannot be read, so there is no PDF.
 #[derive(Debug, thiserror::Error)]
 #[error("cannot make the PDF: its typeface does not read")]
@@ -31,19 +39,36 @@ pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
     let lettering = Lettering::new().ok_or(PdfError)?;
     let title = format!("{}: how to put it together", booklet.frame);
     let mut document = PdfDocument::new(&lettering, PAPER, &title);
-    for number in 0..=booklet.pages.len() {
+    let pages = sheets(booklet);
+    for (number, content) in pages.iter().enumerate() {
         let width = PAPER[0] - 2.0 * MARGIN;
         let page = document.sheet();
         let mut sheet = Sheet { document: &mut document, page, lettering: &lettering, y: MARGIN, left: MARGIN, width };
-        match number.checked_sub(1).and_then(|index| booklet.pages.get(index)) {
-            Some(step) => sheet.step(step),
-            None => sheet.title(&title, booklet),
+        match content {
+            Content::Title => sheet.title(&title, booklet),
+            Content::Panels(panels) => sheet.panels(panels),
+            Content::Step(step) => sheet.step(step),
         }
-        sheet.foot(&format!("{}, page {} of {}", booklet.frame, number + 1, booklet.pages.len() + 1));
+        sheet.foot(&format!("{}, page {} of {}", booklet.frame, number + 1, pages.len()));
         let page = sheet.page;
         document.add(page);
     }
     Ok(document.bytes())
+}
+
+/// What is on a sheet.
+enum Content<'a> {
+    Title,
+    Panels(&'a [Panel]),
+    Step(&'a Page),
+}
+
+fn sheets(booklet: &Booklet) -> Vec<Content<'_>> {
+    let mut sheets = vec![Content::Title];
+    sheets.extend(booklet.before.chunks(PANELS).map(Content::Panels));
+    sheets.extend(booklet.pages.iter().map(Content::Step));
+    sheets.extend(booklet.after.chunks(PANELS).map(Content::Panels));
+    sheets
 }
 
 /// A sheet that is written from the top.
@@ -113,16 +138,60 @@ impl Sheet<'_, '_> {
         (self.left, self.width) = (left, width);
     }
 
+    fn panels(&mut self, panels: &[Panel]) {
+        for (at, panel) in panels.iter().enumerate() {
+            self.y = MARGIN + at as f32 * 0.5 * (PAPER[1] - 2.0 * MARGIN);
+            self.panel(panel);
+        }
+    }
+
+    fn panel(&mut self, panel: &Panel) {
+        self.words(&panel.heading, HEADING - 4.0);
+        self.words(&panel.facts, TEXT - 1.0);
+        self.gap(4.0);
+        let (top, left, width) = (self.y, self.left, self.width);
+        self.width = PANEL_PICTURE;
+        self.picture(&panel.picture, PANEL_PICTURE);
+        self.words(panel.held, SMALL);
+        let below = self.y;
+        (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
+        panel.parts.iter().for_each(|line| self.part(line));
+        (self.y, self.left, self.width) = (below + 2.0, left, width);
+        self.words(&panel.text, TEXT - 1.0);
+        if let Some(caution) = &panel.caution {
+            self.gap(2.0);
+            self.words(&format!("Caution. {caution}"), TEXT - 1.0);
+        }
+    }
+
+    /// A line of parts; of a screw its outline, as large as it is.
+    fn part(&mut self, line: &PartLine) {
+        self.words(&part_words(line), TEXT - 1.0);
+        let (Some([thread, length]), Some([wide, high])) = (line.screw_mm, line.head_mm) else { return };
+        let [thread, length, wide, high] = [thread, length, wide, high].map(|mm| mm as f32 * MM);
+        self.gap(5.0);
+        let at = [self.left, self.y];
+        self.document.frame(&mut self.page, at, [high, wide]);
+        self.document.frame(&mut self.page, [at[0] + high, at[1] + 0.5 * (wide - thread)], [length, thread]);
+        self.y += wide;
+        self.words("1:1", SMALL);
+    }
+
     fn step(&mut self, step: &Page) {
         self.words(&step.heading, HEADING);
         self.words(&step.facts, TEXT);
         self.gap(5.0);
-        for (picture, caption) in step.pictures.iter().zip(["Before", "After"]) {
-            self.picture(picture, WIDTHS[0]);
+        let width = WIDTHS[0] * 2.0 / step.pictures.len().max(2) as f32;
+        for (picture, caption) in step.pictures.iter().zip(step.captions()) {
+            self.picture(picture, width);
             self.words(caption, SMALL);
             self.gap(3.0);
         }
         self.words(&step.text, TEXT);
+        for line in &step.parts {
+            self.gap(2.0);
+            self.part(line);
+        }
         for line in &step.measures {
             self.gap(2.0);
             self.words(line, TEXT - 1.0);

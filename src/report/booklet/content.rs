@@ -1,11 +1,16 @@
-//! The instructions as a value: title page, one page a step. Two files are written from it.
+//! The instructions as a value: title page, half a page a mount, one page a step of the fold. Two files are written from it.
 
+use crate::export::bill::bill;
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::fold::{FoldBend, FoldSequence, Step};
+use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, without_a_step};
+use crate::frame::skeleton::{MODULE_NAMES, ROTORS};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
+use crate::report::picture::mount_scene::{self, Held};
+use crate::report::picture::propeller_scene;
 use rayon::prelude::*;
 
 /// Instructions to be printed.
@@ -20,8 +25,30 @@ pub struct Booklet {
     pub parts: Vec<[String; 3]>,
     /// A line a stock length: what to cut from it.
     pub cuts: Vec<String>,
-    /// The steps.
+    /// What is mounted before the fold, two on a sheet.
+    pub before: Vec<Panel>,
+    /// The steps of the fold, each on a sheet.
     pub pages: Vec<Page>,
+    /// What is mounted after it, two on a sheet, behind the directions of the propellers.
+    pub after: Vec<Panel>,
+}
+
+/// Half a sheet: one picture, the parts beside it.
+pub struct Panel {
+    /// Number and title.
+    pub heading: String,
+    /// How long, with what, what keeps it.
+    pub facts: String,
+    /// What to do.
+    pub text: String,
+    /// What to take care of.
+    pub caution: Option<String>,
+    /// What is taken in hand for the first time.
+    pub parts: Vec<PartLine>,
+    /// What comes, with its arrow.
+    pub picture: Picture,
+    /// How the picture is held.
+    pub held: &'static str,
 }
 
 /// A step on paper.
@@ -36,37 +63,132 @@ pub struct Page {
     pub measures: Vec<String>,
     /// What to take care of.
     pub caution: Option<String>,
-    /// Before, with arrows, and after.
-    pub pictures: [Picture; 2],
+    /// What is taken in hand for the first time.
+    pub parts: Vec<PartLine>,
+    /// Before, with arrows, half done where a loop is closed, and after.
+    pub pictures: Vec<Picture>,
 }
 
 impl Booklet {
     /// The instructions of a frame.
     pub fn new(design: &Design, masses: &MassTable, fold: &FoldSequence) -> Self {
-        let minutes: f64 = fold.steps.iter().map(|step| step.minutes).sum();
-        let pages = fold.steps.par_iter().enumerate().map(|(at, step)| Page::new(design, fold, step, at)).collect();
-        let preface = vec![
-            format!(
-                "{} steps, about {minutes:.0} minutes. Print the parts flat, as they lie in their files; cut the rods; lay everything out.",
-                fold.steps.len()
-            ),
-            "Carbon dust harms lungs, eyes and skin: cut the rods wet, under a mask, with glasses and gloves, and wipe them before use."
-                .into(),
-            "Glue belongs only on a rod that is loose in its bore. Never glue a hinge, nor the plugs in the hub: they let go in a crash."
-                .into(),
-            "In the pictures what moves is dark, what it is joined to is less dark, and the rest is pale. They show one module; \
-             a step that says 4 x is done at each of the four. What sits on the hub is mounted before."
-                .into(),
-        ];
+        let mounting = Mounting::new(design, fold);
+        let folded = fold.steps.iter().map(|step| step.minutes);
+        let minutes: f64 = folded.chain(mounting.steps().map(|step| step.minutes)).sum();
+        let first = mounting.before.len();
+        let panels = |steps: &[MountStep], from: usize| -> Vec<Panel> {
+            steps.par_iter().enumerate().map(|(at, step)| Panel::new(design, step, from + at)).collect()
+        };
+        let page = |(at, step): (usize, &Step)| Page::new(design, fold, step, (at, first), mounting.fold_parts.get(at));
+        let mut after = vec![propellers(design)];
+        after.extend(panels(&mounting.after, first + fold.steps.len()));
         Self {
             frame: design.frame.name.clone(),
-            preface,
+            preface: preface(&mounting, fold.steps.len(), minutes, &forgotten(design, masses, &mounting)),
             apart: fold_scene::apart(design, fold),
             parts: parts(masses),
             cuts: cuts(design),
-            pages,
+            before: panels(&mounting.before, 0),
+            pages: fold.steps.par_iter().enumerate().map(page).collect(),
+            after,
         }
     }
+}
+
+fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]) -> Vec<String> {
+    let (before, after) = (mounting.before.len(), mounting.after.len());
+    let mut lines = vec![
+        format!(
+            "{} steps, about {minutes:.0} minutes: {before} put hub and electronics together, {folds} fold the frame, {after} finish it. \
+             Print the parts flat, as they lie in their files; cut the rods; lay everything out.",
+            before + folds + after
+        ),
+        "Carbon dust harms lungs, eyes and skin: cut the rods wet, under a mask, with glasses and gloves, and wipe them before use.".into(),
+        "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. Of the \
+         rods only one that is loose in its bore is glued. Never glue a hinge, nor the plugs in the hub: they let go in a crash."
+            .into(),
+        "In the pictures what moves is dark, what it is joined to is less dark, and the rest is pale. Those of the fold show one module; a \
+         step that says 4 x is done at each of the four."
+            .into(),
+    ];
+    if !forgotten.is_empty() {
+        lines.push(format!("Of the bill no step says where these go: {}.", forgotten.join(", ").replace('_', " ")));
+    }
+    lines
+}
+
+/// Lines of the bill that are in no step.
+fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<String> {
+    let bill = bill(design, masses, None);
+    let print = bill.print.iter().map(|line| (line.part.to_string(), f64::from(line.quantity)));
+    let rods = bill.rods.iter().map(|line| (line.rod.clone(), f64::from(line.quantity)));
+    let covers = |role: &str| design.frame.extras.get(role).is_some_and(|extra| !extra.covers.is_empty());
+    let buy = bill.buy.iter().filter(|line| line.role != "rod" && !covers(&line.role));
+    without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts())
+}
+
+/// Which way the propellers turn.
+fn propellers(design: &Design) -> Panel {
+    let place = |name: &str| match name {
+        "FR" => "front right",
+        "FL" => "front left",
+        "BL" => "rear left",
+        _ => "rear right",
+    };
+    let mut motors: Vec<(u32, String)> = MODULE_NAMES
+        .iter()
+        .enumerate()
+        .map(|(module, name)| (ROTORS[module].number, format!("{}, {}", place(name), ROTORS[module].spin.words())))
+        .collect();
+    motors.sort();
+    let motors: Vec<String> = motors.into_iter().map(|(number, words)| format!("motor {number} {words}")).collect();
+    Panel {
+        heading: "Which way the propellers turn".into(),
+        facts: "Seen from above, the front up".into(),
+        text: format!(
+            "Of the four propellers two turn each way: {}. The raised edge of a blade goes first. This is the usual numbering of flight \
+             controllers, \"props in\".",
+            motors.join("; ")
+        ),
+        caution: Some("Try the motors without propellers first.".into()),
+        parts: Vec::new(),
+        picture: propeller_scene::rotations(design),
+        held: "The front is up.",
+    }
+}
+
+impl Panel {
+    fn new(design: &Design, step: &MountStep, at: usize) -> Self {
+        Self {
+            heading: format!("{}. {}", at + 1, step.title),
+            facts: format!("once, {:.0} min; {}; {}", step.minutes, step.tool, fixed(step.fixing)),
+            text: step.text.into(),
+            caution: step.caution.map(Into::into),
+            parts: step.parts.clone(),
+            picture: mount_scene::mount(design, step),
+            held: Held::of(step).words(),
+        }
+    }
+}
+
+fn fixed(fixing: Fixing) -> String {
+    match fixing {
+        Fixing::Screws(role) => format!("held by the {}s", role.replace('_', " ")),
+        Fixing::Thread => "cuts its own thread".into(),
+        Fixing::Glue => "glued".into(),
+        Fixing::Ties(role) => format!("held by {}s", role.replace('_', " ")),
+        Fixing::Tape => "taped".into(),
+        Fixing::Squeezed => "squeezed in".into(),
+        Fixing::MagnetAndPlug => "held by magnet and plug".into(),
+        Fixing::Solder => "soldered".into(),
+    }
+}
+
+/// How many of what, with a screw's size.
+pub fn part_words(line: &PartLine) -> String {
+    let count = if line.count.fract() == 0.0 { format!("{:.0}", line.count) } else { "half a".into() };
+    let size = line.screw_mm.map_or(String::new(), |[thread, length]| format!(", M{thread} x {length}"));
+    format!("{count} x {}{size}", line.part.replace('_', " ")).replace("half a x", "half a")
 }
 
 fn parts(masses: &MassTable) -> Vec<[String; 3]> {
@@ -90,17 +212,23 @@ fn cuts(design: &Design) -> Vec<String> {
 }
 
 impl Page {
-    fn new(design: &Design, fold: &FoldSequence, step: &Step, at: usize) -> Self {
+    /// A word for each picture.
+    pub fn captions(&self) -> &'static [&'static str] {
+        if self.pictures.len() == 2 { &["Before", "After"] } else { &["Before", "Half done: rods and bores meet", "After"] }
+    }
+
+    fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
         let each = step.minutes / step.repeats as f64;
         let often = if step.repeats == 1 { "once".into() } else { format!("{} x", step.repeats) };
         let mut measures: Vec<String> = step.bends.iter().map(bend).collect();
         measures.extend(left_out(step));
         Self {
-            heading: format!("{}. {}", step.number, step.title),
+            heading: format!("{}. {}", first + at + 1, step.title),
             facts: format!("{often}, {each:.0} min each; {}", step.tool),
             text: step.text.into(),
             measures,
             caution: step.caution.map(Into::into),
+            parts: parts.cloned().unwrap_or_default(),
             pictures: fold_scene::step(design, fold, at),
         }
     }

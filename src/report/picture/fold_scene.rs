@@ -12,7 +12,7 @@ use super::camera::{Camera, View};
 use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::Design;
-use crate::frame::fold::{Done, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
+use crate::frame::fold::{Done, FREE_WAY, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
 use crate::frame::skeleton::{MODULE_NAMES, module_turn};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
 use crate::solid::Mesh;
@@ -24,9 +24,11 @@ const EXPLODED_SIZE: [u32; 2] = [1600, 1200];
 /// Height of the letters in a picture, pixels.
 const LETTERS: f64 = 26.0;
 /// Linear colours of what moves, of what it meets, and of the rest.
-const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
+pub(super) const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
 /// Places along an arrow.
-const ARROW_PLACES: usize = 16;
+pub(super) const ARROW_PLACES: usize = 16;
+/// Share of the way of the modules at which the closing of the rings is shown: plugs and cage rods have entered.
+const RING_MEETS: f64 = 0.88;
 /// Room between layers of the centre when it is taken apart, mm.
 const LAYER_MM: f64 = 45.0;
 
@@ -47,10 +49,13 @@ impl Picture {
 }
 
 /// A body in a picture, with a mesh of its own.
-struct Shown {
-    mesh: Arc<Mesh>,
-    pose: Isometry3<f64>,
-    colour: [f32; 4],
+pub(super) struct Shown {
+    /// In its own axes.
+    pub mesh: Arc<Mesh>,
+    /// Where it stands.
+    pub pose: Isometry3<f64>,
+    /// Linear red, green, blue, alpha.
+    pub colour: [f32; 4],
 }
 
 /// Everything about a step that its pictures need.
@@ -61,8 +66,8 @@ struct Stage<'a> {
     at: usize,
 }
 
-/// A step before and after; with arrows in the first.
-pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> [Picture; 2] {
+/// A step before and after; with arrows in the first. Between the two, of a step that closes a loop, where rods and bores meet.
+pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     let stage = Stage { design, fold, order: fold.order(), at };
     let [before, after] = [stage.moment(0.0), stage.moment(1.0)];
     let [from, to] = [stage.shown(&before), stage.shown(&after)];
@@ -70,7 +75,14 @@ pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> [Picture; 2] {
     let mut points: Vec<Point3<f64>> = [&from, &to].into_iter().flat_map(|shown| corners(&items(shown))).collect();
     points.extend(arrows.iter().flat_map(|(arrow, _)| &arrow.way));
     let camera = Camera::fit(View::Perspective, false, &points, STEP_SIZE);
-    [draw(&from, &arrows, &camera, STEP_SIZE), draw(&to, &[], &camera, STEP_SIZE)]
+    let mut pictures = vec![draw(&from, &arrows, &camera, STEP_SIZE)];
+    let task = stage.step().task;
+    if task.motion() == FoldMotion::Close {
+        let meets = if task == Task::CloseTriangle { FREE_WAY } else { RING_MEETS };
+        pictures.push(draw(&stage.shown(&stage.moment(meets)), &[], &camera, STEP_SIZE));
+    }
+    pictures.push(draw(&to, &[], &camera, STEP_SIZE));
+    pictures
 }
 
 /// The frame taken apart.
@@ -99,11 +111,13 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
     draw(&shown, &[], &camera, EXPLODED_SIZE)
 }
 
-fn items(shown: &[Shown]) -> Vec<Item<'_>> {
+/// Bodies as the rasteriser takes them.
+pub(super) fn items(shown: &[Shown]) -> Vec<Item<'_>> {
     shown.iter().map(|s| Item { mesh: &s.mesh, pose: s.pose, colour: s.colour }).collect()
 }
 
-fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
+/// Bodies with arrows, each with a label or none.
+pub(super) fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
     let mut fills = fills_of(&items(shown), camera);
     fills.extend(arrows.iter().flat_map(|(arrow, _)| arrow.fills(camera)));
     let [width, height] = size.map(|s| s as usize);
@@ -210,12 +224,12 @@ impl Stage<'_> {
         arrows
     }
 
-    /// The angle of the largest bend of a member that turns.
+    /// The angles of all bends of a member that turns.
     fn label(&self, member: Member) -> String {
         let turned = if member == Member::Leg { Member::HubJoint } else { member };
         let bends = self.step().bends.iter().filter(|bend| bend.body == turned.body(0));
-        let most = bends.map(|bend| bend.to_deg - bend.from_deg).fold(0.0, f64::max);
-        if most > 0.0 { format!("{most:.0}°") } else { String::new() }
+        let angles: Vec<String> = bends.map(|bend| format!("{:.0}°", bend.to_deg - bend.from_deg)).collect();
+        angles.join(" + ")
     }
 
     fn rod_mm(&self, member: Member) -> f64 {

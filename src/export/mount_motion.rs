@@ -1,0 +1,42 @@
+//! The mounts as motion: when a body is first seen, and how far off its place it waits until then.
+
+use nalgebra::Vector3;
+
+use crate::frame::assembly::Design;
+use crate::frame::fold::FoldSequence;
+use crate::frame::mounting::{MountStep, Mounting};
+
+/// The mounts of a design around its fold.
+pub(super) struct MountMotion {
+    mounting: Mounting,
+    /// How many mounts come before the fold.
+    pub before: usize,
+    folds: usize,
+    /// For each body the step, from 0, in which it is first taken in hand.
+    pub first: Vec<usize>,
+}
+
+impl MountMotion {
+    pub(super) fn new(design: &Design, fold: &FoldSequence) -> Self {
+        let mounting = Mounting::new(design, fold);
+        let first = design.bodies.iter().map(|body| mounting.first_step(fold, &body.name).unwrap_or(0)).collect();
+        Self { before: mounting.before.len(), folds: fold.steps.len(), first, mounting }
+    }
+
+    /// Titles of all steps.
+    pub(super) fn titles(&self, fold: &FoldSequence) -> Vec<&'static str> {
+        let mounts = |steps: &[MountStep]| steps.iter().map(|step| step.title).collect::<Vec<_>>();
+        let folds = fold.steps.iter().map(|step| step.title);
+        mounts(&self.mounting.before).into_iter().chain(folds).chain(mounts(&self.mounting.after)).collect()
+    }
+
+    /// How far a body of the centre is off its place when so many steps are done, mm.
+    pub(super) fn off_mm(&self, body: &str, done: usize) -> Vector3<f64> {
+        let mounts = self.mounting.before.iter().enumerate();
+        let later = self.mounting.after.iter().enumerate().map(|(at, step)| (self.before + self.folds + at, step));
+        let brings = mounts.chain(later).find(|(_, step)| step.brings.iter().any(|name| name == body));
+        let Some((at, step)) = brings else { return Vector3::zeros() };
+        let own = if at < done { Vector3::zeros() } else { step.shown_off_mm() };
+        own + self.off_mm(step.onto, done)
+    }
+}

@@ -1,0 +1,306 @@
+//! What is mounted beside the fold: the electronics on the hub before it, wires and battery after it. Nothing here says in which order.
+
+use serde::Serialize;
+
+/// What keeps a part where it was put.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case", tag = "by", content = "part")]
+pub enum Fixing {
+    /// Screws, by their role.
+    Screws(&'static str),
+    /// It is a screw itself.
+    Thread,
+    /// Glue for rigid plastics.
+    Glue,
+    /// Ties, by their role.
+    Ties(&'static str),
+    /// Double-sided tape, or screws of the part's own that no bill has.
+    Tape,
+    /// It is squeezed into its hole.
+    Squeezed,
+    /// Magnet and plug.
+    MagnetAndPlug,
+    /// Solder.
+    Solder,
+}
+
+/// Whether something is mounted before the fold or after it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Stage {
+    /// Before the first step of the fold.
+    BeforeFold,
+    /// When the frame stands on its feet.
+    AfterFold,
+}
+
+/// A thing to mount.
+#[derive(Debug, PartialEq)]
+pub struct Mount {
+    /// Its name in files.
+    pub id: &'static str,
+    /// The bodies that it brings; those that the design lacks are left out.
+    pub brings: &'static [&'static str],
+    /// The body that they are put onto.
+    pub onto: &'static str,
+    /// Where they come from, along a straight line in the frame's axes; none when they are threaded or soldered.
+    pub from: Option<[f64; 3]>,
+    /// What keeps them.
+    pub fixing: Fixing,
+    /// What has to be mounted before, and why.
+    pub needs: &'static [(&'static str, &'static str)],
+    /// When.
+    pub stage: Stage,
+    /// In a few words.
+    pub title: &'static str,
+    /// What a person does.
+    pub text: &'static str,
+    /// The tool.
+    pub tool: &'static str,
+    /// What to take care of.
+    pub caution: Option<&'static str>,
+    /// Time, minutes: an estimate of ours.
+    pub minutes: f64,
+}
+
+const ABOVE: Option<[f64; 3]> = Some([0.0, 0.0, 1.0]);
+const BELOW: Option<[f64; 3]> = Some([0.0, 0.0, -1.0]);
+const FRONT: Option<[f64; 3]> = Some([0.0, 1.0, 0.0]);
+const REAR: Option<[f64; 3]> = Some([0.0, -1.0, 0.0]);
+
+/// A mount of the rigid centre, glued, by hand, before the fold.
+const GLUED: Mount = Mount {
+    id: "",
+    brings: &[],
+    onto: "battery_bracket",
+    from: REAR,
+    fixing: Fixing::Glue,
+    needs: &[],
+    stage: Stage::BeforeFold,
+    title: "",
+    text: "",
+    tool: "glue for rigid plastics",
+    caution: None,
+    minutes: 2.0,
+};
+
+/// All of them, in the order in which they are tried.
+pub static MOUNTS: [Mount; 19] = [
+    Mount {
+        id: "magnet_in_bracket",
+        brings: &["magnet_bracket"],
+        title: "Magnet into the bracket",
+        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the rear, its mark to the rear.",
+        caution: Some("Polarity: a magnet that is glued in the wrong way round pushes the battery out. Marked face looks at marked face."),
+        ..GLUED
+    },
+    Mount {
+        id: "connector_in_bracket",
+        brings: &["connector_bracket"],
+        title: "Power connector into the bracket",
+        text: "Push the half with the pins into the bracket's channel, its mouth to the rear, its two cut corners where the channel has them, and glue it. Its wires leave it to the front, into the bay.",
+        caution: Some(
+            "Plus and minus: the cut corners are the connector's minus side. Solder and insulate its wires before it is glued in.",
+        ),
+        ..GLUED
+    },
+    Mount {
+        id: "sleeve_on_bracket",
+        brings: &["battery_sleeve"],
+        from: BELOW,
+        title: "Sleeve under the bracket",
+        text: "Glue the bracket's base between the two ribs of the sleeve. The tray looks to the front, away from the magnet.",
+        ..GLUED
+    },
+    Mount {
+        id: "flow_sensor",
+        brings: &["flow_sensor"],
+        onto: "battery_sleeve",
+        from: BELOW,
+        fixing: Fixing::Tape,
+        title: "Flow sensor under the tray",
+        text: "Hold the sensor under the tray, its lens down, its holes under the tray's. Fix it with thin double-sided tape, or with the screws that it is sold with.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "stack_screws",
+        brings: &["stack_screw"],
+        onto: "hub",
+        from: ABOVE,
+        fixing: Fixing::Thread,
+        title: "Screws into the hub",
+        text: "Turn the four long screws from above through the hub until their heads lie in their hollows. They cut their own thread.",
+        tool: "screwdriver",
+        ..GLUED
+    },
+    Mount {
+        id: "dampers",
+        brings: &["damper"],
+        onto: "flight_controller",
+        from: BELOW,
+        fixing: Fixing::Squeezed,
+        title: "Dampers into the flight controller",
+        text: "Squeeze one rubber damper into each corner hole of the flight controller until the board lies in its groove.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "flight_controller",
+        brings: &["flight_controller"],
+        onto: "hub",
+        from: BELOW,
+        fixing: Fixing::Screws("stack_screw"),
+        needs: &[("stack_screws", "the board hangs on the screws"), ("dampers", "the dampers sit between board and screws")],
+        title: "Flight controller onto the screws",
+        text: "Turn the hub over. Push the flight controller with its dampers onto the four screws, the arrow on it to the front.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "motor_controller",
+        brings: &["motor_controller"],
+        onto: "hub",
+        from: BELOW,
+        fixing: Fixing::Screws("stack_screw"),
+        needs: &[("stack_screws", "the board hangs on the screws")],
+        title: "Motor controller under it",
+        text: "Plug the cable between the two boards. Push the motor controller onto the screws, its battery pads to the rear.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "computer",
+        brings: &["computer"],
+        onto: "pi_carrier",
+        from: ABOVE,
+        fixing: Fixing::Tape,
+        title: "Computer onto its carrier",
+        text: "Lay the computer on the carrier, hole over hole, its camera socket to the front. The front holes take the camera's connectors; fix the rear ones with screws of the board's own.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "camera_connectors",
+        brings: &["camera_connector_left", "camera_connector_right"],
+        onto: "computer",
+        from: ABOVE,
+        fixing: Fixing::Glue,
+        title: "Camera connectors onto the computer",
+        text: "Put both connectors onto the board's front holes, their posts to the front and outwards.",
+        ..GLUED
+    },
+    Mount {
+        id: "camera",
+        brings: &["camera"],
+        onto: "camera_connector_left",
+        from: FRONT,
+        fixing: Fixing::Tape,
+        title: "Camera onto its connectors",
+        text: "Push its ribbon into the computer's socket, close the latch, and put the camera with its back onto the connectors' posts, lens to the front.",
+        tool: "hands",
+        caution: Some("Open and close the latch of the ribbon with a finger nail, never by force."),
+        ..GLUED
+    },
+    Mount {
+        id: "carrier",
+        brings: &["pi_carrier"],
+        onto: "hub",
+        from: ABOVE,
+        fixing: Fixing::Ties("tie"),
+        title: "Carrier onto the hub",
+        text: "Lay the carrier on the hub, its four tie holes over the hub's, the camera to the front.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "bracket",
+        brings: &["battery_bracket"],
+        onto: "hub",
+        from: BELOW,
+        fixing: Fixing::Ties("tie"),
+        title: "Bracket under the hub",
+        text: "Solder the connector's wires to the motor controller's battery pads. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front. The bay stays open to the left and to the right: the motor wires come in there.",
+        tool: "soldering iron",
+        caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
+        minutes: 10.0,
+        ..GLUED
+    },
+    Mount {
+        id: "ties",
+        brings: &["tie"],
+        onto: "hub",
+        from: None,
+        fixing: Fixing::Ties("tie"),
+        needs: &[("carrier", "the ties pass through the carrier"), ("bracket", "the ties pass through the bracket")],
+        title: "Ties",
+        text: "Put two ties through the holes of hub and bracket, in front and at the rear, and out by the bracket's slots; two through the hub's holes left and right. Where there is a carrier, all four go through it, too. Pull them tight and cut what is over.",
+        tool: "side cutter",
+        minutes: 4.0,
+        ..GLUED
+    },
+    Mount {
+        id: "wiring",
+        onto: "motor_controller",
+        from: None,
+        fixing: Fixing::Solder,
+        stage: Stage::AfterFold,
+        title: "Motor wires",
+        text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Solder them to the motor controller. A motor that turns the wrong way has two of its wires changed over.",
+        tool: "soldering iron",
+        caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
+        minutes: 20.0,
+        ..GLUED
+    },
+    Mount {
+        id: "connector_in_lid",
+        brings: &["connector_lid"],
+        onto: "battery_lid",
+        stage: Stage::AfterFold,
+        title: "Power connector into the lid",
+        text: "Push the half with the sockets through the lid's block from the rear, its cut corners where the hole has them, and glue it.",
+        caution: Some("Its wires are the battery's: never let the two touch. Solder them one after the other."),
+        ..GLUED
+    },
+    Mount {
+        id: "magnet_in_lid",
+        brings: &["magnet_lid"],
+        onto: "battery_lid",
+        from: FRONT,
+        stage: Stage::AfterFold,
+        title: "Magnet into the lid",
+        text: "Glue the second magnet into the lid's tower from the front, its mark to the front.",
+        caution: Some("Polarity: hold it before the bracket's magnet first. It has to pull."),
+        ..GLUED
+    },
+    Mount {
+        id: "battery",
+        brings: &["battery"],
+        onto: "battery_lid",
+        from: FRONT,
+        fixing: Fixing::Tape,
+        stage: Stage::AfterFold,
+        title: "Battery into the lid",
+        text: "Slide the battery into the lid from the front and tape both together. They stay together.",
+        tool: "tape",
+        ..GLUED
+    },
+    Mount {
+        id: "cartridge",
+        brings: &["battery_lid"],
+        onto: "battery_sleeve",
+        from: REAR,
+        fixing: Fixing::MagnetAndPlug,
+        needs: &[
+            ("connector_in_lid", "the lid is closed by its plug"),
+            ("magnet_in_lid", "the lid is held by its magnet"),
+            ("battery", "the battery is in the lid"),
+        ],
+        stage: Stage::AfterFold,
+        title: "Battery in",
+        text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in.",
+        tool: "hands",
+        caution: Some("Propellers off until the directions of the motors have been tried. With the battery in, the motors can start."),
+        ..GLUED
+    },
+];

@@ -1,0 +1,256 @@
+//! The mounts of a design in an order that can be carried out.
+
+use std::collections::BTreeSet;
+
+use nalgebra::Vector3;
+use serde::Serialize;
+
+use super::mount::{Fixing, MOUNTS, Mount, Stage};
+use super::part_lines::{PartLine, PartsSeen, fold_bodies};
+use super::way::Ways;
+use crate::frame::assembly::{Body, Design};
+use crate::frame::fold::{FoldSequence, Meeting, Sweep};
+
+/// A mount that has to come first, or later.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Precedence {
+    /// The other.
+    pub mount: &'static str,
+    /// What breaks otherwise.
+    pub because: String,
+}
+
+/// A step.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MountStep {
+    /// Its name.
+    pub mount: &'static str,
+    /// When.
+    pub stage: Stage,
+    /// In a few words.
+    pub title: &'static str,
+    /// In sentences.
+    pub text: &'static str,
+    /// What it takes.
+    pub tool: &'static str,
+    /// What to take care of.
+    pub caution: Option<&'static str>,
+    /// Time, minutes; an estimate.
+    pub minutes: f64,
+    /// What keeps the parts.
+    pub fixing: Fixing,
+    /// The bodies that it brings.
+    pub brings: Vec<String>,
+    /// Everything that moves: what they carry already comes with them.
+    pub moves: Vec<String>,
+    /// What they are put onto.
+    pub onto: &'static str,
+    /// What is joined to that already.
+    pub there: Vec<String>,
+    /// Where they come from, in frame axes.
+    pub from: Option<[f64; 3]>,
+    /// How far away they are clear of all that is there, mm.
+    pub travel_mm: f64,
+    /// What of the bill is taken in hand for the first time.
+    pub parts: Vec<PartLine>,
+    /// Mounts that have to be done before.
+    pub after: Vec<Precedence>,
+    /// Mounts that it has to come before.
+    pub before: Vec<Precedence>,
+    /// What the motion meets.
+    pub sweep: Sweep,
+}
+
+/// All mounts of a design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mounting {
+    /// Before the fold.
+    pub before: Vec<MountStep>,
+    /// What of the bill each step of the fold takes in hand for the first time.
+    pub fold_parts: Vec<Vec<PartLine>>,
+    /// After it.
+    pub after: Vec<MountStep>,
+}
+
+/// Least and most that a part is shown off its place, mm.
+const SHOWN_MM: [f64; 2] = [25.0, 140.0];
+
+impl MountStep {
+    /// How far off its place what moves is shown, in frame axes, mm.
+    pub fn shown_off_mm(&self) -> Vector3<f64> {
+        let along = self.from.map_or_else(Vector3::zeros, Vector3::from);
+        along * self.travel_mm.clamp(SHOWN_MM[0], SHOWN_MM[1])
+    }
+}
+
+/// Mounts that are done, by their names.
+type Done = BTreeSet<&'static str>;
+
+impl Mounting {
+    /// The mounts of a design, in their order around its fold.
+    pub fn new(design: &Design, fold: &FoldSequence) -> Self {
+        let planning = Planning { ways: Ways::new(design), mounts: of(design) };
+        Self::in_order(design, fold, &planning, &planning.order())
+    }
+
+    /// The same in an order that is given by their names; what the order breaks is in the steps' sweeps.
+    pub fn in_given_order(design: &Design, fold: &FoldSequence, order: &[&str]) -> Self {
+        let planning = Planning { ways: Ways::new(design), mounts: of(design) };
+        let order: Vec<&'static Mount> = order.iter().filter_map(|id| planning.mount(id)).collect();
+        Self::in_order(design, fold, &planning, &order)
+    }
+
+    fn in_order(design: &Design, fold: &FoldSequence, planning: &Planning, order: &[&'static Mount]) -> Self {
+        let mut seen = PartsSeen::new(design);
+        let folded = order.iter().position(|mount| mount.stage == Stage::AfterFold).unwrap_or(order.len());
+        let before = (0..folded).map(|at| planning.step(order, at, &mut seen)).collect();
+        let fold_parts = fold.steps.iter().map(|step| seen.of_fold(step)).collect();
+        let after = (folded..order.len()).map(|at| planning.step(order, at, &mut seen)).collect();
+        Self { before, fold_parts, after }
+    }
+
+    /// What of the bill all steps take in hand, the fold's among them.
+    pub fn parts(&self) -> impl Iterator<Item = &PartLine> {
+        self.steps().flat_map(|step| &step.parts).chain(self.fold_parts.iter().flatten())
+    }
+
+    /// The step, from 0 among all, in which a body is first taken in hand; none of a body that no step is about.
+    pub fn first_step(&self, fold: &FoldSequence, body: &str) -> Option<usize> {
+        let mounted = |steps: &[MountStep]| steps.iter().position(|step| step.onto == body || step.brings.iter().any(|name| name == body));
+        let folded = || fold.steps.iter().position(|step| fold_bodies(step).iter().any(|name| name == body));
+        let (before, folds) = (self.before.len(), fold.steps.len());
+        let in_fold = || folded().map(|at| before + at);
+        mounted(&self.before).or_else(in_fold).or_else(|| mounted(&self.after).map(|at| before + folds + at))
+    }
+
+    /// All steps, without the fold's between them.
+    pub fn steps(&self) -> impl Iterator<Item = &MountStep> {
+        self.before.iter().chain(&self.after)
+    }
+}
+
+/// The mounts that a design has a part for, or for which it has what they are about.
+fn of(design: &Design) -> Vec<&'static Mount> {
+    let has = |name: &str| design.bodies.iter().any(|body| body.name == name);
+    let brings = |mount: &Mount| mount.brings.is_empty() || mount.brings.iter().any(|name| has(name));
+    MOUNTS.iter().filter(|mount| has(mount.onto) && brings(mount)).collect()
+}
+
+struct Planning<'a> {
+    ways: Ways<'a>,
+    mounts: Vec<&'static Mount>,
+}
+
+impl Planning<'_> {
+    fn mount(&self, id: &str) -> Option<&'static Mount> {
+        self.mounts.iter().copied().find(|mount| mount.id == id)
+    }
+
+    /// An order that breaks nothing: all is taken apart, each time by the last that can be undone, and that read backwards. Where none
+    /// can be undone, one that nothing left needs is: then its sweep says what is in the way.
+    fn order(&self) -> Vec<&'static Mount> {
+        let mut left = self.mounts.clone();
+        let mut order = Vec::new();
+        while !left.is_empty() {
+            let without = |at: usize| left.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, m)| m.id).collect::<Done>();
+            let needed = |at: usize| left.iter().any(|other| other.needs.iter().any(|(id, _)| *id == left[at].id));
+            let later = |at: usize| left[at].stage == Stage::BeforeFold && left.iter().any(|other| other.stage == Stage::AfterFold);
+            let may = |at: &usize| !needed(*at) && !later(*at);
+            let free = (0..left.len()).rev().filter(may).find(|at| self.broken(&without(*at), left[*at]).is_none());
+            let Some(at) = free.or_else(|| (0..left.len()).rev().find(may)) else { break };
+            order.push(left.remove(at));
+        }
+        order.reverse();
+        order
+    }
+
+    /// Everything that hangs on a body, by names.
+    fn component(&self, of: &'static str, done: &Done) -> BTreeSet<&'static str> {
+        let mut found = BTreeSet::from([of]);
+        loop {
+            let before = found.len();
+            for mount in self.mounts.iter().filter(|mount| done.contains(mount.id)) {
+                if found.contains(mount.onto) || mount.brings.iter().any(|name| found.contains(name)) {
+                    found.insert(mount.onto);
+                    found.extend(mount.brings);
+                }
+            }
+            if found.len() == before {
+                return found;
+            }
+        }
+    }
+
+    /// What moves in a mount, and what stays.
+    fn sides(&self, done: &Done, mount: &'static Mount) -> [Vec<&Body>; 2] {
+        let moving: BTreeSet<&'static str> = mount.brings.iter().flat_map(|name| self.component(name, done)).collect();
+        let still: BTreeSet<&'static str> = self.component(mount.onto, done).difference(&moving).copied().collect();
+        let mut there = self.ways.bodies(still.iter().copied());
+        if mount.stage == Stage::AfterFold && still.contains("hub") {
+            there.extend(self.ways.modules());
+        }
+        [self.ways.bodies(moving.into_iter()), there]
+    }
+
+    fn sweep(&self, done: &Done, mount: &'static Mount) -> Sweep {
+        let [moving, still] = self.sides(done, mount);
+        let mut sweep = Sweep { places: 0, pairs: 0, comparisons: 0, beyond_mm3: 0.0, meetings: Vec::new() };
+        for (a, b) in moving.iter().flat_map(|a| still.iter().map(move |b| (a, b))) {
+            let compared = self.ways.compared(mount, a, b);
+            sweep.pairs += 1;
+            sweep.places = sweep.places.max(compared.places);
+            sweep.comparisons += compared.comparisons;
+            sweep.meetings.extend(compared.worst);
+        }
+        let beyond = |m: &Meeting| m.shared_mm3 - m.allowed_mm3;
+        sweep.meetings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
+        sweep.beyond_mm3 = sweep.meetings.first().map_or(0.0, beyond);
+        sweep
+    }
+
+    /// What keeps a mount from being done after those that are.
+    fn broken(&self, done: &Done, mount: &'static Mount) -> Option<String> {
+        let missing = mount.needs.iter().find(|(id, _)| self.mount(id).is_some() && !done.contains(id));
+        if let Some((_, because)) = missing {
+            return Some((*because).into());
+        }
+        let sweep = self.sweep(done, mount);
+        sweep.meetings.first().map(|m| format!("{} runs into {} on its way", m.bodies[0], m.bodies[1]))
+    }
+
+    fn step(&self, order: &[&'static Mount], at: usize, seen: &mut PartsSeen) -> MountStep {
+        let mount = order[at];
+        let done: Done = order[..at].iter().map(|mount| mount.id).collect();
+        let [moving, still] = self.sides(&done, mount);
+        let names = |bodies: &[&Body]| bodies.iter().map(|body| body.name.clone()).collect::<Vec<_>>();
+        let depends = |other: &'static Mount, because: String| Precedence { mount: other.id, because };
+        let after = order[..at].iter().filter_map(|other| {
+            let without: Done = done.iter().copied().filter(|id| *id != other.id).collect();
+            self.broken(&without, mount).map(|because| depends(other, because))
+        });
+        let before = order[at + 1..].iter().filter_map(|other| {
+            let with: Done = done.iter().copied().chain([other.id]).collect();
+            self.broken(&with, mount).map(|because| depends(other, because))
+        });
+        MountStep {
+            mount: mount.id,
+            stage: mount.stage,
+            title: mount.title,
+            text: mount.text,
+            tool: mount.tool,
+            caution: mount.caution,
+            minutes: mount.minutes,
+            fixing: mount.fixing,
+            brings: names(&self.ways.bodies(mount.brings.iter().copied())),
+            moves: names(&moving),
+            onto: mount.onto,
+            there: names(&still),
+            from: mount.from,
+            travel_mm: mount.from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
+            parts: seen.of_mount(mount),
+            after: after.collect(),
+            before: before.collect(),
+            sweep: self.sweep(&done, mount),
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! What of the bill a step takes in hand for the first time: each line of the bill in one step, by the bodies that stand for it.
+
+use std::collections::BTreeSet;
+
+use serde::Serialize;
+
+use super::mount::Mount;
+use crate::frame::assembly::{Body, BoughtPart, Design, Kind};
+use crate::frame::fold::{Member, Step};
+use crate::frame::skeleton::MODULE_NAMES;
+
+/// So many of a line of the bill.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PartLine {
+    /// Its name in the bill: a printed part, a rod, a role.
+    pub part: String,
+    /// How many; a half of a pair that is bought as one is 0.5.
+    pub count: f64,
+    /// Thread and length under the head of a screw, mm.
+    pub screw_mm: Option<[f64; 2]>,
+    /// Width and height of a screw's head, mm.
+    pub head_mm: Option<[f64; 2]>,
+    /// A body that looks like it.
+    pub body: Option<String>,
+}
+
+/// Bodies that were in hand already.
+pub(super) struct PartsSeen<'a> {
+    design: &'a Design,
+    seen: BTreeSet<String>,
+}
+
+/// The line of the bill that a body is of.
+fn line_of(design: &Design, body: &Body) -> String {
+    match design.shape(body).kind {
+        Kind::Printed(name) => name.slug().into(),
+        Kind::Rod(role) => format!("{}_rod", role.slug()),
+        Kind::Motor => "motor".into(),
+        Kind::Propeller => "propeller".into(),
+        Kind::Bought(slug) => BoughtPart::ALL.into_iter().find(|part| part.slug() == slug).map_or(slug, BoughtPart::role).into(),
+    }
+}
+
+/// How many of a bought thing one of its bodies stands for; 1 of what is not bought.
+fn share(design: &Design, line: &str) -> f64 {
+    let bodies = design.bodies.iter().filter(|body| line_of(design, body) == line).count();
+    design.frame.bought.get(line).map_or(1.0, |item| f64::from(item.quantity) / bodies.max(1) as f64)
+}
+
+impl<'a> PartsSeen<'a> {
+    pub(super) fn new(design: &'a Design) -> Self {
+        Self { design, seen: BTreeSet::new() }
+    }
+
+    /// The new ones of these bodies, as lines.
+    fn of(&mut self, names: impl Iterator<Item = String>) -> Vec<PartLine> {
+        let mut lines: Vec<PartLine> = Vec::new();
+        for name in names {
+            let Some(body) = self.design.bodies.iter().find(|body| body.name == name) else { continue };
+            if !self.seen.insert(name) {
+                continue;
+            }
+            let part = line_of(self.design, body);
+            let count = share(self.design, &part);
+            match lines.iter_mut().find(|line| line.part == part) {
+                Some(line) => line.count += count,
+                None => {
+                    let bought = self.design.frame.bought.get(&part).map(|item| &item.part);
+                    let screw_mm = bought.and_then(|part| part.thread_mm.zip(part.length_mm)).map(|(thread, length)| [thread, length]);
+                    let head_mm = bought.and_then(|part| part.head_diameter_mm.zip(part.head_height_mm)).map(|(wide, high)| [wide, high]);
+                    lines.push(PartLine { part, count, screw_mm, head_mm, body: Some(body.name.clone()) });
+                }
+            }
+        }
+        lines
+    }
+
+    pub(super) fn of_mount(&mut self, mount: &Mount) -> Vec<PartLine> {
+        let mut lines = self.of(mount.brings.iter().copied().chain([mount.onto]).map(String::from));
+        if mount.brings.is_empty() {
+            let extras = self.design.frame.extras.iter().filter(|(_, extra)| extra.covers.is_empty());
+            lines.extend(extras.map(|(name, _)| PartLine { part: name.clone(), count: 1.0, screw_mm: None, head_mm: None, body: None }));
+        }
+        lines
+    }
+
+    /// Of a step of the fold, in all four modules.
+    pub(super) fn of_fold(&mut self, step: &Step) -> Vec<PartLine> {
+        self.of(fold_bodies(step).into_iter())
+    }
+}
+
+/// The bodies of all four modules that a step of the fold is about.
+pub(super) fn fold_bodies(step: &Step) -> Vec<String> {
+    let members: Vec<Member> = step.task.contacts().into_iter().chain(step.task.lever()).flat_map(|(a, b)| [a, b]).collect();
+    let hub = members.contains(&Member::Hub).then(|| Member::Hub.body(0));
+    let bodies = members.iter().filter(|m| **m != Member::Hub).flat_map(|m| (0..MODULE_NAMES.len()).map(|module| m.body(module)));
+    bodies.chain(hub).collect()
+}
+
+/// Lines of a bill, each with its quantity, that the steps' lines do not add up to.
+pub fn without_a_step<'l>(bill: impl Iterator<Item = (String, f64)>, lines: impl Iterator<Item = &'l PartLine>) -> Vec<String> {
+    let lines: Vec<&PartLine> = lines.collect();
+    let of = |name: &str| lines.iter().filter(|line| line.part == name).map(|line| line.count).sum::<f64>();
+    bill.filter(|(name, quantity)| (of(name) - quantity).abs() > 1e-9).map(|(name, _)| name).collect()
+}

@@ -1,0 +1,86 @@
+//! A mount as a picture: what comes, off its place, with an arrow to it.
+//!
+//! What comes from below is shown turned over, what comes from the rear turned around, so that the place it goes to is seen.
+
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
+
+use super::arrow::Arrow;
+use super::camera::{Camera, View};
+use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
+use super::image::corners;
+use crate::frame::assembly::{Body, Design};
+use crate::frame::mounting::MountStep;
+
+/// Width and height, pixels.
+const SIZE: [u32; 2] = [960, 640];
+/// Share of the way along which the arrow lies.
+const ARROW: [f64; 2] = [0.15, 0.85];
+
+/// How the assembly is held in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// As it flies, seen from the front and above.
+    Upright,
+    /// Upside down, its front still to the lower left.
+    TurnedOver,
+    /// Seen from the rear.
+    TurnedAround,
+}
+
+impl Held {
+    /// How it is held for what comes from somewhere.
+    pub fn of(step: &MountStep) -> Self {
+        match step.from {
+            Some([_, _, z]) if z < -0.5 => Self::TurnedOver,
+            Some([_, y, _]) if y < -0.5 => Self::TurnedAround,
+            _ => Self::Upright,
+        }
+    }
+
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Upright => "Seen from the front and above.",
+            Self::TurnedOver => "Turned over: the underside is up.",
+            Self::TurnedAround => "Seen from the rear.",
+        }
+    }
+
+    fn turn(self) -> UnitQuaternion<f64> {
+        match self {
+            Self::Upright => UnitQuaternion::identity(),
+            Self::TurnedOver => UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::PI),
+            Self::TurnedAround => UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI),
+        }
+    }
+}
+
+/// The picture of a mount.
+pub fn mount(design: &Design, step: &MountStep) -> Picture {
+    let (held, off) = (Held::of(step).turn(), step.shown_off_mm());
+    let pose = |body: &Body, off: Vector3<f64>| Isometry3::from_parts(Translation3::identity(), held) * Translation3::from(off) * body.pose;
+    let named = |name: &String| design.bodies.iter().find(|body| body.name == *name);
+    let shown = |body: &Body, off: Vector3<f64>, colour: usize| Shown {
+        mesh: design.shape(body).mesh.clone(),
+        pose: pose(body, off),
+        colour: COLOURS[colour],
+    };
+    let mut all = Vec::new();
+    for body in step.there.iter().filter_map(named) {
+        all.push(shown(body, Vector3::zeros(), if body.name == step.onto { 1 } else { 2 }));
+    }
+    let mut arrows = Vec::new();
+    for body in step.moves.iter().filter_map(named) {
+        let brought = step.brings.contains(&body.name);
+        all.push(shown(body, off, if brought { 0 } else { 2 }));
+        if brought && step.from.is_some() {
+            let [low, high] = design.shape(body).mesh.bounds_mm();
+            let middle = Point3::from((Vector3::from(low) + Vector3::from(high)) * 0.5);
+            let at = |share: f64| held * (Translation3::from(off * (1.0 - share)) * body.pose * middle);
+            let place = |i: usize| ARROW[0] + (ARROW[1] - ARROW[0]) * i as f64 / ARROW_PLACES as f64;
+            arrows.push((Arrow { way: (0..=ARROW_PLACES).map(|i| at(place(i))).collect() }, String::new()));
+        }
+    }
+    let camera = Camera::fit(View::Perspective, false, &corners(&items(&all)), SIZE);
+    draw(&all, &arrows, &camera, SIZE)
+}
