@@ -38,7 +38,7 @@ const LAYERS: [(&str, &[&str]); 34] = [
     ("frame/parts", &["units", "params", "solid", "frame/skeleton"]),
     ("frame/assembly", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts"]),
     ("frame/fold", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
-    ("frame/mounting", &["memo", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
+    ("frame/mounting", &["solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability"]),
     ("printing/weighing", &["units", "params", "frame/assembly"]),
