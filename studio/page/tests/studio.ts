@@ -15,7 +15,9 @@ export const program = resolve(process.env["FLEXFRAME"] ?? "../../target/release
 export function peakOfDrop(frame: string, model: string, height: number): number {
   const folder = mkdtempSync(join(tmpdir(), "studio-"));
   const options = ["drop", frame, "--model", model, "--height", String(height), "--json", "-q", "-o", folder];
-  const answer = JSON.parse(execFileSync(program, options, { encoding: "utf8" })) as { heights: { peak_sensor_g: number }[] };
+  const answer = JSON.parse(execFileSync(program, options, { encoding: "utf8" })) as {
+    heights: { peak_sensor_g: number }[];
+  };
   return answer.heights[0]!.peak_sensor_g;
 }
 

@@ -113,8 +113,10 @@ export class Viewer {
     if (bytes) {
       const picture = await readPicture(bytes);
       const mixer = new AnimationMixer(picture.root);
-      const seconds = Math.max(0, ...picture.clips.map(({ duration }) => duration));
-      for (const clip of picture.clips) mixer.clipAction(clip).play();
+      // A file may hold the steps one by one, too: played together they would be blended.
+      const whole = picture.clips.toSorted((a, b) => b.duration - a.duration)[0];
+      if (whole) mixer.clipAction(whole).play();
+      const seconds = whole?.duration ?? 0;
       picture.root.traverse((object) => (object.frustumCulled = false));
       this.#motion = { picture, mixer, seconds };
       this.#colours.know(picture.bodies.map(({ facts }) => facts));
