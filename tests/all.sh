@@ -538,6 +538,7 @@ summary() {
 
 step "cargo fmt" cargo fmt --check
 step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
+step "cargo clippy with every feature" cargo clippy --release --lib --all-features -- -D warnings
 step "cargo clippy without features" cargo clippy --release --lib --no-default-features -- -D warnings
 step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
