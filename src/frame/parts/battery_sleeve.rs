@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn measured_sensor_holes_have_their_pitch() {
-        for x in [15.35, -15.35] {
+        for x in [15.25, -15.25] {
             sleeve().hole([x, 55.75, 8.0], [x, 55.75, 11.0], 3.0);
         }
     }
