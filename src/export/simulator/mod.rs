@@ -1,7 +1,7 @@
 //! A frame for simulators of rigid bodies: one [`SimulatorModel`], and a writer for each format.
 //!
 //! SI units. The frame of reference is that of robotics and not that of the design: x to the front, y to the left, z up (FLU), the
-//! origin at the hub. [`axes`] is the only place that turns one into the other.
+//! origin at the hub. `axes.rs` is the only place that turns one into the other.
 
 mod axes;
 mod convex_shape;
