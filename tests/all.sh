@@ -36,7 +36,8 @@ skipped() {
 }
 excepted() { echo "skipped $1: $2" | tee -a "$results"; }
 
-heading() { printf '\n== %s\n' "$1"; }
+# With the seconds since the start: where the time goes.
+heading() { printf "\n== %s (at %s s)\n" "$1" "$SECONDS"; }
 
 # step NAME COMMAND...: the command's exit code decides; its output is shown.
 step() {

@@ -4,9 +4,11 @@
 //! or the new one.
 
 use std::collections::BTreeSet;
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
@@ -25,9 +27,7 @@ pub(super) fn listen() {
             if HEARD.load(Ordering::SeqCst) && !ASKED.swap(true, Ordering::SeqCst) {
                 continue;
             }
-            remove_unfinished();
-            // What a shell expects of a program that a signal ended.
-            std::process::exit(128 + signal);
+            end(signal);
         }
     });
 }
@@ -55,24 +55,43 @@ impl Drop for Finishing {
     }
 }
 
-/// A folder in which a result is being made: an interruption removes it.
-pub(super) fn unfinished(folder: &Path) {
-    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).insert(folder.to_path_buf());
+/// Makes a folder for a result; an interruption removes it, also one that comes while it is made.
+pub(super) fn make_unfinished(folder: &Path) -> io::Result<()> {
+    let mut folders = all_unfinished();
+    fs::create_dir(folder)?;
+    folders.insert(folder.to_path_buf());
+    Ok(())
 }
 
 /// A folder that is in its place, or gone.
 pub(super) fn finished(folder: &Path) {
-    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner).remove(folder);
+    all_unfinished().remove(folder);
 }
 
-/// The main thread may still write: what it adds while a folder is removed is removed by another try.
-fn remove_unfinished() {
-    let folders = UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner);
-    for folder in folders.iter() {
-        for _ in 0..10 {
-            if std::fs::remove_dir_all(folder).is_ok() || !folder.exists() {
-                break;
-            }
+fn all_unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes what is unfinished and ends the program. Until then nothing new is begun, and a thread that fails to write into a
+/// removed folder waits in [`finished`].
+fn end(signal: i32) -> ! {
+    let folders = all_unfinished();
+    folders.iter().for_each(|folder| remove(folder));
+    // What a shell expects of a program that a signal ended.
+    std::process::exit(128 + signal);
+}
+
+/// Another thread may be writing into the folder: it is renamed first, so that only a folder made anew, with what was being
+/// written, needs another try.
+fn remove(folder: &Path) {
+    // By this name, too, another run knows it for an unfinished one, should this one be killed now.
+    let renamed = folder.with_file_name(format!("{}-0.new", folder.file_stem().unwrap_or_default().to_string_lossy()));
+    for _ in 0..10 {
+        let there = if fs::rename(folder, &renamed).is_ok() { &renamed } else { folder };
+        if !there.exists() {
+            break;
         }
+        // Where it cannot be removed, the next run tries it.
+        let _ = fs::remove_dir_all(there);
     }
 }

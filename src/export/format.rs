@@ -70,7 +70,7 @@ pub enum Made {
     Faceted,
 }
 
-/// A solid of a file, as the manifest lists it.
+/// A part or shape of a STEP file, as the manifest lists it.
 #[derive(Clone, Debug, Serialize)]
 pub struct SolidEntry {
     /// Its file; several solids share that of the assembly.
@@ -84,6 +84,8 @@ pub struct SolidEntry {
     pub because: Option<String>,
     /// How many faces it has.
     pub faces: usize,
+    /// How many solids it is in the file; the four screws of a motor are one shape, and four solids.
+    pub pieces: usize,
     /// Volume within its faces, mm³.
     pub volume_mm3: f64,
     /// Volume of the mesh, mm³.

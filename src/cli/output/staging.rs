@@ -64,29 +64,27 @@ impl Staging {
     /// Makes an empty one.
     pub fn beside(place: &Path) -> io::Result<Self> {
         for path in names(place, "new") {
-            match fs::create_dir(&path) {
+            match interrupt::make_unfinished(&path) {
                 Err(error) if error.kind() == io::ErrorKind::AlreadyExists => continue,
                 made => made?,
             }
             // Another run may take it for a left one until it is locked.
-            let folder = match File::open(&path) {
-                Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
+            match File::open(&path) {
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
                 Err(_) => return Ok(Self::locked(path, None)),
-                Ok(folder) => folder,
-            };
-            match folder.try_lock() {
-                Ok(()) if !is_at(&folder, &path) => {}
-                Err(TryLockError::WouldBlock) => {}
-                Ok(()) => return Ok(Self::locked(path, Some(folder))),
-                Err(TryLockError::Error(_)) => return Ok(Self::locked(path, None)),
+                Ok(folder) => match folder.try_lock() {
+                    Ok(()) if !is_at(&folder, &path) => {}
+                    Err(TryLockError::WouldBlock) => {}
+                    Ok(()) => return Ok(Self::locked(path, Some(folder))),
+                    Err(TryLockError::Error(_)) => return Ok(Self::locked(path, None)),
+                },
             }
+            interrupt::finished(&path);
         }
         Err(too_many())
     }
 
-    /// From now on an interruption removes it.
     fn locked(path: PathBuf, held: Option<File>) -> Self {
-        interrupt::unfinished(&path);
         Self { path, _lock: Lock { _held: held } }
     }
 

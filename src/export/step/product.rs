@@ -46,12 +46,15 @@ impl Context {
         Self { product, definition, geometry }
     }
 
-    /// A part by its solid, coloured.
+    /// A part by its solids, coloured.
     pub(super) fn part(&self, writer: &mut Writer, part: &Shaped) -> Product {
         let origin = origin(writer);
-        let solid = shape::solid(writer, &part.name, &part.boundary);
-        self.coloured(writer, solid, part.colour);
-        let items = list(&[origin, solid]);
+        let mut items = vec![origin];
+        for solid in shape::solids(writer, &part.name, &part.boundary) {
+            self.coloured(writer, solid, part.colour);
+            items.push(solid);
+        }
+        let items = list(&items);
         let name = string(&part.name);
         let representation = writer.add(format_args!("ADVANCED_BREP_SHAPE_REPRESENTATION({name},{items},{})", self.geometry));
         self.product(writer, &part.name, &part.material, origin, representation)

@@ -5,8 +5,9 @@ use nalgebra::{Unit, Vector3};
 use super::writer::{Decimal, Id, Writer, length, list};
 use crate::solid::{Boundary, Curve, Edge, Face, Surface, square_to};
 
-/// Writes a solid: a closed shell of advanced faces.
-pub(super) fn solid(writer: &mut Writer, name: &str, boundary: &Boundary) -> Id {
+/// Writes each piece of a boundary as a solid: a closed shell of advanced faces. A shell has to be connected (ISO 10303-42), so
+/// the four screws of a motor are four solids.
+pub(super) fn solids(writer: &mut Writer, name: &str, boundary: &Boundary) -> Vec<Id> {
     let points: Vec<Id> = boundary.vertices.iter().map(|p| writer.point(p)).collect();
     let vertices: Vec<Id> = points.iter().map(|point| writer.add(format_args!("VERTEX_POINT('',{point})"))).collect();
     let edges: Vec<Id> = boundary
@@ -18,8 +19,12 @@ pub(super) fn solid(writer: &mut Writer, name: &str, boundary: &Boundary) -> Id 
         })
         .collect();
     let faces: Vec<Id> = boundary.faces.iter().map(|face| advanced_face(writer, face, &edges)).collect();
-    let shell = writer.add(format_args!("CLOSED_SHELL('',{})", list(&faces)));
-    writer.add(format_args!("MANIFOLD_SOLID_BREP({},{shell})", super::writer::string(name)))
+    let mut solid = |piece: Vec<usize>| {
+        let faces: Vec<Id> = piece.into_iter().map(|at| faces[at]).collect();
+        let shell = writer.add(format_args!("CLOSED_SHELL('',{})", list(&faces)));
+        writer.add(format_args!("MANIFOLD_SOLID_BREP({},{shell})", super::writer::string(name)))
+    };
+    boundary.pieces().into_iter().map(&mut solid).collect()
 }
 
 fn curve(writer: &mut Writer, boundary: &Boundary, edge: &Edge, points: &[Id]) -> Id {

@@ -24,6 +24,7 @@ impl Shaped {
             made: self.made,
             because: self.because.clone(),
             faces: self.boundary.faces.len(),
+            pieces: self.boundary.pieces().len(),
             volume_mm3: thousandth(self.boundary.volume_mm3()),
             mesh_volume_mm3: thousandth(self.mesh_volume_mm3),
         }

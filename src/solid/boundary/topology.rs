@@ -1,5 +1,7 @@
 //! Corners, edges and faces of a closed solid.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{Isometry3, Point3};
 
 use super::curve::Curve;
@@ -58,6 +60,31 @@ impl Boundary {
             edges: self.edges.iter().map(|edge| Edge { curve: edge.curve.placed(pose), ..*edge }).collect(),
             faces: self.faces.iter().map(|face| Face { surface: face.surface.placed(pose), ..face.clone() }).collect(),
         }
+    }
+
+    /// Its faces by the pieces that they enclose: faces that share an edge are of one piece. Indices of faces, ascending; pieces in
+    /// the order of their first faces. A cavity would be a piece of its own; no part has one.
+    pub fn pieces(&self) -> Vec<Vec<usize>> {
+        let mut edge_piece: Vec<Option<usize>> = vec![None; self.edges.len()];
+        let mut pieces: Vec<Vec<usize>> = Vec::new();
+        for (at, face) in self.faces.iter().enumerate() {
+            let edges = || face.loops.iter().flatten().map(|side| side.edge);
+            let met: BTreeSet<usize> = edges().filter_map(|edge| edge_piece[edge]).collect();
+            let into = met.first().copied().unwrap_or_else(|| {
+                pieces.push(Vec::new());
+                pieces.len() - 1
+            });
+            for other in met.into_iter().skip(1) {
+                let joined = std::mem::take(&mut pieces[other]);
+                pieces[into].extend(joined);
+                edge_piece.iter_mut().filter(|piece| **piece == Some(other)).for_each(|piece| *piece = Some(into));
+            }
+            pieces[into].push(at);
+            edges().for_each(|edge| edge_piece[edge] = Some(into));
+        }
+        pieces.retain(|piece| !piece.is_empty());
+        pieces.iter_mut().for_each(|piece| piece.sort_unstable());
+        pieces
     }
 
     /// Points along an edge, both ends included, mm.
