@@ -108,14 +108,38 @@ def label_name(label):
     return name.Get().ToExtString() if label.FindAttribute(TDataStd_Name.GetID_s(), name) else None
 
 
+def colours_of(colours, label, shape):
+    """Colours of a part by its label, or of each of its solids; None for one without."""
+    from OCP.Quantity import Quantity_Color
+    from OCP.TopAbs import TopAbs_SOLID
+    from OCP.XCAFDoc import XCAFDoc_ColorSurf, XCAFDoc_ColorTool
+
+    whole = Quantity_Color()
+    if XCAFDoc_ColorTool.GetColor_s(label, XCAFDoc_ColorSurf, whole):
+        return [whole]
+    found = []
+    for solid in explore(shape, TopAbs_SOLID):
+        colour = Quantity_Color()
+        found.append(colour if colours.GetColor(solid, XCAFDoc_ColorSurf, colour) else None)
+    return found
+
+
+def colour_faults(part, found, wanted):
+    if not found or None in found:
+        return [f"{part} has no colour"]
+    seen = [(colour.Red(), colour.Green(), colour.Blue()) for colour in found]
+    if any(abs(a - b) > COLOUR for colour in seen for a, b in zip(colour, wanted)):
+        return [f"{part} has colours {seen}, not {wanted[:3]}"]
+    return []
+
+
 def check_frame(path, entries):
     from OCP.IFSelect import IFSelect_RetDone
-    from OCP.Quantity import Quantity_Color
     from OCP.STEPCAFControl import STEPCAFControl_Reader
     from OCP.TCollection import TCollection_ExtendedString
     from OCP.TDF import TDF_Label, TDF_LabelSequence
     from OCP.TDocStd import TDocStd_Document
-    from OCP.XCAFDoc import XCAFDoc_ColorSurf, XCAFDoc_ColorTool, XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
+    from OCP.XCAFDoc import XCAFDoc_DocumentTool, XCAFDoc_ShapeTool
 
     document = TDocStd_Document(TCollection_ExtendedString("step"))
     reader = STEPCAFControl_Reader()
@@ -149,11 +173,7 @@ def check_frame(path, entries):
             continue
         seen.add(part)
         shape = XCAFDoc_ShapeTool.GetShape_s(original)
-        found = Quantity_Color()
-        if not (XCAFDoc_ColorTool.GetColor_s(original, XCAFDoc_ColorSurf, found) or colours.GetColor(shape, XCAFDoc_ColorSurf, found)):
-            faults.append(f"{part} has no colour")
-        elif max(abs(a - b) for a, b in zip([found.Red(), found.Green(), found.Blue()], colour)) > COLOUR:
-            faults.append(f"{part} has colour {found.Red():.3f} {found.Green():.3f} {found.Blue():.3f}, not {colour[:3]}")
+        faults += colour_faults(part, colours_of(colours, original, shape), colour)
         entry = next((entry for entry in entries if entry["name"] == part), None)
         faults += faults_of(shape, entry) if entry else [f"{part} is not in the manifest"]
     if sorted(names) != sorted(wanted):
