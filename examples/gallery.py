@@ -118,7 +118,7 @@ def section(program, frame):
         "rods": bought(bom["buy"], "rod"),
         "narrowest margins": "; ".join(margin(finding) for finding in narrowest(check["findings"])),
         "peak of the design drop": f"{peak['value']:.0f} g, of {peak['limit']:.0f} g allowed",
-        "printing": f"{bom['printed_g']:.0f} g, at least {bom['print_at_least_h']:.0f} h",
+        "printing": f"{bom['printed_g']:.0f} g, {bom['print_h']:.0f} h",
     }
     name = frame.stem
     lines = [f"## {name}", "", f"[{name}.toml](../examples/frames/{name}.toml): {description(program, frame)}.", ""]

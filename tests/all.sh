@@ -396,6 +396,9 @@ slicer_slices_plates() {
     if from_debian prusa-slicer prusa-slicer; then
         printf '%s\0' "$built"/*/plates | xargs -0 -P "$jobs" -n 1 dirname |
             xargs -P "$jobs" -I {} bash tests/external/slice_plate.sh {} "$work" | tee -a "$results" || failed "plates" "exit code $?"
+        heading "PrusaSlicer's print times"
+        python3 tests/external/print_time.py "$built" "$work/plates" "$work/print-times" | tee -a "$results" ||
+            failed "print times" "exit code $?"
         heading "PrusaSlicer opens the plates of the default frame for every printer"
         python3 tests/external/open_plates.py "$PWD/$binary" params/printers "$work/printers" | tee -a "$results" ||
             failed "plates on printers" "exit code $?"

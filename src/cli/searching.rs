@@ -1,6 +1,7 @@
 //! What `solve` and `new` have in common: how long a search goes on, what is told of it meanwhile, and how it is ended.
 
 use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::bounded;
@@ -23,6 +24,8 @@ pub(super) struct SearchOptions {
 /// Somebody who follows a search: a bar on the terminal, a clock, and Ctrl-C.
 pub(super) struct Following {
     begun: Instant,
+    /// When the former frame was done, and how long the slowest took.
+    paces: Mutex<(Instant, Duration)>,
     budget: Option<Duration>,
     unit: &'static str,
     progress: Progress,
@@ -32,8 +35,10 @@ pub(super) struct Following {
 impl Following {
     /// From now on; the aim is told in this unit.
     pub fn begin(options: &SearchOptions, unit: &'static str, common: &Common) -> Self {
+        let begun = Instant::now();
         Self {
-            begun: Instant::now(),
+            begun,
+            paces: Mutex::new((begun, Duration::ZERO)),
             budget: options.budget.map(Duration::from_secs_f64),
             unit,
             progress: Progress::staged("frames", usize::from(options.frames), common),
@@ -50,8 +55,16 @@ impl Following {
             (None, None) => "no frame yet".into(),
         };
         self.progress.stage(search.looked_at, format!("{best}, at most {:.0} s left", self.left_s(search, spent)));
-        let too_late = self.budget.is_some_and(|budget| spent >= budget);
+        // The next frame and the whole check of the answer are yet to come.
+        let too_late = self.budget.is_some_and(|budget| spent + 2 * self.slowest() >= budget);
         if too_late || self.finishing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    /// The longest time of a frame so far; one has just been done.
+    fn slowest(&self) -> Duration {
+        let mut paces = self.paces.lock().unwrap_or_else(PoisonError::into_inner);
+        *paces = (Instant::now(), paces.1.max(paces.0.elapsed()));
+        paces.1
     }
 
     /// The search is over: the terminal belongs to the answer.

@@ -36,6 +36,9 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
 
 /// Columns of the brief table: what a terminal has at least.
 const COLUMNS: usize = 80;
+/// Of these the rule's name and its finding's subject have so many.
+const RULE: usize = 19;
+const SUBJECT: usize = 28;
 
 /// What a person has to read of a frame: every violation with its remedies, then the tightest finding of each rule that holds, a
 /// line each, and how many notes there are. No line is longer than [`COLUMNS`].
@@ -71,8 +74,15 @@ fn tightest_of(rule: &str, findings: &[Finding]) -> String {
     let of_rule = findings.iter().filter(|f| f.rule == rule && f.verdict == Verdict::Holds);
     let Some(f) = of_rule.min_by(|a, b| share(a).total_cmp(&share(b))) else { return String::new() };
     let [value, limit, _] = f.figures();
-    let subject: String = one_line(&f.subject).chars().take(28).collect();
-    format!("{rule:<19} {subject:<28} {value:>7} {:<8} {limit:>7} {}\n", side(f), f.unit)
+    // A long subject goes on below, in its column.
+    let subject = one_line(&f.subject);
+    let mut pieces = textwrap::wrap(&subject, SUBJECT).into_iter();
+    let first = pieces.next().unwrap_or_default();
+    let mut text = format!("{rule:<RULE$} {first:<SUBJECT$} {value:>7} {:<8} {limit:>7} {}", side(f), f.unit).trim_end().to_string() + "\n";
+    for piece in pieces {
+        text += &format!("{:RULE$} {piece}\n", "");
+    }
+    text
 }
 
 /// On which side of its limit a value has to be; the limit alone where the two are as good as one.

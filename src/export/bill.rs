@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
-use super::cutting::{KERF_MM, rod_plan};
+use super::cutting::{KERF_MM, Saving, rod_plan, rod_savings};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
 use crate::params::frame::NamedMaterial;
+use crate::printing::print_time::part_s;
 
 /// A printed part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -21,8 +22,8 @@ pub struct PrintLine {
     pub volume_mm3: f64,
     /// Mass of all copies, g.
     pub mass_g: f64,
-    /// Least time for all copies, minutes; none where the material's flow is not known.
-    pub at_least_min: Option<f64>,
+    /// Time to print all copies, minutes, by [`part_s`]; none where the material does not say its speed.
+    pub print_min: Option<f64>,
 }
 
 /// Something bought.
@@ -97,12 +98,14 @@ pub struct Bill {
     pub kerf_mm: f64,
     /// How to cut the rods.
     pub cut: Vec<CutLine>,
+    /// Rods that, a little shorter, save a stock length; the smallest change first.
+    pub savings: Vec<Saving>,
     /// Why they cannot be cut from that stock.
     pub cut_error: Option<String>,
     /// Mass of all printed parts, g.
     pub printed_g: f64,
-    /// Least time to print them, hours, with one nozzle.
-    pub print_at_least_h: Option<f64>,
+    /// Time to print them, hours, by [`part_s`]; nothing where a material does not say its speed.
+    pub print_h: Option<f64>,
     /// Sum of the prices there are, by currency, and how many lines have none.
     pub prices: Vec<(String, f64)>,
     /// Lines without a price.
@@ -121,12 +124,12 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
         stocks.iter().map(|stock| CutLine { pieces: stock.pieces.iter().map(piece).collect(), rest_mm: stock.rest_mm }).collect();
     let mut buy = buy_lines(design, masses, cut.len() as u32);
     buy.extend(extra_lines(design, masses));
-    let minutes = print.iter().map(|line| line.at_least_min).sum::<Option<f64>>();
+    let minutes = print.iter().map(|line| line.print_min).sum::<Option<f64>>();
     Bill {
-        schema_version: 1,
+        schema_version: 2,
         frame: design.frame.name.clone(),
         printed_g: print.iter().map(|line| line.mass_g).sum(),
-        print_at_least_h: minutes.map(|minutes| minutes / 60.0),
+        print_h: minutes.map(|minutes| minutes / 60.0),
         prices: prices(&buy),
         without_price: buy.iter().filter(|line| line.price.is_none()).count(),
         print,
@@ -135,6 +138,7 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
         stock_mm,
         kerf_mm,
         cut,
+        savings: rod_savings(design, stock_mm, kerf_mm),
         cut_error,
     }
 }
@@ -151,7 +155,7 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
             material: name.clone(),
             volume_mm3,
             mass_g: weighed.map_or(0.0, |line| line.total_g),
-            at_least_min: material.most_flow_mm3_s.map(|flow| volume_mm3 / flow / 60.0),
+            print_min: part_s(&part.mesh, material, &design.frame.printer).map(|seconds| seconds * f64::from(quantity) / 60.0),
         }
     };
     design.printed.iter().map(line).collect()

@@ -3,14 +3,15 @@
 use std::fmt::Write;
 
 use super::bill::{Bill, BuyLine, CutLine};
+use super::cutting::Saving;
 use crate::markdown::inert;
 
 /// The page.
 pub fn markdown(bill: &Bill) -> String {
     let mut page = format!("# Bill of materials: {}\n\n## Print\n\n", bill.frame);
-    page += "| part | pieces | material | mm3 in all | g in all | at least, min |\n|---|---:|---|---:|---:|---:|\n";
+    page += "| part | pieces | material | mm3 in all | g in all | time, min |\n|---|---:|---|---:|---:|---:|\n";
     for line in &bill.print {
-        let time = line.at_least_min.map_or("-".into(), |minutes| format!("{minutes:.0}"));
+        let time = line.print_min.map_or("-".into(), |minutes| format!("{minutes:.0}"));
         let _ = writeln!(
             page,
             "| {} | {} | {} | {:.0} | {:.2} | {time} |",
@@ -21,8 +22,8 @@ pub fn markdown(bill: &Bill) -> String {
             line.mass_g
         );
     }
-    let time = bill.print_at_least_h.map_or(String::new(), |hours| {
-        format!(", at least {hours:.1} h: volume over the fastest flow of each material; moves, corners and cooling come on top")
+    let time = bill.print_h.map_or(String::new(), |hours| {
+        format!(", {hours:.1} h by an estimate within 15 % of PrusaSlicer's; heating, cooling and support come on top")
     });
     let _ = writeln!(page, "\n{:.1} g of filament{time}.\n", bill.printed_g);
     buy(&mut page, bill);
@@ -83,5 +84,8 @@ fn cut(page: &mut String, bill: &Bill) {
     for (at, CutLine { pieces, rest_mm }) in bill.cut.iter().enumerate() {
         let pieces: Vec<String> = pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();
         let _ = writeln!(page, "| {} | {} | {rest_mm:.1} |", at + 1, pieces.join(" + "));
+    }
+    for Saving { rod, from_mm, to_mm } in &bill.savings {
+        let _ = writeln!(page, "\nA stock length is saved by `{rod}` rods of {to_mm:.1} mm instead of {from_mm:.1} mm.");
     }
 }

@@ -28,7 +28,7 @@ const COLUMNS: [&str; 17] = [
     "mass_basis",
     "source",
     "volume_mm3",
-    "print_at_least_min",
+    "print_min",
     "screw_thread_mm",
     "screw_length_mm",
     "price_each",
@@ -54,7 +54,7 @@ pub fn csv(bill: &Bill) -> Result<String, ExportError> {
 fn printed_row(line: &PrintLine) -> Row {
     let mut row = weighed("printed", line.part, line.quantity, &line.material, line.mass_g, "computed");
     row[9] = format!("{:.1}", line.volume_mm3);
-    row[10] = line.at_least_min.map(|minutes| format!("{minutes:.1}")).unwrap_or_default();
+    row[10] = line.print_min.map(|minutes| format!("{minutes:.1}")).unwrap_or_default();
     row
 }
 

@@ -6,6 +6,8 @@
 
 use std::collections::BTreeMap;
 
+use serde::Serialize;
+
 use crate::frame::assembly::Design;
 use crate::frame::skeleton::RodRole;
 
@@ -134,6 +136,46 @@ pub fn plan(rods: &[(RodRole, f64, u8)], stock_mm: f64, kerf_mm: f64) -> Result<
     Ok(stocks)
 }
 
+/// A role whose rods, cut shorter, need one stock length less.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Saving {
+    /// The role.
+    pub rod: &'static str,
+    /// How long its rods are sawn, mm.
+    pub from_mm: f64,
+    /// How long they may be, mm.
+    pub to_mm: f64,
+}
+
+/// By how much shorter rods are looked at, as a share of their length.
+const SHORTER: f64 = 0.05;
+
+/// Roles whose rods need one stock length less when they are shorter by at most a twentieth, the smallest change first.
+pub fn savings(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
+    let count = |rods: &[Kind]| plan(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
+    let now = count(rods);
+    let with = |at: usize, length_mm: f64| {
+        let mut shorter = rods.to_vec();
+        shorter[at].1 = length_mm;
+        count(&shorter) < now
+    };
+    let saving = |(at, (role, from_mm, number)): (usize, &Kind)| {
+        let (mut saves_mm, mut wastes_mm) = (from_mm * (1.0 - SHORTER), *from_mm);
+        if *number == 0 || now == usize::MAX || !with(at, saves_mm) {
+            return None;
+        }
+        while wastes_mm - saves_mm > 0.01 {
+            let middle = 0.5 * (saves_mm + wastes_mm);
+            if with(at, middle) { saves_mm = middle } else { wastes_mm = middle }
+        }
+        // What is told still saves when it is rounded.
+        Some(Saving { rod: role.slug(), from_mm: *from_mm, to_mm: (saves_mm * 10.0).floor() / 10.0 })
+    };
+    let mut found: Vec<Saving> = rods.iter().enumerate().filter_map(saving).collect();
+    found.sort_by(|a, b| (a.from_mm - a.to_mm).total_cmp(&(b.from_mm - b.to_mm)));
+    found
+}
+
 /// Width of a saw cut, mm.
 pub const KERF_MM: f64 = 1.0;
 
@@ -152,9 +194,18 @@ pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>
     (stock_mm, cut(design, stock_mm, kerf_mm))
 }
 
+/// Rods of a design that, cut shorter, save a stock length.
+pub(super) fn rod_savings(design: &Design, stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
+    savings(&kinds(design), stock_mm, kerf_mm)
+}
+
 fn cut(design: &Design, stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    plan(&kinds(design), stock_mm, kerf_mm)
+}
+
+fn kinds(design: &Design) -> [Kind; RodRole::ALL.len()] {
     let count = |role: RodRole| u8::try_from(design.skeleton.rods_of(role).count()).unwrap_or(u8::MAX);
-    plan(&RodRole::ALL.map(|role| (role, design.skeleton.sawn_mm(role), count(role))), stock_mm, kerf_mm)
+    RodRole::ALL.map(|role| (role, design.skeleton.sawn_mm(role), count(role)))
 }
 
 #[cfg(test)]
@@ -210,6 +261,15 @@ mod tests {
         assert_eq!(plan(&[], 10.0, 1.0), Ok(Vec::new()));
         // The last piece needs no cut behind it.
         assert_eq!(plan(&[(ROLES[0], 4.5, 2)], 10.0, 1.0).expect("fits").len(), 1);
+    }
+
+    #[test]
+    fn analytic_a_little_shorter_saves_a_stock() {
+        // Three of 34 mm do not go into 100 mm with cuts of 1 mm between them, three of 32.6 mm do.
+        let found = savings(&[(ROLES[0], 34.0, 6), (ROLES[1], 90.0, 1)], 100.0, 1.0);
+        assert_eq!(found, [Saving { rod: ROLES[0].slug(), from_mm: 34.0, to_mm: 32.6 }]);
+        assert_eq!(savings(&[(ROLES[0], 60.0, 3)], 100.0, 1.0), [], "no twentieth makes two of one");
+        assert_eq!(savings(&[(ROLES[0], 120.0, 3)], 100.0, 1.0), [], "longer than the stock");
     }
 
     proptest! {

@@ -154,6 +154,11 @@ impl BoughtPart {
         self.height_mm.unwrap_or(self.size_mm[2])
     }
 
+    /// Number of a motor's screw holes, four where none is stated.
+    pub fn motor_holes(&self) -> u32 {
+        self.hole_count.unwrap_or(4)
+    }
+
     /// Height of a propeller's hub along the shaft, mm.
     pub fn hub_mm(&self) -> f64 {
         self.hub_height_mm.unwrap_or(self.size_mm[2])

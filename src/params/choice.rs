@@ -100,6 +100,10 @@ impl Catalogues {
             };
             return Err(file.refuse(&key, reason));
         }
+        let screws = items.get("motor").map(|motor: &BoughtItem| motor.quantity * motor.part.motor_holes());
+        if let (Some(item), Some(screws)) = (items.get_mut("motor_screw"), screws) {
+            item.quantity = screws;
+        }
         Ok(items)
     }
 
@@ -172,7 +176,7 @@ fn listed(names: &[String]) -> String {
 }
 
 /// A named entry of a catalogue; `key` names it in the frame file.
-fn entry<T: serde::de::DeserializeOwned>(
+fn entry<T: serde::de::DeserializeOwned + schemars::JsonSchema>(
     catalogue: &toml::Table,
     file: &FrameFile,
     key: &str,
@@ -184,7 +188,18 @@ fn entry<T: serde::de::DeserializeOwned>(
         let nearest = nearest(name, catalogue.keys().map(String::as_str));
         return Err(file.refuse(key, Reason::UnknownName { kind: kind.into(), name: name.into(), nearest }));
     };
-    entry.clone().try_into().map_err(|e: toml::de::Error| bad_override(file, key, kind, table, name, e.message()))
+    entry.clone().try_into().map_err(|e: toml::de::Error| {
+        let missing = missing::<T>(entry);
+        let message = if missing.len() > 1 { format!("it lacks {}", listed(&missing)) } else { e.message().to_string() };
+        bad_override(file, key, kind, table, name, &message)
+    })
+}
+
+/// What an entry lacks of the fields that each entry has.
+fn missing<T: schemars::JsonSchema>(entry: &toml::Value) -> Vec<String> {
+    let schema = schemars::schema_for!(T);
+    let needed = schema.get("required").and_then(serde_json::Value::as_array).into_iter().flatten().filter_map(serde_json::Value::as_str);
+    needed.filter(|field| entry.get(field).is_none()).map(String::from).collect()
 }
 
 /// A catalogue's entry that does not read: what the frame file changed in it is to blame.

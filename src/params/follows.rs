@@ -12,6 +12,17 @@ const CONNECTOR_CLEARANCE_MM: f64 = 0.35;
 /// that the real frame's side view shows (CogniFly-STL, Right.png, to +-2 mm): 10.8 mm of motor, half of 5.0 mm of propeller.
 const PROPELLER_GAP_MM: f64 = 0.9;
 
+/// The fork's bar over its rod, mm: as on the real frame, whose bar is 5.6 mm high for rods of 3 mm. The whole fork is as thick, and
+/// so cuts its sockets flat where it lies on the bed.
+const BAR_OVER_ROD_MM: f64 = 2.6;
+
+/// The gap between the fork's cheeks over its rod, mm: as on the real frame, 6.13 mm for rods of 3 mm. The knee between them is as
+/// wide as its strut's bore with two walls.
+const CHEEKS_OVER_ROD_MM: f64 = 3.13;
+
+/// The motor's plate over the circle and a hole of its screws, mm: as on the real frame, 15 mm around holes of 2 mm on 9 mm.
+const PLATE_OVER_HOLES_MM: f64 = 4.0;
+
 /// Everything bought, by role.
 type Bought = BTreeMap<String, BoughtItem>;
 
@@ -39,14 +50,17 @@ impl Follows {
 
 const STACK: &[&str] = &["flight_controller", "motor_controller"];
 
-const FOLLOWS: [Follows; 21] = [
+const FOLLOWS: [Follows; 24] = [
     Follows::always("rod_diameter_mm", &["rod"], |rod, _| rod.diameter_mm),
+    Follows::always("fork_bar_height_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, BAR_OVER_ROD_MM]))),
+    Follows::always("fork_cheek_gap_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, CHEEKS_OVER_ROD_MM]))),
     Follows::always("propeller_diameter_mm", &["propeller"], |propeller, _| propeller.diameter_mm),
     Follows::always("propeller_height_mm", &["propeller"], propeller_height_mm),
     Follows::always("battery_length_mm", &["battery"], |battery, _| Some(battery.size_mm[0])),
     Follows::always("battery_width_mm", &["battery"], |battery, _| Some(battery.size_mm[1])),
     Follows::always("battery_height_mm", &["battery"], |battery, _| Some(battery.size_mm[2])),
     Follows::always("battery_mass_g", &["battery"], |battery, _| Some(battery.mass_g)),
+    Follows::always("motor_plate_diameter_mm", &["motor"], motor_plate_mm),
     Follows::always("motor_hole_circle_mm", &["motor"], |motor, _| motor.hole_pcd_mm),
     Follows::always("motor_hole_diameter_mm", &["motor"], |motor, _| motor.hole_diameter_mm),
     Follows::always("motor_shaft_hole_mm", &["motor"], |motor, _| motor.shaft_hole_diameter_mm),
@@ -63,12 +77,20 @@ const FOLLOWS: [Follows; 21] = [
     Follows::or("connector_height_mm", &["connector"], |c, _| Some(c.size_mm[2] + CONNECTOR_CLEARANCE_MM), 5.55),
 ];
 
+/// A sum without the noise that sums of decimals have: it is printed as the key's value.
+fn sum_mm<const N: usize>(terms: [f64; N]) -> f64 {
+    (terms.iter().sum::<f64>() * 1e6).round() / 1e6
+}
+
+/// The motor's plate: its rim around the screw holes.
+fn motor_plate_mm(motor: &BoughtPart, _: &Bought) -> Option<f64> {
+    Some(sum_mm([motor.hole_pcd_mm?, motor.hole_diameter_mm?, PLATE_OVER_HOLES_MM]))
+}
+
 /// From the motor's seat to the middle of its propeller: the propeller is on the motor.
 fn propeller_height_mm(propeller: &BoughtPart, bought: &Bought) -> Option<f64> {
     let motor = &bought.get("motor")?.part;
-    let height_mm = motor.motor_height_mm() + PROPELLER_GAP_MM + 0.5 * propeller.hub_mm();
-    // Sums of decimals are not exact, and this one is printed as the key's value.
-    Some((height_mm * 1e6).round() / 1e6)
+    Some(sum_mm([motor.motor_height_mm(), PROPELLER_GAP_MM, 0.5 * propeller.hub_mm()]))
 }
 
 /// The number that a bought part, or its absence, gives a key.

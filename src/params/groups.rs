@@ -177,7 +177,7 @@ parameters! {
         /// Height of the plate's top above the rods' axes without riser.
         motor_ledge_mm: 2.5..=6.0 => [MotorMount],
         /// Diameter of the propellers; the bought propeller's unless stated.
-        propeller_diameter_mm: 30.0..=160.0 => [],
+        propeller_diameter_mm: 30.0..=200.0 => [],
         /// From the plate's top to the propeller's mid plane.
         propeller_height_mm: 6.0..=30.0 => [],
     }
@@ -247,9 +247,9 @@ parameters! {
         /// Length of the battery without leads, front to rear; the bought battery's unless stated.
         battery_length_mm: 40.0..=110.0 => [BatterySleeve, BatteryLid],
         /// Width of the battery, left to right; the bought battery's unless stated.
-        battery_width_mm: 18.0..=50.0 => [BatterySleeve, BatteryLid],
+        battery_width_mm: 14.0..=50.0 => [BatterySleeve, BatteryLid],
         /// Height of the battery; the bought battery's unless stated.
-        battery_height_mm: 8.0..=35.0 => [BatterySleeve, BatteryLid],
+        battery_height_mm: 8.0..=45.0 => [BatterySleeve, BatteryLid],
         /// Inner width of sleeve and lid minus the battery's width, both sides together.
         battery_clearance_across_mm: 0.3..=1.5 => [BatterySleeve, BatteryLid],
         /// Inner height of sleeve and lid minus the battery's height, top and bottom together.

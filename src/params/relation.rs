@@ -172,17 +172,16 @@ fn stack(frame: &Frame) -> Result<(), Broken> {
 /// How far the holes of a board may be from those that it is screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
 const HOLE_PLAY_MM: f64 = 0.5;
 
-/// The motor mount has four screw holes.
+/// The motor mount has three screw holes, or four.
 fn motor_holes(frame: &Frame) -> Result<(), Broken> {
     let Some(motor) = frame.bought.get("motor") else { return Ok(()) };
-    match motor.part.hole_count {
-        Some(count) if count != 4 => {
-            let message = format!("the motor `{}` has {count} screw holes, the motor mount has 4", motor.name);
-            let remedy = "choose a motor with four holes; params/bought.toml shows them".into();
-            Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
-        }
-        _ => Ok(()),
+    let count = motor.part.motor_holes();
+    if (3..=4).contains(&count) {
+        return Ok(());
     }
+    let message = format!("the motor `{}` has {count} screw holes, a motor mount has 3 or 4", motor.name);
+    let remedy = "choose a motor with three or four holes; params/bought.toml shows them".into();
+    Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// The rigid centre: its bores stay apart, and its computer finds something to stand on.

@@ -2,5 +2,6 @@
 
 pub mod coupon;
 pub mod plates;
+pub mod print_time;
 pub mod printability;
 pub mod weighing;

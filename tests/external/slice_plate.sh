@@ -12,7 +12,10 @@ for plate in "$folder"/plates/*.3mf; do
     name=$frame/$(basename "$plate")
     gcode=$work/$frame-$(basename "$plate" .3mf).gcode
     log=$work/$frame-$(basename "$plate" .3mf).log
-    if ! prusa-slicer --load tests/external/contrary.ini --export-gcode --output "$gcode" "$plate" >"$log" 2>&1; then
+    # The flow that print-settings.md states for the spool of the plate's material.
+    flow=$(awk -v title="## $(basename "$plate" | sed 's/_.*//')" -F'|' \
+        'index($0, title) == 1 { mine = 1 } mine && /filament_max_volumetric_speed/ { print $3 + 0; exit }' "$folder/print-settings.md")
+    if ! prusa-slicer --load tests/external/contrary.ini --filament-max-volumetric-speed "$flow" --export-gcode --output "$gcode" "$plate" >"$log" 2>&1; then
         echo "FAILED PrusaSlicer opens $name: $(tail -1 "$log")"
         continue
     fi

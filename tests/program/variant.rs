@@ -483,9 +483,9 @@ fn analytic_bill_in_every_form() {
     assert_eq!(motor, ["9.5", "EUR", "an invoice"]);
     let screw = ["screw_thread_mm", "screw_length_mm"].map(|column| field("bought,motor_screw,", column));
     assert_eq!(screw, ["2", "4"]);
-    let minutes: f64 = field("printed,knee,", "print_at_least_min").parse().expect("a number");
+    let minutes: f64 = field("printed,knee,", "print_min").parse().expect("a number");
     let knee = bill["print"].as_array().expect("a list").iter().find(|line| line["part"] == "knee").expect("is there");
-    assert!((minutes - knee["at_least_min"].as_f64().expect("a number")).abs() <= 0.0501, "{minutes} {knee}");
+    assert!((minutes - knee["print_min"].as_f64().expect("a number")).abs() <= 0.0501, "{minutes} {knee}");
     assert_eq!([field("extra,wiring,", "mass_total_g"), field("extra,wiring,", "mass_basis")], ["8.000", "estimate"]);
     let wiring = bill["buy"].as_array().expect("a list").iter().find(|line| line["role"] == "wiring").expect("is there");
     assert_eq!((wiring["mass_g"].as_f64(), wiring["kind"].as_str()), (Some(8.0), Some("extra")));

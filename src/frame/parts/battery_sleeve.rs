@@ -1,4 +1,4 @@
-//! The sleeve: the tube that takes the battery, glued under the bracket, with the tray of the flow sensor.
+//! The sleeve: the tube that takes the battery, glued under the bracket, with the tray of the flow sensor where the frame has one.
 //!
 //! Frame of reference: origin in the middle of the battery's cross section at the rear rim, y front, z up.
 
@@ -45,8 +45,16 @@ impl Sleeve<'_> {
     fn feature(&self) -> Feature {
         let length = self.centre.sleeve_length_mm;
         let tube = along_y(face(&self.outline()), [0.0, length]);
-        let body = Feature::union([tube, self.tray()].into_iter().chain(self.lugs()).chain(self.wedges()));
-        body.minus([self.cavity(), self.lead_in()].into_iter().chain(self.sensor_holes()))
+        let mut bodies = vec![tube];
+        bodies.extend(self.lugs());
+        let mut holes = vec![self.cavity(), self.lead_in()];
+        // Without a flow sensor there is nothing that a tray would carry.
+        if self.frame.bought.contains_key("flow_sensor") {
+            bodies.push(self.tray());
+            bodies.extend(self.wedges());
+            holes.extend(self.sensor_holes());
+        }
+        Feature::union(bodies).minus(holes)
     }
 
     /// Half the width of the channel between the ribs.
@@ -195,6 +203,15 @@ mod tests {
         for x in [15.25, -15.25] {
             sleeve().hole([x, 55.75, 8.0], [x, 55.75, 11.0], 3.0);
         }
+    }
+
+    #[test]
+    fn analytic_sleeve_without_a_sensor_has_no_tray() {
+        let (mut frame, centre) = v8();
+        let long = |frame: &Frame| Gauged::new(&feature(frame, &centre)).0.to_mesh().size_mm()[1];
+        let with_tray = long(&frame);
+        frame.bought.remove("flow_sensor");
+        assert!((long(&frame) - centre.sleeve_length_mm).abs() < 1e-3 && with_tray > centre.sleeve_length_mm + 10.0);
     }
 
     #[test]

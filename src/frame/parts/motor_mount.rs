@@ -22,7 +22,12 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Moves,
     print_turn: MotorMount::print_turn,
     needed: always,
-    walls: &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_ring_diameter_mm", "motor_mount.motor_plate_diameter_mm"],
+    walls: &[
+        "motor_mount.motor_skirt_wall_mm",
+        "motor_mount.motor_ring_diameter_mm",
+        "motor_mount.motor_plate_diameter_mm",
+        "motor_mount.motor_shaft_hole_mm",
+    ],
 };
 
 /// A plate this much higher than the rings' tops gets sloping arms, mm.
@@ -31,7 +36,9 @@ const RAISED_MM: f64 = 0.5;
 /// Screw pattern of the motor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotorHoles {
-    /// Diameter of the four screw holes, mm.
+    /// How many screw holes there are.
+    pub count: u32,
+    /// Diameter of the screw holes, mm.
     pub screw_mm: f64,
     /// Diameter of the circle they lie on, mm.
     pub circle_mm: f64,
@@ -88,6 +95,7 @@ impl MotorMount {
             edge_round_mm: mount.motor_edge_round_mm,
             top_mm: mount.motor_ledge_mm + mount.motor_riser_mm,
             holes: MotorHoles {
+                count: frame.bought.get("motor").map_or(4, |motor| motor.part.motor_holes()),
                 screw_mm: mount.motor_hole_diameter_mm,
                 circle_mm: mount.motor_hole_circle_mm,
                 shaft_mm: mount.motor_shaft_hole_mm,
@@ -123,12 +131,14 @@ impl MotorMount {
         self.top_mm > 0.5 * self.ring_diameter_mm + RAISED_MM
     }
 
-    /// Axes of the motor's screws, x and y.
-    pub fn screw_axes_mm(&self) -> [[f64; 2]; 4] {
-        [45.0, 135.0, 225.0, 315.0].map(|deg| {
-            let (angle, r) = (Angle::deg(deg), 0.5 * self.holes.circle_mm);
+    /// Axes of the motor's screws, x and y: four between the arms, three with the first outwards along the arms.
+    pub fn screw_axes_mm(&self) -> Vec<[f64; 2]> {
+        let (first, step) = (if self.holes.count == 4 { 45.0 } else { 0.0 }, 360.0 / f64::from(self.holes.count));
+        let at = |hole: u32| {
+            let (angle, r) = (Angle::deg(first + step * f64::from(hole)), 0.5 * self.holes.circle_mm);
             [r * angle.cos(), r * angle.sin()]
-        })
+        };
+        (0..self.holes.count).map(at).collect()
     }
 
     fn plate_bottom_mm(&self) -> f64 {
@@ -226,6 +236,21 @@ mod tests {
             assert_close("screw hole", pin_mm(&mesh, [4.5 * angle.cos(), 4.5 * angle.sin(), 2.0], Vector3::z()), 2.0);
         }
         assert_close("shaft hole", pin_mm(&mesh, [0.0, 0.0, 2.0], Vector3::z()), 4.1);
+    }
+
+    #[test]
+    fn analytic_three_screws_have_their_holes() {
+        let mut frame = v8();
+        frame.bought.get_mut("motor").expect("a motor").part.hole_count = Some(3);
+        frame.motor_mount.motor_hole_circle_mm = 10.0;
+        let mount = MotorMount::from_frame(&frame);
+        let mesh = printed(&mount.feature(), 0);
+        assert_eq!(mount.screw_axes_mm().len(), 3);
+        for deg in [0.0, 120.0, 240.0] {
+            let angle = Angle::deg(deg);
+            assert_close("screw hole", pin_mm(&mesh, [5.0 * angle.cos(), 5.0 * angle.sin(), 2.0], Vector3::z()), 2.0);
+        }
+        assert_eq!(hits(&mesh, [-5.0, 0.0, -9.0], Vector3::z()).len(), 2, "plate, and no fourth hole");
     }
 
     #[test]

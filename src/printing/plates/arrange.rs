@@ -15,6 +15,10 @@ use crate::printing::printability::Process;
 /// Steps a millimetre in which the library counts.
 const STEPS: f64 = 100.0;
 
+/// The smallest rectangle that is tried, as a share of the bed's sides, and by how much one is smaller than the next, %.
+const MOST_SHRUNK_PERCENT: u32 = 20;
+const SHRINK_STEP_PERCENT: usize = 2;
+
 /// How many of a part are wanted.
 pub type Wanted = (PartName, usize);
 
@@ -105,9 +109,22 @@ fn filled(parts: &[&Printed], printer: &Printer) -> Result<Vec<Vec<Item>>, NoRoo
     Ok(plates)
 }
 
-/// What goes onto one plate.
+/// What goes onto one plate: in the smallest rectangle of the room's proportions that takes as much as the whole room, as the middle of a
+/// bed is flatter and warmer than its rim, and as the plate then lies on smaller beds, too.
 fn packed(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<usize>> {
-    let [width, depth] = room.size_mm.map(|size| ((size + GAP_MM) * STEPS).floor() as usize);
+    let mut best = packed_into(parts, open, room.size_mm);
+    for percent in (MOST_SHRUNK_PERCENT..100).rev().step_by(SHRINK_STEP_PERCENT) {
+        let smaller = packed_into(parts, open, room.size_mm.map(|size| 0.01 * f64::from(percent) * size));
+        if smaller.len() == best.len() {
+            best = smaller;
+        }
+    }
+    best
+}
+
+/// What goes into a rectangle.
+fn packed_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Vec<PackedItem<usize>> {
+    let [width, depth] = size_mm.map(|size| ((size + GAP_MM) * STEPS).floor() as usize);
     let boxes: Vec<Box<usize>> = open
         .iter()
         .map(|at| (*at, parts[*at].mesh.size_mm()))

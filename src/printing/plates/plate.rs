@@ -4,7 +4,9 @@ use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
 use crate::frame::assembly::Printed;
 use crate::params::PartName;
+use crate::params::catalogue::Printer;
 use crate::params::frame::NamedMaterial;
+use crate::printing::print_time::part_s;
 
 /// A copy of a part on the bed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +47,21 @@ impl Plate {
     /// Its name in files: `tpu_1` for the first of `tpu-95a`.
     pub fn name(&self) -> String {
         format!("{}_{}", short(&self.material.name), self.number)
+    }
+
+    /// Volume of all that lies on it, mm³.
+    pub fn volume_mm3(&self, printed: &[Printed]) -> f64 {
+        self.printed(printed).map(|(part, count)| part.volume_mm3 * count as f64).sum()
+    }
+
+    /// Time to print it, s, as [`part_s`] estimates it; nothing where the material does not say its speed.
+    pub fn print_s(&self, printed: &[Printed], printer: &Printer) -> Option<f64> {
+        self.printed(printed).map(|(part, count)| Some(part_s(&part.mesh, &self.material.material, printer)? * count as f64)).sum()
+    }
+
+    fn printed<'a>(&self, printed: &'a [Printed]) -> impl Iterator<Item = (&'a Printed, usize)> {
+        let find = |(name, count): (PartName, usize)| Some((printed.iter().find(|part| part.name == name)?, count));
+        self.quantities().into_iter().filter_map(find)
     }
 
     /// Parts on it with their numbers, in the order of [`PartName::ALL`].

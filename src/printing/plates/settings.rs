@@ -5,6 +5,7 @@
 //! is chosen once on the machine.
 
 use crate::params::catalogue::{Material, Printer};
+use crate::printing::print_time::SLOW_MM_S;
 
 /// One setting.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,7 +19,7 @@ pub struct PrintSetting {
 }
 
 /// The names of PrusaSlicer beside those of Orca Slicer and Bambu Studio, which are one family.
-const ORCA: [(&str, &str); 22] = [
+const ORCA: [(&str, &str); 23] = [
     ("fill_density", "sparse_infill_density"),
     ("fill_pattern", "sparse_infill_pattern"),
     ("infill_overlap", "infill_wall_overlap"),
@@ -30,6 +31,7 @@ const ORCA: [(&str, &str); 22] = [
     ("solid_infill_speed", "internal_solid_infill_speed"),
     ("top_solid_infill_speed", "top_surface_speed"),
     ("gap_fill_speed", "gap_infill_speed"),
+    ("small_perimeter_speed", "small_perimeter_speed"),
     ("brim_width", "brim_width"),
     ("extrusion_width", "line_width"),
     ("support_material", "enable_support"),
@@ -68,6 +70,7 @@ impl PrintSettings {
             all.put_some(key, material.speed_mm_s, "speed, mm/s");
         }
         all.put("gap_fill_speed", &slow(material.speed_mm_s), "speed in gaps, mm/s");
+        all.put("small_perimeter_speed", &slow(material.speed_mm_s), "speed in short loops, mm/s");
         all.put_some("brim_width", material.brim_mm, "brim, mm");
         all.put("extrusion_width", &format!("{}", printer.line_mm()), "line, mm");
         all.put("support_material", if supported { "1" } else { "0" }, "support");
@@ -119,7 +122,7 @@ const OVERLAP: &str = "15%";
 const SPEEDS: [&str; 5] = ["perimeter_speed", "external_perimeter_speed", "infill_speed", "solid_infill_speed", "top_solid_infill_speed"];
 
 fn slow(speed_mm_s: Option<f64>) -> String {
-    speed_mm_s.map_or("20".into(), |speed| format!("{}", speed.min(20.0)))
+    format!("{}", speed_mm_s.map_or(SLOW_MM_S, |speed| speed.min(SLOW_MM_S)))
 }
 
 #[cfg(test)]

@@ -6,6 +6,9 @@ use crate::frame::assembly::Design;
 use crate::params::catalogue::{Bed, Printer};
 use crate::printing::plates::{Plate, PrintSetting, PrintSettings};
 
+/// Section of a filament of 1.75 mm, mm².
+const FILAMENT_MM2: f64 = std::f64::consts::FRAC_PI_4 * 1.75 * 1.75;
+
 /// The page.
 pub fn markdown(design: &Design, plates: &[Plate]) -> String {
     let printer = &design.frame.printer;
@@ -57,11 +60,18 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     let material = &first.material.material;
     let common = PrintSettings::of_part(first.supported.contains(&part), material, &design.frame.printer);
     // Writing to a string does not fail.
-    let _ = write!(text, "\n## {name}\n\n| plate | parts |\n|---|---|\n");
+    let _ = write!(text, "\n## {name}\n\n| plate | parts | time | filament |\n|---|---|---:|---:|\n");
     for plate in &own {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
-        let _ = writeln!(text, "| `plates/{}.3mf` | {} |", plate.name(), parts.join(", "));
+        let time = plate.print_s(&design.printed, &design.frame.printer).map_or("-".into(), formatted);
+        let volume_mm3: f64 = plate.volume_mm3(&design.printed);
+        let (mass_g, metres) = (1e-3 * volume_mm3 * material.density_g_cm3, 1e-3 * volume_mm3 / FILAMENT_MM2);
+        let _ = writeln!(text, "| `plates/{}.3mf` | {} | {time} | {mass_g:.1} g, {metres:.2} m |", plate.name(), parts.join(", "));
     }
+    let _ = write!(
+        text,
+        "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the solid parts, 1.75 mm thick.\n"
+    );
     let _ = write!(text, "\n| of the spool | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
     rows(text, &PrintSettings::of_filament(material).0);
     let _ = write!(text, "\n| of the object | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
@@ -76,6 +86,12 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     if let Some(source) = &material.print_source {
         let _ = write!(text, "\nSource: {source}.\n");
     }
+}
+
+/// Hours and minutes.
+fn formatted(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round() as u64;
+    format!("{} h {:02} min", minutes / 60, minutes % 60)
 }
 
 fn rows(text: &mut String, settings: &[PrintSetting]) {
