@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 
 use super::key::Key;
 
-/// Results outlive so many changes without being used.
+/// Results outlive so many changes without being used, unless a memo says otherwise.
 const CHANGES: u64 = 4;
 
 /// A place for results beyond the life of the program. What cannot be kept is not kept: a storage never fails.
@@ -22,10 +22,16 @@ pub trait Storage: Send + Sync {
 }
 
 /// The results of steps, for any number of threads.
-#[derive(Default)]
 pub struct Memo {
     kept: Mutex<Kept>,
     storage: Option<Box<dyn Storage>>,
+    changes: u64,
+}
+
+impl Default for Memo {
+    fn default() -> Self {
+        Self::lasting(CHANGES)
+    }
 }
 
 /// A step that was carried out.
@@ -50,6 +56,11 @@ struct Entry {
 }
 
 impl Memo {
+    /// One whose results outlive so many changes without being used.
+    pub fn lasting(changes: u64) -> Self {
+        Self { kept: Mutex::default(), storage: None, changes }
+    }
+
     /// One that keeps results on a storage, too.
     pub fn on(storage: Box<dyn Storage>) -> Self {
         Self { storage: Some(storage), ..Self::default() }
@@ -115,7 +126,7 @@ impl Memo {
     pub fn changed(&self) {
         let mut kept = self.lock();
         kept.change += 1;
-        let oldest = kept.change.saturating_sub(CHANGES);
+        let oldest = kept.change.saturating_sub(self.changes);
         kept.results.retain(|_, entry| entry.used >= oldest);
     }
 
@@ -214,5 +225,20 @@ mod tests {
         storage.0.lock().expect("no thread ended").values_mut().for_each(|bytes| bytes.truncate(3));
         let memo = Memo::on(Box::new(storage));
         assert_eq!((squared(&memo, 3.0), count(&memo)), (9.0, 1));
+    }
+
+    #[test]
+    fn analytic_results_outlive_as_many_changes_as_were_asked_for() {
+        for changes in [2, 7] {
+            let memo = Memo::lasting(changes);
+            let made_after = |idle: u64| {
+                squared(&memo, 5.0);
+                memo.made();
+                (0..idle).for_each(|_| memo.changed());
+                squared(&memo, 5.0);
+                count(&memo)
+            };
+            assert_eq!((made_after(changes), made_after(changes + 1)), (0, 1), "{changes}");
+        }
     }
 }

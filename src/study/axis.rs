@@ -10,6 +10,8 @@ pub enum Axis {
     Number(Vary),
     /// A number from a table.
     Listed(&'static Parameter),
+    /// A number that is no parameter of a frame, or none, by its key.
+    Stated(&'static str),
     /// A name out of several.
     Name {
         /// The key with its table.
@@ -26,6 +28,8 @@ pub enum Input {
     Number(f64),
     /// A name.
     Name(String),
+    /// Nothing: the row has no such thing.
+    None,
 }
 
 impl Input {
@@ -34,6 +38,7 @@ impl Input {
         match self {
             Self::Number(value) => value.to_string(),
             Self::Name(name) => name.clone(),
+            Self::None => String::new(),
         }
     }
 }
@@ -44,6 +49,7 @@ impl Axis {
         match self {
             Self::Number(vary) => vary.key(),
             Self::Listed(parameter) => format!("{}.{}", parameter.table, parameter.key),
+            Self::Stated(key) => (*key).into(),
             Self::Name { key, .. } => key.clone(),
         }
     }
@@ -53,7 +59,7 @@ impl Axis {
         match self {
             Self::Number(vary) => vary.parameter.unit(),
             Self::Listed(parameter) => parameter.unit(),
-            Self::Name { .. } => "",
+            Self::Stated(_) | Self::Name { .. } => "",
         }
     }
 
@@ -62,6 +68,7 @@ impl Axis {
         match self {
             Self::Number(vary) => Input::Number(vary.at(share)),
             Self::Listed(parameter) => Input::Number(parameter.min + share * (parameter.max - parameter.min)),
+            Self::Stated(_) => Input::None,
             Self::Name { names, .. } => Input::Name(names[((share * names.len() as f64) as usize).min(names.len() - 1)].clone()),
         }
     }

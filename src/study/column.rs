@@ -1,5 +1,7 @@
 //! What a study says of each frame.
 
+use super::bill_figure::{BILL_FIGURES, BillFigure};
+use super::recovery::RecoveryMeasure;
 use crate::checks::{CATALOGUE, Rule, Verdict};
 use crate::variant::{Evaluation, MEASURES, Measure};
 
@@ -12,6 +14,10 @@ pub enum Column {
     Margin(&'static Rule),
     /// How many findings of the rules that the study looks at are violated.
     Violations,
+    /// A figure of the bill of materials.
+    Bill(&'static BillFigure),
+    /// A figure of a row of hidden effects.
+    Recovery(&'static RecoveryMeasure),
 }
 
 /// How the column of a rule's margin begins.
@@ -26,6 +32,8 @@ impl Column {
             Self::Measure(measure) => measure.name.into(),
             Self::Margin(rule) => format!("{MARGIN}{}", rule.id),
             Self::Violations => VIOLATIONS.into(),
+            Self::Bill(figure) => figure.name.into(),
+            Self::Recovery(measure) => measure.name.into(),
         }
     }
 
@@ -38,7 +46,24 @@ impl Column {
                 _ => "",
             },
             Self::Violations => "",
+            Self::Bill(figure) => figure.unit,
+            Self::Recovery(measure) => measure.unit,
         }
+    }
+
+    /// The words that its figures stand for, by their place; none where they are numbers.
+    pub fn words(&self) -> Option<&'static [&'static str]> {
+        self.recovery()?.words
+    }
+
+    /// The word that a figure stands for, where the column has words.
+    pub fn word(&self, figure: f64) -> Option<&'static str> {
+        self.words()?.get(figure as usize).copied()
+    }
+
+    /// The figure of a row of hidden effects that it is.
+    pub(super) fn recovery(&self) -> Option<&'static RecoveryMeasure> {
+        if let Self::Recovery(measure) = self { Some(measure) } else { None }
     }
 
     /// The columns of a name: one, or those of all margins.
@@ -51,14 +76,16 @@ impl Column {
         }
         let margin = name.strip_prefix(MARGIN).and_then(|id| rules_of_margins().find(|rule| rule.id == id));
         let measure = MEASURES.iter().find(|measure| measure.name == name);
-        margin.map(Self::Margin).or(measure.map(Self::Measure)).map(|column| vec![column])
+        let bill = BILL_FIGURES.iter().find(|figure| figure.name == name);
+        margin.map(Self::Margin).or(measure.map(Self::Measure)).or(bill.map(Self::Bill)).map(|column| vec![column])
     }
 
     /// Every name that [`Column::of`] knows.
     pub(super) fn names() -> Vec<String> {
         let margins = rules_of_margins().map(|rule| format!("{MARGIN}{}", rule.id));
         let plain = ["margins", VIOLATIONS].map(String::from);
-        MEASURES.iter().map(|measure| measure.name.to_string()).chain(plain).chain(margins).collect()
+        let bill = BILL_FIGURES.iter().map(|figure| figure.name.to_string());
+        MEASURES.iter().map(|measure| measure.name.to_string()).chain(bill).chain(plain).chain(margins).collect()
     }
 
     /// The rules that it asks for.
@@ -67,6 +94,7 @@ impl Column {
             Self::Measure(measure) => CATALOGUE.iter().copied().filter(|rule| measure.reads(rule.id)).collect(),
             Self::Margin(rule) if rule.has_own_pass() => vec![rule],
             Self::Margin(_) | Self::Violations => rules_of_margins().collect(),
+            Self::Bill(_) | Self::Recovery(_) => Vec::new(),
         }
     }
 
@@ -79,6 +107,8 @@ impl Column {
                 own.map(|finding| finding.margin).filter(|margin| margin.is_finite()).reduce(f64::min)
             }
             Self::Violations => Some(evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).count() as f64),
+            Self::Bill(figure) => figure.of_frame(evaluation),
+            Self::Recovery(_) => None,
         }
     }
 

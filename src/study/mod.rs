@@ -1,9 +1,10 @@
-//! Studies: many frames, one a row, over ranges of parameters.
+//! Studies: many frames, one a row, over ranges of parameters; and many sets of drops with something hidden in them.
 //!
 //! A [`Study`] is read from a plan file. Row `n` of a study is a pure function of the plan and of `n`, so rows can be evaluated in
 //! any order, by any number of processes, and again after an interruption; the table is the same. No file is opened for writing here.
 
 mod axis;
+mod bill_figure;
 mod column;
 mod evaluate;
 mod front;
@@ -13,11 +14,14 @@ mod outcomes;
 mod parquet_table;
 mod plan;
 mod plan_file;
+mod plan_keys;
+pub mod recovery;
 mod sampling;
 mod sobol_indices;
 mod table;
 
 pub use axis::{Axis, Input};
+pub use bill_figure::BillFigure;
 pub use column::Column;
 pub use evaluate::Evaluator;
 pub use front::{FrontError, front};
@@ -25,7 +29,7 @@ pub use journal::{Journal, JournalError, KEY_OF_STUDY, begun, line};
 pub use outcomes::{Outcome, Outcomes};
 #[cfg(feature = "parquet")]
 pub use parquet_table::parquet;
-pub use plan::Study;
+pub use plan::{Frames, Study, Subject};
 pub use plan_file::{SAMPLES, load};
 pub use sampling::{Sampling, most_rows};
 pub use sobol_indices::{Index, Indices, IndicesError, indices};

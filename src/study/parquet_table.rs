@@ -31,11 +31,15 @@ pub fn parquet(study: &Study, outcomes: &Outcomes) -> Result<Vec<u8>, ParquetErr
             Axis::Name { .. } => {
                 column::<ByteArrayType>(&mut group, of_axis.map(|input| Some(ByteArray::from(input.field().into_bytes()))))?
             }
-            Axis::Number(_) | Axis::Listed(_) => column::<DoubleType>(&mut group, of_axis.map(number))?,
+            Axis::Number(_) | Axis::Listed(_) | Axis::Stated(_) => column::<DoubleType>(&mut group, of_axis.map(number))?,
         }
     }
-    for at in 0..study.columns.len() {
-        column::<DoubleType>(&mut group, rows.iter().map(|row| outcomes.figure(*row, at)))?;
+    for (at, of) in study.columns.iter().enumerate() {
+        let figures = rows.iter().map(|row| outcomes.figure(*row, at));
+        match of.words() {
+            Some(_) => column::<ByteArrayType>(&mut group, figures.map(|figure| of.word(figure?).map(ByteArray::from)))?,
+            None => column::<DoubleType>(&mut group, figures)?,
+        }
     }
     let refused = |row: &usize| match outcomes.of(*row) {
         Some(Outcome::Refused(why)) => Some(ByteArray::from(why.as_bytes().to_vec())),
@@ -62,8 +66,8 @@ fn schema(study: &Study) -> Result<Type, ParquetError> {
     for axis in &study.axes {
         fields.push(if matches!(axis, Axis::Name { .. }) { text(axis.key())? } else { number(axis.key())? });
     }
-    for name in study.columns.iter().map(Column::name) {
-        fields.push(number(name)?);
+    for column in &study.columns {
+        fields.push(if column.words().is_some() { text(column.name())? } else { number(column.name())? });
     }
     fields.push(text("refused".into())?);
     Type::group_type_builder("study").with_fields(fields).build()
@@ -81,4 +85,60 @@ fn column<T: parquet::data_type::DataType>(
     let mut column = group.next_column()?.ok_or_else(missing)?;
     column.typed::<T>().write_batch(&known, Some(&levels), None)?;
     column.close()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write;
+
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+
+    use super::*;
+    use crate::params::files::Memory;
+
+    fn study(text: &str) -> Study {
+        let files = Memory([("s.toml".into(), text.as_bytes().to_vec())].into_iter().collect());
+        super::super::plan_file::load("s.toml", &files).expect("is a plan")
+    }
+
+    /// The table as the crate reads it back: names, and the fields of each row.
+    fn read(bytes: &[u8]) -> (Vec<String>, Vec<Vec<Field>>) {
+        let mut file = tempfile::tempfile().expect("a file");
+        file.write_all(bytes).expect("can be written");
+        let reader = SerializedFileReader::new(file).expect("is a table");
+        let names = reader.metadata().file_metadata().schema().get_fields().iter().map(|field| field.name().to_string()).collect();
+        let rows = reader.get_row_iter(None).expect("has rows").map(|row| row.expect("a row").into_columns());
+        (names, rows.map(|row| row.into_iter().map(|(_, field)| field).collect()).collect())
+    }
+
+    #[test]
+    fn analytic_the_table_reads_back_with_names_types_and_what_is_missing() {
+        let study = study(
+            "samples = 9\nmeasures = [\"mass\", \"peak\"]\n[vary]\ncage_rod = [150, 150]\n[choose]\nbought.rod = [\"rod-carbon-3\"]\n",
+        );
+        let mut outcomes = Outcomes::none(9);
+        outcomes.learn(2, Outcome::Figures(vec![Some(230.5), None]));
+        outcomes.learn(7, Outcome::Refused("it is too \u{e9}troit".into()));
+        let (names, rows) = read(&parquet(&study, &outcomes).expect("can be written"));
+        assert_eq!(names, ["row", "rods.cage_rod_length_mm", "bought.rod", "mass", "peak", "refused"]);
+        let text = |text: &str| Field::Str(text.into());
+        let (rod, length) = (text("rod-carbon-3"), Field::Double(150.0));
+        let known = vec![Field::Long(2), length.clone(), rod.clone(), Field::Double(230.5), Field::Null, Field::Null];
+        assert_eq!(rows, [known, vec![Field::Long(7), length, rod, Field::Null, Field::Null, text("it is too \u{e9}troit")]]);
+    }
+
+    #[test]
+    fn analytic_words_are_texts_and_a_row_without_a_strength_has_none() {
+        let plan = "kind = \"recovery\"\nmeasures = [\"verdict\", \"weight\"]\neffects = [\"preload\"]\nstrengths = [5]\n[seeds]\nnothing = [1, 2]\none = [1, 2]\n";
+        let study = study(plan);
+        let mut outcomes = Outcomes::none(2);
+        outcomes.learn(0, Outcome::Figures(vec![Some(3.0), None]));
+        outcomes.learn(1, Outcome::Figures(vec![Some(0.0), Some(0.75)]));
+        let (names, rows) = read(&parquet(&study, &outcomes).expect("can be written"));
+        assert_eq!(names, ["row", "level", "law", "truth", "strength", "seed", "verdict", "weight", "refused"]);
+        let text = |text: &str| Field::Str(text.into());
+        assert_eq!(rows[0][3..8], [text("nothing"), Field::Null, Field::Double(1.0), text("nothing_missing"), Field::Null]);
+        assert_eq!(rows[1][3..8], [text("preload"), Field::Double(5.0), Field::Double(1.0), text("named"), Field::Double(0.75)]);
+    }
 }

@@ -5,13 +5,15 @@ use std::sync::Arc;
 
 use super::axis::{Axis, Input};
 use super::column::Column;
-use super::plan::Study;
+use super::plan::{Frames, Study, Subject};
+use super::plan_keys::{impossible, named, only_known, text, whole};
+use super::recovery;
 use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
 use crate::params::frame_file::Value;
 use crate::params::lookup::lookup;
-use crate::params::refusal::{Reason, Refusal, nearest};
+use crate::params::refusal::{Reason, Refusal};
 use crate::params::{Frame, FrameFile, ImpactFile, LoadError};
 use crate::variant::Vary;
 
@@ -24,10 +26,13 @@ const MOST_POINTS: f64 = 10_000.0;
 /// Largest table of samples read, bytes.
 const LARGEST_TABLE: u64 = 1 << 30;
 /// Keys beside the tables `vary` and `choose`.
-const KEYS: [&str; 9] = ["base", "sampling", "samples", "points", "seed", "measures", "mechanics", "table", "description"];
+const KEYS: [&str; 10] = ["kind", "base", "sampling", "samples", "points", "seed", "measures", "mechanics", "table", "description"];
 /// What is said of each frame when a plan does not say.
 const MEASURES: [&str; 8] =
     ["mass", "envelope.width", "envelope.depth", "envelope.height", "clearance.propeller", "peak", "margins", "violations"];
+
+/// What the rows of a plan may be; a plan that does not say has frames.
+const KINDS: [&str; 2] = ["frames", "recovery"];
 
 /// Reads a plan: the path of a TOML file.
 ///
@@ -35,8 +40,15 @@ const MEASURES: [&str; 8] =
 /// When it, its base, its table or its mechanics cannot be read, or are refused.
 pub fn load(path: &str, files: &dyn Files) -> Result<Study, LoadError> {
     let file = ImpactFile::load_from(path, files)?;
-    let folder = Path::new(path).parent().unwrap_or(Path::new(""));
-    only_known(&file)?;
+    if KINDS[file.word("kind", &KINDS)?] == "recovery" {
+        return of_recovery(file, files);
+    }
+    of_frames(file, Path::new(path).parent().unwrap_or(Path::new("")), files)
+}
+
+/// A study of frames; files are named from the plan's folder.
+fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study, LoadError> {
+    only_known(&file, &KEYS, &["vary", "choose"])?;
     let named = text(&file, "base")?.unwrap_or_else(|| "cognifly".into());
     let base_name = beside(folder, named);
     let base = FrameFile::load_from(&base_name, files)?;
@@ -58,10 +70,25 @@ pub fn load(path: &str, files: &dyn Files) -> Result<Study, LoadError> {
         }
     };
     let seed = whole(&file, "seed", [0.0, f64::from(u32::MAX)])?.unwrap_or(1) as u32;
-    let typed: Vec<String> = file.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect();
     let based: Vec<String> = base.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect();
-    let text = format!("{}\n{}\n{listed}\n{mechanics:?}", typed.join("\n"), based.join("\n"));
-    Ok(Study { name: file.name, base, base_name, axes, sampling, seed, columns, mechanics, text })
+    let text = format!("{}\n{}\n{listed}\n{mechanics:?}", typed(&file), based.join("\n"));
+    let subject = Subject::Frames(Frames { base, base_name, mechanics });
+    Ok(Study { name: file.name, subject, axes, sampling, seed, columns, text })
+}
+
+/// A study of hidden effects.
+fn of_recovery(file: ImpactFile, files: &dyn Files) -> Result<Study, LoadError> {
+    let columns = recovery::columns(&file)?.into_iter().map(Column::Recovery).collect();
+    let recovery = recovery::setting(&file, files)?;
+    let text = format!("{}\n{}", typed(&file), recovery.base.to_toml());
+    let (axes, rows) = recovery.rows();
+    let sampling = Sampling::Table { rows: Arc::new(rows) };
+    Ok(Study { name: file.name, subject: Subject::Recovery(recovery), axes, sampling, seed: 0, columns, text })
+}
+
+/// What a plan says, in the order of its keys.
+fn typed(file: &ImpactFile) -> String {
+    file.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect::<Vec<_>>().join("\n")
 }
 
 /// A file named in a plan: a path from the plan's folder; what is no file stays a name.
@@ -81,54 +108,12 @@ fn read(path: &str, files: &dyn Files) -> Result<String, LoadError> {
     String::from_utf8(bytes).map_err(not_text)
 }
 
-fn only_known(file: &ImpactFile) -> Result<(), Refusal> {
-    let known = |key: &str| KEYS.contains(&key) || key.starts_with("vary.") || key.starts_with("choose.");
-    let Some(key) = file.entries.keys().find(|key| !known(key)) else { return Ok(()) };
-    let reason = match nearest(key, KEYS) {
-        near if near.is_empty() => impossible(
-            format!("unknown key `{key}`"),
-            format!("the keys of a study are {}, and the tables vary and choose", KEYS.join(", ")),
-        ),
-        near => Reason::UnknownKey { key: key.clone(), nearest: near },
-    };
-    Err(file.refuse(key, reason))
-}
-
-fn impossible(message: String, remedy: String) -> Reason {
-    Reason::Impossible { message, remedy }
-}
-
-fn text(file: &ImpactFile, key: &str) -> Result<Option<String>, Refusal> {
-    match file.entries.get(key).map(|entry| &entry.value) {
-        None => Ok(None),
-        Some(Value::Text(text)) => Ok(Some(text.clone())),
-        Some(other) => Err(file.refuse(key, Reason::WrongType { key: key.into(), found: other.kind().into(), expected: "a text".into() })),
-    }
-}
-
-fn whole(file: &ImpactFile, key: &str, bounds: [f64; 2]) -> Result<Option<usize>, Refusal> {
-    match file.number(key, bounds, "1")? {
-        Some(value) if value.fract() != 0.0 => {
-            Err(file.refuse(key, impossible(format!("`{key}` = {value} is no whole number"), "give a whole number".into())))
-        }
-        found => Ok(found.map(|value| value as usize)),
-    }
-}
-
 fn columns(file: &ImpactFile) -> Result<Vec<Column>, Refusal> {
     let names = file.texts("measures")?.unwrap_or_else(|| MEASURES.map(String::from).to_vec());
+    let known = Column::names();
     let mut columns: Vec<Column> = Vec::new();
     for name in names {
-        let Some(found) = Column::of(&name) else {
-            let known = Column::names();
-            let near = nearest(&name, known.iter().map(String::as_str));
-            let reason = match near.is_empty() {
-                true => impossible(format!("there is no measure `{name}`"), format!("there are {}", known.join(", "))),
-                false => Reason::UnknownName { kind: "measure".into(), name, nearest: near },
-            };
-            return Err(file.refuse("measures", reason));
-        };
-        for column in found {
+        for column in named(file, "measures", "measure", &name, Column::of(&name), &known)? {
             if columns.iter().all(|known| known.name() != column.name()) {
                 columns.push(column);
             }
@@ -209,7 +194,7 @@ fn grid(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
     let all = whole(file, "points", [1.0, MOST_POINTS])?.unwrap_or(GRID_POINTS);
     let count = |axis: &Axis| match axis {
         Axis::Name { names, .. } => names.len(),
-        Axis::Number(_) | Axis::Listed(_) => all,
+        Axis::Number(_) | Axis::Listed(_) | Axis::Stated(_) => all,
     };
     let points: Vec<usize> = axes.iter().map(count).collect();
     let most = most_rows("grid");
@@ -242,7 +227,7 @@ fn from_table(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input
                     }
                     Input::Name(field.into())
                 }
-                Axis::Number(_) | Axis::Listed(_) => {
+                Axis::Number(_) | Axis::Listed(_) | Axis::Stated(_) => {
                     let number = field.parse::<f64>().ok().filter(|value| value.is_finite());
                     Input::Number(number.ok_or_else(|| refuse(format!("row {at}: {field:?} is no number for {}", axis.key())))?)
                 }

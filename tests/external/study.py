@@ -2,8 +2,9 @@
 
     study.py FLEXFRAME FOLDER
 
-The server runs on the loopback with three workers. It is killed with them in the middle of a study; another server takes over. The table
-is then that of an undisturbed run on this machine, byte for byte. One line a result: "ok NAME", "FAILED NAME: WHY"."""
+The server runs on the loopback with three workers. It is killed with them in the middle of a study; another server takes over, and loses
+one worker alone. The table is then that of an undisturbed run on this machine, byte for byte. A program that was built with the feature
+`parquet` has written the table as Parquet, too, which is compared with the CSV. One line a result: "ok NAME", "FAILED NAME: WHY"."""
 
 import csv
 import json
@@ -28,6 +29,13 @@ measures = ["mass", "envelope.width"]
 arm_rod = [62, 92]
 cage_rod = [172, 178]
 """
+HIDDEN = """kind = "recovery"
+effects = ["preload", "cubic_stiffness"]
+strengths = [266]
+[seeds]
+nothing = [5000, 5001]
+one = [500, 501]
+"""
 GROUPS = 8
 SENSITIVITY = f"""base = "cognifly"
 sampling = "saltelli"
@@ -37,12 +45,39 @@ measures = ["mass"]
 arm_rod = [76, 80]
 strut_rod = [47, 52]
 """
+# Workers are threads of the server's process. At a signal the connection of the first is cut, which is all that a server sees when a
+# node is lost; the worker then ends, and its task with it.
 SERVER = """
-import pathlib, sys, threading
+import os, pathlib, signal, socket, sys, threading
 from hyperqueue.cluster import LocalCluster, WorkerConfig
+
+def sockets():
+    links = {}
+    for name in os.listdir("/proc/self/fd"):
+        try:
+            links[int(name)] = os.readlink(f"/proc/self/fd/{name}")
+        except OSError:
+            pass
+    return {number for number, link in links.items() if link.startswith("socket:")}
+
 cluster = LocalCluster(server_dir=sys.argv[1])
-for _ in range(3):
+before = sockets()
+cluster.start_worker(WorkerConfig(cores=1))
+first = sockets() - before
+for _ in range(2):
     cluster.start_worker(WorkerConfig(cores=1))
+
+def lose(*_):
+    for number in first:
+        try:
+            connection = socket.socket(fileno=os.dup(number))
+            connection.getpeername()
+            connection.shutdown(socket.SHUT_RDWR)
+            connection.close()
+        except OSError:
+            pass
+
+signal.signal(signal.SIGUSR1, lose)
 pathlib.Path(sys.argv[2]).write_text(str(cluster.cluster.server_dir))
 threading.Event().wait()
 """
@@ -79,6 +114,31 @@ class Server:
         self.process.send_signal(signal.SIGKILL)
         self.process.wait()
 
+    def lose_a_worker(self):
+        self.process.send_signal(signal.SIGUSR1)
+
+    def tasks(self):
+        """The processes of tasks that run."""
+        found = []
+        for status in pathlib.Path("/proc").glob("[0-9]*/status"):
+            try:
+                parent = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("PPid:"))
+                if int(parent) == self.process.pid and b"block" in (status.parent / "cmdline").read_bytes():
+                    found.append(status.parent.name)
+            except (OSError, StopIteration):
+                pass
+        return found
+
+
+def wait_for(what, seconds):
+    """Whether it came to be in time."""
+    deadline = time.monotonic() + seconds
+    while time.monotonic() < deadline:
+        if what():
+            return True
+        time.sleep(0.05)
+    return False
+
 
 def on_hyperqueue(plan, expected):
     out = FOLDER / "cluster"
@@ -102,9 +162,66 @@ def on_hyperqueue(plan, expected):
     finally:
         second.kill()
     result("study on HyperQueue: another server goes on", code == 0, said)
+    same_table(out, expected)
+
+
+def same_table(out, expected):
     table = (out / "study-plan/study.csv")
     result("study on HyperQueue: the table of this machine", table.exists() and table.read_bytes() == expected, "the tables differ")
+    blocks = out / "study-plan/blocks"
     result("study on HyperQueue: no file of a block is left", not blocks.exists(), str(list(blocks.glob("*")) if blocks.exists() else ""))
+
+
+def without_a_worker(plan, expected):
+    """One of three workers is lost while it has a task: the others do its work."""
+    out = FOLDER / "lost"
+    server = Server("third")
+    try:
+        run = [PROGRAM, "study", "run", plan, "--engine", "hq", "--block", "1", "-o", out]
+        waiting = subprocess.Popen(run, env=server.env(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        busy = wait_for(lambda: len(server.tasks()) == 3, 120)
+        result("study on HyperQueue: three workers have a task each", busy, f"{len(server.tasks())} tasks")
+        before = set(server.tasks())
+        server.lose_a_worker()
+        lost = wait_for(lambda: len(server.tasks()) <= 2 and waiting.poll() is None, 60)
+        result("study on HyperQueue: a worker is lost in the middle", lost, f"before {before}, then {server.tasks()}")
+        most = 0
+        while waiting.poll() is None:
+            most = max(most, len(server.tasks()))
+            time.sleep(0.05)
+        said = waiting.communicate(timeout=300)[0]
+        result("study on HyperQueue: two workers are left, and end the study", waiting.returncode == 0 and most <= 2, f"{most} tasks: {said}")
+    finally:
+        server.kill()
+    same_table(out, expected)
+
+
+def as_parquet(table):
+    """The Parquet table, where the program writes one: the same columns, numbers, texts and empty cells as the CSV."""
+    place = table.with_suffix(".parquet")
+    if not place.exists():
+        return
+    import pandas
+    from pyarrow import parquet
+
+    with table.open() as file:
+        rows = list(csv.reader(file))
+    read = parquet.read_table(place)
+    result("study as Parquet: the columns of the CSV", read.column_names == rows[0], str(read.column_names))
+    texts = {"refused", "law", "truth", "verdict", "named", "named.2", "named.3", "first"} | {name for name in rows[0] if name.startswith("bought.")}
+    kinds = {name: "int64" if name == "row" else "string" if name in texts else "double" for name in rows[0]}
+    found = {field.name: str(field.type) for field in read.schema}
+    result("study as Parquet: whole numbers, numbers and texts", found == kinds, str(found))
+    off = []
+    for column, name in enumerate(rows[0]):
+        for row, value in enumerate(read.column(name).to_pylist()):
+            cell = rows[row + 1][column]
+            same = value is None if cell == "" else value == cell if isinstance(value, str) else value == float(cell)
+            if not same:
+                off.append(f"{name} row {row}: {value!r}, not {cell!r}")
+    result("study as Parquet: the cells of the CSV", read.num_rows == len(rows) - 1 and not off, "; ".join(off[:5]))
+    frame = pandas.read_parquet(place)
+    result("study as Parquet: pandas reads it", list(frame.columns) == rows[0] and len(frame) == len(rows) - 1, str(frame.dtypes))
 
 
 def sensitivities():
@@ -130,6 +247,26 @@ def sensitivities():
         result(f"study: intervals of the {order} indices are SALib's within a third", wide < 0.34, f"off by {wide:.2f}")
 
 
+def hidden_effects():
+    """Drops with something hidden in them run there as they run here."""
+    plan = FOLDER / "hidden.toml"
+    plan.write_text(HIDDEN)
+    code, said = study("run", plan, "-o", FOLDER / "here")
+    result("study of hidden effects: runs on this machine", code == 0, said)
+    here = FOLDER / "here/study-hidden/study.csv"
+    server = Server("fourth")
+    try:
+        code, said = study("run", plan, "--engine", "hq", "--block", "1", "-o", FOLDER / "there", env=server.env())
+    finally:
+        server.kill()
+    there = FOLDER / "there/study-hidden/study.csv"
+    same = code == 0 and there.read_bytes() == here.read_bytes()
+    result("study of hidden effects: HyperQueue gives the table of this machine", same, said)
+    named = [row["named"] for row in csv.DictReader(here.open())]
+    result("study of hidden effects: what was hidden is named", named == ["", "preload", "cubic_stiffness"], str(named))
+    as_parquet(here)
+
+
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
@@ -141,7 +278,10 @@ def main():
     rows = list(csv.DictReader(table.decode().splitlines()))
     refused = [row for row in rows if row["refused"]]
     result("study: a frame that does not close is a row with its reason", len(rows) == ROWS and 0 < len(refused) < ROWS, f"{len(refused)} refused")
+    as_parquet(FOLDER / "local/study-plan/study.csv")
     on_hyperqueue(plan, table)
+    without_a_worker(plan, table)
+    hidden_effects()
     sensitivities()
 
 

@@ -20,8 +20,5 @@ mod records_random;
 mod recovery;
 mod reproduction;
 mod sampling_rates;
-#[expect(dead_code, reason = "the benchmark of recovery uses the rest")]
-#[path = "../../benches/recovery/strength.rs"]
-mod strength;
 mod synthetic;
 mod validity_warnings;

@@ -162,3 +162,110 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
     let (code, _, err) = desk.run(&["plan", "s.toml"]);
     assert!(code == 2 && err.contains("row 1: \"x\" is no number for rods.arm_rod_length_mm"), "{err}");
 }
+
+/// Three sets of drops in which nothing is hidden, a preload that is strong, and one that is stronger than a preload can be.
+const HIDDEN: &str =
+    "kind = \"recovery\"\neffects = [\"preload\"]\nstrengths = [266, 100000]\n[seeds]\nnothing = [5000, 5003]\none = [500, 501]\n";
+
+#[test]
+fn planted_hidden_effects_are_found_whatever_interrupts_the_study() {
+    let desk = Desk::new(HIDDEN);
+    desk.good(&["run", "s.toml", "-o", "whole", "-q"]);
+    let journal = desk.path().join("out/study-s/rows.jsonl");
+    let mut run = desk.command(&["run", "s.toml", "--cores", "1"]).stdout(Stdio::null()).spawn().expect("starts");
+    let rows = || fs::read_to_string(&journal).unwrap_or_default().lines().count();
+    let begun = Instant::now();
+    while rows() < 3 && begun.elapsed() < Duration::from_secs(300) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    run.kill().expect("can be killed");
+    run.wait().expect("ends");
+    let kept = rows() - 1;
+    assert!((2..5).contains(&kept), "{kept} rows were finished when it was killed");
+    let out: Value = serde_json::from_str(&desk.good(&["run", "s.toml", "--json"])).expect("JSON");
+    assert_eq!((out["evaluated"].as_u64(), out["refused"].as_u64()), (Some(5 - kept as u64), Some(1)), "{out}");
+    assert_eq!(desk.read("out/study-s/study.csv"), desk.read("whole/study-s/study.csv"));
+    // A task of a cluster writes the same lines.
+    desk.good(&["block", "s.toml", "--rows", "1-3", "--into", "blocks"]);
+    let block = desk.read("blocks/1-3.jsonl");
+    assert!(block.lines().count() == 3 && block.lines().all(|line| desk.read("out/study-s/rows.jsonl").contains(line)), "{block}");
+
+    let table = desk.table("out");
+    let column = |name: &str| table[0].iter().position(|known| known == name).unwrap_or_else(|| panic!("{name} in {:?}", table[0]));
+    let cell = |row: usize, name: &str| table[row + 1][column(name)].as_str();
+    assert_eq!((cell(3, "truth"), cell(3, "strength"), cell(3, "law"), cell(3, "seed")), ("preload", "266", "proportional", "500"));
+    assert_eq!((cell(3, "verdict"), cell(3, "named"), cell(3, "rank"), cell(3, "right")), ("named", "preload", "1", "1"));
+    let number = |name: &str| cell(3, name).parse::<f64>().unwrap_or_else(|_| panic!("{name}: {:?}", cell(3, name)));
+    assert!((200.0..300.0).contains(&number("noncentrality")), "{}", number("noncentrality"));
+    assert!(number("held_out.after") < 0.5 * number("held_out.before") && number("p.before") < 0.01 && number("p.after") > 0.01);
+    let (truth, found) = (number("parameter.1.true"), number("parameter.1.found"));
+    assert!((found / truth - 1.0).abs() < 0.5 && (number("parameter.1.least")..number("parameter.1.most")).contains(&found));
+    assert_eq!((cell(0, "truth"), cell(0, "strength"), cell(0, "named"), cell(0, "noncentrality")), ("nothing", "", "", ""));
+    assert!(cell(4, "refused").contains("preload does not reach the strength 100000") && cell(4, "verdict").is_empty());
+
+    fs::write(desk.path().join("page.md"), "Above.\n<!-- study s -->\n<!-- end of study s -->\nBelow.\n").expect("can be written");
+    desk.good(&["report", "s.toml", "--into", "page.md"]);
+    let page = desk.read("page.md");
+    assert!(page.starts_with("Above.\n<!-- study s -->\n") && page.ends_with("<!-- end of study s -->\nBelow.\n"), "{page}");
+    assert!(page.contains("| named first, of all strengths | 1/1 = 1.00 (0.21 to 1.00) |"), "{page}");
+    let facts = csv_rows(&desk.read("out/study-s/report/accuracy.csv"));
+    let fact = |line: &str| facts.iter().find(|row| row[1] == line).unwrap_or_else(|| panic!("{line} in {facts:?}"));
+    assert_eq!(fact("named first, of all strengths")[4..7], ["1", "1", "1"]);
+    assert_eq!((fact("false alarms where nothing is hidden")[5].as_str(), fact("refused")[6].as_str()), ("3", "1"));
+    assert!(desk.read("out/study-s/report/report.html").contains("Named first, by effect"));
+    fs::write(desk.path().join("page.md"), "No marks.\n").expect("can be written");
+    let (code, _, err) = desk.run(&["report", "s.toml", "--into", "page.md"]);
+    assert!(code == 2 && err.contains("<!-- study s -->"), "{err}");
+
+    // The drops of a row, for other commands.
+    desk.good(&["pick", "s.toml", "3", "-o", "mine"]);
+    let program = |arguments: &[&str]| {
+        let done = Command::new(cargo_bin("flexframe")).args(arguments).current_dir(desk.path()).output().expect("starts");
+        String::from_utf8(done.stdout).expect("UTF-8")
+    };
+    program(&["synthesize", "mine.toml"]);
+    let diagnosis: Value = serde_json::from_str(&program(&["diagnose", "out/synthesize-mine/drops", "--json"])).expect("JSON");
+    assert!(diagnosis["verdict"] == "named" && diagnosis["effects"][0]["id"] == "preload", "{}", diagnosis["verdict"]);
+    let (code, _, err) = desk.run(&["pick", "s.toml", "4", "-o", "other"]);
+    assert!(code == 2 && err.contains("does not reach"), "{err}");
+}
+
+#[test]
+fn planted_plans_of_hidden_effects_that_cannot_be_are_refused_at_their_line() {
+    let seeds = "[seeds]\none = [1, 2]\n";
+    let cases = [
+        (format!("kind = \"recoveries\"\n{seeds}"), "recovery"),
+        (format!("kind = \"recovery\"\nlevels = [4]\n{seeds}"), "levels"),
+        (format!("kind = \"recovery\"\nlevels = [1.5]\n{seeds}"), "no whole number"),
+        (format!("kind = \"recovery\"\nlaws = [\"additiv\"]\n{seeds}"), "`additive`"),
+        (format!("kind = \"recovery\"\neffects = [\"preloads\"]\n{seeds}"), "`preload`"),
+        (format!("kind = \"recovery\"\nmeasures = [\"verdicts\"]\n{seeds}"), "`verdict`"),
+        (format!("kind = \"recovery\"\nstrengths = [0]\n{seeds}"), "strengths"),
+        (format!("kind = \"recovery\"\nmost_effects = 4\n{seeds}"), "most_effects"),
+        (format!("kind = \"recovery\"\nbase = \"cognifly\"\n{seeds}"), "`base`"),
+        ("kind = \"recovery\"\n[seeds]\none = [5, 5]\n".into(), "no range of seeds"),
+        ("kind = \"recovery\"\n[seeds]\nthree = [5, 6]\n".into(), "seeds.three"),
+        ("kind = \"recovery\"\n".into(), "the plan has 0 rows"),
+        ("kind = \"recovery\"\n[seeds]\nnothing = [0, 1000001]\n".into(), "the plan has 1000001 rows"),
+    ];
+    let desk = Desk::new("");
+    for (plan, word) in &cases {
+        fs::write(desk.path().join("s.toml"), plan).expect("can be written");
+        let (code, _, err) = desk.run(&["run", "s.toml"]);
+        assert!(code == 2 && err.contains(word), "{plan}: {code} {err}");
+        assert!(!desk.path().join("out").exists(), "a plan that is refused writes nothing");
+    }
+}
+
+#[test]
+fn planted_the_plans_in_the_repository_are_plans() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/studies");
+    let mut kinds = [0, 0];
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("is there").path();
+        let study = flexframe::study::load(&path.display().to_string(), &flexframe::params::files::Disk);
+        let study = study.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        kinds[usize::from(matches!(study.subject, flexframe::study::Subject::Recovery(_)))] += 1;
+    }
+    assert!(kinds[0] >= 2 && kinds[1] >= 4, "{kinds:?}");
+}

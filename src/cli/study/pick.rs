@@ -1,16 +1,18 @@
 //! `flexframe study pick`.
 
+use std::path::Path;
 use std::process::ExitCode;
 
 use super::study_option::load;
 use crate::cli::failure::Failure;
 use crate::cli::frame_text::{self, Line};
 use crate::cli::options::Common;
+use crate::cli::output;
 use crate::cli::terminal;
 use crate::params::frame_file::Value;
-use crate::study::Input;
+use crate::study::{Axis, Input, Study, Subject};
 
-/// Write the frame of a row as a frame file.
+/// Write the frame of a row as a frame file, or the drops of a row as a plan for `flexframe synthesize`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.
@@ -31,19 +33,33 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         return Err(Failure::Usage { message: format!("row {row}: the study has the rows 0 to {}", study.rows() - 1) });
     }
     let place = frame_text::place(&args.output)?;
-    let base = frame_text::base_for(&place, &study.base_name)?;
-    let line = |(axis, input): (&crate::study::Axis, Input)| Line {
-        key: axis.key(),
-        value: match input {
-            Input::Number(value) => Value::Number(value),
-            Input::Name(name) => Value::Text(name),
-        },
-        why: format!("row {row}"),
-    };
-    let lines: Vec<Line> = study.axes.iter().zip(study.inputs(row)).map(line).collect();
-    frame_text::write(&place, &base, &format!("Row {row} of the study {}", study.name), &lines)?;
+    match &study.subject {
+        Subject::Frames(frames) => write_frame(&study, &frames.base_name, row, &place)?,
+        Subject::Recovery(recovery) => {
+            let drops = recovery.drops(row).map_err(|why| Failure::Usage { message: format!("row {row}: {why}") })?;
+            let failed = |error| Failure::Machine { what: format!("cannot write {}", place.display()), error };
+            output::write_new(&place, drops.to_toml().as_bytes()).map_err(failed)?;
+        }
+    }
     if !common.quiet && !common.json {
         terminal::print(&format!("{}: written\n", place.display()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn write_frame(study: &Study, base_name: &str, row: usize, place: &Path) -> Result<(), Failure> {
+    let base = frame_text::base_for(place, base_name)?;
+    let line = |(axis, input): (&Axis, Input)| {
+        Some(Line {
+            key: axis.key(),
+            value: match input {
+                Input::Number(value) => Some(Value::Number(value)),
+                Input::Name(name) => Some(Value::Text(name)),
+                Input::None => None,
+            }?,
+            why: format!("row {row}"),
+        })
+    };
+    let lines: Vec<Line> = study.axes.iter().zip(study.inputs(row)).filter_map(line).collect();
+    frame_text::write(place, &base, &format!("Row {row} of the study {}", study.name), &lines)
 }

@@ -37,16 +37,17 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 }
 
 fn told(study: &Study, tried: usize, refused: usize, a_row_s: f64) -> String {
-    let mut text = format!("{}: {} rows on {}\n\nwhat varies\n", study.name, study.rows(), study.base_name);
+    let mut text = format!("{}: {} rows on {}\n\nwhat varies\n", study.name, study.rows(), study.base_name());
     for axis in &study.axes {
         let over = match axis {
             Axis::Number(vary) => format!("{} to {} {}", vary.bounds[0], vary.bounds[1], axis.unit()),
             Axis::Listed(_) => format!("as listed, {}", axis.unit()),
+            Axis::Stated(_) => "as stated".into(),
             Axis::Name { names, .. } => names.join(", "),
         };
         text += &format!("  {:<34} {over}\n", axis.key());
     }
-    text += "\nwhat is said of each frame\n";
+    text += "\nwhat is said of each row\n";
     for column in &study.columns {
         text += format!("  {:<34} {}", column.name(), column.unit()).trim_end();
         text.push('\n');
@@ -59,13 +60,13 @@ fn told(study: &Study, tried: usize, refused: usize, a_row_s: f64) -> String {
 fn json(study: &Study, a_row_s: f64) -> serde_json::Value {
     let axis = |axis: &Axis| match axis {
         Axis::Number(vary) => serde_json::json!({ "key": axis.key(), "unit": axis.unit(), "bounds": vary.bounds }),
-        Axis::Listed(_) => serde_json::json!({ "key": axis.key(), "unit": axis.unit() }),
+        Axis::Listed(_) | Axis::Stated(_) => serde_json::json!({ "key": axis.key(), "unit": axis.unit() }),
         Axis::Name { names, .. } => serde_json::json!({ "key": axis.key(), "names": names }),
     };
     serde_json::json!({
         "schema_version": 1,
         "study": study.name,
-        "base": study.base_name,
+        "base": study.base_name(),
         "rows": study.rows(),
         "axes": study.axes.iter().map(axis).collect::<Vec<_>>(),
         "columns": study.columns.iter().map(|column| serde_json::json!({ "name": column.name(), "unit": column.unit() })).collect::<Vec<_>>(),

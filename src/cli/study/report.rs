@@ -1,8 +1,10 @@
 //! `flexframe study report`.
 
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::journal_file::outcomes;
+use super::recovery_report;
 use super::study_option::{StudyOption, journal_of};
 use crate::cli::failure::Failure;
 use crate::cli::options::Common;
@@ -11,10 +13,10 @@ use crate::cli::terminal;
 use crate::report::chart::study_plots;
 use crate::report::page::document;
 use crate::report::page::study_page::StudyReport;
-use crate::study::{Column, Indices, Outcomes, Study, front, indices};
+use crate::study::{Column, Indices, Outcomes, Study, Subject, front, indices};
 use crate::variant::Better;
 
-/// Write the front, charts, sensitivities and failures of a study as a page.
+/// Write a study as a page: front, charts, sensitivities and failures of frames, or how often hidden effects were found.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     #[command(flatten)]
@@ -22,17 +24,33 @@ pub(super) struct Args {
     /// Goals of the front: two or three measures of the study [default: its first two that have a better side].
     #[arg(long, value_delimiter = ',', value_name = "MEASURE,…")]
     goals: Vec<String>,
+    /// Of hidden effects: a Markdown page that takes the tables between two of its lines, which name the study.
+    #[arg(long, value_name = "FILE")]
+    into: Option<PathBuf>,
 }
 
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let study = args.study.load()?;
     let folder = args.study.folder(&study);
     let known = outcomes(&journal_of(&folder), &study)?;
-    let goals = goals(args, &study)?;
-    let found = front(&study, &known, &goals).map_err(|error| Failure::Usage { message: format!("--goals: {error}") })?;
-    let explained = explained(&study, &known);
-    let report = StudyReport { study: &study, outcomes: &known, goals: &goals, front: &found, indices: &explained };
-    let plots = study_plots::plots(&study, &known, &goals, &found, &explained);
+    match &study.subject {
+        Subject::Frames(_) if args.into.is_some() => {
+            Err(Failure::Usage { message: "--into: only tables of hidden effects are written into a page".into() })
+        }
+        Subject::Frames(_) => of_frames(args, &study, &folder, &known, common),
+        Subject::Recovery(_) if !args.goals.is_empty() => {
+            Err(Failure::Usage { message: "--goals: a study of hidden effects has no front".into() })
+        }
+        Subject::Recovery(recovery) => recovery_report::write(&study, recovery, &known, &folder, args.into.as_deref(), common),
+    }
+}
+
+fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common: &Common) -> Result<ExitCode, Failure> {
+    let goals = goals(args, study)?;
+    let found = front(study, known, &goals).map_err(|error| Failure::Usage { message: format!("--goals: {error}") })?;
+    let explained = explained(study, known);
+    let report = StudyReport { study, outcomes: known, goals: &goals, front: &found, indices: &explained };
+    let plots = study_plots::plots(study, known, &goals, &found, &explained);
     let plots = plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
     let json = json(&report);
     let blocks = report.blocks(&plots);
@@ -42,7 +60,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         ("report.json".into(), format!("{json:#}\n").into_bytes()),
     ];
     files.extend(plots);
-    let place = output::write_folder(&folder, "report", &files)?;
+    let place = output::write_folder(folder, "report", &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {

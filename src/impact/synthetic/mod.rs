@@ -9,6 +9,7 @@ mod bezier;
 mod fine_wave;
 mod hidden;
 mod plan;
+mod plan_text;
 mod records;
 mod scatter_law;
 mod stalls;

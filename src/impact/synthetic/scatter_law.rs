@@ -36,6 +36,11 @@ impl ScatterLaw {
     /// Every law.
     pub const ALL: [Self; 5] = [Self::Proportional, Self::SmoothedEnvelope, Self::Additive, Self::StudentT5, Self::PerHeightLevel];
 
+    /// Its word.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().zip(Self::NAMES).find(|(law, _)| **law == self).map_or("", |(_, name)| name)
+    }
+
     /// What the noise of one record is multiplied by. A law without such a factor draws nothing.
     pub(super) fn factor(self, seed: u64, height_m: f64, rng: &mut impl Rng) -> f64 {
         match self {

@@ -65,7 +65,7 @@ fn frames(study: &Study, outcomes: &Outcomes, goals: &[String], front: &[(usize,
     let frame = |row: usize| {
         let numbers = study.inputs(row).into_iter().filter_map(|input| match input {
             Input::Number(value) => Some(Some(value)),
-            Input::Name(_) => None,
+            Input::Name(_) | Input::None => None,
         });
         let figures = columns.iter().map(|column| outcomes.figure(row, *column));
         let all = numbers.chain(figures).collect::<Option<Vec<f64>>>()?;

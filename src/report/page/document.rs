@@ -42,7 +42,12 @@ th{background:#eee}figure{margin:1rem 0}figure svg,figure img{width:100%;height:
 
 /// The page as Markdown; figures are files beside it.
 pub fn markdown(title: &str, blocks: &[Block]) -> String {
-    let mut text = format!("# {}\n", inert(title));
+    format!("# {}\n{}", inert(title), markdown_part(blocks))
+}
+
+/// A part of a page as Markdown, for a page that is written by hand.
+pub fn markdown_part(blocks: &[Block]) -> String {
+    let mut text = String::new();
     for block in blocks {
         // Writing to a string does not fail.
         let _ = match block {

@@ -11,6 +11,7 @@ mod landing_figures;
 #[cfg(feature = "charts")]
 mod landing_section;
 pub mod print_settings;
+pub mod recovery_page;
 pub mod study_page;
 pub mod summary;
 pub mod weighing_page;

@@ -64,7 +64,7 @@ impl StudyReport<'_> {
         let (known, refused, rows) = (self.outcomes.known(), self.outcomes.refused(), self.study.rows());
         format!(
             "{known} of {rows} rows are evaluated, on {}. {refused} of them are no frames: their numbers do not go together, or a part cannot be made.",
-            self.study.base_name
+            self.study.base_name()
         )
     }
 
@@ -72,7 +72,7 @@ impl StudyReport<'_> {
         let row = |axis: &Axis| {
             let over = match axis {
                 Axis::Number(vary) => format!("{} to {}", vary.bounds[0], vary.bounds[1]),
-                Axis::Listed(_) => "as listed".into(),
+                Axis::Listed(_) | Axis::Stated(_) => "as listed".into(),
                 Axis::Name { names, .. } => names.join(", "),
             };
             vec![axis.key(), over, axis.unit().into()]

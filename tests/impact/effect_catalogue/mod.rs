@@ -4,11 +4,12 @@ mod toy;
 
 use flexframe::impact::effects::{Availability, CATALOGUE, Generator, Model, Spec, Stage, candidates};
 use flexframe::impact::synthetic::ReferenceTrajectory;
+use flexframe::study::recovery::values;
 use rand::SeedableRng;
 use rand_pcg::Pcg64;
 
+use crate::bodies;
 use crate::effect_cases::CASES;
-use crate::{bodies, strength};
 
 fn on_top() -> impl Iterator<Item = &'static Spec> {
     CATALOGUE.into_iter().filter(|spec| !spec.is_base())
@@ -69,7 +70,7 @@ fn analytic_every_effect_has_a_recovery_case_and_a_strength() {
         assert!(!case.compared.is_empty(), "{}", spec.id);
     }
     for spec in candidates(&CATALOGUE, &bodies::base()) {
-        assert!(strength::values(spec.id, &bodies::base(), 0.5, &mut rng).is_some(), "{} has no strength in benches/recovery", spec.id);
+        assert!(values(spec.id, &bodies::base(), 0.5, &mut rng).is_some(), "{} has no strength in src/study/recovery/strength.rs", spec.id);
     }
 }
 

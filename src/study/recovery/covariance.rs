@@ -1,9 +1,9 @@
 //! The generator's own covariance of records, by quadrature over all that is random in them instead of by draws.
 
-use flexframe::impact::effects::Model;
-use flexframe::impact::fit::{BEFORE, Expected, FitProblem, MeanWave, Whitening};
-use flexframe::impact::sim::System;
-use flexframe::impact::synthetic::Plan;
+use crate::impact::effects::Model;
+use crate::impact::fit::{BEFORE, Expected, FitProblem, MeanWave, Whitening};
+use crate::impact::sim::System;
+use crate::impact::synthetic::Plan;
 use nalgebra::{DMatrix, DVector};
 
 /// What a plan's mean waves are: the mean over phases, drops that differ in k and c, and cut readings.
@@ -17,7 +17,7 @@ fn expected(plan: &Plan) -> Expected {
 }
 
 /// A plan's mean waves without noise, whitened by their own covariance, by quadrature.
-pub fn exact(plan: &Plan) -> Option<FitProblem> {
+pub(super) fn exact(plan: &Plan) -> Option<FitProblem> {
     let expected = expected(plan);
     let system = expected.system(&plan.model);
     let mean = |height_m: &f64| {
@@ -46,7 +46,7 @@ fn drops(plan: &Plan) -> Vec<(f64, Model)> {
 /// Covariance of one record, g², a height each: clock, coloured trial variation, noise and count, k and c; a cut reading keeps as much
 /// of its variance as it is likely not to be cut. The tilt and records aligned a sample too late are left out: both would make it
 /// larger.
-pub fn covariances(plan: &Plan) -> Option<Vec<DMatrix<f64>>> {
+pub(super) fn covariances(plan: &Plan) -> Option<Vec<DMatrix<f64>>> {
     plan.heights_m.iter().map(|height_m| covariance(plan, *height_m)).collect()
 }
 

@@ -1,15 +1,15 @@
 //! How much of an effect there is in a truth.
 
-use flexframe::impact::effects::{CATALOGUE, Model, Spec, candidates};
+use crate::impact::effects::{CATALOGUE, Model, Spec, candidates};
 use rand::{Rng, RngExt};
 
-/// The effects whose recovery is recorded: those that a model without a frame's curve may have.
+/// The effects whose recovery is looked at: those that a model without a frame's curve may have.
 pub fn recorded(model: &Model) -> Vec<&'static Spec> {
     candidates(&CATALOGUE, model)
 }
 
 /// Values of an effect with as much of it as `amount` says, its other parameters by chance; `None` for an effect without a
-/// case here.
+/// line here.
 pub fn values(id: &str, model: &Model, amount: f64, rng: &mut impl Rng) -> Option<Vec<f64>> {
     let side = if rng.random_bool(0.4) { -1.0 } else { 1.0 };
     let one = |value: f64| vec![value];

@@ -1,0 +1,182 @@
+//! What comes out of a row of hidden effects: the diagnosis beside its truth.
+
+use super::ceiling::Share;
+use super::noise_free::{catalogue, clean, noncentrality, told_the_covariance, waves};
+use super::setting::{Case, Recovery};
+use super::truth::{Truth, Truths};
+use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
+use crate::impact::effects::Model;
+use crate::impact::fit::Expected;
+use crate::impact::synthetic::{Hidden, Plan};
+
+/// The height at which models are compared with the truth and that no drop is made from, m.
+const HELD_OUT_M: f64 = 2.0;
+/// Parameters that have an estimate in the table: k, c, and those of a single hidden effect.
+pub(super) const PARAMETERS: usize = 5;
+
+/// What a row asks for; each takes time of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asks {
+    /// The drops and their diagnosis.
+    Diagnosis,
+    /// The distance of base and diagnosis from the truth at a height without drops.
+    HeldOut,
+    /// The strength of the truth at its own level of noise.
+    Noncentrality,
+    /// What the catalogue leaves of a truth without noise.
+    Left,
+    /// The ideal observer's share.
+    Ceiling,
+    /// The ranking with the generator's covariance.
+    Told,
+}
+
+/// A parameter of the truth beside its estimate: the truth, the estimate and its 95 % interval.
+pub(super) type Estimate = [Option<f64>; 4];
+
+/// What came out of a row.
+pub(super) struct Findings<'a> {
+    pub case: &'a Case,
+    pub diagnosis: Option<Diagnosis>,
+    pub estimates: [Estimate; PARAMETERS],
+    pub held_out_g: [Option<f64>; 2],
+    pub noncentrality: Option<f64>,
+    /// The least that one of a pair leaves alone.
+    pub left_alone: Option<f64>,
+    /// What the best set leaves that is not the truth.
+    pub left_rival: Option<f64>,
+    pub ceiling: Option<Share>,
+    pub told: Option<&'static str>,
+}
+
+/// The drops of a case; or why there are none.
+fn plan(recovery: &Recovery, case: &Case) -> Result<Plan, String> {
+    let truths = Truths { base: &recovery.base, law: case.law };
+    let strength = case.strength.unwrap_or(0.0);
+    let plan = match case.truth {
+        Truth::Nothing => Some(truths.plain(case.level, 1000 + case.seed)),
+        Truth::One(spec) => truths.one(spec.id, case.seed, strength, case.level),
+        Truth::Two(specs) => truths.two(specs, case.seed, strength, case.level),
+        Truth::Outside(hidden) => Some(Plan { hidden: Some(hidden), ..truths.plain(case.level, 5000 + case.seed) }),
+    };
+    plan.ok_or_else(|| format!("within its bounds {} does not reach the strength {strength}", case.truth.name()))
+}
+
+impl Recovery {
+    /// The drops of a row, as `flexframe synthesize` makes them.
+    ///
+    /// # Errors
+    /// When the bounds of an effect do not allow its strength.
+    pub fn drops(&self, row: usize) -> Result<Plan, String> {
+        plan(self, &self.cases[row])
+    }
+}
+
+impl<'a> Findings<'a> {
+    /// Looks at a row as far as it is asked.
+    pub fn of(recovery: &Recovery, case: &'a Case, asked: &[Asks]) -> Result<Self, String> {
+        let plan = plan(recovery, case)?;
+        let asks = |what: Asks| asked.contains(&what);
+        let diagnosis = (asks(Asks::Diagnosis) || asks(Asks::HeldOut)).then(|| diagnosed(recovery, &plan)).transpose()?;
+        let held_out_g = match &diagnosis {
+            Some(diagnosis) if asks(Asks::HeldOut) => held_out_g(&plan, diagnosis),
+            _ => [None; 2],
+        };
+        let is_one = matches!(case.truth, Truth::One(_));
+        let [left_alone, left_rival] = if asks(Asks::Left) { left(case, &plan, &recovery.base) } else { [None; 2] };
+        Ok(Self {
+            case,
+            estimates: diagnosis.as_ref().map_or([[None; 4]; PARAMETERS], |diagnosis| estimates(case, &plan, diagnosis)),
+            held_out_g,
+            noncentrality: (is_one && asks(Asks::Noncentrality)).then(|| noncentrality(&plan)).flatten(),
+            left_alone,
+            left_rival,
+            ceiling: None,
+            told: (is_one && asks(Asks::Told)).then(|| told_the_covariance(&plan, &recovery.base)).flatten(),
+            diagnosis,
+        })
+    }
+
+    /// The effects that were named, the largest contribution first; none where nothing is missing.
+    pub fn named(&self) -> Vec<&'static str> {
+        let diagnosis = self.diagnosis.iter().filter(|diagnosis| diagnosis.verdict != Verdict::NothingMissing);
+        diagnosis.flat_map(|diagnosis| &diagnosis.contributions).map(|one| one.0).collect()
+    }
+
+    /// Whether the diagnosis is right: the effect named first, both and no other in the set, no name for a stranger, no alarm.
+    pub fn is_right(&self) -> Option<bool> {
+        let diagnosis = self.diagnosis.as_ref()?;
+        Some(match self.case.truth {
+            Truth::Nothing => diagnosis.verdict == Verdict::NothingMissing,
+            Truth::One(spec) => self.named().first() == Some(&spec.id),
+            Truth::Two(_) => diagnosis.chosen.ids() == self.case.truth.ids(),
+            Truth::Outside(_) => matches!(diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous),
+        })
+    }
+
+    /// The first of the ranking of single effects, whatever the verdict.
+    pub fn first(&self) -> Option<&str> {
+        self.diagnosis.as_ref()?.ranking.iter().map(|one| one.id.as_str()).find(|id| !id.contains('+'))
+    }
+
+    /// The place of the truth in the ranking of sets of its size, from 1; none where it was not tried.
+    pub fn rank(&self) -> Option<usize> {
+        let (size, name) = (self.case.truth.ids().len(), self.case.truth.name());
+        let of_size = self.diagnosis.as_ref()?.ranking.iter().filter(|one| one.id.split(" + ").count() == size);
+        of_size.map(|one| &one.id).position(|id| *id == name).filter(|_| size > 0).map(|at| at + 1)
+    }
+}
+
+fn diagnosed(recovery: &Recovery, plan: &Plan) -> Result<Diagnosis, String> {
+    let waves = waves(plan).ok_or("the synthetic drops cannot be aligned at their triggers")?;
+    let options = DiagnosisOptions::new(recovery.most_effects, plan.seed);
+    diagnose(&waves, None, &recovery.base, &options).map_err(|error| error.to_string())
+}
+
+/// Distances of the base and of the diagnosed model from the noise-free mean wave at a height without drops, root mean square, g.
+fn held_out_g(plan: &Plan, diagnosis: &Diagnosis) -> [Option<f64>; 2] {
+    let expected = Expected::plain(1e-3, 31);
+    let truth = expected.mean_over_phases(&clean(plan, HELD_OUT_M));
+    let apart = |model: &Model| {
+        let predicted = expected.window(&expected.system(model), HELD_OUT_M)?;
+        let squares: f64 = truth.iter().zip(&predicted).map(|(a, b)| (a - b) * (a - b)).sum();
+        Some((squares / truth.len() as f64).sqrt())
+    };
+    [apart(diagnosis.base.model()), apart(diagnosis.chosen.model())]
+}
+
+/// The truth's parameters, with their estimates where the diagnosis has the truth's effects and no other.
+fn estimates(case: &Case, plan: &Plan, diagnosis: &Diagnosis) -> [Estimate; PARAMETERS] {
+    let is_truth = diagnosis.chosen.ids() == case.truth.ids() && !matches!(case.truth, Truth::Outside(_));
+    let base = plan.model.effects.iter().filter(|listed| listed.spec.is_base());
+    let own = plan.model.effects.iter().filter(|listed| matches!(case.truth, Truth::One(spec) if spec == listed.spec));
+    let keys = base.chain(own).flat_map(|listed| listed.spec.parameters.iter().map(|parameter| (listed.spec.id, parameter.key)));
+    let mut all = [[None; 4]; PARAMETERS];
+    for (place, (effect, key)) in all.iter_mut().zip(keys) {
+        place[0] = plan.model.value(effect, key);
+        let found = diagnosis.estimates.iter().find(|one| is_truth && one.effect == effect && one.key == key);
+        if let Some(one) = found {
+            (place[1], place[2], place[3]) = (Some(one.value), Some(one.ci95[0]), Some(one.ci95[1]));
+        }
+    }
+    all
+}
+
+/// What is left of a truth without noise: by each effect of a pair alone, the least of it; and by the best set of one or two effects
+/// that is not the truth. Wear is not in the mean of drops, so nothing is known of it.
+fn left(case: &Case, plan: &Plan, base: &Model) -> [Option<f64>; 2] {
+    if matches!(case.truth, Truth::Nothing | Truth::One(_) | Truth::Outside(Hidden::Wear { .. })) {
+        return [None; 2];
+    }
+    let Some(search) = catalogue(plan, base) else { return [None; 2] };
+    let ids = case.truth.ids();
+    let all = || search.levels.iter().flat_map(|level| &level.candidates);
+    let alone = |id: &&'static str| all().find(|one| one.ids() == [*id]).map(|one| one.fitted.chi2());
+    let least_alone = ids.iter().filter_map(alone).reduce(f64::min);
+    if ids.is_empty() {
+        return [None, all().map(|one| one.fitted.chi2()).reduce(f64::min)];
+    }
+    let others = all().filter(|one| !one.ids().is_empty() && one.ids() != ids);
+    let rival = others.min_by(|a, b| a.score.total_cmp(&b.score));
+    [least_alone, rival.map(|one| one.fitted.chi2())]
+}

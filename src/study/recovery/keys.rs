@@ -1,0 +1,131 @@
+//! The plan of a study of hidden effects as typed, and what is wrong with it.
+
+use super::measure::{RECOVERY_MEASURES, RecoveryMeasure};
+use super::setting::{Case, Recovery};
+use super::strength::recorded;
+use super::truth::{LEVELS, Truth, outside, pair};
+use crate::impact::effects::{Model, Spec};
+use crate::impact::synthetic::ScatterLaw;
+use crate::params::files::Files;
+use crate::params::refusal::Refusal;
+use crate::params::{ImpactFile, LoadError};
+use crate::study::plan_keys::{impossible, named, only_known, whole, wholes};
+
+/// Keys beside the table `seeds`.
+const KEYS: [&str; 10] =
+    ["kind", "levels", "laws", "strengths", "pair_strength", "effects", "most_effects", "ceiling_gain", "measures", "description"];
+/// The model that is diagnosed.
+const BASE: &str = "paper";
+/// First seed, and the seed after the last, of drops with nothing, one effect, two, and something outside of the catalogue.
+const SEEDS: [&str; 4] = ["seeds.nothing", "seeds.one", "seeds.two", "seeds.outside"];
+/// Bounds of a seed: numbers that are made from it stay whole.
+const SEED: [f64; 2] = [0.0, 1e9];
+/// Bounds of a strength: what a noncentrality may be called.
+const STRENGTH: [f64; 2] = [1.0, 1e5];
+/// Strengths of single effects when a plan does not say.
+const STRENGTHS: [f64; 5] = [5.0, 19.0, 71.0, 266.0, 1000.0];
+/// Strength of each effect of a pair when a plan does not say.
+const PAIR_STRENGTH: f64 = 400.0;
+/// Effects that a diagnosis tries when a plan does not say.
+const MOST_EFFECTS: usize = 3;
+/// Most rows.
+const MOST_ROWS: usize = 1_000_000;
+
+/// Reads what a plan says of its rows.
+///
+/// # Errors
+/// What it says that cannot be.
+pub(in crate::study) fn setting(file: &ImpactFile, files: &dyn Files) -> Result<Recovery, LoadError> {
+    let known: Vec<&str> = KEYS.into_iter().chain(SEEDS).collect();
+    only_known(file, &known, &[])?;
+    let base = Model::load_from(BASE, files)?;
+    let effects = effects(file, &base)?;
+    let strengths = if file.entries.contains_key("strengths") { file.numbers("strengths", STRENGTH, "1")? } else { STRENGTHS.to_vec() };
+    let mut recovery = Recovery {
+        base,
+        cases: Vec::new(),
+        effects,
+        strengths,
+        most_effects: whole(file, "most_effects", [1.0, MOST_EFFECTS as f64])?.unwrap_or(MOST_EFFECTS),
+        ceiling_gain: file.number("ceiling_gain", [1.0, 100.0], "1")?.unwrap_or(1.0),
+    };
+    recovery.cases = cases(file, &recovery)?;
+    Ok(recovery)
+}
+
+/// The columns.
+///
+/// # Errors
+/// When one does not exist.
+pub(in crate::study) fn columns(file: &ImpactFile) -> Result<Vec<&'static RecoveryMeasure>, Refusal> {
+    let Some(names) = file.texts("measures")? else {
+        return Ok(RECOVERY_MEASURES.iter().filter(|measure| measure.is_usual()).collect());
+    };
+    let known: Vec<String> = RECOVERY_MEASURES.iter().map(|measure| measure.name.to_string()).collect();
+    let mut columns: Vec<&'static RecoveryMeasure> = Vec::new();
+    for name in names {
+        let found = RECOVERY_MEASURES.iter().find(|measure| measure.name == name);
+        let found = named(file, "measures", "measure", &name, found, &known)?;
+        if columns.iter().all(|other| other.name != found.name) {
+            columns.push(found);
+        }
+    }
+    Ok(columns)
+}
+
+/// The effects that may be hidden alone or in pairs.
+fn effects(file: &ImpactFile, base: &Model) -> Result<Vec<&'static Spec>, Refusal> {
+    let all = recorded(base);
+    let known: Vec<String> = all.iter().map(|spec| spec.id.to_string()).collect();
+    let Some(names) = file.texts("effects")? else { return Ok(all) };
+    let one = |name: &String| named(file, "effects", "effect", name, all.iter().find(|spec| spec.id == name).copied(), &known);
+    names.iter().map(one).collect()
+}
+
+fn laws(file: &ImpactFile) -> Result<Vec<ScatterLaw>, Refusal> {
+    let Some(names) = file.texts("laws")? else { return Ok(vec![ScatterLaw::Proportional]) };
+    let known = ScatterLaw::NAMES.map(String::from);
+    let one = |name: &String| {
+        let found = known.iter().position(|known| known == name).map(|at| ScatterLaw::ALL[at]);
+        named(file, "laws", "law", name, found, &known)
+    };
+    names.iter().map(one).collect()
+}
+
+/// The seeds of one kind of truth; none where the plan has no such truths.
+fn seeds(file: &ImpactFile, key: &str) -> Result<std::ops::Range<u64>, Refusal> {
+    match wholes(file, key, SEED)?.as_deref() {
+        None => Ok(0..0),
+        Some([first, end]) if first < end => Ok(*first as u64..*end as u64),
+        Some(_) => {
+            let message = format!("`{key}` is no range of seeds");
+            Err(file.refuse(key, impossible(message, "give [FIRST, END], such as [500, 503] for 500, 501 and 502".into())))
+        }
+    }
+}
+
+/// The rows, seed by seed: those of one seed follow each other, as some of their figures have steps in common.
+fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
+    let levels = wholes(file, "levels", LEVELS)?.unwrap_or_else(|| vec![2]);
+    let laws = laws(file)?;
+    let pair_strength = file.number("pair_strength", STRENGTH, "1")?.unwrap_or(PAIR_STRENGTH);
+    let [nothing, one, two, outsiders] = SEEDS.map(|key| seeds(file, key));
+    let (nothing, one, two, outsiders) = (nothing?, one?, two?, outsiders?);
+    let singles = || recovery.effects.iter().flat_map(|spec| recovery.strengths.iter().map(move |strength| (*spec, *strength)));
+    let count = |seeds: &std::ops::Range<u64>| (seeds.end - seeds.start) as usize;
+    let a_level = count(&nothing) + count(&one) * singles().count() + count(&two) + count(&outsiders);
+    if a_level == 0 || a_level * levels.len() * laws.len() > MOST_ROWS {
+        let message = format!("the plan has {} rows", a_level * levels.len() * laws.len());
+        let remedy = format!("state between one and {MOST_ROWS} by {}", SEEDS.join(", "));
+        return Err(file.refuse("seeds", impossible(message, remedy)));
+    }
+    let mut cases = Vec::new();
+    for (level, law) in levels.iter().flat_map(|level| laws.iter().map(move |law| (*level, *law))) {
+        let case = |truth: Truth, strength: Option<f64>, seed: u64| Case { level, law, truth, strength, seed };
+        cases.extend(nothing.clone().map(|seed| case(Truth::Nothing, None, seed)));
+        cases.extend(one.clone().flat_map(|seed| singles().map(move |(spec, strength)| case(Truth::One(spec), Some(strength), seed))));
+        cases.extend(two.clone().filter_map(|seed| Some(case(Truth::Two(pair(&recovery.effects, seed)?), Some(pair_strength), seed))));
+        cases.extend(outsiders.clone().map(|seed| case(Truth::Outside(outside(seed)), None, seed)));
+    }
+    Ok(cases)
+}
