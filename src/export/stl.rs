@@ -30,7 +30,8 @@ pub fn binary(mesh: &Mesh) -> io::Result<Vec<u8>> {
         .iter()
         .map(|triangle| {
             let [a, b, c] = mesh.corners(triangle);
-            let normal = (b - a).cross(&(c - a)).normalize();
+            // A facet without area has no normal; three zeros are none in an STL.
+            let normal = (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_default();
             Triangle {
                 normal: Normal::new([normal.x as f32, normal.y as f32, normal.z as f32]),
                 vertices: triangle.map(|corner| Vertex::new(mesh.vertices[corner as usize])),

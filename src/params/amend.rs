@@ -1,6 +1,6 @@
 //! The text of a frame file with other values; comments, order and all else stay.
 
-use toml_edit::{DocumentMut, Item, Key, Table, TableLike, TomlError};
+use toml_edit::{DocumentMut, InlineTable, Item, Key, Table, TableLike, TomlError};
 
 use super::frame_file::Value;
 
@@ -35,15 +35,18 @@ pub fn amended(text: &str, amendments: &[Amendment]) -> Result<String, String> {
 fn state(document: &mut Table, tables: &[Key], name: &Key, value: &Value, why: &str) -> Result<(), String> {
     let mut value = formatted(value).parse::<toml_edit::Value>().map_err(|error| error.to_string())?;
     let mut table = document as &mut dyn TableLike;
+    let mut in_a_line = false;
     for step in tables {
-        let inner = table.entry(step.get()).or_insert_with(implicit_table);
+        let inner = table.entry(step.get()).or_insert_with(if in_a_line { inline_table } else { implicit_table });
+        in_a_line |= inner.is_inline_table();
         table = inner.as_table_like_mut().ok_or_else(|| format!("`{}` is no table there", step.get()))?;
     }
     if why.is_empty() {
         let former = table.get(name.get()).and_then(Item::as_value).map(|former| former.decor().clone());
         former.into_iter().for_each(|former| *value.decor_mut() = former);
-    } else {
-        value.decor_mut().set_suffix(format!(" # {}", why.replace(['\n', '\r'], " ")));
+    } else if !in_a_line {
+        // A comment takes the rest of its line, and in an inline table that is the table's end.
+        value.decor_mut().set_suffix(format!(" # {}", why.replace(char::is_control, " ")));
     }
     table.insert(name.get(), value.into());
     Ok(())
@@ -67,6 +70,11 @@ fn implicit_table() -> Item {
     let mut table = Table::new();
     table.set_implicit(true);
     Item::Table(table)
+}
+
+/// A table within an inline one, which holds no others.
+fn inline_table() -> Item {
+    Item::Value(InlineTable::new().into())
 }
 
 /// A value as TOML.
@@ -111,6 +119,17 @@ mod tests {
         assert_eq!(file.entries["fit.grip_clearance_mm"].value, Value::Number(-0.2));
         assert_eq!(amended(&after, &lines).expect("amends"), after);
         assert!(amended("fit = 3\n", &lines).is_err());
+    }
+
+    #[test]
+    fn planted_inline_tables_and_reasons_of_any_text_stay_toml() {
+        let number = Value::Number(0.25);
+        let keys = ["fit.plug_clearance_mm", "override.materials.abs.print_factor", "rods.arm_rod_length_mm"];
+        let lines = keys.map(|key| Amendment { key, value: Some(&number), why: "found\n\u{7}by \u{7f}hand" });
+        let after = amended("fit = {plug_clearance_mm = 0.1, slide_clearance_mm = 0.2}\noverride = {}\n", &lines).expect("amends");
+        let file = FrameFile::parse("mine", &after).expect(&after);
+        assert!(keys.iter().all(|key| file.entries[*key].value == number), "{after}");
+        assert!(after.contains("0.25 # found  by  hand\n"), "{after}");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What a frame file chooses by name: materials, bought parts and the printer, from the catalogues and its own entries.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::figure::within_bounds;
@@ -30,6 +30,7 @@ impl Catalogues {
         let shipped = |text: &str| -> toml::Table { toml::from_str(text).unwrap_or_default() };
         let within = |text: &str, table: &str| shipped(text).get(table).and_then(|t| t.as_table()).cloned().unwrap_or_default();
         let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(shipped(text)))).collect();
+        let texts: BTreeSet<&str> = file.entries.values().filter_map(|entry| entry.value.text()).collect();
         let mut all = Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers };
         for (key, entry) in file.entries.iter().filter(|(key, _)| key.starts_with("override.")) {
             // A name may have dots in it, as in [override.printers."generic-0.4"]; a table's and a field's have none.
@@ -48,7 +49,7 @@ impl Catalogues {
                 }
             };
             // A new entry is named by the frame, or says what it is: a base's own battery may be replaced by its variants.
-            let named = file.entries.values().any(|entry| matches!(&entry.value, Value::Text(text) if text == name));
+            let named = texts.contains(name);
             let whole = file.entries.contains_key(&format!("override.{table}.{name}.kind"));
             if !catalogue.contains_key(name) && !named && !whole {
                 let nearest = nearest(name, catalogue.keys().map(String::as_str));

@@ -14,6 +14,8 @@ use super::refusal::{LONGEST_CHAIN, Place, Reason, Refusal, Source, nearest};
 
 /// Largest parameter file read, bytes.
 const LARGEST_FILE: u64 = 1 << 20;
+/// Longest key with its tables, bytes: each entry has the names of its tables, so a long one would be held as often as it has entries.
+const LONGEST_KEY: usize = 300;
 
 /// A frame file or a model file could not be read at all.
 #[derive(Debug, thiserror::Error)]
@@ -65,6 +67,14 @@ pub enum Value {
 }
 
 impl Value {
+    /// The text that it is.
+    pub fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
     /// Whether it is a table; only one with nothing in it is kept as a value.
     pub fn is_table(&self) -> bool {
         matches!(self, Self::Other(toml::Value::Table(_)))
@@ -333,6 +343,9 @@ fn flatten(
 ) -> Result<(), Refusal> {
     for (key, value) in table {
         let dotted = if prefix.is_empty() { key.get_ref().to_string() } else { format!("{prefix}.{}", key.get_ref()) };
+        if dotted.len() > LONGEST_KEY {
+            return Err(too_long(&dotted, Place { source: Arc::clone(source), span: key.span() }));
+        }
         if let DeValue::Table(inner) = value.get_ref()
             && !inner.is_empty()
         {
@@ -345,6 +358,12 @@ fn flatten(
         entries.insert(dotted, Entry { value, place, depth });
     }
     Ok(())
+}
+
+fn too_long(key: &str, place: Place) -> Refusal {
+    let message = format!("a key of {} bytes is too long: {key}", key.len());
+    let remedy = format!("give it and its tables shorter names, at most {LONGEST_KEY} bytes together");
+    Refusal { reason: Box::new(Reason::Impossible { message, remedy }), place: Some(place) }
 }
 
 fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {

@@ -54,6 +54,18 @@ pub enum GateError {
     },
 }
 
+impl GateError {
+    /// What it means for the part, in words of somebody who states parameters and sees no mesh.
+    pub fn meaning(&self) -> String {
+        match self {
+            Self::Empty | Self::NotPositive { .. } => "nothing of it is left: more is cut away than is there".into(),
+            Self::Bodies { found, .. } => format!("it falls into {found} pieces"),
+            Self::OpenEdges { .. } | Self::ZeroArea { .. } | Self::SelfIntersecting => "two of its walls run into each other".into(),
+            Self::Kernels { .. } => "its outline crosses itself".into(),
+        }
+    }
+}
+
 /// How far the volumes of the two kernels may be apart, as a share: chords take 0.3 % of a round solid, and more of what
 /// a plate leaves between its holes.
 const KERNELS_AGREE: f64 = 0.01;

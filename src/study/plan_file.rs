@@ -1,5 +1,6 @@
 //! The plan of a study as typed, and what is wrong with it.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -23,6 +24,8 @@ pub const SAMPLES: usize = 1000;
 const GRID_POINTS: usize = 5;
 /// Most values of an axis of a grid.
 const MOST_POINTS: f64 = 10_000.0;
+/// Most names of all axes together: the frame's reader looks at each of them.
+const MOST_NAMES: usize = 1000;
 /// Largest table of samples read, bytes.
 const LARGEST_TABLE: u64 = 1 << 30;
 /// Keys beside the tables `vary` and `choose`.
@@ -124,12 +127,12 @@ fn columns(file: &ImpactFile) -> Result<Vec<Column>, Refusal> {
 
 /// What varies: `vary.KEY = [LEAST, MOST]`, then `choose.KEY = ["NAME", …]`.
 fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>, Refusal> {
-    let mut axes: Vec<Axis> = Vec::new();
+    let (mut axes, mut names): (Vec<Axis>, usize) = (Vec::new(), 0);
     for key in file.entries.keys().filter(|key| key.starts_with("vary.")) {
         axes.push(number_axis(file, key)?);
     }
     for key in file.entries.keys().filter(|key| key.starts_with("choose.")) {
-        axes.push(name_axis(file, key, base)?);
+        axes.push(name_axis(file, key, base, &mut names)?);
     }
     let twice = axes.iter().enumerate().find(|(at, axis)| axes[..*at].iter().any(|other| other.key() == axis.key()));
     if let Some((_, axis)) = twice {
@@ -157,10 +160,15 @@ fn number_axis(file: &ImpactFile, key: &str) -> Result<Axis, Refusal> {
     }
 }
 
-/// A key of names; the frame's reader says what is wrong with a key or a name.
-fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile) -> Result<Axis, Refusal> {
+/// A key of names; the frame's reader says what is wrong with a key or a name. `before` counts the names of all axes.
+fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile, before: &mut usize) -> Result<Axis, Refusal> {
     let of_frame = key.strip_prefix("choose.").unwrap_or(key).to_string();
     let names = file.texts(key)?.unwrap_or_default();
+    *before += names.len();
+    if *before > MOST_NAMES {
+        let message = format!("the axes have more than {MOST_NAMES} names");
+        return Err(file.refuse(key, impossible(message, "leave some out, or give a table of samples".into())));
+    }
     for name in &names {
         let mut with = base.clone();
         with.ask(&of_frame, Value::Text(name.clone()), format!("{key} = {name}"));
@@ -215,14 +223,15 @@ fn from_table(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input
     let head = reader.headers().map_err(|error| refuse(error.to_string()))?.clone();
     let mut axes: Vec<Axis> =
         head.iter().map(|key| lookup(key).map_or_else(|_| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
+    let mut known: Vec<BTreeSet<String>> = vec![BTreeSet::new(); axes.len()];
     let mut rows = Vec::new();
     for (at, record) in reader.records().enumerate() {
         let record = record.map_err(|error| refuse(error.to_string()))?;
         let mut row = Vec::new();
-        for (axis, field) in axes.iter_mut().zip(&record) {
+        for ((axis, known), field) in axes.iter_mut().zip(&mut known).zip(&record) {
             row.push(match axis {
                 Axis::Name { names, .. } => {
-                    if !names.iter().any(|known| known == field) {
+                    if known.insert(field.into()) {
                         names.push(field.into());
                     }
                     Input::Name(field.into())

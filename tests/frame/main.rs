@@ -15,6 +15,7 @@ mod mechanics;
 mod mounting;
 mod numbers;
 mod plates;
+mod random_builds;
 mod random_frames;
 #[expect(dead_code, reason = "the example that writes docs/comparison.md uses the rest")]
 mod real;

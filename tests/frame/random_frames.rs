@@ -18,22 +18,22 @@ use rayon::prelude::*;
 const FRAMES: usize = 200;
 
 /// Presets that the sets start from.
-const BASES: [&str; 6] = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
+pub(crate) const BASES: [&str; 6] = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
 
 /// A source of numbers that are the same in every run.
 fn runner(seed: u8) -> TestRunner {
     TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]))
 }
 
-fn drawn<S: Strategy>(strategy: S, runner: &mut TestRunner) -> S::Value {
+pub(crate) fn drawn<S: Strategy>(strategy: S, runner: &mut TestRunner) -> S::Value {
     strategy.new_tree(runner).expect("a strategy without a filter").current()
 }
 
-/// Changes about one parameter in six, by up to `reach` of the way from the base's value to its bounds. Limits stay.
-fn changes(base: &Frame, reach: f64, runner: &mut TestRunner) -> Vec<(String, f64)> {
+/// Changes about one parameter in so many, by up to `reach` of the way from the base's value to its bounds. Limits stay.
+pub(crate) fn changes(base: &Frame, one_in: u32, reach: f64, runner: &mut TestRunner) -> Vec<(String, f64)> {
     let mut changed = Vec::new();
     for p in parameters().filter(|p| p.table != "limits") {
-        let (lot, way) = drawn((0..6u32, -reach..reach), runner);
+        let (lot, way) = drawn((0..one_in, -reach..reach), runner);
         let Some(value) = base.value(p.table, p.key).filter(|_| lot == 0) else { continue };
         let room = if way > 0.0 { p.max - value } else { value - p.min };
         changed.push((format!("{}.{}", p.table, p.key), ((value + way * room) * 1000.0).round() / 1000.0));
@@ -46,7 +46,7 @@ pub(crate) fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) 
     let mut runner = runner(1);
     let (mut frames, mut refused) = (Vec::new(), BTreeMap::new());
     for base in BASES.iter().cycle() {
-        let text = common::toml(base, &changes(&common::resolve(&common::toml(base, &[])).expect("a preset"), 0.5, &mut runner));
+        let text = common::toml(base, &changes(&common::resolve(&common::toml(base, &[])).expect("a preset"), 6, 0.5, &mut runner));
         let remedy = match common::resolve(&text) {
             Ok(frame) => match Skeleton::new(&frame) {
                 Ok(_) => {

@@ -2,20 +2,19 @@
 //!
 //! `FLEXFRAME_FUZZ_S` says for how many seconds each reader is tried (2 unless set); how many inputs that were is printed.
 //! Inputs are made from files that read, by changes of bytes, tokens and lines, and from nothing; the seed is fixed, so a longer
-//! run repeats a shorter one and goes on.
+//! run repeats a shorter one and goes on. The targets of `fuzz/` try the same readers, guided by what of the program an input reaches.
 
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use flexframe::checks::gate::Baseline;
-use flexframe::impact::effects::Model;
-use flexframe::impact::measured::{FileFormat, read};
-use flexframe::impact::synthetic::Plan;
-use flexframe::params::{Frame, FrameFile, ImpactFile};
-use flexframe::variant::{Goal, Increase};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
+use rayon::prelude::*;
+
+use crate::readers::{READERS, Reader, prepared};
+use crate::replay;
 
 /// Longest that one input may take.
 const LONGEST: Duration = Duration::from_secs(5);
@@ -127,15 +126,18 @@ impl Source {
     }
 }
 
-/// Tries a reader until its time is over; how many inputs it was given, and how many of them it took.
-fn tried(name: &str, seed: u8, seeds: &[Vec<u8>], reader: impl Fn(&[u8]) -> bool) {
+/// Tries a reader until its time is over; says how many inputs it was given, and how many of them it took.
+fn tried(at: usize, reader: &Reader) {
+    let name = reader.name;
     let seconds = std::env::var("FLEXFRAME_FUZZ_S").ok().and_then(|text| text.parse().ok()).unwrap_or(2.0);
-    let (begun, mut source) = (Instant::now(), Source::new(seed));
+    let seeds = seeds(reader);
+    prepared(name);
+    let (begun, mut source) = (Instant::now(), Source::new(at as u8));
     let (mut inputs, mut taken) = (0_u64, 0_u64);
     while begun.elapsed().as_secs_f64() < seconds {
-        let input = source.input(seeds);
+        let input = source.input(&seeds);
         let start = Instant::now();
-        let Ok(good) = catch_unwind(AssertUnwindSafe(|| reader(&input))) else {
+        let Ok(good) = catch_unwind(AssertUnwindSafe(|| (reader.read)(&input))) else {
             panic!("{name} panics on input {inputs}: {:?}", String::from_utf8_lossy(&input));
         };
         assert!(start.elapsed() < LONGEST, "{name} took {:?} for input {inputs}: {:?}", start.elapsed(), String::from_utf8_lossy(&input));
@@ -146,62 +148,22 @@ fn tried(name: &str, seed: u8, seeds: &[Vec<u8>], reader: impl Fn(&[u8]) -> bool
     assert!(inputs > 20, "{name}: only {inputs} inputs");
 }
 
-fn files(folder: &str) -> Vec<Vec<u8>> {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
-    let mut paths: Vec<_> = fs::read_dir(root).expect("is there").map(|entry| entry.expect("is there").path()).collect();
-    paths.sort();
-    paths.into_iter().filter(|path| path.is_file()).map(|path| fs::read(path).expect("reads")).collect()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-
-#[test]
-fn planted_frame_files() {
-    let mut seeds = files("params/frames");
-    seeds.push(b"base = \"cognifly\"\n[override.parts.mine]\nkind = \"battery\"\nsize_mm = [1.0, 2.0, 3.0]\nmass_g = 3\nmass_basis = \"measured\"\nsource = \"s\"\n[bought]\nbattery = \"mine\"\n[extras.x]\nmass_g = 1\nmass_basis = \"estimate\"\nsource = \"s\"\nposition_mm = [0, 0, 0]\ncovers = [\"tie\"]\n".to_vec());
-    tried("frame files", 1, &seeds, |bytes| match FrameFile::parse("fuzz.toml", &text(bytes)) {
-        Ok(file) => Frame::resolve(&file).map_err(|refusal| refusal.render()).is_ok(),
-        Err(error) => {
-            let _ = error.to_string();
-            false
-        }
-    });
-}
-
-#[test]
-fn planted_models_and_plans() {
-    tried("impact models", 2, &files("params/impact"), |bytes| {
-        ImpactFile::parse("fuzz.toml", &text(bytes)).and_then(|file| Model::resolve(&file)).map_err(|refusal| refusal.render()).is_ok()
-    });
-    tried("plans", 3, &files("params/synthetic"), |bytes| {
-        ImpactFile::parse("fuzz.toml", &text(bytes)).and_then(|file| Plan::resolve(&file)).map_err(|refusal| refusal.render()).is_ok()
-    });
-}
-
-#[test]
-fn planted_lists_and_goals() {
-    let list = b"{\n  \"schema_version\": 1,\n  \"accepted\": [{\"frame\": \"a\", \"rule\": \"r\", \"subject\": \"s\", \"margin\": -1.5, \"unit\": \"g\"}]\n}\n";
-    tried("lists of accepted findings", 4, &[list.to_vec()], |bytes| Baseline::parse(&text(bytes)).is_ok());
-    let goals = [b"clearance.propeller>=3mm".to_vec(), b"mass<=240g".to_vec(), b"mass=2g".to_vec()];
-    tried("goals", 5, &goals, |bytes| Goal::parse(&text(bytes)).is_ok() | Increase::parse(&text(bytes)).is_ok());
-}
-
-#[test]
-fn planted_records_of_drops() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let place = folder.path().join("soft_050cm");
-    fs::create_dir(&place).expect("can be made");
-    let reader = |name: &str| {
-        let path = place.join(name);
-        move |bytes: &[u8]| {
-            fs::write(&path, bytes).expect("can be written");
-            read(std::slice::from_ref(&path), &FileFormat::default()).map_err(|malformed| malformed.to_string()).is_ok()
-        }
+/// What is kept of a reader's inputs, and the files of its kind that come with the program.
+fn seeds(reader: &Reader) -> Vec<Vec<u8>> {
+    let shipped = match reader.name {
+        "frame_files" | "amended_frames" => "params/frames",
+        "impact_models" => "params/impact",
+        "synthetic_plans" => "params/synthetic",
+        "study_plans" => "examples/studies",
+        _ => "params/static",
     };
-    let rows: String = (0..60).map(|at| format!("1,0.5,{:.3},{:.2}\n", f64::from(at) * 1e-3, 1.0 + f64::from(at % 7))).collect();
-    tried("tables of drops", 6, &[format!("trial,height_m,t_s,accel_g\n{rows}").into_bytes()], reader("a.csv"));
-    let counts: Vec<u8> = (0..60_u32).flat_map(|at| [&(1000 * at).to_le_bytes()[..], &[0, 8, 0, 8, 0, 8]].concat()).collect();
-    tried("files of the logger", 7, &[counts], reader("a.bin"));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files: Vec<PathBuf> = replay::inputs("corpus", reader);
+    files.extend(replay::files(&root.join(shipped)));
+    files.iter().map(|path| fs::read(path).expect("reads")).collect()
+}
+
+#[test]
+fn planted_every_reader_on_random_inputs() {
+    READERS.par_iter().enumerate().for_each(|(at, reader)| tried(at + 1, reader));
 }

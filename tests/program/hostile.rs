@@ -107,6 +107,7 @@ fn planted_nesting_and_repetition_without_end() {
         }
         bench.ends(&["drop", "--model", &format!("{frame}.toml")], 2, "");
     }
+    bench.ends(&["check", "key.toml"], 2, "a key of 900000 bytes is too long");
 }
 
 #[test]

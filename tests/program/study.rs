@@ -146,6 +146,7 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
         ("[vary]\narm_rod = [70, 80]\nrods.arm_rod_length_mm = [70, 80]\n".into(), "varies twice"),
         ("[choose]\nbought.battery = [\"battery-2s-850\", \"no-such\"]\n".into(), "no-such"),
         ("[choose]\nbought.batery = [\"battery-2s-850\"]\n".into(), "bought.batery"),
+        (format!("[choose]\nprinter = [{}]\n", "\"prusa-mk4\", ".repeat(1001)), "more than 1000 names"),
         ("samples = 3\n".into(), "nothing varies"),
         ("table = \"t.csv\"\n".into(), "cannot read"),
         (format!("base = \"no-such\"\n{vary}"), "no frame `no-such`"),

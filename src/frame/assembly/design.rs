@@ -30,7 +30,7 @@ pub enum DesignError {
     #[error(transparent)]
     Closure(#[from] ClosureError),
     /// A part's parameters contradict each other.
-    #[error("{part} cannot be made: {error}")]
+    #[error("{part} cannot be made: {}", .error.meaning())]
     Part {
         /// Which.
         part: PartName,

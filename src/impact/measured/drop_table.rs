@@ -1,6 +1,6 @@
 //! A table of what else is known of drops: `trial`, `height_m` where trials are numbered anew at each height, and one column a quantity.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::malformed::{Fault, Malformed, SourcePosition};
@@ -52,11 +52,15 @@ impl DropTable {
 
     /// Adds what the table says to the drops; how many drops it has no row of.
     pub fn add_to(&self, set: &mut DropSet) -> usize {
+        let mut of_trial: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
+        for row in &self.rows {
+            of_trial.entry(&row.trial).or_default().push(row);
+        }
         let mut without = 0;
         for record in set.groups.iter_mut().flat_map(|group| &mut group.records) {
             let height_m = record.height_m;
-            let own = |row: &&Row| row.trial == record.trial && row.height_m.is_none_or(|of_m| (of_m - height_m).abs() < SAME_M);
-            match self.rows.iter().find(own) {
+            let own = |row: &&&Row| row.height_m.is_none_or(|of_m| (of_m - height_m).abs() < SAME_M);
+            match of_trial.get(record.trial.as_str()).and_then(|rows| rows.iter().find(own)) {
                 Some(row) => record.columns.extend(self.columns.iter().cloned().zip(row.values.iter().cloned())),
                 None => without += 1,
             }
@@ -70,8 +74,9 @@ fn table(bytes: &[u8]) -> Result<DropTable, (SourcePosition, Fault)> {
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).delimiter(separator(bytes)).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
     let names: Vec<String> = names.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()).into_owned()).collect();
-    if let Some(name) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)).map(|(_, name)| name.clone()) {
-        return Err((SourcePosition::Line(1), Fault::TwoColumns { name }));
+    let mut before = BTreeSet::new();
+    if let Some(name) = names.iter().find(|name| !before.insert(*name)) {
+        return Err((SourcePosition::Line(1), Fault::TwoColumns { name: name.clone() }));
     }
     let place = |wanted: &str| names.iter().position(|name| name == wanted);
     let (trial, height) = (place("trial"), place("height_m"));

@@ -24,7 +24,7 @@ pub struct Coupon<'a> {
 
 /// A piece that cannot be made.
 #[derive(Debug, thiserror::Error)]
-#[error("the coupon's {piece} cannot be made: {error}")]
+#[error("the coupon's {piece} cannot be made: {}", .error.meaning())]
 pub struct CouponError {
     /// Which.
     piece: &'static str,

@@ -1,0 +1,51 @@
+"""random_frames.py FOLDER: one line a frame.
+
+Looks at the STL files that tests/frame/random_builds.rs writes below FOLDER, a folder a frame: trimesh finds each closed, with
+facets turned one way and a positive volume; manifold3d takes it as it is, and its union with itself has the same volume, which
+self-intersections or doubled walls would change. A part as it is folded may touch itself, so there the union may be smaller.
+"""
+
+import sys
+from pathlib import Path
+
+import manifold3d
+import numpy
+import trimesh
+
+VOLUME_RATIO = 1e-4
+
+
+def main(folder):
+    frames = sorted(path for path in Path(folder).iterdir() if path.is_dir())
+    wrong = sum(report(frame) for frame in frames)
+    print(f"{len(frames)} frames, {wrong} of them not sound", flush=True)
+    if wrong or not frames:
+        sys.exit(1)
+
+
+def report(frame):
+    stls = sorted(frame.glob("*.stl"))
+    faults = [f"{stl.name}: {why}" for stl in stls if (why := fault(stl))]
+    if not stls:
+        faults = ["no parts"]
+    print(f"FAILED random frame {frame.name}: {'; '.join(faults)}" if faults else f"ok random frame {frame.name}", flush=True)
+    return bool(faults)
+
+
+def fault(stl):
+    mesh = trimesh.load(stl, file_type="stl")
+    if not (mesh.is_watertight and mesh.is_winding_consistent):
+        return "not closed"
+    if not mesh.volume > 0:
+        return f"volume {mesh.volume:.3f} mm3"
+    solid = manifold3d.Manifold(manifold3d.Mesh(mesh.vertices.astype(numpy.float32), mesh.faces.astype(numpy.uint32)))
+    if solid.status() != manifold3d.Error.NoError:
+        return f"manifold3d: {solid.status().name}"
+    united = manifold3d.Manifold.batch_boolean([solid, solid], manifold3d.OpType.Add).volume()
+    if abs(united / mesh.volume - 1) > VOLUME_RATIO:
+        return f"manifold3d: volume {mesh.volume:.3f} mm3, {united:.3f} of the union with itself"
+    return None
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
