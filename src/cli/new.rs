@@ -10,7 +10,7 @@ use super::session;
 use super::terminal;
 use crate::params::frame_file::Value;
 use crate::params::{LoadError, amend};
-use crate::variant::{CreateError, Creation, Request, SolveError, create};
+use crate::variant::{CreateError, Creation, Request, SolveError, create, movable};
 
 /// Write a variant of a frame, with what has to change to keep every limit.
 #[derive(Debug, clap::Args)]
@@ -71,7 +71,15 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         Ok(creation) => creation,
         Err(CreateError::Refused(refusal)) => return Err(LoadError::Refused(refusal).into()),
         Err(CreateError::Unsolved(error @ SolveError::Infeasible { .. })) => {
-            terminal::tell(&format!("no such variant was found: {error}\nask for less, or free more parameters with `flexframe solve`"));
+            let looked = movable(&from)
+                .iter()
+                .map(|vary| format!("{} {:.1} to {:.1}", vary.key(), vary.bounds[0], vary.bounds[1]))
+                .collect::<Vec<_>>();
+            terminal::tell(&format!(
+                "no such variant was found: {error}\nlooked at: {}; for a size beyond, take a frame near it with --from\n\
+                 ask for less, or free more parameters with `flexframe solve`",
+                looked.join(", ")
+            ));
             return Ok(ExitCode::from(1));
         }
         Err(CreateError::Unsolved(error)) => return Err(Failure::Usage { message: error.to_string() }),

@@ -16,7 +16,7 @@ pub struct BillFigure {
 pub static BILL_FIGURES: [BillFigure; 3] = [
     BillFigure { name: "price.bought", unit: "", of: price },
     BillFigure { name: "price.unknown", unit: "", of: |bill| Some(unknown(bill) as f64) },
-    BillFigure { name: "print.time", unit: "h", of: |bill| bill.print_at_least_h },
+    BillFigure { name: "print.time", unit: "h", of: |bill| bill.print_h },
 ];
 
 impl BillFigure {

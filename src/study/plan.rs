@@ -64,7 +64,7 @@ impl Study {
     }
 
     /// The frame of a row of these frames as typed.
-    pub(super) fn frame_file(&self, frames: &Frames, row: usize) -> FrameFile {
+    pub fn frame_file(&self, frames: &Frames, row: usize) -> FrameFile {
         let mut file = frames.base.clone();
         for (axis, input) in self.axes.iter().zip(self.inputs(row)) {
             match input {

@@ -96,7 +96,8 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     Ok(Creation { evaluation, moved, why, looked_at, ended })
 }
 
-fn movable(from: &Frame) -> Vec<Vary> {
+/// What the search may change of a frame, and between which bounds.
+pub fn movable(from: &Frame) -> Vec<Vary> {
     let all = MOVABLE.iter().filter_map(|key| parameters().find(|p| *key == format!("{}.{}", p.table, p.key)));
     all.map(|parameter| reaching_presets(Vary::around(parameter, from, REACH))).collect()
 }

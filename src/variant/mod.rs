@@ -19,7 +19,7 @@ mod solve;
 
 pub use aim::Aim;
 pub use choose::{Chosen, NameChoice, choose};
-pub use create::{CreateError, Creation, Moved, Request, create};
+pub use create::{CreateError, Creation, Moved, Request, create, movable};
 pub use difference::{Changed, Difference, Side, Trend};
 pub use ended::Ended;
 pub use goal::{Goal, GoalError, Increase, Sense};

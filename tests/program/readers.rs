@@ -19,7 +19,7 @@ use flexframe::params::refusal::Refusal;
 use flexframe::params::{Frame, FrameFile, ImpactFile, LoadError};
 use flexframe::printing::coupon::Found;
 use flexframe::solid::Mesh;
-use flexframe::study::{Journal, Study, load};
+use flexframe::study::{Journal, Study, Subject, load};
 use flexframe::variant::{Goal, Increase};
 use nalgebra::Point3;
 
@@ -165,7 +165,9 @@ fn study(files: &[(&str, &[u8])]) -> bool {
         let rows = study.rows();
         for row in [0, rows - 1].into_iter().filter(|_| rows <= 1000) {
             assert_eq!(study.inputs(row).len(), study.axes.len());
-            let _ = Frame::resolve(&study.frame_file(row)).map_err(|refusal| refused(&refusal));
+            if let Subject::Frames(frames) = &study.subject {
+                let _ = Frame::resolve(&study.frame_file(frames, row)).map_err(|refusal| refused(&refusal));
+            }
         }
     }))
 }
