@@ -127,7 +127,8 @@ simulators_from_pypi() {
 cargo_tests() {
     heading "cargo test"
     local log=$work/cargo-test.log code=0
-    cargo test --release --no-fail-fast 2>&1 | tee "$log" || code=$?
+    rm -rf "$work/random-frames"
+    FLEXFRAME_RANDOM_STLS=$work/random-frames cargo test --release --no-fail-fast 2>&1 | tee "$log" || code=$?
     awk '/^test .* \.\.\. ok$/          { print "ok " $2 }
          /^test .* \.\.\. ignored/      { print "ignored " $2 }
          /^test .* \.\.\. FAILED$/      { print "FAILED " $2 ": see above" }' "$log" >"$work/cargo-results.txt"
@@ -350,6 +351,16 @@ python_agrees_with_manifests() {
     fi
 }
 
+# Parts of random frames, flat and folded, as a test wrote them.
+random_frames_are_sound() {
+    heading "trimesh and manifold3d take the parts of random frames"
+    if from_pypi; then
+        "$python" tests/external/random_frames.py "$work/random-frames" | tee -a "$results" || failed "random frames" "exit code $?"
+    else
+        skipped "trimesh and manifold3d on random frames" "not installed"
+    fi
+}
+
 # Plates by the library of the 3MF Consortium, in strict mode.
 lib3mf_reads_plates() {
     heading "lib3mf reads every plate"
@@ -513,6 +524,7 @@ by_other_programs() {
     khronos_validates_glbs
     qpdf_reads_instructions
     python_agrees_with_manifests
+    random_frames_are_sound
     lib3mf_reads_plates
     occt_reads_steps
     simulators_run_frames
@@ -545,6 +557,7 @@ step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
 step "cargo clippy with every feature" cargo clippy --release --lib --all-features -- -D warnings
 step "cargo clippy without features" cargo clippy --release --lib --no-default-features -- -D warnings
 step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
+step "cargo fmt of the fuzz targets" cargo fmt --check --manifest-path fuzz/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
 cargo_tests
 reference_records

@@ -26,6 +26,8 @@ const GRID_POINTS: usize = 5;
 const MOST_POINTS: f64 = 10_000.0;
 /// Most names of all axes together: the frame's reader looks at each of them.
 const MOST_NAMES: usize = 1000;
+/// Most columns of a table of samples: each is looked up among the keys of a frame.
+const MOST_COLUMNS: usize = 1000;
 /// Largest table of samples read, bytes.
 const LARGEST_TABLE: u64 = 1 << 30;
 /// Keys beside the tables `vary` and `choose`.
@@ -221,6 +223,9 @@ fn from_table(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input
     }
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
     let head = reader.headers().map_err(|error| refuse(error.to_string()))?.clone();
+    if head.len() > MOST_COLUMNS {
+        return Err(refuse(format!("the table has {} columns, more than {MOST_COLUMNS}", head.len())));
+    }
     let mut axes: Vec<Axis> =
         head.iter().map(|key| lookup(key).map_or_else(|_| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
     let mut known: Vec<BTreeSet<String>> = vec![BTreeSet::new(); axes.len()];

@@ -74,7 +74,7 @@ fn unclear(message: &str, remedy: &str) -> Option<String> {
 
 fn write(design: &Design, folder: &Path) -> std::io::Result<()> {
     fs::create_dir_all(folder)?;
-    let printed = design.printed.iter().map(|part| (format!("{}.stl", part.name), &part.mesh));
+    let printed = design.printed.iter().map(|part| (format!("{}.stl", part.name), &*part.mesh));
     let folded = design.shapes.iter().filter(|shape| PartName::ALL.iter().any(|name| name.slug() == shape.name));
     let folded = folded.map(|shape| (format!("{}_folded.stl", shape.name), &*shape.mesh));
     printed.chain(folded).try_for_each(|(name, mesh)| fs::write(folder.join(name), stl::binary(mesh)?))
