@@ -73,13 +73,15 @@ pub(in crate::study) fn columns(file: &ImpactFile) -> Result<Vec<&'static Recove
     Ok(columns)
 }
 
-/// The effects that may be hidden alone or in pairs.
+/// The effects that may be hidden alone or in pairs, in the order of the catalogue, in which a diagnosis names sets, too.
 fn effects(file: &ImpactFile, base: &Model) -> Result<Vec<&'static Spec>, Refusal> {
     let all = recorded(base);
     let known: Vec<String> = all.iter().map(|spec| spec.id.to_string()).collect();
     let Some(names) = file.texts("effects")? else { return Ok(all) };
-    let one = |name: &String| named(file, "effects", "effect", name, all.iter().find(|spec| spec.id == name).copied(), &known);
-    names.iter().map(one).collect()
+    for name in &names {
+        named(file, "effects", "effect", name, known.iter().find(|id| *id == name), &known)?;
+    }
+    Ok(all.into_iter().filter(|spec| names.iter().any(|name| name == spec.id)).collect())
 }
 
 fn laws(file: &ImpactFile) -> Result<Vec<ScatterLaw>, Refusal> {
@@ -128,4 +130,22 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
         cases.extend(outsiders.clone().map(|seed| case(Truth::Outside(outside(seed)), None, seed)));
     }
     Ok(cases)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::files::Memory;
+
+    /// A set of two is named as a diagnosis names it, whatever the order in the plan.
+    #[test]
+    fn regress_pairs_are_in_the_order_of_the_catalogue() {
+        let plan = "kind = \"recovery\"\neffects = [\"preload\", \"cubic_stiffness\"]\n[seeds]\none = [1, 2]\ntwo = [1, 40]\n";
+        let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
+        let recovery = setting(&file, &Memory::default()).expect("is a plan");
+        let names: Vec<String> = recovery.cases.iter().map(|case| case.truth.name()).collect();
+        assert_eq!(names[..2], ["cubic_stiffness", "cubic_stiffness"], "one seed, two effects, five strengths");
+        let pairs: Vec<&String> = names.iter().filter(|name| name.contains('+')).collect();
+        assert!((10..39).contains(&pairs.len()) && pairs.iter().all(|name| *name == "cubic_stiffness + preload"), "{pairs:?}");
+    }
 }

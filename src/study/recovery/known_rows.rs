@@ -12,7 +12,7 @@ use crate::study::plan::Study;
 /// A row.
 pub(super) struct KnownRow<'a> {
     pub case: &'a Case,
-    /// Whether it has the least strength of the study, where there are several.
+    /// Whether it has the least strength of the study.
     pub is_weakest: bool,
     columns: &'a [Column],
     outcome: &'a Outcome,
@@ -20,7 +20,7 @@ pub(super) struct KnownRow<'a> {
 
 /// The rows that are known, in their order.
 pub(super) fn known_rows<'a>(study: &'a Study, recovery: &'a Recovery, outcomes: &'a Outcomes) -> Vec<KnownRow<'a>> {
-    let weakest = recovery.strengths.iter().copied().reduce(f64::min).filter(|_| recovery.strengths.len() > 1);
+    let weakest = recovery.strengths.iter().copied().reduce(f64::min);
     let row = |(at, case): (usize, &'a Case)| {
         let is_weakest = case.strength.is_some() && case.strength == weakest;
         Some(KnownRow { case, is_weakest, columns: &study.columns, outcome: outcomes.of(at)? })
