@@ -48,11 +48,11 @@ impl RecoveryReport<'_> {
     fn settings(&self) -> Vec<String> {
         let settings = &self.accuracy.settings;
         let one_law = settings.windows(2).all(|pair| pair[0].1 == pair[1].1);
-        let name = |(level, law): &(usize, crate::impact::synthetic::ScatterLaw)| match one_law {
+        let named = settings.iter().map(|(level, law)| match one_law {
             true => format!("level {level}"),
             false => format!("level {level}, {}", law.name()),
-        };
-        settings.iter().map(name).collect()
+        });
+        named.collect()
     }
 
     /// The facts as rows of a table of their own: table, line, level, law, how many, of how many, the share or number, its interval, words.
