@@ -55,11 +55,11 @@ pub fn accuracy(study: &Study, recovery: &Recovery, outcomes: &Outcomes) -> Accu
             None => by_setting.push((setting, vec![row])),
         }
     }
-    let lines = |all: Vec<(String, Box<dyn Fn(&Rows) -> Fact>)>| {
-        let line = |(name, says): (String, Box<dyn Fn(&Rows) -> Fact>)| (name, by_setting.iter().map(|(_, rows)| says(rows)).collect());
+    let lines = |all: Lines| {
+        let line = |(name, says): Line| (name, by_setting.iter().map(|(_, rows)| says(rows)).collect());
         all.into_iter().map(line).filter(|(_, facts): &(String, Vec<Fact>)| facts.iter().any(|fact| *fact != Fact::None)).collect()
     };
-    let boxed = |(name, says): (&str, Says)| (name.to_string(), Box::new(says) as Box<dyn Fn(&Rows) -> Fact>);
+    let boxed = |(name, says): (&str, Says)| -> Line { (name.to_string(), Box::new(says)) };
     let table = |title, of, lines: Vec<(String, Vec<Fact>)>| Table { title, of, lines };
     let tables = vec![
         table("Summary", "share", lines(SUMMARY.into_iter().map(boxed).collect())),
@@ -152,18 +152,17 @@ fn uniform(rows: &Rows) -> Fact {
     Fact::Number((1..=100).map(term).sum::<f64>().clamp(0.0, 1.0))
 }
 
-/// Lines with what each says of rows.
-type Lines = Vec<(String, Box<dyn Fn(&Rows) -> Fact>)>;
+/// A line: what it is of, and what it says of rows.
+type Line = (String, Box<dyn Fn(&Rows) -> Fact>);
+type Lines = Vec<Line>;
 
 fn by_effect(recovery: &Recovery) -> Lines {
-    let line = |id: &'static str| -> (String, Box<dyn Fn(&Rows) -> Fact>) {
-        (id.into(), Box::new(move |rows: &Rows| right(rows, |row| row.is_of(id))))
-    };
+    let line = |id: &'static str| -> Line { (id.into(), Box::new(move |rows: &Rows| right(rows, |row| row.is_of(id)))) };
     recovery.effects.iter().map(|spec| line(spec.id)).collect()
 }
 
 fn by_strength(recovery: &Recovery) -> Lines {
-    let line = |strength: f64| -> (String, Box<dyn Fn(&Rows) -> Fact>) {
+    let line = |strength: f64| -> Line {
         (strength.to_string(), Box::new(move |rows: &Rows| right(rows, |row| row.is_one() && row.case.strength == Some(strength))))
     };
     recovery.strengths.iter().map(|strength| line(*strength)).collect()
@@ -172,7 +171,7 @@ fn by_strength(recovery: &Recovery) -> Lines {
 /// Doubling from 8 on.
 fn by_noncentrality() -> Lines {
     let bounds = [1.0, 8.0, 16.0, 32.0, 64.0, 128.0, 256.0, 512.0, f64::INFINITY];
-    let line = |least: f64, most: f64| -> (String, Box<dyn Fn(&Rows) -> Fact>) {
+    let line = |least: f64, most: f64| -> Line {
         let name = if most.is_finite() { format!("{least} to {most}") } else { format!("{least} and more") };
         let within = move |row: &KnownRow| row.figure("noncentrality").is_some_and(|found| (least..most).contains(&found.max(1.0)));
         (name, Box::new(move |rows: &Rows| right(rows, |row| row.is_one() && within(row))))
@@ -182,14 +181,13 @@ fn by_noncentrality() -> Lines {
 
 fn by_parameter(recovery: &Recovery) -> Lines {
     let own = recovery.effects.iter().flat_map(|spec| spec.parameters.iter().map(|parameter| format!("{}.{}", spec.id, parameter.key)));
-    let line =
-        |key: String| -> (String, Box<dyn Fn(&Rows) -> Fact>) { (key.clone(), Box::new(move |rows: &Rows| covered(rows, Some(&key)))) };
+    let line = |key: String| -> Line { (key.clone(), Box::new(move |rows: &Rows| covered(rows, Some(&key)))) };
     ["k".to_string(), "c".into()].into_iter().chain(own).map(line).collect()
 }
 
 /// The wrong names of each effect, with how often.
 fn mistaken(recovery: &Recovery) -> Lines {
-    let line = |id: &'static str| -> (String, Box<dyn Fn(&Rows) -> Fact>) {
+    let line = |id: &'static str| -> Line {
         let says = move |rows: &Rows| {
             let mut names: BTreeMap<&str, usize> = BTreeMap::new();
             for row in rows.iter().filter(|row| row.is_of(id) && row.is_detectable() && row.is_right() == Some(false)) {
