@@ -298,7 +298,8 @@ mod tests {
 
     #[test]
     fn planted_rods_of_4_mm_ask_for_a_wider_cheek_gap() {
-        let found = keys("base = \"cognifly\"\nbought.rod = \"rod-carbon-4\"\n", "interference");
+        let narrow = "base = \"cognifly\"\nbought.rod = \"rod-carbon-4\"\n[fork]\nfork_bar_height_mm = 5.6\nfork_cheek_gap_mm = 6.13\n";
+        let found = keys(narrow, "interference");
         assert!(found.contains(&"fork.fork_cheek_gap_mm".to_string()), "{found:?}");
     }
 

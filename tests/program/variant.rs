@@ -454,7 +454,8 @@ fn analytic_bill_in_every_form() {
     for part in [
         "# Bill of materials: cognifly",
         "| knee | 4 | tpu-95a |",
-        "g of filament, at least",
+        "h by an estimate within 15 % of PrusaSlicer's",
+        "A stock length is saved by `cage` rods of 187.5 mm instead of 192.0 mm.",
         "(M2 x 4 mm)",
         "no price with a source",
         "| 1 | cage ",

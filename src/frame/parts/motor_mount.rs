@@ -22,12 +22,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Moves,
     print_turn: MotorMount::print_turn,
     needed: always,
-    walls: &[
-        "motor_mount.motor_skirt_wall_mm",
-        "motor_mount.motor_ring_diameter_mm",
-        "motor_mount.motor_plate_diameter_mm",
-        "motor_mount.motor_shaft_hole_mm",
-    ],
+    walls: &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "motor_mount.motor_shaft_hole_mm"],
 };
 
 /// A plate this much higher than the rings' tops gets sloping arms, mm.
@@ -244,7 +239,7 @@ mod tests {
         frame.bought.get_mut("motor").expect("a motor").part.hole_count = Some(3);
         frame.motor_mount.motor_hole_circle_mm = 10.0;
         let mount = MotorMount::from_frame(&frame);
-        let mesh = printed(&mount.feature(), 0);
+        let mesh = printed(&mount.feature(), 6);
         assert_eq!(mount.screw_axes_mm().len(), 3);
         for deg in [0.0, 120.0, 240.0] {
             let angle = Angle::deg(deg);
