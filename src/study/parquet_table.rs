@@ -10,7 +10,6 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
 
 use super::axis::{Axis, Input};
-use super::column::Column;
 use super::outcomes::{Outcome, Outcomes};
 use super::plan::Study;
 

@@ -1,6 +1,6 @@
 //! What of a printed layer decides how long it takes.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use nalgebra::{Point3, Vector3};
 
@@ -49,7 +49,7 @@ fn loop_lengths_mm(pieces: &[Piece]) -> Vec<f64> {
     // A facet that touches the plane with a corner has a piece without length, which would end a loop.
     let pieces: Vec<&Piece> = pieces.iter().filter(|[from, to]| from != to).collect();
     let bits = |end: [f64; 2]| end.map(f64::to_bits);
-    let begins: HashMap<[u64; 2], usize> = pieces.iter().enumerate().map(|(at, [from, _])| (bits(*from), at)).collect();
+    let begins: BTreeMap<[u64; 2], usize> = pieces.iter().enumerate().map(|(at, [from, _])| (bits(*from), at)).collect();
     let mut done = vec![false; pieces.len()];
     let mut lengths = Vec::new();
     for first in 0..pieces.len() {
