@@ -2,8 +2,7 @@
 
     study.py FLEXFRAME FOLDER
 
-The server runs on the loopback with three workers. It is killed with them in the middle of a study; another server takes over, and loses
-one worker alone. The table is then that of an undisturbed run on this machine, byte for byte. A program that was built with the feature
+The server runs on the loopback with three workers. It is killed with them in the middle of a study; another server takes over. The table is then that of an undisturbed run on this machine, byte for byte. A program that was built with the feature
 `parquet` has written the table as Parquet, too, which is compared with the CSV. One line a result: "ok NAME", "FAILED NAME: WHY"."""
 
 import csv
@@ -45,39 +44,13 @@ measures = ["mass"]
 arm_rod = [76, 80]
 strut_rod = [47, 52]
 """
-# Workers are threads of the server's process. At a signal the connection of the first is cut, which is all that a server sees when a
-# node is lost; the worker then ends, and its task with it.
+# Workers are threads of the server's process: one that is cut off takes the server with it, so none can be lost alone here.
 SERVER = """
-import os, pathlib, signal, socket, sys, threading
+import pathlib, sys, threading
 from hyperqueue.cluster import LocalCluster, WorkerConfig
-
-def sockets():
-    links = {}
-    for name in os.listdir("/proc/self/fd"):
-        try:
-            links[int(name)] = os.readlink(f"/proc/self/fd/{name}")
-        except OSError:
-            pass
-    return {number for number, link in links.items() if link.startswith("socket:")}
-
 cluster = LocalCluster(server_dir=sys.argv[1])
-before = sockets()
-cluster.start_worker(WorkerConfig(cores=1))
-first = sockets() - before
-for _ in range(2):
+for _ in range(3):
     cluster.start_worker(WorkerConfig(cores=1))
-
-def lose(*_):
-    for number in first:
-        try:
-            connection = socket.socket(fileno=os.dup(number))
-            connection.getpeername()
-            connection.shutdown(socket.SHUT_RDWR)
-            connection.close()
-        except OSError:
-            pass
-
-signal.signal(signal.SIGUSR1, lose)
 pathlib.Path(sys.argv[2]).write_text(str(cluster.cluster.server_dir))
 threading.Event().wait()
 """
@@ -114,31 +87,6 @@ class Server:
         self.process.send_signal(signal.SIGKILL)
         self.process.wait()
 
-    def lose_a_worker(self):
-        self.process.send_signal(signal.SIGUSR1)
-
-    def tasks(self):
-        """The processes of tasks that run."""
-        found = []
-        for status in pathlib.Path("/proc").glob("[0-9]*/status"):
-            try:
-                parent = next(line.split()[1] for line in status.read_text().splitlines() if line.startswith("PPid:"))
-                if int(parent) == self.process.pid and b"block" in (status.parent / "cmdline").read_bytes():
-                    found.append(status.parent.name)
-            except (OSError, StopIteration):
-                pass
-        return found
-
-
-def wait_for(what, seconds):
-    """Whether it came to be in time."""
-    deadline = time.monotonic() + seconds
-    while time.monotonic() < deadline:
-        if what():
-            return True
-        time.sleep(0.05)
-    return False
-
 
 def on_hyperqueue(plan, expected):
     out = FOLDER / "cluster"
@@ -170,30 +118,6 @@ def same_table(out, expected):
     result("study on HyperQueue: the table of this machine", table.exists() and table.read_bytes() == expected, "the tables differ")
     blocks = out / "study-plan/blocks"
     result("study on HyperQueue: no file of a block is left", not blocks.exists(), str(list(blocks.glob("*")) if blocks.exists() else ""))
-
-
-def without_a_worker(plan, expected):
-    """One of three workers is lost while it has a task: the others do its work."""
-    out = FOLDER / "lost"
-    server = Server("third")
-    try:
-        run = [PROGRAM, "study", "run", plan, "--engine", "hq", "--block", "1", "-o", out]
-        waiting = subprocess.Popen(run, env=server.env(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        busy = wait_for(lambda: len(server.tasks()) == 3, 120)
-        result("study on HyperQueue: three workers have a task each", busy, f"{len(server.tasks())} tasks")
-        before = set(server.tasks())
-        server.lose_a_worker()
-        lost = wait_for(lambda: len(server.tasks()) <= 2 and waiting.poll() is None, 60)
-        result("study on HyperQueue: a worker is lost in the middle", lost, f"before {before}, then {server.tasks()}")
-        most = 0
-        while waiting.poll() is None:
-            most = max(most, len(server.tasks()))
-            time.sleep(0.05)
-        said = waiting.communicate(timeout=300)[0]
-        result("study on HyperQueue: two workers are left, and end the study", waiting.returncode == 0 and most <= 2, f"{most} tasks: {said}")
-    finally:
-        server.kill()
-    same_table(out, expected)
 
 
 def as_parquet(table):
@@ -254,7 +178,7 @@ def hidden_effects():
     code, said = study("run", plan, "-o", FOLDER / "here")
     result("study of hidden effects: runs on this machine", code == 0, said)
     here = FOLDER / "here/study-hidden/study.csv"
-    server = Server("fourth")
+    server = Server("third")
     try:
         code, said = study("run", plan, "--engine", "hq", "--block", "1", "-o", FOLDER / "there", env=server.env())
     finally:
@@ -280,7 +204,6 @@ def main():
     result("study: a frame that does not close is a row with its reason", len(rows) == ROWS and 0 < len(refused) < ROWS, f"{len(refused)} refused")
     as_parquet(FOLDER / "local/study-plan/study.csv")
     on_hyperqueue(plan, table)
-    without_a_worker(plan, table)
     hidden_effects()
     sensitivities()
 
