@@ -36,10 +36,13 @@ struct Lines {
 }
 
 impl Lines {
-    /// Nothing where the material does not say how fast it is printed.
+    /// Nothing where the material does not say how fast it is printed, or where its layers are too high for the nozzle's lines.
     fn of(material: &Material, printer: &Printer) -> Option<Self> {
         let (layer_mm, wide_mm) = (printer.layer_mm(material), printer.line_mm());
         let spacing_mm = wide_mm - layer_mm * (1.0 - std::f64::consts::FRAC_PI_4);
+        if spacing_mm <= 0.0 {
+            return None;
+        }
         let by_flow = material.most_flow_mm3_s.map_or(f64::INFINITY, |flow| flow / (spacing_mm * layer_mm));
         Some(Self { layer_mm, spacing_mm, walls: material.perimeters.unwrap_or(2.0), speed_mm_s: material.speed_mm_s?.min(by_flow) })
     }
@@ -58,7 +61,8 @@ impl Lines {
     }
 }
 
-/// Time to print one part, s, as its mesh lies on the bed; nothing where the material does not say its speed.
+/// Time to print one part, s, as its mesh lies on the bed; nothing where the material does not say its speed, or where its layers are
+/// too high for the nozzle's lines.
 pub fn part_s(mesh: &Mesh, material: &Material, printer: &Printer) -> Option<f64> {
     let lines = Lines::of(material, printer)?;
     let first = lines.speed_mm_s.min(SLOW_MM_S);
@@ -99,6 +103,9 @@ mod tests {
         let slow = time(&frame).expect("speeds are stated");
         frame.flexible.material.most_flow_mm3_s = None;
         assert!(time(&frame).expect("speeds are stated") < slow);
+        let own = frame.flexible.material.layer_mm.replace(3.0);
+        assert_eq!(time(&frame), None, "lines of 0.45 mm have no layers of 3 mm");
+        frame.flexible.material.layer_mm = own;
         frame.flexible.material.speed_mm_s = None;
         assert_eq!(time(&frame), None);
     }
