@@ -23,7 +23,7 @@ export FLEXFRAME_CACHE=$work/cache
 export CARGO_INCREMENTAL=0
 
 mkdir -p "$work"
-rm -rf "$FLEXFRAME_CACHE"
+rm -rf "$FLEXFRAME_CACHE" "$work/apt.updated"
 results=$work/results.txt
 : >"$results"
 
@@ -61,9 +61,10 @@ from_debian() {
     command -v apt-get >/dev/null || return
     echo "installing $*"
     local quiet=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o Dpkg::Use-Pty=0)
-    # One installation at a time: two lanes may ask.
-    { flock 9 && { as_root "${quiet[@]}" install --no-install-recommends -y "$@" ||
-        { as_root "${quiet[@]}" update && as_root "${quiet[@]}" install --no-install-recommends -y "$@"; }; }
+    # One installation at a time: two lanes may ask. The lists that a machine came with may name packages that are too old, or gone.
+    { flock 9
+        [[ -e $work/apt.updated ]] || { as_root "${quiet[@]}" update && touch "$work/apt.updated"; }
+        as_root "${quiet[@]}" install --no-install-recommends -y "$@"
     } >>"$work/apt.log" 2>&1 9>"$work/apt.lock" || true
     command -v "$command" >/dev/null
 }
@@ -208,10 +209,14 @@ engine=$PWD/studio/dist/engine
 rust_for_wasm() {
     [[ -d $(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown/lib ]] && return
     from_debian wasm-ld lld || return
-    local sources=/usr/lib/rustlib/src/rust/library/std/Cargo.toml
-    [[ -f $sources && -x /usr/bin/cargo ]] ||
-        from_debian "$sources" rustc-web cargo-web rust-web-src libstd-rust-web-dev || true
-    [[ -f $sources && -x /usr/bin/cargo ]]
+    rust_of_debian || from_debian rustc-web rustc-web cargo-web rust-web-src libstd-rust-web-dev || true
+    rust_of_debian
+}
+
+# Debian's Rust for the web with its sources, and not too old.
+rust_of_debian() {
+    [[ -x /usr/bin/cargo && -f /usr/lib/rustlib/src/rust/library/std/Cargo.toml ]] || return
+    { sed -n 's/^rust-version = "\(.*\)"$/\1/p' Cargo.toml && /usr/bin/rustc --version | cut -d' ' -f2; } | sort -VC
 }
 
 # A wheel is installed in an empty environment; the list of a build's files with their hashes is then that of the program.

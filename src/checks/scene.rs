@@ -43,7 +43,7 @@ impl<'a> Placed<'a> {
             return reach_mm;
         }
         let pair = Pair::of(self, other);
-        let gap_mm = || pair.near(reach_mm).map_or(reach_mm, |[a, b]| a.gap_mm(&b, reach_mm));
+        let gap_mm = || pair.near(reach_mm).map_or(reach_mm, |[a, b]| a.gap_mm(&b.placed(&pair.pose), reach_mm));
         *self.memo.get("gap", &pair.name(), &(pair.key(), reach_mm), gap_mm)
     }
 
@@ -53,7 +53,7 @@ impl<'a> Placed<'a> {
             return 0.0;
         }
         let pair = Pair::of(self, other);
-        *self.memo.get("shared volume", &pair.name(), &pair.key(), || pair.near(0.0).map_or(0.0, |[a, b]| a.intersection(&b).volume_mm3()))
+        *self.memo.get("shared volume", &pair.name(), &pair.key(), || pair.near(0.0).map_or(0.0, |[a, b]| a.shared_mm3(&b, &pair.pose)))
     }
 
     /// Whose axes two bodies are compared in: the smaller's.
@@ -101,11 +101,11 @@ impl<'a> Pair<'a> {
         (self.still.shape.solid.key(), self.other.shape.solid.key(), [self.still.is_rod(), self.other.is_rod()], self.pose)
     }
 
-    /// Both, as far as they can be within reach of each other.
+    /// Both in their own axes, as far as they can be within reach of each other.
     fn near(&self, reach_mm: f64) -> Option<[MeshSolid; 2]> {
         let still = self.still.near(self.other, &self.pose, reach_mm)?;
         let other = self.other.near(self.still, &self.pose.inverse(), reach_mm)?;
-        Some([still, other.placed(&self.pose)])
+        Some([still, other])
     }
 }
 

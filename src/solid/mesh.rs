@@ -1,7 +1,5 @@
 //! Triangle meshes as they are written: indexed, closed, in a canonical order.
 
-use std::collections::BTreeMap;
-
 use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -20,21 +18,24 @@ impl Mesh {
     pub fn canonical(positions: &[Point3<f64>], triangles: &[[u32; 3]]) -> Self {
         let rounded: Vec<[f32; 3]> = positions.iter().map(|p| [clean(p.x), clean(p.y), clean(p.z)]).collect();
         let key = |p: &[f32; 3]| p.map(ordered_bits);
-        let mut order: BTreeMap<[u32; 3], [f32; 3]> = BTreeMap::new();
-        for triangle in triangles {
-            for &corner in triangle {
-                let p = rounded[corner as usize];
-                order.insert(key(&p), p);
+        let mut used = vec![false; positions.len()];
+        triangles.iter().flatten().for_each(|&corner| used[corner as usize] = true);
+        let mut order: Vec<usize> = (0..positions.len()).filter(|&corner| used[corner]).collect();
+        order.sort_unstable_by_key(|&corner| key(&rounded[corner]));
+        let (mut vertices, mut index) = (Vec::<[f32; 3]>::new(), vec![0; positions.len()]);
+        for corner in order {
+            if vertices.last().map(key) != Some(key(&rounded[corner])) {
+                vertices.push(rounded[corner]);
             }
+            index[corner] = vertices.len() as u32 - 1;
         }
-        let index: BTreeMap<[u32; 3], u32> = order.keys().enumerate().map(|(i, k)| (*k, i as u32)).collect();
         let mut sorted: Vec<[u32; 3]> = triangles
             .iter()
-            .map(|t| rotated_to_smallest(t.map(|corner| index[&key(&rounded[corner as usize])])))
+            .map(|t| rotated_to_smallest(t.map(|corner| index[corner as usize])))
             .filter(|t| t[0] != t[1] && t[1] != t[2] && t[0] != t[2])
             .collect();
         sorted.sort_unstable();
-        Self { vertices: order.into_values().collect(), triangles: sorted }
+        Self { vertices, triangles: sorted }
     }
 
     /// Corners of a triangle, mm.

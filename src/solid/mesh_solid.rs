@@ -8,9 +8,11 @@ use manifold_rust::types::OpType;
 use nalgebra::{Isometry3, Point3, Vector3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::box_tree::BoxTree;
 use super::facets::Facets;
 use super::feature::Feature;
 use super::mesh::Mesh;
+use super::oriented_box::OrientedBox;
 use super::profile::{Profile, circumscribed};
 use super::region::Region;
 use crate::memo::{Key, Memo};
@@ -25,10 +27,11 @@ const DETAIL_MM: f64 = 0.001;
 #[derive(Clone)]
 pub struct MeshSolid(Arc<Held>);
 
-/// The kernel's solid, its facets, or both: each is made of the other when it is asked for.
+/// The kernel's solid, its facets, or both: each is made of the other when it is asked for, and boxes of the facets.
 struct Held {
     kernel: OnceLock<Manifold>,
     facets: OnceLock<Facets>,
+    boxes: OnceLock<BoxTree>,
 }
 
 /// Where a line meets a surface.
@@ -52,11 +55,11 @@ impl MeshSolid {
     }
 
     fn of(kernel: Manifold) -> Self {
-        Self(Arc::new(Held { kernel: kernel.into(), facets: OnceLock::new() }))
+        Self(Arc::new(Held { kernel: kernel.into(), facets: OnceLock::new(), boxes: OnceLock::new() }))
     }
 
     fn of_facets(facets: Facets) -> Self {
-        Self(Arc::new(Held { kernel: OnceLock::new(), facets: facets.into() }))
+        Self(Arc::new(Held { kernel: OnceLock::new(), facets: facets.into(), boxes: OnceLock::new() }))
     }
 
     fn kernel(&self) -> &Manifold {
@@ -104,6 +107,11 @@ impl MeshSolid {
         let facets = self.facets_held();
         let corners: Vec<Point3<f64>> = facets.corners.iter().map(|corner| Point3::from(*corner)).collect();
         Mesh::canonical(&corners, &facets.triangles)
+    }
+
+    /// Boxes around its facets.
+    pub fn boxes(&self) -> &BoxTree {
+        self.0.boxes.get_or_init(|| BoxTree::of(self.facets()))
     }
 
     /// Its facets with the kernel's own numbers, mm.
@@ -163,9 +171,25 @@ impl MeshSolid {
         Self::of(self.kernel().intersection(other.kernel()))
     }
 
+    /// Volume in common with another, in a pose relative to this one's axes, mm³.
+    pub fn shared_mm3(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
+        self.intersection(&other.placed(pose)).volume_mm3()
+    }
+
     /// What lies on the side of the plane that the normal points to; the plane is `normal · p = offset`.
     pub fn half(&self, normal: Vector3<f64>, offset_mm: f64) -> Self {
         Self::of(self.kernel().trim_by_plane(vec3(&normal), offset_mm))
+    }
+
+    /// What of it is in a box along its axes or no farther from it than that, mm; all of it where the box holds it.
+    pub fn near_box_mm(&self, around: &OrientedBox, beside_mm: f64) -> Self {
+        let [low, high] = around.bounds_mm();
+        let [low, high] = [low.map(|mm| mm - beside_mm), high.map(|mm| mm + beside_mm)];
+        let [mine_low, mine_high] = self.bounds_mm();
+        if (0..3).all(|axis| low[axis] <= mine_low[axis] && mine_high[axis] <= high[axis]) {
+            return self.clone();
+        }
+        self.intersection(&Self::build(&Feature::cuboid_between(low, high)))
     }
 
     /// Its largest body alone: what is left when a cut has grazed a surface.

@@ -25,5 +25,6 @@ pub use feature::Feature;
 pub use mesh::Mesh;
 pub use mesh_section::{CutPlane, Piece};
 pub use mesh_solid::{Hit, MeshSolid, SEGMENTS_PER_TURN};
+pub use oriented_box::OrientedBox;
 pub use profile::{Contour, Profile, Segment};
 pub use region::Region;

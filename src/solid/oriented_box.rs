@@ -32,6 +32,11 @@ impl OrientedBox {
         Self { middle: (low + high) * 0.5, half: (high - low) * 0.5 }
     }
 
+    /// Its lowest and highest corner, mm.
+    pub fn bounds_mm(&self) -> [[f64; 3]; 2] {
+        [(self.middle - self.half).into(), (self.middle + self.half).into()]
+    }
+
     /// The axis along which it is longest.
     pub fn longest(&self) -> usize {
         self.half.imax()
@@ -59,6 +64,22 @@ impl OrientedBox {
         along_mine.max().max(along_its.max())
     }
 
+    /// Between which numbers of steps, within given ones, this box and another meet that moves on by the same step each time, by all
+    /// planes that can part them; none where they never do.
+    pub fn meeting(&self, other: &Self, pose: &Between, step: &Vector3<f64>, within: [f64; 2]) -> Option<[f64; 2]> {
+        let between = pose.turn * other.middle + pose.shift - self.middle;
+        let mine = self.half + pose.sizes * other.half;
+        let its = other.half + pose.sizes.tr_mul(&self.half);
+        let (turned, turned_step) = (pose.turn.tr_mul(&between), pose.turn.tr_mul(step));
+        let faces = |found, i: usize| passing(passing(found, between[i], step[i], mine[i])?, turned[i], turned_step[i], its[i]);
+        let found = (0..3).try_fold(within, faces)?;
+        (0..9).try_fold(found, |found, pair| {
+            let axis = Vector3::ith(pair / 3, 1.0).cross(&pose.turn.column(pair % 3));
+            let reach = self.half.dot(&axis.abs()) + other.half.dot(&pose.turn.tr_mul(&axis).abs());
+            if axis.norm_squared() > 1e-12 { passing(found, between.dot(&axis), step.dot(&axis), reach) } else { Some(found) }
+        })
+    }
+
     /// The same by the planes along pairs of edges, too.
     pub fn apart_by_edges_mm(&self, other: &Self, pose: &Between) -> f64 {
         let between = pose.turn * other.middle + pose.shift - self.middle;
@@ -79,9 +100,31 @@ impl OrientedBox {
     }
 }
 
+/// The numbers of steps, of those found, after which what starts at an offset is no farther from 0 than its reach.
+fn passing([first, last]: [f64; 2], offset: f64, step: f64, reach: f64) -> Option<[f64; 2]> {
+    if step.abs() < 1e-12 {
+        return (offset.abs() <= reach).then_some([first, last]);
+    }
+    let ends = [(-reach - offset) / step, (reach - offset) / step];
+    let found = [first.max(ends[0].min(ends[1])), last.min(ends[0].max(ends[1]))];
+    (found[0] <= found[1]).then_some(found)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn analytic_a_box_passes_another_while_their_sides_overlap() {
+        let b = OrientedBox::around([Point3::new(-1.0, -1.0, -1.0), Point3::new(1.0, 1.0, 1.0)].iter());
+        let passing = |across: f64| b.meeting(&b, &Between::of(&Isometry3::translation(-10.0, across, 0.0)), &Vector3::x(), [0.0, 100.0]);
+        assert_eq!(passing(1.5), Some([8.0, 12.0]));
+        assert_eq!(passing(2.5), None);
+        let turned = Isometry3::translation(-10.0, 0.0, 0.0) * Isometry3::rotation(Vector3::z() * std::f64::consts::FRAC_PI_4);
+        let [first, last] = b.meeting(&b, &Between::of(&turned), &(Vector3::x() * 0.5), [0.0, 100.0]).expect("they meet");
+        let reach = 1.0 + 2.0_f64.sqrt();
+        assert!((first - (10.0 - reach) * 2.0).abs() < 1e-9 && (last - (10.0 + reach) * 2.0).abs() < 1e-9);
+    }
 
     #[test]
     fn analytic_crossed_rods_are_apart_by_their_gap() {

@@ -1,7 +1,7 @@
 //! The rigid pieces that a fold moves: bodies, and of those that bend each side of the hinge.
 
 use std::borrow::Cow;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use nalgebra::Isometry3;
 
@@ -29,8 +29,6 @@ pub(super) struct Piece {
     kind: Kind,
     /// In the body's axes, flat.
     pub solid: MeshSolid,
-    /// Boxes around its facets, made when they are asked for; copies share them.
-    boxes: Arc<OnceLock<BoxTree>>,
 }
 
 /// A rod's piece is longer by this at both ends than it must be, mm.
@@ -57,7 +55,6 @@ pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
             place: body.pose,
             kind: design.shape(body).kind,
             solid: side.solid.clone(),
-            boxes: side.boxes.clone(),
         }));
     }
     found
@@ -67,28 +64,21 @@ pub(super) fn pieces(design: &Design, module: &Module) -> Vec<Piece> {
 struct Side {
     hinge: Option<usize>,
     solid: MeshSolid,
-    boxes: Arc<OnceLock<BoxTree>>,
-}
-
-impl Side {
-    fn new(hinge: Option<usize>, solid: MeshSolid) -> Self {
-        Self { hinge, boxes: Arc::default(), solid }
-    }
 }
 
 /// A body's flat solid, cut at each of its hinges.
 fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) -> Vec<Side> {
     let shape = design.shape(body);
     let part = member.and_then(Member::part).and_then(|name| design.part(name));
-    let (Some(member), Some(part)) = (member, part) else { return vec![Side::new(None, shape.solid.clone())] };
+    let (Some(member), Some(part)) = (member, part) else { return vec![Side { hinge: None, solid: shape.solid.clone() }] };
     let mut rest = part.flat.clone();
     let mut found = Vec::new();
     for (index, bend) in module.bends(member).iter().enumerate() {
         let [still, moving] = printed_sides(&rest, bend, part.name.slug(), &design.memo);
         rest = still;
-        found.push(Side::new(Some(index), moving));
+        found.push(Side { hinge: Some(index), solid: moving });
     }
-    found.push(Side::new(None, rest));
+    found.push(Side { hinge: None, solid: rest });
     found
 }
 
@@ -118,7 +108,7 @@ impl Piece {
 
     /// Boxes around its facets.
     pub fn boxes(&self) -> &BoxTree {
-        self.boxes.get_or_init(|| BoxTree::of(&self.solid))
+        self.solid.boxes()
     }
 
     /// All that its motions and volumes follow from, beside the fold.
@@ -134,7 +124,7 @@ impl Piece {
     /// Volume in common with another in a pose relative to this one's axes, mm³. Of a rod only the length beside this counts.
     pub fn shared_mm3(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
         let near = if other.is_rod() { other.rod_near(self, pose) } else { Cow::Borrowed(&other.solid) };
-        self.solid.intersection(&near.placed(pose)).volume_mm3()
+        self.solid.shared_mm3(&near, pose)
     }
 
     fn rod_near(&self, other: &Self, pose: &Isometry3<f64>) -> Cow<'_, MeshSolid> {

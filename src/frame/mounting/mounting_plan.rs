@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use nalgebra::Vector3;
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::mount::{Fixing, MOUNTS, Mount, Stage};
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
-use super::way::Ways;
+use super::way::{Compared, Ways};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{FoldSequence, Meeting, Sweep};
 
@@ -192,20 +193,25 @@ impl Planning<'_> {
         [self.ways.bodies(moving.into_iter()), there]
     }
 
-    fn sweep(&self, done: &Done, mount: &'static Mount) -> Sweep {
+    /// What each body that a mount moves meets of each that stays.
+    fn compared(&self, done: &Done, mount: &'static Mount, way: impl Fn(&Body, &Body) -> Compared + Sync) -> Vec<Compared> {
         let [moving, still] = self.sides(done, mount);
-        let mut sweep = Sweep { places: 0, pairs: 0, comparisons: 0, beyond_mm3: 0.0, meetings: Vec::new() };
-        for (a, b) in moving.iter().flat_map(|a| still.iter().map(move |b| (a, b))) {
-            let compared = self.ways.compared(mount, a, b);
-            sweep.pairs += 1;
-            sweep.places = sweep.places.max(compared.places);
-            sweep.comparisons += compared.comparisons;
-            sweep.meetings.extend(compared.worst);
-        }
+        let pairs: Vec<_> = moving.iter().flat_map(|a| still.iter().map(move |b| (a, b))).collect();
+        pairs.par_iter().map(|(a, b)| way(a, b)).collect()
+    }
+
+    fn sweep(&self, done: &Done, mount: &'static Mount) -> Sweep {
+        let compared = self.compared(done, mount, |a, b| self.ways.compared(mount, a, b));
         let beyond = |m: &Meeting| m.shared_mm3 - m.allowed_mm3;
-        sweep.meetings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
-        sweep.beyond_mm3 = sweep.meetings.first().map_or(0.0, beyond);
-        sweep
+        let mut meetings: Vec<Meeting> = compared.iter().filter_map(|pair| pair.worst.clone()).collect();
+        meetings.sort_by(|a, b| beyond(b).total_cmp(&beyond(a)));
+        Sweep {
+            places: compared.iter().map(|pair| pair.places).max().unwrap_or(0),
+            pairs: compared.len(),
+            comparisons: compared.iter().map(|pair| pair.comparisons).sum(),
+            beyond_mm3: meetings.first().map_or(0.0, beyond),
+            meetings,
+        }
     }
 
     /// What keeps a mount from being done after those that are.
@@ -214,8 +220,10 @@ impl Planning<'_> {
         if let Some((_, because)) = missing {
             return Some((*because).into());
         }
-        let sweep = self.sweep(done, mount);
-        sweep.meetings.first().map(|m| format!("{} runs into {} on its way", m.bodies[0], m.bodies[1]))
+        let bars = self.compared(done, mount, |a, b| self.ways.barred(mount, a, b));
+        let most = |a: &Meeting, b: &Meeting| a.shared_mm3.total_cmp(&b.shared_mm3);
+        let bar = bars.into_iter().filter_map(|pair| pair.worst).max_by(most);
+        bar.map(|m| format!("{} runs into {} on its way", m.bodies[0], m.bodies[1]))
     }
 
     fn step(&self, order: &[&'static Mount], at: usize, seen: &mut PartsSeen) -> MountStep {

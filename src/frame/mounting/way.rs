@@ -1,21 +1,24 @@
 //! Whether the straight way of a part into its place is free of what is there already, by the meshes.
 //!
-//! A pair of bodies is compared in places [`STEP_MM`] apart, as a step of the fold is; where boxes around their facets are apart, places
+//! A pair of bodies is compared in places [`STEP_MM`] apart, as a step of the fold is; places where boxes around their facets are apart
 //! are passed over. Two bodies may share what they share when they are home (a thread in its pilot hole), for that is judged by
 //! the interference rule, and [`TOUCH_MM3`] of rounding.
 
-use nalgebra::{Isometry3, Translation3, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use serde::{Deserialize, Serialize};
-use std::sync::{Arc, OnceLock};
+use std::cell::OnceCell;
 
 use super::mount::{Fixing, Mount};
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3};
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::Meeting;
-use crate::solid::BoxTree;
+use crate::solid::{BoxTree, MeshSolid, OrientedBox};
 
 /// Farthest between two places of a way, mm.
 const STEP_MM: f64 = 1.0;
+
+/// What is cut off a body that the other does not reach is farther from it than this, mm.
+const BESIDE_MM: f64 = 0.5;
 
 /// What was found of a pair of bodies.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -31,13 +34,12 @@ pub(super) struct Compared {
 /// The bodies of a design, ready to be moved past each other.
 pub(super) struct Ways<'a> {
     design: &'a Design,
-    boxes: Vec<OnceLock<Arc<BoxTree>>>,
 }
 
 impl<'a> Ways<'a> {
     /// Of a design.
     pub(super) fn new(design: &'a Design) -> Self {
-        Self { design, boxes: design.shapes.iter().map(|_| OnceLock::new()).collect() }
+        Self { design }
     }
 
     /// Bodies by their names, as far as the design has them.
@@ -65,47 +67,87 @@ impl<'a> Ways<'a> {
         (ahead - behind).max(0.0) + STEP_MM
     }
 
-    fn boxes(&self, body: &Body) -> &BoxTree {
-        self.boxes[body.shape].get_or_init(|| Arc::new(BoxTree::of(&self.design.shape(body).solid)))
+    fn boxes(&self, body: &Body) -> &'a BoxTree {
+        self.design.shape(body).solid.boxes()
     }
 
-    /// What a body meets of another on the way of a mount.
+    /// What a body meets of another on the way of a mount, up to the first place that bars it.
+    pub(super) fn barred(&self, mount: &Mount, a: &Body, b: &Body) -> Compared {
+        self.kept("bar on the way into place", mount, [a, b], Self::up_to_a_bar)
+    }
+
+    /// The same to the end of the way.
     pub(super) fn compared(&self, mount: &Mount, a: &Body, b: &Body) -> Compared {
+        let barred = self.barred(mount, a, b);
+        if barred.worst.is_none() { barred } else { self.kept("way into place", mount, [a, b], Self::whole) }
+    }
+
+    fn kept(
+        &self,
+        step: &'static str,
+        mount: &Mount,
+        [a, b]: [&Body; 2],
+        way: fn(&Self, Vector3<f64>, [&Body; 2]) -> Compared,
+    ) -> Compared {
         let Some(from) = mount.from.filter(|_| !squeezed(mount, a, b)) else {
             return Compared { comparisons: 0, places: 0, worst: None };
         };
         let read = (mount.from, self.key(a), self.key(b));
         let name = || format!("{}: {} and {}", mount.title, a.name, b.name);
-        Compared::clone(&self.design.memo.get("way into place", &name(), &read, || self.way(Vector3::from(from), a, b)))
+        Compared::clone(&self.design.memo.get(step, &name(), &read, || way(self, Vector3::from(from), [a, b])))
+    }
+
+    fn up_to_a_bar(&self, from: Vector3<f64>, bodies: [&Body; 2]) -> Compared {
+        self.way(from, bodies, true)
+    }
+
+    fn whole(&self, from: Vector3<f64>, bodies: [&Body; 2]) -> Compared {
+        self.way(from, bodies, false)
     }
 
     fn key(&self, body: &Body) -> impl std::fmt::Debug {
         (body.name.clone(), body.pose, self.design.shape(body).solid.key())
     }
 
-    fn way(&self, from: Vector3<f64>, a: &Body, b: &Body) -> Compared {
+    fn way(&self, from: Vector3<f64>, [a, b]: [&Body; 2], to_a_bar: bool) -> Compared {
         let travel_mm = self.travel_mm(&from, &[a], &[b]);
         let places = (travel_mm / STEP_MM).ceil() as usize + 1;
         let at = |mm: f64| (Isometry3::from_parts(Translation3::from(from * mm), Default::default()) * a.pose).inverse() * b.pose;
-        let shared = |pose: &Isometry3<f64>| self.design.shape(a).solid.intersection(&self.design.shape(b).solid.placed(pose)).volume_mm3();
-        let (mut comparisons, mut worst, mut mm, mut allowed_mm3) = (0, None::<Meeting>, 0.0, TOUCH_MM3);
-        while mm <= travel_mm {
-            let pose = at(mm);
-            let free_mm = self.boxes(a).apart_mm(self.boxes(b), &pose);
-            if free_mm <= 0.0 {
-                comparisons += 1;
-                let shared_mm3 = shared(&pose);
-                if mm <= 0.0 {
-                    allowed_mm3 += shared_mm3 * ROUNDING;
-                }
-                if shared_mm3 > worst.as_ref().map_or(allowed_mm3, |worst| worst.shared_mm3) {
-                    let here = 1.0 - mm / travel_mm;
-                    worst = Some(Meeting { bodies: [a.name.clone(), b.name.clone()], at: here, shared_mm3, allowed_mm3 });
+        let step = -(a.pose.rotation.inverse() * from) * STEP_MM;
+        let meeting = self.boxes(a).meeting_places(self.boxes(b), &at(0.0), &step, places);
+        let reached = OnceCell::new();
+        let shared = |pose: &Isometry3<f64>| {
+            let [a, b] = reached.get_or_init(|| self.reached([a, b], [at(0.0), at(travel_mm)]));
+            a.shared_mm3(b, pose)
+        };
+        let (mut comparisons, mut worst, mut allowed_mm3) = (0, None::<Meeting>, TOUCH_MM3);
+        for place in (0..places).filter(|place| meeting[*place]) {
+            comparisons += 1;
+            let mm = place as f64 * STEP_MM;
+            let shared_mm3 = shared(&at(mm));
+            if place == 0 {
+                allowed_mm3 += shared_mm3 * ROUNDING;
+            }
+            if shared_mm3 > worst.as_ref().map_or(allowed_mm3, |worst| worst.shared_mm3) {
+                let here = 1.0 - mm / travel_mm;
+                worst = Some(Meeting { bodies: [a.name.clone(), b.name.clone()], at: here, shared_mm3, allowed_mm3 });
+                if to_a_bar {
+                    break;
                 }
             }
-            mm += free_mm.max(STEP_MM);
         }
         Compared { comparisons, places, worst }
+    }
+
+    /// What of two bodies the other's box comes near to between two places of a straight way; each in its own axes. The places
+    /// are the second's, in the axes of the first.
+    fn reached(&self, [a, b]: [&Body; 2], places: [Isometry3<f64>; 2]) -> [MeshSolid; 2] {
+        let solid = |body: &Body, other: &Body, poses: [Isometry3<f64>; 2]| {
+            let corners = self.boxes(other).bounds().map_or([Point3::origin(); 8], OrientedBox::corners);
+            let swept = poses.iter().flat_map(|pose| corners.map(|corner| pose * corner)).collect::<Vec<_>>();
+            self.design.shape(body).solid.near_box_mm(&OrientedBox::around(swept.iter()), BESIDE_MM)
+        };
+        [solid(a, b, places), solid(b, a, places.map(|pose| pose.inverse()))]
     }
 }
 
