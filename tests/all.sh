@@ -124,12 +124,20 @@ simulators_from_pypi() {
 
 # --- Rust --------------------------------------------------------------------------------------------------
 
+# Compiles the tests, and then the program: it is the same with the tests' libraries and without (feature one-build), so this
+# compiles nothing.
+compiled() {
+    heading "compiling the tests and the program"
+    cargo test --release --no-run && cargo build --release && return
+    failed "cargo build" "the tests or the program do not build; nothing was tested"
+    return 1
+}
+
 # Counts what cargo counted, one result a test.
 cargo_tests() {
     heading "cargo test"
     local log=$work/cargo-test.log code=0
-    rm -rf "$work/random-frames"
-    FLEXFRAME_RANDOM_STLS=$work/random-frames cargo test --release --no-fail-fast 2>&1 | tee "$log" || code=$?
+    FLEXFRAME_RANDOM_STLS=$random_frames cargo test --release --no-fail-fast 2>&1 | tee "$log" || code=$?
     awk '/^test .* \.\.\. ok$/          { print "ok " $2 }
          /^test .* \.\.\. ignored/      { print "ignored " $2 }
          /^test .* \.\.\. FAILED$/      { print "FAILED " $2 ": see above" }' "$log" >"$work/cargo-results.txt"
@@ -139,6 +147,7 @@ cargo_tests() {
     if [[ $code != 0 ]] && ! grep -q '^FAILED ' "$work/cargo-results.txt"; then
         failed "cargo test" "exit code $code"
     fi
+    heading "cargo test has ended"
 }
 
 reference_records() {
@@ -152,6 +161,8 @@ reference_records() {
 # --- the program from outside ------------------------------------------------------------------------------
 
 built=$work/out
+# Written by the Rust tests.
+random_frames=$work/random-frames
 
 # Builds every preset; a broken limit is a warning, so the exit code has to be 0 all the same.
 build_presets() {
@@ -360,7 +371,7 @@ python_agrees_with_manifests() {
 random_frames_are_sound() {
     heading "trimesh and manifold3d take the parts of random frames"
     if from_pypi; then
-        "$python" tests/external/random_frames.py "$work/random-frames" | tee -a "$results" || failed "random frames" "exit code $?"
+        "$python" tests/external/random_frames.py "$random_frames" | tee -a "$results" || failed "random frames" "exit code $?"
     else
         skipped "trimesh and manifold3d on random frames" "not installed"
     fi
@@ -497,26 +508,20 @@ ci_gates() {
     fi
 }
 
-outside() {
-    # The program is the same with the tests' libraries and without (feature one-build), so this compiles nothing.
-    if ! cargo build --release; then
-        failed "cargo build" "the program does not build; nothing was tested from outside"
-        return
-    fi
+# Two lanes, as hardly any of these steps keeps both cores busy: the Rust tests, and the built program.
+in_lanes() {
+    rm -rf "$random_frames"
+    cargo_tests >"$work/rust.log" 2>&1 &
+    local rust=$!
     build_presets
     same_bytes
     gallery_is_that_of_the_program
-    # Two lanes, as hardly any of these steps keeps both cores busy.
-    in_a_browser >"$work/browser.log" 2>&1 &
-    local browser=$!
     by_other_programs
-    wait "$browser" || failed "the lane of the browser" "exit code $?"
-    cat "$work/browser.log"
-}
-
-# The library as a module, and the page on it.
-in_a_browser() {
     engine_gives_the_same_bytes
+    wait "$rust" || failed "the lane of the Rust tests" "exit code $?"
+    cat "$work/rust.log"
+    random_frames_are_sound
+    # Alone, as a browser waits for what it shows.
     page_works_in_a_browser
 }
 
@@ -529,7 +534,6 @@ by_other_programs() {
     khronos_validates_glbs
     qpdf_reads_instructions
     python_agrees_with_manifests
-    random_frames_are_sound
     lib3mf_reads_plates
     occt_reads_steps
     simulators_run_frames
@@ -564,7 +568,6 @@ step "cargo clippy without features" cargo clippy --release --lib --no-default-f
 step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
 step "cargo fmt of the fuzz targets" cargo fmt --check --manifest-path fuzz/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
-cargo_tests
 reference_records
-outside
+if compiled; then in_lanes; fi
 summary
