@@ -373,6 +373,18 @@ lib3mf_reads_plates() {
     fi
 }
 
+# Settings of the objects on plates, by the rules of the reader of Orca Slicer and Bambu Studio, which none of the registries has.
+orca_settings_of_plates() {
+    heading "Orca Slicer's and Bambu Studio's settings on every plate"
+    if from_debian python3 python3; then
+        local folders
+        mapfile -t folders < <(dirname "$built"/*/manifest.json)
+        python3 tests/external/orca_plates.py "${folders[@]}" | tee -a "$results" || failed "Orca's settings" "exit code $?"
+    else
+        skipped "Orca's settings" "no python3"
+    fi
+}
+
 # The other CAD kernel on STEP files: valid closed solids, volumes, and the assembly as in the GLB.
 occt_reads_steps() {
     heading "OCCT reads the STEP files"
@@ -526,6 +538,7 @@ by_other_programs() {
     python_agrees_with_manifests
     random_frames_are_sound
     lib3mf_reads_plates
+    orca_settings_of_plates
     occt_reads_steps
     simulators_run_frames
     slicer_slices_plates
