@@ -1,5 +1,6 @@
 //! Plates as 3MF, by the core specification of the 3MF Consortium, version 1.3: objects with names and colours, placed on the
-//! bed, in millimetres; the settings of each object beside them, once for PrusaSlicer, once for Orca Slicer and Bambu Studio.
+//! bed, in millimetres; the settings of each object for PrusaSlicer, for Orca Slicer and Bambu Studio, and for Cura, each where it looks
+//! for them.
 //!
 //! Every copy is an object that refers to the part's mesh. PrusaSlicer reads that as instances of the part, as it writes them itself.
 //! Orca, which makes instances in files of other programs into objects of their own before it applies settings, finds one object
@@ -43,6 +44,8 @@ fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 /// Namespace of PrusaSlicer's version of the model: with it instances of an object stay instances.
 const SLIC3R: &str = "http://schemas.slic3r.org/3mf/2017/06";
+/// Namespace of Cura's settings, which are metadata of the mesh (libSavitar d2e6c28f, `src/Namespace.cpp`).
+const CURA: &str = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
 /// Id of the material.
 const MATERIAL: &str = "1";
 
@@ -115,7 +118,7 @@ type Xml = Writer<Cursor<Vec<u8>>>;
 
 fn model(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
-    let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R)];
+    let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R), ("xmlns:cura", CURA)];
     xml.create_element("model").with_attributes(top).write_inner_content(|xml| {
         for (name, text) in [
             ("slic3rpe:Version3mf", "1".to_string()),
@@ -159,6 +162,13 @@ fn resources(xml: &mut Xml, plate: &Plate, objects: &[Object]) -> std::io::Resul
         let about =
             [("id", object.id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
         xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
+            xml.create_element("metadatagroup").write_inner_content(|xml| {
+                for (key, value) in object.settings.of(SlicerFamily::Cura) {
+                    let name = format!("cura:{key}");
+                    xml.create_element("metadata").with_attribute(("name", name.as_str())).write_text_content(BytesText::new(value))?;
+                }
+                Ok(())
+            })?;
             xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.mesh))?;
             Ok(())
         })?;

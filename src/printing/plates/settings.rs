@@ -5,7 +5,7 @@
 //! is chosen once on the machine.
 
 use super::known;
-use super::known::Known;
+use super::known::{Known, Spelled};
 use crate::params::catalogue::{Material, Printer};
 use crate::printing::print_time::SLOW_MM_S;
 
@@ -16,6 +16,22 @@ pub enum SlicerFamily {
     Prusa,
     /// Orca Slicer and Bambu Studio, which are one family.
     Orca,
+    /// Cura.
+    Cura,
+}
+
+impl SlicerFamily {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Prusa, Self::Orca, Self::Cura];
+
+    /// What people call it.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Prusa => "PrusaSlicer",
+            Self::Orca => "Orca, Bambu",
+            Self::Cura => "Cura",
+        }
+    }
 }
 
 /// One setting with its value.
@@ -31,18 +47,23 @@ impl PrintSetting {
         self.known.words
     }
 
-    /// Its names in a program, all of which get its value; none where the program has no such setting.
+    /// Its names in a program, all of which get its value; none where an object has no such setting there.
     pub fn keys(&self, slicer: SlicerFamily) -> &'static [&'static str] {
-        match slicer {
-            SlicerFamily::Prusa => self.known.prusa,
-            SlicerFamily::Orca => self.known.orca,
-        }
+        self.spelled(slicer).keys
     }
 
     /// Its value as a program writes it.
     pub fn value(&self, slicer: SlicerFamily) -> &str {
-        let spelled = self.known.orca_words.iter().find(|(ours, _)| slicer == SlicerFamily::Orca && *ours == self.value);
-        spelled.map_or(self.value.as_str(), |(_, theirs)| theirs)
+        let own = self.spelled(slicer).values.iter().find(|(ours, _)| *ours == self.value);
+        own.map_or(self.value.as_str(), |(_, theirs)| theirs)
+    }
+
+    fn spelled(&self, slicer: SlicerFamily) -> &'static Spelled {
+        match slicer {
+            SlicerFamily::Prusa => &self.known.prusa,
+            SlicerFamily::Orca => &self.known.orca,
+            SlicerFamily::Cura => &self.known.cura,
+        }
     }
 }
 
@@ -145,7 +166,7 @@ mod tests {
     #[test]
     fn analytic_every_setting_is_put_once_and_has_names() {
         for list in lists() {
-            for slicer in [SlicerFamily::Prusa, SlicerFamily::Orca] {
+            for slicer in SlicerFamily::ALL {
                 let mut keys: Vec<&str> = list.of(slicer).map(|(key, _)| key).collect();
                 let all = keys.len();
                 keys.sort_unstable();
@@ -171,5 +192,8 @@ mod tests {
         assert_eq!(value(SlicerFamily::Prusa, "support_material_auto").as_deref(), Some("1"));
         assert_eq!(value(SlicerFamily::Orca, "support_type").as_deref(), Some("normal(auto)"));
         assert_eq!(value(SlicerFamily::Orca, "enable_support").as_deref(), Some("1"));
+        assert_eq!(value(SlicerFamily::Cura, "support_enable").as_deref(), Some("True"));
+        assert_eq!(value(SlicerFamily::Cura, "infill_sparse_density").as_deref(), Some("100"));
+        assert_eq!(value(SlicerFamily::Cura, "wall_x_material_flow").as_deref(), Some("100"));
     }
 }

@@ -20,9 +20,9 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
     };
     let mut text = format!(
         "# Printing {}\n\nLaid out for {} (bed {bed}, nozzle {} mm). Open a plate's `.3mf`, choose your own printer, print. Layers, walls, infill, \
-         line widths, speeds, brim and support travel with every object, for PrusaSlicer and for Orca Slicer; heat, flow and fan belong to the spool \
-         and are yours to choose. Bambu Studio's window takes parts, names, colours and places, and leaves the settings of files that another program \
-         wrote: set them by the names in the last column, or open the plates in Orca. A slicer that asks whether to load the project may load \
+         line widths, speeds, brim and support travel with every object, for PrusaSlicer and Orca Slicer, and what Cura has for an object for \
+         Cura; heat, flow and fan belong to the spool and are yours to choose. Bambu Studio's window takes parts, names, colours and places, and leaves the settings of files that another program \
+         wrote: set them by the names in the tables, or open the plates in Orca. A slicer that asks whether to load the project may load \
          it: no printer and no start code is in it.\n",
         inert(&design.frame.name),
         inert(&printer.name),
@@ -87,10 +87,9 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     if name == design.frame.flexible.name {
         flow(text, all_g);
     }
-    let _ = write!(text, "\n| of the spool | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
-    rows(text, &PrintSettings::of_filament(material).0);
-    let _ = write!(text, "\n| of the object | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
-    rows(text, &common.0);
+    table(text, "of the spool", &PrintSettings::of_filament(material).0);
+    table(text, "of the object", &common.0);
+    plate_of_cura(text, material);
     for (plate, part) in own.iter().flat_map(|plate| plate.quantities().into_iter().map(move |(part, _)| (plate, part))) {
         let other = PrintSettings::of_part(plate.supported.contains(&part), material, &design.frame.printer);
         let differs: Vec<String> =
@@ -101,6 +100,20 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     }
     if let Some(source) = &material.print_source {
         let _ = write!(text, "\nSource: {}.\n", inert(source));
+    }
+}
+
+/// What Cura has for the whole plate alone.
+fn plate_of_cura(text: &mut String, material: &Material) {
+    let layer = material.layer_mm.map(|mm| format!("`layer_height` {mm}"));
+    let brim = match material.brim_mm {
+        Some(mm) if mm > 0.0 => Some(format!("`adhesion_type` brim and `brim_width` {mm}")),
+        Some(_) => Some("`adhesion_type` skirt or none".into()),
+        None => None,
+    };
+    let stated: Vec<String> = [layer, brim].into_iter().flatten().collect();
+    if !stated.is_empty() {
+        let _ = write!(text, "\nCura has these for the whole plate alone, set them there: {}.\n", stated.join(", "));
     }
 }
 
@@ -143,12 +156,16 @@ fn formatted(seconds: f64) -> String {
     format!("{} h {:02} min", minutes / 60, minutes % 60)
 }
 
-fn rows(text: &mut String, settings: &[PrintSetting]) {
+/// A table of settings with their names in each program.
+fn table(text: &mut String, of: &str, settings: &[PrintSetting]) {
+    let programs = SlicerFamily::ALL.map(SlicerFamily::words).join(" | ");
+    let _ = write!(text, "\n| {of} | | {programs} |\n|---|---|{}\n", "---|".repeat(SlicerFamily::ALL.len()));
     for one in settings {
-        let [ours, theirs] = [SlicerFamily::Prusa, SlicerFamily::Orca].map(|slicer| one.value(slicer));
-        let value = if ours == theirs { ours.to_string() } else { format!("{ours} (Orca, Bambu: {theirs})") };
-        let [prusa, orca] = [SlicerFamily::Prusa, SlicerFamily::Orca].map(|slicer| names(one.keys(slicer)));
-        let _ = writeln!(text, "| {} | {value} | {prusa} | {orca} |", one.words());
+        let ours = one.value(SlicerFamily::Prusa);
+        let otherwise = SlicerFamily::ALL.into_iter().filter(|slicer| !one.keys(*slicer).is_empty() && one.value(*slicer) != ours);
+        let otherwise: Vec<String> = otherwise.map(|slicer| format!("{}: {}", slicer.words(), one.value(slicer))).collect();
+        let value = if otherwise.is_empty() { ours.to_string() } else { format!("{ours} ({})", otherwise.join("; ")) };
+        let _ = writeln!(text, "| {} | {value} | {} |", one.words(), SlicerFamily::ALL.map(|slicer| names(one.keys(slicer))).join(" | "));
     }
 }
 
