@@ -28,7 +28,11 @@ pub fn markdown(bill: &Bill) -> String {
         format!(", {hours:.1} h by an estimate within 15 % of PrusaSlicer's; heating, cooling and support come on top")
     });
     let sums = summed(&bill.filament_prices);
-    let cost = if sums.is_empty() { String::new() } else { format!(", {sums}") };
+    let cost = match bill.print.iter().filter(|line| line.price.is_none()).count() {
+        _ if sums.is_empty() => String::new(),
+        0 => format!(", {sums}"),
+        without => format!(", {sums} without that of {without} lines whose material states no price"),
+    };
     let _ = writeln!(page, "\n{:.1} g of filament{cost}{time}.\n", bill.printed_g);
     buy(&mut page, bill);
     cut(&mut page, bill);

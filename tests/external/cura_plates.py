@@ -40,7 +40,7 @@ def main(definition, folders):
         ("a setting that was left out", '<metadata name="cura:wall_line_count">2</metadata>', ""),
         ("a setting that Cura has for the plate alone", "cura:wall_line_count", "cura:layer_height"),
         ("a word that Cura does not know", ">lines<", ">rectilinear<"),
-        ("another namespace", "software.ultimaker.com", "example.org"),
+        ("names that are not of Cura", "\"cura:", "\"slic3rpe:"),
     ):
         assert old in model, old
         print(f"ok planted: {name} is found" if fault(model.replace(old, new), prusa, known) else f"FAILED planted: {name} is not found")

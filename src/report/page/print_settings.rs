@@ -20,10 +20,10 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
     };
     let mut text = format!(
         "# Printing {}\n\nLaid out for {} (bed {bed}, nozzle {} mm). Open a plate's `.3mf`, choose your own printer, print. Layers, walls, infill, \
-         line widths, speeds, brim and support travel with every object, for PrusaSlicer and Orca Slicer, and what Cura has for an object for \
-         Cura; heat, flow and fan belong to the spool and are yours to choose. Bambu Studio's window takes parts, names, colours and places, and leaves the settings of files that another program \
-         wrote: set them by the names in the tables, or open the plates in Orca. A slicer that asks whether to load the project may load \
-         it: no printer and no start code is in it.\n",
+         line widths, speeds, brim and support travel with every object, for PrusaSlicer and Orca Slicer, and for Cura what an object may have \
+         there. Heat, flow and fan belong to the spool and are yours to choose. Bambu Studio's window takes parts, names, colours and places, and \
+         leaves the settings of files that another program wrote: set them by the names in the tables, or open the plates in Orca. A slicer \
+         that asks whether to load the project may load it: no printer and no start code is in it.\n",
         inert(&design.frame.name),
         inert(&printer.name),
         printer.nozzle_mm
