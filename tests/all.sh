@@ -373,7 +373,7 @@ lib3mf_reads_plates() {
     fi
 }
 
-# Settings of the objects on plates, by the rules of the reader of Orca Slicer and Bambu Studio, which none of the registries has.
+# Settings of the objects on plates, by the rules of the reader of Orca Slicer and Bambu Studio, which Debian, npm and PyPI do not have.
 orca_settings_of_plates() {
     heading "Orca Slicer's and Bambu Studio's settings on every plate"
     if from_debian python3 python3; then
