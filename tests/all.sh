@@ -390,7 +390,8 @@ cura_reads_plates() {
     heading "Cura's library reads the settings on every plate"
     local folders definition=$work/cura/usr/share/cura/resources/definitions/fdmprinter.def.json
     /usr/bin/python3 -c 'import Savitar' 2>/dev/null || from_debian /usr/lib/python3/dist-packages/Savitar python3-savitar || true
-    [[ -f $definition ]] || (cd "$work" && apt-get -qq download cura && dpkg -x cura_*.deb "$work/cura") >>"$work/apt.log" 2>&1 || true
+    [[ -f $definition ]] || (cd "$work" && { apt-get -qq download cura || { as_root apt-get -qq update && apt-get -qq download cura; }; } &&
+        dpkg -x cura_*.deb cura) >>"$work/apt.log" 2>&1 || true
     if [[ -f $definition ]] && /usr/bin/python3 -c 'import Savitar' 2>/dev/null; then
         mapfile -t folders < <(dirname "$built"/*/manifest.json)
         /usr/bin/python3 tests/external/cura_plates.py "$definition" "${folders[@]}" | tee -a "$results" || failed "Cura's settings" "exit code $?"
