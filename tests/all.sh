@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every test there is: formatting, lints, documentation, the Rust tests, then the built program from
 # outside, as a wheel, too, its files read by other people's software (admesh, the Khronos glTF validator, qpdf, PrusaSlicer,
-# trimesh, manifold3d, lib3mf, OCCT, MuJoCo, PyBullet, Drake, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib,
+# trimesh, manifold3d, lib3mf, Cura's libSavitar, OCCT, MuJoCo, PyBullet, Drake, junitparser, jsonschema, taplo), its studies by HyperQueue and SALib,
 # its library as a WebAssembly module in Node, the studio in a
 # browser, and the steps of
 # docs/ci on a sample repository.
@@ -389,6 +389,33 @@ lib3mf_reads_plates() {
     fi
 }
 
+# Settings of the objects on plates, by the rules of the reader of Orca Slicer and Bambu Studio, which Debian, npm and PyPI do not have.
+orca_settings_of_plates() {
+    heading "Orca Slicer's and Bambu Studio's settings on every plate"
+    if from_debian python3 python3; then
+        local folders
+        mapfile -t folders < <(dirname "$built"/*/manifest.json)
+        python3 tests/external/orca_plates.py "${folders[@]}" | tee -a "$results" || failed "Orca's settings" "exit code $?"
+    else
+        skipped "Orca's settings" "no python3"
+    fi
+}
+
+# The library by which Cura reads 3MF, and Cura's list of settings, out of its package: Cura itself is not installed.
+cura_reads_plates() {
+    heading "Cura's library reads the settings on every plate"
+    local folders definition=$work/cura/usr/share/cura/resources/definitions/fdmprinter.def.json
+    /usr/bin/python3 -c 'import Savitar' 2>/dev/null || from_debian /usr/lib/python3/dist-packages/Savitar python3-savitar || true
+    [[ -f $definition ]] || (cd "$work" && { apt-get -qq download cura || { as_root apt-get -qq update && apt-get -qq download cura; }; } &&
+        dpkg -x cura_*.deb cura) >>"$work/apt.log" 2>&1 || true
+    if [[ -f $definition ]] && /usr/bin/python3 -c 'import Savitar' 2>/dev/null; then
+        mapfile -t folders < <(dirname "$built"/*/manifest.json)
+        /usr/bin/python3 tests/external/cura_plates.py "$definition" "${folders[@]}" | tee -a "$results" || failed "Cura's settings" "exit code $?"
+    else
+        skipped "Cura's settings" "python3-savitar or Cura's definitions are not to be had"
+    fi
+}
+
 # The other CAD kernel on STEP files: valid closed solids, volumes, and the assembly as in the GLB.
 occt_reads_steps() {
     heading "OCCT reads the STEP files"
@@ -535,6 +562,8 @@ by_other_programs() {
     qpdf_reads_instructions
     python_agrees_with_manifests
     lib3mf_reads_plates
+    orca_settings_of_plates
+    cura_reads_plates
     occt_reads_steps
     simulators_run_frames
     slicer_slices_plates

@@ -14,7 +14,7 @@ use crate::export::stl;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
-use crate::printing::plates::PrintSettings;
+use crate::printing::plates::{PrintSettings, SlicerFamily};
 use crate::printing::weighing::Sliced;
 use crate::report::page::weighing_page::SLICER_RATIO;
 
@@ -117,7 +117,7 @@ fn ended(mut child: Child, log: &Path) -> io::Result<()> {
 /// The settings of a part as the slicer's own file.
 fn ini(material: &Material, printer: &Printer) -> String {
     let mut own = PrintSettings::of_part(false, material, printer);
-    own.0.retain(|one| !["brim_width", "elefant_foot_compensation"].contains(&one.key));
+    own.0.retain(|one| !one.keys(SlicerFamily::Prusa).iter().any(|key| ["brim_width", "elefant_foot_compensation"].contains(key)));
     let mut text = own.ini();
     text += &format!(
         "brim_width = 0\nskirts = 0\nelefant_foot_compensation = 0\nnozzle_diameter = {}\nfilament_diameter = {FILAMENT_MM}\n\

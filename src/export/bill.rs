@@ -24,6 +24,12 @@ pub struct PrintLine {
     pub mass_g: f64,
     /// Time to print all copies, minutes, by [`part_s`]; none where the material does not say its speed.
     pub print_min: Option<f64>,
+    /// What the filament of one copy costs; none where the material states no price.
+    pub price: Option<f64>,
+    /// Currency of the price.
+    pub currency: Option<String>,
+    /// Where the price of a kilogram comes from.
+    pub price_source: Option<String>,
 }
 
 /// Something bought.
@@ -106,7 +112,9 @@ pub struct Bill {
     pub printed_g: f64,
     /// Time to print them, hours, by [`part_s`]; nothing where a material does not say its speed.
     pub print_h: Option<f64>,
-    /// Sum of the prices there are, by currency, and how many lines have none.
+    /// Sum of what the filament costs where its price is stated, by currency.
+    pub filament_prices: Vec<(String, f64)>,
+    /// Sum of the prices of what is bought, where there are any, by currency.
     pub prices: Vec<(String, f64)>,
     /// Lines without a price.
     pub without_price: usize,
@@ -130,7 +138,8 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
         frame: design.frame.name.clone(),
         printed_g: print.iter().map(|line| line.mass_g).sum(),
         print_h: minutes.map(|minutes| minutes / 60.0),
-        prices: prices(&buy),
+        filament_prices: sums(print.iter().map(|line| (line.price, line.quantity, &line.currency))),
+        prices: sums(buy.iter().map(|line| (line.price, line.quantity, &line.currency))),
         without_price: buy.iter().filter(|line| line.price.is_none()).count(),
         print,
         buy,
@@ -149,12 +158,17 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
         let quantity = part.part.quantity();
         let volume_mm3 = part.volume_mm3 * f64::from(quantity);
         let weighed = masses.lines.iter().find(|line| line.kind == "printed" && line.name == part.name.slug());
+        let mass_g = weighed.map_or(0.0, |line| line.total_g);
+        let price = material.cost(mass_g / f64::from(quantity.max(1)));
         PrintLine {
             part: part.name.slug(),
             quantity,
             material: name.clone(),
             volume_mm3,
-            mass_g: weighed.map_or(0.0, |line| line.total_g),
+            mass_g,
+            price: price.map(|(price, _)| price),
+            currency: price.map(|(_, currency)| currency.into()),
+            price_source: material.price_source.clone(),
             print_min: part_s(&part.mesh, material, &design.frame.printer).map(|seconds| seconds * f64::from(quantity) / 60.0),
         }
     };
@@ -219,11 +233,12 @@ fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {
     masses.lines.iter().filter(|line| line.kind == "rod").filter_map(line).collect()
 }
 
-fn prices(buy: &[BuyLine]) -> Vec<(String, f64)> {
+/// Sums of priced lines by currency, in the order in which the currencies come.
+fn sums<'a>(lines: impl Iterator<Item = (Option<f64>, u32, &'a Option<String>)>) -> Vec<(String, f64)> {
     let mut sums: Vec<(String, f64)> = Vec::new();
-    for line in buy {
-        let (Some(price), Some(currency)) = (line.price, &line.currency) else { continue };
-        let all = price * f64::from(line.quantity);
+    for (price, quantity, currency) in lines {
+        let (Some(price), Some(currency)) = (price, currency) else { continue };
+        let all = price * f64::from(quantity);
         match sums.iter_mut().find(|(known, _)| known == currency) {
             Some((_, sum)) => *sum += all,
             None => sums.push((currency.clone(), all)),

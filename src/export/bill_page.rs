@@ -9,12 +9,14 @@ use crate::markdown::inert;
 /// The page.
 pub fn markdown(bill: &Bill) -> String {
     let mut page = format!("# Bill of materials: {}\n\n## Print\n\n", bill.frame);
-    page += "| part | pieces | material | mm3 in all | g in all | time, min |\n|---|---:|---|---:|---:|---:|\n";
+    page += "| part | pieces | material | mm3 in all | g in all | time, min | cost |\n|---|---:|---|---:|---:|---:|---:|\n";
     for line in &bill.print {
         let time = line.print_min.map_or("-".into(), |minutes| format!("{minutes:.0}"));
+        let all = line.price.map(|price| price * f64::from(line.quantity));
+        let cost = all.zip(line.currency.as_ref()).map_or("-".into(), |(all, currency)| inert(&format!("{all:.2} {currency}")));
         let _ = writeln!(
             page,
-            "| {} | {} | {} | {:.0} | {:.2} | {time} |",
+            "| {} | {} | {} | {:.0} | {:.2} | {time} | {cost} |",
             line.part,
             line.quantity,
             inert(&line.material),
@@ -25,7 +27,13 @@ pub fn markdown(bill: &Bill) -> String {
     let time = bill.print_h.map_or(String::new(), |hours| {
         format!(", {hours:.1} h by an estimate within 15 % of PrusaSlicer's; heating, cooling and support come on top")
     });
-    let _ = writeln!(page, "\n{:.1} g of filament{time}.\n", bill.printed_g);
+    let sums = summed(&bill.filament_prices);
+    let cost = match bill.print.iter().filter(|line| line.price.is_none()).count() {
+        _ if sums.is_empty() => String::new(),
+        0 => format!(", {sums}"),
+        without => format!(", {sums} without that of {without} lines whose material states no price"),
+    };
+    let _ = writeln!(page, "\n{:.1} g of filament{cost}{time}.\n", bill.printed_g);
     buy(&mut page, bill);
     cut(&mut page, bill);
     page
@@ -39,11 +47,17 @@ fn buy(page: &mut String, bill: &Bill) {
         let (role, pieces) = (inert(&line.role), line.quantity);
         let _ = writeln!(page, "| {role} | {} | {pieces} | {mass} | {basis} | {} | {} |", name(line), price(line), inert(&line.source));
     }
-    let sums: Vec<String> = bill.prices.iter().map(|(currency, sum)| format!("{sum:.2} {currency}")).collect();
-    let _ = match sums[..] {
-        [] => writeln!(page, "\nThe catalogue has no price with a source for any of these.\n"),
-        _ => writeln!(page, "\n{} in all; {} lines have no price with a source.\n", sums.join(" and "), bill.without_price),
+    let sums = summed(&bill.prices);
+    let _ = match sums.as_str() {
+        "" => writeln!(page, "\nThe catalogue has no price with a source for any of these.\n"),
+        _ => writeln!(page, "\n{sums} in all; {} lines have no price with a source.\n", bill.without_price),
     };
+}
+
+/// Sums in words; nothing where there are none.
+fn summed(sums: &[(String, f64)]) -> String {
+    let one = |(currency, sum): &(String, f64)| inert(&format!("{sum:.2} {currency}"));
+    sums.iter().map(one).collect::<Vec<_>>().join(" and ")
 }
 
 fn name(line: &BuyLine) -> String {

@@ -55,7 +55,7 @@ fn printed_row(line: &PrintLine) -> Row {
     let mut row = weighed("printed", line.part, line.quantity, &line.material, line.mass_g, "computed");
     row[9] = format!("{:.1}", line.volume_mm3);
     row[10] = line.print_min.map(|minutes| format!("{minutes:.1}")).unwrap_or_default();
-    row
+    priced(row, line.price.map(|price| format!("{price:.4}")), line.currency.as_ref(), line.price_source.as_ref())
 }
 
 fn rod_row(line: &RodLine) -> Row {
@@ -73,7 +73,7 @@ fn bought_row(line: &BuyLine) -> Row {
     if let Some([thread_mm, length_mm]) = line.screw_mm {
         (row[11], row[12]) = (thread_mm.to_string(), length_mm.to_string());
     }
-    priced(row, line)
+    bought(row, line)
 }
 
 /// A row a stock length: what to cut from it.
@@ -88,7 +88,7 @@ fn stock_rows(bill: &Bill) -> Vec<Row> {
         row[4] = format!("{:.2}", bill.stock_mm);
         row[8].clone_from(&rod.source);
         row[16] = how;
-        priced(row, rod)
+        bought(row, rod)
     };
     if let Some(error) = &bill.cut_error {
         return vec![row(rod.name.clone(), "0", error.clone())];
@@ -112,10 +112,14 @@ fn weighed(kind: &str, name: &str, quantity: u32, material: &str, mass_g: f64, b
     row
 }
 
+fn bought(row: Row, line: &BuyLine) -> Row {
+    priced(row, line.price.map(|price| price.to_string()), line.currency.as_ref(), line.price_source.as_ref())
+}
+
 /// A row with the price of one.
-fn priced(mut row: Row, line: &BuyLine) -> Row {
-    row[13] = line.price.map(|price| price.to_string()).unwrap_or_default();
-    row[14] = line.currency.clone().unwrap_or_default();
-    row[15] = line.price_source.clone().unwrap_or_default();
+fn priced(mut row: Row, price: Option<String>, currency: Option<&String>, source: Option<&String>) -> Row {
+    row[13] = price.unwrap_or_default();
+    row[14] = currency.cloned().unwrap_or_default();
+    row[15] = source.cloned().unwrap_or_default();
     row
 }

@@ -1,5 +1,10 @@
 //! Plates as 3MF, by the core specification of the 3MF Consortium, version 1.3: objects with names and colours, placed on the
-//! bed, in millimetres; PrusaSlicer's settings of each object beside them.
+//! bed, in millimetres; the settings of each object for PrusaSlicer, for Orca Slicer and Bambu Studio, and for Cura, each where it looks
+//! for them.
+//!
+//! Every copy is an object that refers to the part's mesh. PrusaSlicer reads that as instances of the part, as it writes them itself.
+//! Orca, which makes instances in files of other programs into objects of their own before it applies settings, finds one object
+//! with settings for each copy (`src/libslic3r/Format/bbs_3mf.cpp` of OrcaSlicer 00fcb7e5).
 
 use std::io::{Cursor, Write};
 
@@ -15,7 +20,7 @@ use super::format::{ExportError, Exported, File, Format};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
-use crate::printing::plates::{Plate, PrintSettings};
+use crate::printing::plates::{Plate, PrintSettings, SlicerFamily};
 use crate::solid::Mesh;
 
 /// The plates, each with its picture beside it.
@@ -39,6 +44,8 @@ fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 /// Namespace of PrusaSlicer's version of the model: with it instances of an object stay instances.
 const SLIC3R: &str = "http://schemas.slic3r.org/3mf/2017/06";
+/// Namespace of Cura's settings, which are metadata of the mesh (libSavitar d2e6c28f, `src/Namespace.cpp`).
+const CURA: &str = "http://software.ultimaker.com/xml/cura/3mf/2015/10";
 /// Id of the material.
 const MATERIAL: &str = "1";
 
@@ -50,12 +57,19 @@ const RELATIONS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel-1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/><Relationship Target="/Metadata/thumbnail.png" Id="rel-2" Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/></Relationships>
 "#;
 
-/// A part with its id, the number of its copies, and where they are.
+/// A part with its id, its settings, and its copies.
 struct Object<'a> {
-    id: usize,
+    id: String,
     part: &'a Printed,
     mesh: &'a Mesh,
-    poses: Vec<Isometry3<f64>>,
+    settings: PrintSettings,
+    copies: Vec<Copied>,
+}
+
+/// A copy with its own id, and where it is.
+struct Copied {
+    id: String,
+    pose: Isometry3<f64>,
 }
 
 /// A plate's file; `meshes` are what is printed, `thumbnail` is a PNG.
@@ -63,14 +77,14 @@ struct Object<'a> {
 /// # Errors
 /// When the archive cannot be made; it is made in memory.
 pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
-    let objects: Vec<Object> =
-        plate.quantities().iter().enumerate().filter_map(|(at, (name, _))| object(design, meshes, plate, at, *name)).collect();
+    let objects = objects(design, meshes, plate);
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-    let files: [(&str, Vec<u8>); 5] = [
+    let files: [(&str, Vec<u8>); 6] = [
         ("[Content_Types].xml", TYPES.into()),
         ("_rels/.rels", RELATIONS.into()),
         ("3D/3dmodel.model", model(design, plate, &objects)?),
-        ("Metadata/Slic3r_PE_model.config", settings(design, plate, &objects)?),
+        ("Metadata/Slic3r_PE_model.config", prusa_settings(&objects)?),
+        ("Metadata/model_settings.config", orca_settings(&objects)?),
         ("Metadata/thumbnail.png", thumbnail.to_vec()),
     ];
     for (name, bytes) in files {
@@ -82,18 +96,29 @@ pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[
     Ok(archive.finish().map_err(std::io::Error::other)?.into_inner())
 }
 
-fn object<'a>(design: &'a Design, meshes: &'a Compensated, plate: &Plate, at: usize, name: PartName) -> Option<Object<'a>> {
-    let part = design.part(name)?;
-    let poses = plate.items.iter().filter(|item| item.part == name).map(|item| item.pose(part)).collect();
-    // Id 1 is the material's.
-    Some(Object { id: at + 2, part, mesh: meshes.mesh(name)?, poses })
+/// What lies on a plate. Id 1 is the material's; the meshes come next, then the copies.
+fn objects<'a>(design: &'a Design, meshes: &'a Compensated, plate: &Plate) -> Vec<Object<'a>> {
+    let quantities = plate.quantities();
+    let mut ids = 2 + quantities.len()..;
+    let object = |(at, (name, _)): (usize, &(PartName, usize))| {
+        let part = design.part(*name)?;
+        let items = plate.items.iter().filter(|item| item.part == *name);
+        Some(Object {
+            id: (at + 2).to_string(),
+            part,
+            mesh: meshes.mesh(*name)?,
+            settings: PrintSettings::of_part(plate.supported.contains(name), &plate.material.material, &design.frame.printer),
+            copies: items.zip(&mut ids).map(|(item, id)| Copied { id: id.to_string(), pose: item.pose(part) }).collect(),
+        })
+    };
+    quantities.iter().enumerate().filter_map(object).collect()
 }
 
 type Xml = Writer<Cursor<Vec<u8>>>;
 
 fn model(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
-    let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R)];
+    let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R), ("xmlns:cura", CURA)];
     xml.create_element("model").with_attributes(top).write_inner_content(|xml| {
         for (name, text) in [
             ("slic3rpe:Version3mf", "1".to_string()),
@@ -106,9 +131,9 @@ fn model(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<
         xml.create_element("resources").write_inner_content(|xml| resources(xml, plate, objects))?;
         xml.create_element("build").write_inner_content(|xml| {
             for object in objects {
-                for pose in &object.poses {
-                    let id = object.id.to_string();
-                    let place = [("objectid", id.as_str()), ("transform", &transform(pose)), ("partnumber", object.part.name.slug())];
+                for copy in &object.copies {
+                    let place =
+                        [("objectid", copy.id.as_str()), ("transform", &transform(&copy.pose)), ("partnumber", object.part.name.slug())];
                     xml.create_element("item").with_attributes(place).write_empty()?;
                 }
             }
@@ -133,13 +158,32 @@ fn resources(xml: &mut Xml, plate: &Plate, objects: &[Object]) -> std::io::Resul
         Ok(())
     })?;
     for object in objects {
-        let id = object.id.to_string();
         let name = object.part.name.slug();
-        let about = [("id", id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
+        let about =
+            [("id", object.id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
         xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
+            xml.create_element("metadatagroup").write_inner_content(|xml| {
+                for (key, value) in object.settings.of(SlicerFamily::Cura) {
+                    let name = format!("cura:{key}");
+                    xml.create_element("metadata").with_attribute(("name", name.as_str())).write_text_content(BytesText::new(value))?;
+                }
+                Ok(())
+            })?;
             xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.mesh))?;
             Ok(())
         })?;
+    }
+    for object in objects {
+        for copy in &object.copies {
+            let about = [("id", copy.id.as_str()), ("type", "model"), ("name", object.part.name.slug())];
+            xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
+                xml.create_element("components").write_inner_content(|xml| {
+                    xml.create_element("component").with_attribute(("objectid", object.id.as_str())).write_empty()?;
+                    Ok(())
+                })?;
+                Ok(())
+            })?;
+        }
     }
     Ok(())
 }
@@ -182,23 +226,45 @@ fn display_colour(linear: [f32; 4]) -> String {
 }
 
 /// PrusaSlicer's settings of each object.
-fn settings(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
+fn prusa_settings(objects: &[Object]) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
     xml.create_element("config").write_inner_content(|xml| {
         for object in objects {
-            let (id, copies) = (object.id.to_string(), object.poses.len().to_string());
-            let about = [("id", id.as_str()), ("instances_count", &copies)];
-            let own = PrintSettings::of_part(plate.supported.contains(&object.part.name), &plate.material.material, &design.frame.printer);
-            xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
-                metadata(xml, "object", "name", object.part.name.slug())?;
-                for setting in &own.0 {
-                    metadata(xml, "object", setting.key, &setting.value)?;
+            let copies = object.copies.len().to_string();
+            let name = object.part.name.slug();
+            xml.create_element("object").with_attributes([("id", object.id.as_str()), ("instances_count", &copies)]).write_inner_content(
+                |xml| {
+                    metadata(xml, Some("object"), "name", name)?;
+                    for (key, value) in object.settings.of(SlicerFamily::Prusa) {
+                        metadata(xml, Some("object"), key, value)?;
+                    }
+                    let last = (object.mesh.triangles.len() - 1).to_string();
+                    xml.create_element("volume").with_attributes([("firstid", "0"), ("lastid", &last)]).write_inner_content(|xml| {
+                        metadata(xml, Some("volume"), "name", name)?;
+                        metadata(xml, Some("volume"), "volume_type", "ModelPart")
+                    })?;
+                    Ok(())
+                },
+            )?;
+        }
+        Ok(())
+    })?;
+    Ok(xml.into_inner().into_inner())
+}
+
+/// Settings of each copy for Orca Slicer and Bambu Studio.
+fn orca_settings(objects: &[Object]) -> std::io::Result<Vec<u8>> {
+    let mut xml = begun()?;
+    xml.create_element("config").write_inner_content(|xml| {
+        for (object, copy) in objects.iter().flat_map(|object| object.copies.iter().map(move |copy| (object, copy))) {
+            let name = object.part.name.slug();
+            xml.create_element("object").with_attribute(("id", copy.id.as_str())).write_inner_content(|xml| {
+                metadata(xml, None, "name", name)?;
+                for (key, value) in object.settings.of(SlicerFamily::Orca) {
+                    metadata(xml, None, key, value)?;
                 }
-                let last = (object.mesh.triangles.len() - 1).to_string();
-                xml.create_element("volume").with_attributes([("firstid", "0"), ("lastid", &last)]).write_inner_content(|xml| {
-                    metadata(xml, "volume", "name", object.part.name.slug())?;
-                    metadata(xml, "volume", "volume_type", "ModelPart")
-                })?;
+                let part = [("id", object.id.as_str()), ("subtype", "normal_part")];
+                xml.create_element("part").with_attributes(part).write_inner_content(|xml| metadata(xml, None, "name", name))?;
                 Ok(())
             })?;
         }
@@ -207,7 +273,8 @@ fn settings(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Resu
     Ok(xml.into_inner().into_inner())
 }
 
-fn metadata(xml: &mut Xml, kind: &str, key: &str, value: &str) -> std::io::Result<()> {
-    xml.create_element("metadata").with_attributes([("type", kind), ("key", key), ("value", value)]).write_empty()?;
+fn metadata(xml: &mut Xml, kind: Option<&str>, key: &str, value: &str) -> std::io::Result<()> {
+    let kind = kind.map(|kind| ("type", kind));
+    xml.create_element("metadata").with_attributes(kind).with_attributes([("key", key), ("value", value)]).write_empty()?;
     Ok(())
 }

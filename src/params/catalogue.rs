@@ -71,6 +71,29 @@ pub struct Material {
     pub support_source: Option<String>,
     /// Where the print settings come from.
     pub print_source: Option<String>,
+    /// Price of a kilogram of filament; with a currency and a source, or not at all.
+    pub price_per_kg: Option<f64>,
+    /// Currency of the price, such as EUR.
+    pub currency: Option<String>,
+    /// Where the price comes from, and when.
+    pub price_source: Option<String>,
+}
+
+impl Material {
+    /// Whether its price comes with a currency and a source, or there is none.
+    pub fn is_priced_whole(&self) -> bool {
+        is_whole([self.price_per_kg.is_some(), self.currency.is_some(), self.price_source.is_some()])
+    }
+
+    /// What a mass of it costs, with the currency; nothing where no price is stated.
+    pub fn cost(&self, mass_g: f64) -> Option<(f64, &str)> {
+        Some((1e-3 * mass_g * self.price_per_kg?, self.currency.as_deref()?))
+    }
+}
+
+/// Whether all of a price is stated, or nothing.
+fn is_whole(stated: [bool; 3]) -> bool {
+    stated == [true; 3] || stated == [false; 3]
 }
 
 /// A part that is bought.
@@ -145,8 +168,7 @@ const USUAL_BOARD_MM: f64 = 1.6;
 impl BoughtPart {
     /// Whether its price comes with a currency and a source, or there is none.
     pub fn is_priced_whole(&self) -> bool {
-        let stated = [self.price.is_some(), self.currency.is_some(), self.price_source.is_some()];
-        stated == [true; 3] || stated == [false; 3]
+        is_whole([self.price.is_some(), self.currency.is_some(), self.price_source.is_some()])
     }
 
     /// Height of a motor from its mounting face to the face that carries the propeller, mm.

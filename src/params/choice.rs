@@ -151,6 +151,9 @@ impl Catalogues {
             let (found, expected, fits) = (words(&material.kind), words(kind), fitting(&self.materials, |m| is(m, kind)));
             return Err(file.refuse(key, Reason::WrongKind { key: key.into(), name, found, expected, fits }));
         }
+        if !material.is_priced_whole() {
+            return Err(bad_override(file, key, "material", "materials", &name, "its price lacks price_per_kg, currency or price_source"));
+        }
         Ok(NamedMaterial { name, material })
     }
 

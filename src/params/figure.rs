@@ -24,7 +24,7 @@ const fn figure(key: &'static str, [min, max]: [f64; 2], unit: &'static str) -> 
 
 impl Material {
     /// Its figures.
-    pub const FIGURES: [Figure; 18] = [
+    pub const FIGURES: [Figure; 19] = [
         figure("density_g_cm3", [0.05, 25.0], "g/cm³"),
         figure("print_factor", [0.05, 3.0], ""),
         figure("colour", [0.0, 1.0], ""),
@@ -43,6 +43,7 @@ impl Material {
         figure("overhang_deg", [1.0, 89.0], "°"),
         figure("ledge_mm", [0.05, 50.0], "mm"),
         figure("bridge_mm", [0.05, 200.0], "mm"),
+        figure("price_per_kg", [0.0, 1e5], ""),
     ];
 }
 

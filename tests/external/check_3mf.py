@@ -81,7 +81,12 @@ def vertices(mesh):
 
 def item_fault(model, item):
     fields = numpy.array([row[:] for row in item.GetObjectTransform().Fields])
-    mesh = model.GetMeshObjectByID(item.GetObjectResourceID())
+    copy = model.GetComponentsObjectByID(item.GetObjectResourceID())
+    if copy.GetComponentCount() != 1:
+        return f"{copy.GetName()} is made of {copy.GetComponentCount()} meshes"
+    mesh = model.GetMeshObjectByID(copy.GetComponent(0).GetObjectResourceID())
+    if mesh.GetName() != copy.GetName():
+        return f"a copy called {copy.GetName()} is one of {mesh.GetName()}"
     placed = vertices(mesh) @ fields[:3] + fields[3]
     lowest = placed[:, 2].min()
     return None if abs(lowest) < 1e-3 else f"{mesh.GetName()} stands at {lowest:.3f} mm"

@@ -9,6 +9,8 @@ import zipfile
 CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 # Infill is laid over walls a little, which counts twice; 15 % infill would leave 30 % and more of the material out.
 MASS_RATIO = 0.03
+# What the contrary profile wants of every kind of line, mm; the slicer rounds.
+CONTRARY_LINE_MM = 0.7
 
 
 def main(manifest, plate, gcode):
@@ -26,6 +28,9 @@ def main(manifest, plate, gcode):
     missing = [z for z in wanted if min(abs(z - height) for height in heights) > 1e-3]
     if missing:
         return f"FAILED: no layer at {missing[0]:.3f} mm, layers of 0.2 mm came with the plate"
+    strange = [one for one in re.findall(r"^;WIDTH:([0-9.]+)", text, re.M) if abs(float(one) - CONTRARY_LINE_MM) < 1e-4]
+    if strange:
+        return f"FAILED: {len(strange)} lines of {CONTRARY_LINE_MM} mm, the widths of lines came with the plate"
     solid = sum(volumes[name] for name in items)
     used = 1e3 * float(re.search(r"; filament used \[cm3\] = ([0-9.]+)", text).group(1))
     # The support of the lid and the camera connectors is printed besides the parts.

@@ -1,10 +1,14 @@
 //! Plates: everything on the bed, nothing upon another, as many as the frame needs, on every printer.
 
 use crate::common;
+use std::collections::BTreeSet;
+use std::io::{Cursor, Read};
 use std::path::Path;
 use std::sync::{Mutex, OnceLock};
 
+use flexframe::export::three_mf;
 use flexframe::frame::assembly::Design;
+use flexframe::frame::assembly::compensated::Compensated;
 use flexframe::params::catalogue::{Bed, Printer};
 use flexframe::params::{Frame, FrameFile, PartName};
 use flexframe::printing::plates::{Plate, all, arrange};
@@ -88,6 +92,40 @@ fn analytic_every_printer_takes_the_frame() {
         let plates = arrange(&design, &wanted).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new(), "{name}");
         assert!(plates.iter().all(|plate| plate.items.iter().all(|item| design.material_of(item.part).name == plate.material.name)));
+    }
+}
+
+#[test]
+fn analytic_a_plate_of_no_printer_lies_on_every_rectangular_bed() {
+    let design = design();
+    let plates = arrange(&design, &all(&design)).expect("has room");
+    for (name, printer) in printers().into_iter().filter(|(_, printer)| printer.bed == Bed::Rectangular) {
+        assert!(design.frame.printer.height_mm <= printer.height_mm, "{name} is lower");
+        for [low, high] in plates.iter().flat_map(|plate| boxes(&design, plate)) {
+            assert!((0..2).all(|axis| low[axis] >= 0.0 && high[axis] <= printer.size_mm[axis]), "off the bed of {name}: {low:?} {high:?}");
+        }
+    }
+}
+
+#[test]
+fn analytic_every_copy_has_settings_where_each_slicer_looks_for_them() {
+    let design = design();
+    let meshes = Compensated::of(&design).expect("passes the gate");
+    for plate in arrange(&design, &all(&design)).expect("has room") {
+        let bytes = three_mf::plate(&design, &meshes, &plate, b"").expect("is made");
+        let text = |name: &str| {
+            let mut text = String::new();
+            let mut archive = zip::ZipArchive::new(Cursor::new(&bytes)).expect("an archive");
+            archive.by_name(name).expect("is there").read_to_string(&mut text).expect("is text");
+            text
+        };
+        let model = text("3D/3dmodel.model");
+        let placed: BTreeSet<&str> = model.split("<item objectid=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+        assert_eq!(placed.len(), plate.items.len(), "an object stands there twice");
+        let (parts, copies) = (plate.quantities().len(), plate.items.len());
+        assert_eq!(text("Metadata/Slic3r_PE_model.config").matches("key=\"fill_density\" value=\"100%\"").count(), parts);
+        assert_eq!(text("Metadata/model_settings.config").matches("key=\"sparse_infill_density\" value=\"100%\"").count(), copies);
+        assert_eq!(model.matches("<metadata name=\"cura:infill_sparse_density\">100</metadata>").count(), parts);
     }
 }
 

@@ -17,6 +17,7 @@ fn frame() -> String {
     format!(
         "base = \"cognifly\"\nname = \"hostile\"\ndescription = \"{HOSTILE}\"\n[materials]\nrigid = \"=1+1|{NAME}\"\n[bought]\nbattery = \"@SUM(A1)\"\n\
          [override.materials.\"=1+1|{NAME}\"]\nkind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.5, 0.5, 0.5, 1.0]\nsource = \"{HOSTILE}\"\n\
+         price_per_kg = 20.0\ncurrency = \"=A1|{NAME}\"\nprice_source = \"{HOSTILE}\"\n\
          [override.parts.\"@SUM(A1)\"]\nkind = \"battery\"\nsize_mm = [55.0, 31.0, 16.0]\nmass_g = 58.0\nmass_basis = \"measured\"\nsource = \"=HYPERLINK(1) {HOSTILE}\"\n\
          price = 3.0\ncurrency = \"=A1\"\nprice_source = \"{HOSTILE}\"\n\
          [extras.\"+1 {NAME}\"]\nmass_g = 1.0\nmass_basis = \"measured\"\nsource = \"{HOSTILE}\"\n"
@@ -72,6 +73,9 @@ fn planted_texts_in_a_built_folder_are_not_obeyed() {
     let report = read("report.md");
     assert!(report.contains("&lt;script>"), "the text itself is there: {report}");
     is_harmless_markup("report.md", &report);
+    let settings = read("print-settings.md");
+    assert!(settings.contains("a kilogram"), "its price is there: {settings}");
+    is_harmless_markup("print-settings.md", &settings);
     let bill = read("bom.csv");
     assert!(formulas(&bill).is_empty() && bill.contains("'@SUM(A1)"), "{:?}", formulas(&bill));
     run(folder.path(), &["fold", "frame.toml", "-o", "o", "-q"]);

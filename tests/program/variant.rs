@@ -447,7 +447,8 @@ fn planted_new_finds_the_rods_of_a_preset() {
 fn analytic_bill_in_every_form() {
     let bench = Bench::new(&[(
         "priced.toml",
-        "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n",
+        "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n\
+         [override.materials.tpu-95a]\nprice_per_kg = 40.0\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n",
     )]);
     let (code, page, _) = bench.run(&["bom"]);
     assert_eq!(code, 0);
@@ -465,6 +466,10 @@ fn analytic_bill_in_every_form() {
     }
     let bill = bench.json(&["bom", "priced.toml", "--json"]);
     assert_eq!(bill["prices"], serde_json::json!([["EUR", 38.0]]));
+    let lines = bill["print"].as_array().expect("a list").iter();
+    let tpu_g: f64 = lines.filter(|line| line["material"] == "tpu-95a").map(|line| line["mass_g"].as_f64().expect("a mass")).sum();
+    let paid = bill["filament_prices"][0][1].as_f64().expect("a sum");
+    assert!((paid - 0.04 * tpu_g).abs() < 1e-9, "{paid} {tpu_g}");
     let pieces: usize = bill["cut"].as_array().expect("a list").iter().map(|stock| stock["pieces"].as_array().expect("a list").len()).sum();
     assert_eq!(pieces, 28);
     let (_, csv, _) = bench.run(&["bom", "--format", "csv"]);
@@ -482,6 +487,9 @@ fn analytic_bill_in_every_form() {
     };
     let motor = ["price_each", "currency", "price_source"].map(|column| field("bought,motor,", column));
     assert_eq!(motor, ["9.5", "EUR", "an invoice"]);
+    let knee_g: f64 = field("printed,knee,", "mass_each_g").parse().expect("a number");
+    let knee: f64 = field("printed,knee,", "price_each").parse().expect("a number");
+    assert!((knee - 0.04 * knee_g).abs() < 1e-4 && field("printed,hub,", "price_each").is_empty(), "{knee} {knee_g}");
     let screw = ["screw_thread_mm", "screw_length_mm"].map(|column| field("bought,motor_screw,", column));
     assert_eq!(screw, ["2", "4"]);
     let minutes: f64 = field("printed,knee,", "print_min").parse().expect("a number");
@@ -496,6 +504,9 @@ fn analytic_bill_in_every_form() {
     bench.write("half.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\n");
     let (code, _, err) = bench.run(&["bom", "half.toml"]);
     assert!(code == 2 && err.contains("lacks currency or price_source"), "{err}");
+    bench.write("half.toml", "base = \"cognifly\"\n[override.materials.abs]\ncurrency = \"EUR\"\n");
+    let (code, _, err) = bench.run(&["bom", "half.toml"]);
+    assert!(code == 2 && err.contains("lacks price_per_kg, currency or price_source") && err.contains("half.toml:3"), "{err}");
     assert_eq!(bench.run(&["bom", "--kerf", "-1"]).0, 2);
     bench.write("short.toml", "base = \"cognifly\"\n[override.parts.rod-carbon-3]\nstock_length_mm = 150.0\n");
     let (code, out, err) = bench.run(&["bom", "short.toml"]);

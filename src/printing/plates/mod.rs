@@ -4,10 +4,11 @@
 //! corner of a rectangular bed, in the middle of a round one.
 
 mod arrange;
+mod known;
 mod plate;
 mod room;
 mod settings;
 
 pub use arrange::{NoRoom, Wanted, all, arrange};
 pub use plate::{Item, Plate, short};
-pub use settings::{PrintSetting, PrintSettings};
+pub use settings::{PrintSetting, PrintSettings, SlicerFamily};

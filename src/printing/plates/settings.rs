@@ -4,98 +4,127 @@
 //! apart: the first travels with each object of a plate and leaves the user's printer and its start code alone, the second
 //! is chosen once on the machine.
 
+use super::known;
+use super::known::{Known, Spelled};
 use crate::params::catalogue::{Material, Printer};
 use crate::printing::print_time::SLOW_MM_S;
 
-/// One setting.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct PrintSetting {
-    /// Its name in PrusaSlicer.
-    pub key: &'static str,
-    /// Its value there.
-    pub value: String,
-    /// What it is, with unit.
-    pub words: &'static str,
+/// A program that slices, by how it calls its settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlicerFamily {
+    /// PrusaSlicer.
+    Prusa,
+    /// Orca Slicer and Bambu Studio, which are one family.
+    Orca,
+    /// Cura.
+    Cura,
 }
 
-/// The names of PrusaSlicer beside those of Orca Slicer and Bambu Studio, which are one family.
-const ORCA: [(&str, &str); 23] = [
-    ("fill_density", "sparse_infill_density"),
-    ("fill_pattern", "sparse_infill_pattern"),
-    ("infill_overlap", "infill_wall_overlap"),
-    ("layer_height", "layer_height"),
-    ("perimeters", "wall_loops"),
-    ("perimeter_speed", "inner_wall_speed"),
-    ("external_perimeter_speed", "outer_wall_speed"),
-    ("infill_speed", "sparse_infill_speed"),
-    ("solid_infill_speed", "internal_solid_infill_speed"),
-    ("top_solid_infill_speed", "top_surface_speed"),
-    ("gap_fill_speed", "gap_infill_speed"),
-    ("small_perimeter_speed", "small_perimeter_speed"),
-    ("brim_width", "brim_width"),
-    ("extrusion_width", "line_width"),
-    ("support_material", "enable_support"),
-    ("elefant_foot_compensation", "elefant_foot_compensation"),
-    ("filament_density", "filament_density"),
-    ("temperature", "nozzle_temperature"),
-    ("first_layer_temperature", "nozzle_temperature_initial_layer"),
-    ("bed_temperature", "hot_plate_temp"),
-    ("first_layer_bed_temperature", "hot_plate_temp_initial_layer"),
-    ("filament_max_volumetric_speed", "filament_max_volumetric_speed"),
-    ("max_fan_speed", "fan_max_speed"),
-];
+impl SlicerFamily {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Prusa, Self::Orca, Self::Cura];
+
+    /// What people call it.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Prusa => "PrusaSlicer",
+            Self::Orca => "Orca, Bambu",
+            Self::Cura => "Cura",
+        }
+    }
+}
+
+/// One setting with its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PrintSetting {
+    known: &'static Known,
+    value: String,
+}
 
 impl PrintSetting {
-    /// Its name in Orca Slicer and Bambu Studio.
-    pub fn orca(&self) -> Option<&'static str> {
-        ORCA.iter().find(|(key, _)| *key == self.key).map(|(_, name)| *name)
+    /// What it is, with unit.
+    pub fn words(&self) -> &'static str {
+        self.known.words
+    }
+
+    /// Its names in a program, all of which get its value; none where an object has no such setting there.
+    pub fn keys(&self, slicer: SlicerFamily) -> &'static [&'static str] {
+        self.spelled(slicer).keys
+    }
+
+    /// Its value as a program writes it.
+    pub fn value(&self, slicer: SlicerFamily) -> &str {
+        let own = self.spelled(slicer).values.iter().find(|(ours, _)| *ours == self.value);
+        own.map_or(self.value.as_str(), |(_, theirs)| theirs)
+    }
+
+    fn spelled(&self, slicer: SlicerFamily) -> &'static Spelled {
+        match slicer {
+            SlicerFamily::Prusa => &self.known.prusa,
+            SlicerFamily::Orca => &self.known.orca,
+            SlicerFamily::Cura => &self.known.cura,
+        }
     }
 }
 
 /// A list of settings.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct PrintSettings(pub Vec<PrintSetting>);
 
 impl PrintSettings {
-    /// Of an object: layers, walls, infill, speeds, brim and support. What the material does not say is left to the slicer, and
-    /// so is the first layer's squeeze unless the mesh has it taken off already.
+    /// Of an object: layers, walls, infill, lines, speeds, brim and support. What the material does not say is left to the slicer,
+    /// and so is the first layer's squeeze unless the mesh has it taken off already.
     pub fn of_part(supported: bool, material: &Material, printer: &Printer) -> Self {
-        let mut all = Self(Vec::new());
-        all.put("fill_density", "100%", "infill");
-        all.put("fill_pattern", "rectilinear", "infill pattern");
-        all.put("infill_overlap", OVERLAP, "infill laid over walls, of a line");
-        all.put_some("layer_height", material.layer_mm, "layer, mm");
-        all.put_some("perimeters", material.perimeters, "walls");
-        for key in SPEEDS {
-            all.put_some(key, material.speed_mm_s, "speed, mm/s");
+        let mut all = Self::default();
+        all.put(&known::INFILL, "100%");
+        all.put(&known::PATTERN, "rectilinear");
+        all.put(&known::OVERLAP, OVERLAP);
+        all.put(&known::OBJECT_FLOW, "1");
+        all.put_some(&known::LAYER, material.layer_mm);
+        all.put_some(&known::WALLS, material.perimeters);
+        all.put_some(&known::SPEED, material.speed_mm_s);
+        let slow = material.speed_mm_s.map_or(SLOW_MM_S, |speed| speed.min(SLOW_MM_S));
+        all.put_some(&known::GAP_SPEED, Some(slow));
+        all.put_some(&known::SHORT_LOOP_SPEED, Some(slow));
+        all.put_some(&known::SHORT_LOOP, Some(SHORT_LOOP_MM));
+        if let Some(brim_mm) = material.brim_mm {
+            all.put_some(&known::BRIM, Some(brim_mm));
+            all.put(&known::BRIM_TYPE, if brim_mm > 0.0 { "outer_only" } else { "no_brim" });
         }
-        all.put("gap_fill_speed", &slow(material.speed_mm_s), "speed in gaps, mm/s");
-        all.put("small_perimeter_speed", &slow(material.speed_mm_s), "speed in short loops, mm/s");
-        all.put_some("brim_width", material.brim_mm, "brim, mm");
-        all.put("extrusion_width", &format!("{}", printer.line_mm()), "line, mm");
-        all.put("support_material", if supported { "1" } else { "0" }, "support");
+        all.put_some(&known::LINE, Some(printer.line_mm()));
+        all.put(&known::SUPPORT, if supported { "1" } else { "0" });
+        if supported {
+            all.put(&known::SUPPORT_AUTO, "1");
+        }
         if printer.elephant_foot_mm.is_some_and(|mm| mm > 0.0) {
-            all.put("elefant_foot_compensation", "0", "first layer drawn in by the slicer, mm");
+            all.put(&known::ELEPHANT_FOOT, "0");
         }
         all
     }
 
-    /// Of the spool: heat, flow and fan.
+    /// Of the spool: heat, flow, fan and price.
     pub fn of_filament(material: &Material) -> Self {
-        let mut all = Self(Vec::new());
-        all.put_some("filament_density", Some(material.density_g_cm3), "density, g/cm³");
-        all.put_some("temperature", material.nozzle_c, "nozzle, °C");
-        all.put_some("first_layer_temperature", material.nozzle_c, "nozzle at the first layer, °C");
-        all.put_some("bed_temperature", material.bed_c, "bed, °C");
-        all.put_some("first_layer_bed_temperature", material.bed_c, "bed at the first layer, °C");
-        all.put_some("filament_max_volumetric_speed", material.most_flow_mm3_s, "most flow, mm³/s");
-        all.put_some("max_fan_speed", material.fan_percent, "fan, %");
+        let mut all = Self::default();
+        all.put_some(&known::DENSITY, Some(material.density_g_cm3));
+        all.put_some(&known::FLOW, Some(1.0));
+        all.put_some(&known::NOZZLE, material.nozzle_c);
+        all.put_some(&known::FIRST_NOZZLE, material.nozzle_c);
+        all.put_some(&known::BED, material.bed_c);
+        all.put_some(&known::FIRST_BED, material.bed_c);
+        all.put_some(&known::MOST_FLOW, material.most_flow_mm3_s);
+        all.put_some(&known::FAN, material.fan_percent);
+        all.put_some(&known::COST, material.price_per_kg);
         all
+    }
+
+    /// Names and values in a program.
+    pub fn of(&self, slicer: SlicerFamily) -> impl Iterator<Item = (&'static str, &str)> {
+        self.0.iter().flat_map(move |one| one.keys(slicer).iter().map(move |key| (*key, one.value(slicer))))
     }
 
     /// As PrusaSlicer's own file of settings.
     pub fn ini(&self) -> String {
-        self.0.iter().map(|one| format!("{} = {}\n", one.key, one.value)).collect()
+        self.of(SlicerFamily::Prusa).map(|(key, value)| format!("{key} = {value}\n")).collect()
     }
 
     /// Those that another list has not.
@@ -103,13 +132,13 @@ impl PrintSettings {
         self.0.iter().filter(|one| !other.0.contains(one)).collect()
     }
 
-    fn put(&mut self, key: &'static str, value: &str, words: &'static str) {
-        self.0.push(PrintSetting { key, value: value.into(), words });
+    fn put(&mut self, known: &'static Known, value: &str) {
+        self.0.push(PrintSetting { known, value: value.into() });
     }
 
-    fn put_some(&mut self, key: &'static str, value: Option<f64>, words: &'static str) {
+    fn put_some(&mut self, known: &'static Known, value: Option<f64>) {
         if let Some(value) = value {
-            self.put(key, &format!("{value}"), words);
+            self.put(known, &format!("{value}"));
         }
     }
 }
@@ -118,27 +147,53 @@ impl PrintSettings {
 /// than their volume, up to 5 % where walls are most of a part; at 15 % 0.9 % more, -2.4 to +3.9 %; at none thin walls lack 4 %.
 const OVERLAP: &str = "15%";
 
-/// Settings of speed that are the object's.
-const SPEEDS: [&str; 5] = ["perimeter_speed", "external_perimeter_speed", "infill_speed", "solid_infill_speed", "top_solid_infill_speed"];
-
-fn slow(speed_mm_s: Option<f64>) -> String {
-    format!("{}", speed_mm_s.map_or(SLOW_MM_S, |speed| speed.min(SLOW_MM_S)))
-}
+/// Radius of a loop up to which PrusaSlicer counts it as short, mm; Orca and Bambu count none as short unless told.
+const SHORT_LOOP_MM: f64 = 6.5;
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::params::{Frame, FrameFile};
 
-    #[test]
-    fn analytic_every_setting_has_a_name_in_each_family_of_slicers() {
+    fn lists() -> Vec<PrintSettings> {
         let mut frame = Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves");
         frame.printer.elephant_foot_mm = Some(0.1);
-        for material in [&frame.flexible.material, &frame.rigid.material] {
-            let all = [PrintSettings::of_part(true, material, &frame.printer), PrintSettings::of_filament(material)];
-            for setting in all.iter().flat_map(|list| &list.0) {
-                assert!(setting.orca().is_some(), "{}", setting.key);
+        frame.flexible.material.price_per_kg = Some(30.0);
+        let of = |material: &Material| [PrintSettings::of_part(true, material, &frame.printer), PrintSettings::of_filament(material)];
+        [&frame.flexible.material, &frame.rigid.material].into_iter().flat_map(of).collect()
+    }
+
+    #[test]
+    fn analytic_every_setting_is_put_once_and_has_names() {
+        for list in lists() {
+            for slicer in SlicerFamily::ALL {
+                let mut keys: Vec<&str> = list.of(slicer).map(|(key, _)| key).collect();
+                let all = keys.len();
+                keys.sort_unstable();
+                keys.dedup();
+                assert_eq!(keys.len(), all, "{slicer:?}: a name twice");
             }
+            for setting in &list.0 {
+                assert!(!setting.keys(SlicerFamily::Orca).is_empty(), "{}", setting.words());
+            }
+            // PrusaSlicer's bound of short loops cannot be set, and it has no flow of an object.
+            let without: Vec<&str> =
+                list.0.iter().filter(|one| one.keys(SlicerFamily::Prusa).is_empty()).map(PrintSetting::words).collect();
+            assert!(without.is_empty() || without == ["flow of the object", "radius of a short loop, mm"], "{without:?}");
         }
+    }
+
+    #[test]
+    fn analytic_words_are_spelled_as_each_program_does() {
+        let list = &lists()[0];
+        let value = |slicer, wanted: &str| list.of(slicer).find(|(key, _)| *key == wanted).map(|(_, value)| value.to_string());
+        assert_eq!(value(SlicerFamily::Prusa, "fill_pattern").as_deref(), Some("rectilinear"));
+        assert_eq!(value(SlicerFamily::Orca, "internal_solid_infill_pattern").as_deref(), Some("zig-zag"));
+        assert_eq!(value(SlicerFamily::Prusa, "support_material_auto").as_deref(), Some("1"));
+        assert_eq!(value(SlicerFamily::Orca, "support_type").as_deref(), Some("normal(auto)"));
+        assert_eq!(value(SlicerFamily::Orca, "enable_support").as_deref(), Some("1"));
+        assert_eq!(value(SlicerFamily::Cura, "support_enable").as_deref(), Some("True"));
+        assert_eq!(value(SlicerFamily::Cura, "infill_sparse_density").as_deref(), Some("100"));
+        assert_eq!(value(SlicerFamily::Cura, "wall_x_material_flow").as_deref(), Some("100"));
     }
 }

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use crate::frame::assembly::Design;
-use crate::params::catalogue::{Bed, Printer};
-use crate::printing::plates::{Plate, PrintSetting, PrintSettings};
+use crate::markdown::inert;
+use crate::params::catalogue::{Bed, Material, Printer};
+use crate::printing::plates::{Plate, PrintSetting, PrintSettings, SlicerFamily};
 
 /// Section of a filament of 1.75 mm, mm².
 const FILAMENT_MM2: f64 = std::f64::consts::FRAC_PI_4 * 1.75 * 1.75;
@@ -19,10 +20,13 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
     };
     let mut text = format!(
         "# Printing {}\n\nLaid out for {} (bed {bed}, nozzle {} mm). Open a plate's `.3mf`, choose your own printer, print. Layers, walls, infill, \
-         speeds, brim and support travel with every object as far as PrusaSlicer reads them; heat, flow and fan belong to the spool and are yours to \
-         choose. Orca Slicer and Bambu Studio take parts, names, colours and places from the plates and leave the settings of others: set them by the \
-         names in the last column. A slicer that asks whether to load the project may load it: no printer and no start code is in it.\n",
-        design.frame.name, printer.name, printer.nozzle_mm
+         line widths, speeds, brim and support travel with every object, for PrusaSlicer and Orca Slicer, and for Cura what an object may have \
+         there. Heat, flow and fan belong to the spool and are yours to choose. Bambu Studio's window takes parts, names, colours and places, and \
+         leaves the settings of files that another program wrote: set them by the names in the tables, or open the plates in Orca. A slicer \
+         that asks whether to load the project may load it: no printer and no start code is in it.\n",
+        inert(&design.frame.name),
+        inert(&printer.name),
+        printer.nozzle_mm
     );
     compensation(&mut text, printer);
     let mut seen: Vec<&str> = Vec::new();
@@ -48,7 +52,7 @@ fn compensation(text: &mut String, printer: &Printer) {
     if foot_mm > 0.0 {
         let _ = write!(
             text,
-            "\nTheir first layer is drawn in by {foot_mm} mm: leave the slicer's own elephant foot compensation off; the plates tell PrusaSlicer so.\n"
+            "\nTheir first layer is drawn in by {foot_mm} mm: leave the slicer's own elephant foot compensation off; the plates tell the slicer so.\n"
         );
     }
 }
@@ -60,32 +64,90 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     let material = &first.material.material;
     let common = PrintSettings::of_part(first.supported.contains(&part), material, &design.frame.printer);
     // Writing to a string does not fail.
-    let _ = write!(text, "\n## {name}\n\n| plate | parts | time | filament |\n|---|---|---:|---:|\n");
+    let _ = write!(text, "\n## {}\n\n| plate | parts | time | filament | cost |\n|---|---|---:|---:|---:|\n", inert(name));
     for plate in &own {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
         let time = plate.print_s(&design.printed, &design.frame.printer).map_or("-".into(), formatted);
         let volume_mm3: f64 = plate.volume_mm3(&design.printed);
         let (mass_g, metres) = (1e-3 * volume_mm3 * material.density_g_cm3, 1e-3 * volume_mm3 / FILAMENT_MM2);
-        let _ = writeln!(text, "| `plates/{}.3mf` | {} | {time} | {mass_g:.1} g, {metres:.2} m |", plate.name(), parts.join(", "));
+        let cost = material.cost(mass_g).map_or("-".into(), |(cost, currency)| inert(&format!("{cost:.2} {currency}")));
+        let _ = writeln!(
+            text,
+            "| `plates/{}.3mf` | {} | {time} | {mass_g:.1} g, {metres:.2} m | {cost} |",
+            inert(&plate.name()),
+            parts.join(", ")
+        );
     }
     let _ = write!(
         text,
         "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the solid parts, 1.75 mm thick.\n"
     );
-    let _ = write!(text, "\n| of the spool | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
-    rows(text, &PrintSettings::of_filament(material).0);
-    let _ = write!(text, "\n| of the object | | PrusaSlicer | Orca, Bambu |\n|---|---|---|---|\n");
-    rows(text, &common.0);
+    price(text, name, material);
+    let all_g: f64 = own.iter().map(|plate| 1e-3 * plate.volume_mm3(&design.printed) * material.density_g_cm3).sum();
+    if name == design.frame.flexible.name {
+        flow(text, all_g);
+    }
+    table(text, "of the spool", &PrintSettings::of_filament(material).0);
+    table(text, "of the object", &common.0);
+    plate_of_cura(text, material);
     for (plate, part) in own.iter().flat_map(|plate| plate.quantities().into_iter().map(move |(part, _)| (plate, part))) {
         let other = PrintSettings::of_part(plate.supported.contains(&part), material, &design.frame.printer);
-        let differs: Vec<String> = other.beside(&common).iter().map(|one| format!("{} {}", one.words, one.value)).collect();
+        let differs: Vec<String> =
+            other.beside(&common).iter().map(|one| format!("{} {}", one.words(), one.value(SlicerFamily::Prusa))).collect();
         if !differs.is_empty() {
             let _ = write!(text, "\n`{part}` differs: {}.\n", differs.join(", "));
         }
     }
     if let Some(source) = &material.print_source {
-        let _ = write!(text, "\nSource: {source}.\n");
+        let _ = write!(text, "\nSource: {}.\n", inert(source));
     }
+}
+
+/// What Cura has for the whole plate alone.
+fn plate_of_cura(text: &mut String, material: &Material) {
+    let layer = material.layer_mm.map(|mm| format!("`layer_height` {mm}"));
+    let brim = match material.brim_mm {
+        Some(mm) if mm > 0.0 => Some(format!("`adhesion_type` brim and `brim_width` {mm}")),
+        Some(_) => Some("`adhesion_type` skirt or none".into()),
+        None => None,
+    };
+    let stated: Vec<String> = [layer, brim].into_iter().flatten().collect();
+    if !stated.is_empty() {
+        let _ = write!(text, "\nCura has these for the whole plate alone, set them there: {}.\n", stated.join(", "));
+    }
+}
+
+/// Where the price comes from, or how to state one.
+fn price(text: &mut String, name: &str, material: &Material) {
+    let _ = match (material.price_per_kg, &material.currency, &material.price_source) {
+        (Some(price), Some(currency), Some(source)) => {
+            writeln!(
+                text,
+                "\nCosts are those of the filament, at {} a kilogram ({}).",
+                inert(&format!("{price:.2} {currency}")),
+                inert(source)
+            )
+        }
+        _ => writeln!(
+            text,
+            "\nNo price of {} is known: state `price_per_kg`, `currency` and `price_source` below `[override.materials.NAME]` of the frame file.",
+            inert(name)
+        ),
+    };
+}
+
+/// Flow of profiles for flexible filaments.
+const FLEX_FLOW: f64 = 1.15;
+
+fn flow(text: &mut String, all_g: f64) {
+    let _ = write!(
+        text,
+        "\nMasses, times and bores are those of a flow of 1. PrusaSlicer's profiles of flexible filaments multiply the flow by {FLEX_FLOW} (`*FLEX*` in its \
+         `PrusaResearch.ini`, 2.5), which lays {:.1} g more into the parts of this frame and makes bores tighter. PrusaSlicer has no flow of an \
+         object, so set `extrusion_multiplier` of the spool to 1 there. Weigh a part: where it is as heavy as `bom.csv` says, the flow is right; \
+         where your printer needs more to fill it, print the coupon at the flow that you use.\n",
+        (FLEX_FLOW - 1.0) * all_g
+    );
 }
 
 /// Hours and minutes.
@@ -94,8 +156,20 @@ fn formatted(seconds: f64) -> String {
     format!("{} h {:02} min", minutes / 60, minutes % 60)
 }
 
-fn rows(text: &mut String, settings: &[PrintSetting]) {
+/// A table of settings with their names in each program.
+fn table(text: &mut String, of: &str, settings: &[PrintSetting]) {
+    let programs = SlicerFamily::ALL.map(SlicerFamily::words).join(" | ");
+    let _ = write!(text, "\n| {of} | | {programs} |\n|---|---|{}\n", "---|".repeat(SlicerFamily::ALL.len()));
     for one in settings {
-        let _ = writeln!(text, "| {} | {} | `{}` | `{}` |", one.words, one.value, one.key, one.orca().unwrap_or("-"));
+        let ours = one.value(SlicerFamily::Prusa);
+        let otherwise = SlicerFamily::ALL.into_iter().filter(|slicer| !one.keys(*slicer).is_empty() && one.value(*slicer) != ours);
+        let otherwise: Vec<String> = otherwise.map(|slicer| format!("{}: {}", slicer.words(), one.value(slicer))).collect();
+        let value = if otherwise.is_empty() { ours.to_string() } else { format!("{ours} ({})", otherwise.join("; ")) };
+        let _ = writeln!(text, "| {} | {value} | {} |", one.words(), SlicerFamily::ALL.map(|slicer| names(one.keys(slicer))).join(" | "));
     }
+}
+
+/// Names as code; a dash where there is none.
+fn names(keys: &[&str]) -> String {
+    if keys.is_empty() { "-".into() } else { keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ") }
 }
