@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::fine_wave::{FINE_S, FineWave, ONSET_S};
-use super::trigger_jitter::TriggerJitter;
+use super::trigger_jitter::{Lags, TriggerJitter};
 use super::waves::BEFORE;
 use crate::impact::effects::Model;
 use crate::impact::sim::{SolverOptions, Stop, System, wave};
@@ -41,6 +41,7 @@ pub struct Expected {
 pub struct Ready {
     systems: Vec<(f64, System)>,
     limit_g: f64,
+    lags: Lags,
 }
 
 impl Expected {
@@ -69,7 +70,7 @@ impl Expected {
                 systems.push((1.0 / 6.0, ready(&model.scaled(factors))));
             }
         }
-        Ready { systems, limit_g }
+        Ready { systems, limit_g, lags: self.lags() }
     }
 
     /// The mean window from a height, g; `None` where the simulation diverges.
@@ -80,16 +81,21 @@ impl Expected {
             if self.spread > 0.0 {
                 fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
             }
-            mean.iter_mut().zip(self.mean_of_aligned(&fine)).for_each(|(sum, reading)| *sum += weight * reading);
+            mean.iter_mut().zip(self.mean_of_aligned(&fine, &ready.lags)).for_each(|(sum, reading)| *sum += weight * reading);
         }
         Some(mean)
     }
 
+    /// What the means of all waves share.
+    pub fn lags(&self) -> Lags {
+        self.trigger_jitter.lags(self.step_s, self.samples)
+    }
+
     /// The mean window of records of a wave that differ by the phase of the clock and by the variation of their readings.
-    pub fn mean_of_aligned(&self, fine: &[f64]) -> Vec<f64> {
+    pub fn mean_of_aligned(&self, fine: &[f64], lags: &Lags) -> Vec<f64> {
         let mut mean = self.mean_over_phases(fine);
         if self.trigger_jitter.moves() {
-            let shift = self.trigger_jitter.shift(&FineWave::of(fine), self.step_s, self.samples);
+            let shift = self.trigger_jitter.shift(&FineWave::of(fine), self.step_s, lags);
             mean.iter_mut().zip(shift).for_each(|(sum, shift)| *sum += shift);
         }
         mean
@@ -165,7 +171,7 @@ fn value(integral: &[f64], fine: &[f64], t_s: f64) -> f64 {
         return 0.0;
     }
     let place = t_s / FINE_S;
-    let at = (place.floor() as usize).min(fine.len() - 2);
+    let at = (place as usize).min(fine.len() - 2);
     let part = place - at as f64;
     let middle = fine[at] + 0.5 * part * (fine[at + 1] - fine[at]);
     integral[at] + FINE_S * part * middle

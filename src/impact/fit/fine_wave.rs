@@ -27,7 +27,7 @@ impl<'a> FineWave<'a> {
             return 0.0;
         }
         let place = t_s / FINE_S;
-        let at = (place.floor() as usize).min(self.wave.len() - 2);
+        let at = (place as usize).min(self.wave.len() - 2);
         self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at])
     }
 }

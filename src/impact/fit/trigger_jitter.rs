@@ -31,6 +31,10 @@ pub struct TriggerJitter {
     pub by_time: [f64; TIMES_S.len() + 1],
 }
 
+/// Correlation of the factor between a sample of a window and each that follows; 0 where it moves nothing.
+#[derive(Clone, Debug)]
+pub struct Lags(Vec<f64>);
+
 impl TriggerJitter {
     fn variance(&self) -> f64 {
         self.by_time.iter().sum()
@@ -48,16 +52,21 @@ impl TriggerJitter {
         (sum + long) / self.variance()
     }
 
+    /// Of the samples of a window.
+    pub fn lags(&self, step_s: f64, samples: usize) -> Lags {
+        Lags((0..samples).map(|lag| if self.moves() { self.kept(lag as f64 * step_s) } else { 0.0 }).collect())
+    }
+
     /// The correction of a mean window without variation, g.
-    pub fn shift(&self, fine: &FineWave, step_s: f64, samples: usize) -> Vec<f64> {
-        let kept: Vec<f64> = (0..samples).map(|lag| self.kept(lag as f64 * step_s)).collect();
+    pub fn shift(&self, fine: &FineWave, step_s: f64, Lags(kept): &Lags) -> Vec<f64> {
+        let samples = kept.len();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
         let mut sum = vec![0.0; samples];
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
             let wave: Vec<f64> =
                 (0..first + LATEST + samples).map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64))).collect();
-            Record { wave: &wave, kept: &kept, sd: self.variance().sqrt() }.aligned(first, &mut sum);
+            Record { wave: &wave, kept, sd: self.variance().sqrt() }.aligned(first, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
         }
         sum.iter_mut().for_each(|sum| *sum /= PHASES as f64);

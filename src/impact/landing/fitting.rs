@@ -1,5 +1,9 @@
 //! Stiffness, damping, inertia and the spread of slopes, from drops.
 
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
@@ -69,6 +73,8 @@ const MOUNT_AT: usize = 3;
 const MOUNTS_HZ: [f64; 2] = [120.0, 200.0];
 /// Most steps of a fit from the start, and from another fit's end.
 const MOST_STEPS: [usize; 2] = [25, 8];
+/// Legs whose landings a fit keeps: those of a step, and of its difference quotients.
+const MOST_KEPT: usize = 8;
 /// Resampled sets of drops.
 const RESAMPLED: usize = 400;
 
@@ -121,6 +127,23 @@ fn meaning(scaled: &[f64]) -> (Legs, Slopes) {
     let slopes = &scaled[scaled.len() - SLOPES..];
     let legs = Legs { stiffness_n_m: k, damping_n_s_m: c, inertia_kg_m2: i, mount };
     (legs, Slopes { rate_rad_s: slopes[0], at_release_rad: slopes[1] })
+}
+
+/// Landings of the legs that were looked at last: a step of a fit moves the slopes alone, too.
+#[derive(Default)]
+struct KeptTables(RefCell<VecDeque<(Legs, Rc<Vec<LandingTable>>)>>);
+
+impl KeptTables {
+    fn of(&self, problem: &LandingProblem, legs: &Legs) -> Option<Rc<Vec<LandingTable>>> {
+        if let Some((_, tables)) = self.0.borrow().iter().find(|(known, _)| known == legs) {
+            return Some(tables.clone());
+        }
+        let tables = Rc::new(problem.tables(legs)?);
+        let mut kept = self.0.borrow_mut();
+        kept.truncate(MOST_KEPT - 1);
+        kept.push_front((*legs, tables.clone()));
+        Some(tables)
+    }
 }
 
 impl LandingProblem<'_> {
@@ -177,12 +200,13 @@ impl LandingProblem<'_> {
     }
 
     fn fitted_from(&self, start: &[f64], most_steps: usize) -> Option<LandingFit> {
+        let kept = KeptTables::default();
         let residual = |scaled: &[f64]| {
             let (legs, slopes) = meaning(scaled);
-            let tables = self.tables(&legs)?;
+            let tables = kept.of(self, &legs)?;
             let mut predicted = Vec::with_capacity(self.waves.len());
             let mut delays = Vec::new();
-            for (height, table) in self.waves.chosen.iter().zip(&tables) {
+            for (height, table) in self.waves.chosen.iter().zip(&*tables) {
                 let population = Population::of(table, &slopes);
                 predicted.extend(population.mean_window().iter());
                 let quartiles = self.observed.heights[*height].opposite_quartiles_s()?;

@@ -27,60 +27,117 @@ pub struct Landing {
 }
 
 /// Height, the slopes' sines and cosines, and rates: z, sin p, cos p, sin q, cos q, z', p', q'; z in m, downward from where a level body's
-/// feet touch. Sines and cosines are followed as coordinates of their own (sin' = cos p', cos' = -sin p'), which costs no function calls.
-type State = [f64; 8];
+/// feet touch; each of several landings. Sines and cosines are followed as coordinates of their own (sin' = cos p', cos' = -sin p'), which
+/// costs no function calls.
+type State<const N: usize> = [[f64; N]; 8];
 
 /// Lands with a speed, m/s, and slopes along the two diagonals, rad; followed for so many points.
 ///
 /// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
 pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
-    let [p, q] = slopes;
-    let [(sin_p, cos_p), (sin_q, cos_q)] = [libm::sincos(p), libm::sincos(q)];
-    let raised_m = body.centre_height_m * (1.0 - cos_p * cos_q);
-    let lowest_m = body.foot_radius_m * sin_p.abs().max(sin_q.abs()) - raised_m;
-    let mut state: State = [-lowest_m, sin_p, cos_p, sin_q, cos_q, speed_m_s, 0.0, 0.0];
-    let mut landing = Landing { accel_g: Vec::with_capacity(points), touch_s: [None; FEET] };
+    let [landing] = simulate_each(body, legs, speed_m_s, &[slopes], points);
+    landing
+}
+
+/// The same of several landings, which a processor computes side by side; each has the numbers that it has alone.
+pub fn simulate_each<const N: usize>(
+    body: &LeggedBody,
+    legs: &Legs,
+    speed_m_s: f64,
+    slopes: &[[f64; 2]; N],
+    points: usize,
+) -> [Option<Landing>; N] {
+    let mut state = touching(body, speed_m_s, slopes);
+    let mut accel_g = Vec::with_capacity(points);
+    let mut touch_s = [[None; FEET]; N];
     for point in 0..points {
         let (rate, pressed_n, depth_m) = change(body, legs, &state);
-        landing.accel_g.push(pressed_n / body.mass_kg / GRAVITY_M_S2 * state[2] * state[4]);
-        for (touch_s, depth_m) in landing.touch_s.iter_mut().zip(depth_m) {
-            if touch_s.is_none() && depth_m >= -1e-12 {
-                *touch_s = Some(point as f64 * STEP_S);
+        let mut read_g = [0.0; N];
+        for at in 0..N {
+            read_g[at] = pressed_n[at] / body.mass_kg / GRAVITY_M_S2 * state[2][at] * state[4][at];
+            for foot in 0..FEET {
+                if depth_m[foot][at] >= -1e-12 && touch_s[at][foot].is_none() {
+                    touch_s[at][foot] = Some(point as f64 * STEP_S);
+                }
             }
         }
+        accel_g.push(read_g);
         let middle = moved(&state, &rate, 0.5 * STEP_S);
         state = moved(&state, &change(body, legs, &middle).0, STEP_S);
     }
-    state.iter().all(|value| value.is_finite()).then_some(landing)
+    std::array::from_fn(|at| {
+        let landing = || Landing { accel_g: accel_g.iter().map(|accel_g| accel_g[at]).collect(), touch_s: touch_s[at] };
+        state.iter().all(|value| value[at].is_finite()).then(landing)
+    })
+}
+
+/// When the lowest foot touches.
+fn touching<const N: usize>(body: &LeggedBody, speed_m_s: f64, slopes: &[[f64; 2]; N]) -> State<N> {
+    let mut state = [[0.0; N]; 8];
+    for (at, [p, q]) in slopes.iter().enumerate() {
+        let [(sin_p, cos_p), (sin_q, cos_q)] = [libm::sincos(*p), libm::sincos(*q)];
+        let raised_m = body.centre_height_m * (1.0 - cos_p * cos_q);
+        let lowest_m = body.foot_radius_m * sin_p.abs().max(sin_q.abs()) - raised_m;
+        let here = [-lowest_m, sin_p, cos_p, sin_q, cos_q, speed_m_s, 0.0, 0.0];
+        state.iter_mut().zip(here).for_each(|(values, value)| values[at] = value);
+    }
+    state
 }
 
 /// Rates of change, the force of all feet, N, and how far each foot stands below the ground, m.
-fn change(body: &LeggedBody, legs: &Legs, state: &State) -> (State, f64, [f64; FEET]) {
-    let [z, sin_p, cos_p, sin_q, cos_q, z_rate, p_rate, q_rate] = *state;
+///
+/// Written by the place in arrays and without closures: so the compiler computes several landings with one instruction.
+#[inline(always)]
+fn change<const N: usize>(body: &LeggedBody, legs: &Legs, state: &State<N>) -> (State<N>, [f64; N], [[f64; N]; FEET]) {
+    let (mut rate, mut pressed_n, mut depth_m) = ([[0.0; N]; 8], [0.0; N], [[0.0; N]; FEET]);
     let (r, h) = (body.foot_radius_m, body.centre_height_m);
-    let sunk_m = z - h * (1.0 - cos_p * cos_q);
-    let depth_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
-    // How each slope lowers all feet, and the two at the ends of its own diagonal.
-    let (all_p, all_q) = (-h * sin_p * cos_q, -h * cos_p * sin_q);
-    let (own_p, own_q) = (r * cos_p, r * cos_q);
-    let common_m_s = z_rate + all_p * p_rate + all_q * q_rate;
-    let [along_p, along_q] = [own_p * p_rate, own_q * q_rate];
-    let speed_m_s = [common_m_s + along_p, common_m_s - along_p, common_m_s + along_q, common_m_s - along_q];
-    let force_n: [f64; FEET] = std::array::from_fn(|foot| {
-        let pressed = 0.25 * (legs.stiffness_n_m * depth_m[foot] + legs.damping_n_s_m * speed_m_s[foot]);
-        if depth_m[foot] > 0.0 { pressed.max(0.0) } else { 0.0 }
-    });
-    let [a, b, c, d] = force_n;
-    let all_n = a + b + c + d;
-    let p_turn = -(own_p * (a - b) + all_p * all_n) / legs.inertia_kg_m2;
-    let q_turn = -(own_q * (c - d) + all_q * all_n) / legs.inertia_kg_m2;
-    let [turning_p, turning_q] = [[cos_p * p_rate, -sin_p * p_rate], [cos_q * q_rate, -sin_q * q_rate]];
-    let falling_m_s2 = GRAVITY_M_S2 - all_n / body.mass_kg;
-    ([z_rate, turning_p[0], turning_p[1], turning_q[0], turning_q[1], falling_m_s2, p_turn, q_turn], all_n, depth_m)
+    for at in 0..N {
+        let (sin_p, cos_p, sin_q, cos_q) = (state[1][at], state[2][at], state[3][at], state[4][at]);
+        let (z_rate, p_rate, q_rate) = (state[5][at], state[6][at], state[7][at]);
+        let sunk_m = state[0][at] - h * (1.0 - cos_p * cos_q);
+        let depths_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
+        // How each slope lowers all feet, and the two at the ends of its own diagonal.
+        let (all_p, all_q) = (-h * sin_p * cos_q, -h * cos_p * sin_q);
+        let (own_p, own_q) = (r * cos_p, r * cos_q);
+        let common_m_s = z_rate + all_p * p_rate + all_q * q_rate;
+        let (along_p, along_q) = (own_p * p_rate, own_q * q_rate);
+        let a = pressed(legs, depths_m[0], common_m_s + along_p);
+        let b = pressed(legs, depths_m[1], common_m_s - along_p);
+        let c = pressed(legs, depths_m[2], common_m_s + along_q);
+        let d = pressed(legs, depths_m[3], common_m_s - along_q);
+        let all_n = a + b + c + d;
+        rate[0][at] = z_rate;
+        rate[1][at] = cos_p * p_rate;
+        rate[2][at] = -sin_p * p_rate;
+        rate[3][at] = cos_q * q_rate;
+        rate[4][at] = -sin_q * q_rate;
+        rate[5][at] = GRAVITY_M_S2 - all_n / body.mass_kg;
+        rate[6][at] = -(own_p * (a - b) + all_p * all_n) / legs.inertia_kg_m2;
+        rate[7][at] = -(own_q * (c - d) + all_q * all_n) / legs.inertia_kg_m2;
+        pressed_n[at] = all_n;
+        for foot in 0..FEET {
+            depth_m[foot][at] = depths_m[foot];
+        }
+    }
+    (rate, pressed_n, depth_m)
 }
 
-fn moved(state: &State, rate: &State, step_s: f64) -> State {
-    std::array::from_fn(|i| state[i] + step_s * rate[i])
+/// Force of a foot, N.
+#[inline(always)]
+fn pressed(legs: &Legs, depth_m: f64, speed_m_s: f64) -> f64 {
+    let pressed_n = 0.25 * (legs.stiffness_n_m * depth_m + legs.damping_n_s_m * speed_m_s);
+    if (depth_m > 0.0) & (pressed_n > 0.0) { pressed_n } else { 0.0 }
+}
+
+#[inline(always)]
+fn moved<const N: usize>(state: &State<N>, rate: &State<N>, step_s: f64) -> State<N> {
+    let mut moved = *state;
+    for i in 0..8 {
+        for at in 0..N {
+            moved[i][at] += step_s * rate[i][at];
+        }
+    }
+    moved
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::legged_body::{LeggedBody, Legs, fall};
-use super::simulation::{FEET, STEP_S, simulate};
+use super::simulation::{FEET, Landing, STEP_S, simulate, simulate_each};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
 use crate::impact::fit::Expected;
@@ -29,12 +29,12 @@ impl LandingTable {
     /// Simulates; `None` where a landing is lost. The model gives fall and sensor.
     pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
         let [_, fall_s] = fall(model, height_m);
-        let land = |slopes: [f64; 2]| {
-            let (fine, touch_s) = landed(body, legs, model, expected, height_m, slopes)?;
+        let lags = expected.lags();
+        let read = |(fine, touch_s): (Vec<f64>, [Option<f64>; FEET])| {
             let [_, opposite, beside, far] = touch_s.map(|touch| touch.unwrap_or(NEVER_S));
-            Some((expected.mean_of_aligned(&fine), [opposite, beside.min(far), beside.max(far)]))
+            (expected.mean_of_aligned(&fine, &lags), [opposite, beside.min(far), beside.max(far)])
         };
-        let landings = simulated().into_par_iter().map(land).collect::<Option<Vec<_>>>()?;
+        let landings: Vec<_> = landed_everywhere(body, legs, model, expected, height_m)?.into_par_iter().map(read).collect();
         let points = points();
         let mut windows = DMatrix::zeros(expected.samples, points.len());
         let mut delays_s = Vec::with_capacity(points.len());
@@ -64,25 +64,35 @@ pub fn phase_covariance(
     for (point, weight) in points().iter().zip(weights.iter()) {
         point.around.iter().for_each(|(node, share)| shares[*node] += weight * share);
     }
-    let one =
-        |(slopes, share): ([f64; 2], f64)| Some(expected.over_phases(&landed(body, legs, model, expected, height_m, slopes)?.0) * share);
-    simulated().into_iter().zip(shares).map(one).sum()
+    let landings = landed_everywhere(body, legs, model, expected, height_m)?;
+    let covariances: Vec<_> = landings.iter().zip(shares).map(|((fine, _), share)| expected.over_phases(fine) * share).collect();
+    covariances.into_iter().reduce(|sum, part| sum + part)
 }
 
-/// What the sensor reads of one landing, g, and when each foot touched, s.
-fn landed(
+/// Landings that are simulated side by side.
+const TOGETHER: usize = 4;
+
+/// What the sensor reads of the landing at each simulated slope, g, and when each foot touched, s.
+fn landed_everywhere(
     body: &LeggedBody,
     legs: &Legs,
     model: &Model,
     expected: &Expected,
     height_m: f64,
-    slopes: [f64; 2],
-) -> Option<(Vec<f64>, [Option<f64>; FEET])> {
+) -> Option<Vec<(Vec<f64>, [Option<f64>; FEET])>> {
     let [speed_m_s, _] = fall(model, height_m);
-    let landing = simulate(body, legs, speed_m_s, slopes, expected.fine_points())?;
-    let mut wave = landing.accel_g;
-    legs.mount.iter().for_each(|mount| mount.carry(&mut wave, STEP_S));
-    Some((filtered(wave, &model.arrangement().sensor), landing.touch_s))
+    let read = |landing: Landing| {
+        let mut wave = landing.accel_g;
+        legs.mount.iter().for_each(|mount| mount.carry(&mut wave, STEP_S));
+        (filtered(wave, &model.arrangement().sensor), landing.touch_s)
+    };
+    let slopes = simulated();
+    let (together, alone) = slopes.as_chunks::<TOGETHER>();
+    let points = expected.fine_points();
+    let mut landings: Vec<Option<Landing>> =
+        together.par_iter().flat_map_iter(|slopes| simulate_each(body, legs, speed_m_s, slopes, points)).collect();
+    landings.extend(alone.iter().map(|slopes| simulate(body, legs, speed_m_s, *slopes, points)));
+    landings.into_par_iter().map(|landing| Some(read(landing?))).collect()
 }
 
 /// What the sensor reads: its stages one after the other, gain and limit.
