@@ -12,9 +12,11 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::colour::curved;
 use super::format::{ExportError, Exported, File, Format};
+use crate::frame::assembly::Design;
 use crate::frame::assembly::compensated::Compensated;
-use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
+use crate::params::catalogue::Printer;
+use crate::params::frame::NamedMaterial;
 use crate::printing::plates::{Plate, PrintSettings};
 use crate::solid::Mesh;
 
@@ -50,12 +52,35 @@ const RELATIONS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel-1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/><Relationship Target="/Metadata/thumbnail.png" Id="rel-2" Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/></Relationships>
 "#;
 
-/// A part with its id, the number of its copies, and where they are.
-struct Object<'a> {
-    id: usize,
-    part: &'a Printed,
-    mesh: &'a Mesh,
-    poses: Vec<Isometry3<f64>>,
+/// Something on a plate.
+pub struct Object<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// What is printed, in its own axes, mm.
+    pub mesh: &'a Mesh,
+    /// Where each copy of it lies: from those axes to the bed's.
+    pub poses: Vec<Isometry3<f64>>,
+    /// How it is printed.
+    pub settings: PrintSettings,
+}
+
+impl Object<'_> {
+    /// Its id in the file, by its place among the objects: 1 is the material's.
+    fn id(at: usize) -> String {
+        (at + 2).to_string()
+    }
+}
+
+/// What a file holds.
+pub struct Contents<'a> {
+    /// What it is called.
+    pub title: String,
+    /// The printer that it is laid out for.
+    pub printer: &'a Printer,
+    /// What all of it is printed of.
+    pub material: &'a NamedMaterial,
+    /// What lies on it.
+    pub objects: Vec<Object<'a>>,
 }
 
 /// A plate's file; `meshes` are what is printed, `thumbnail` is a PNG.
@@ -63,14 +88,32 @@ struct Object<'a> {
 /// # Errors
 /// When the archive cannot be made; it is made in memory.
 pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
-    let objects: Vec<Object> =
-        plate.quantities().iter().enumerate().filter_map(|(at, (name, _))| object(design, meshes, plate, at, *name)).collect();
+    let object = |(name, _): &(PartName, usize)| {
+        let part = design.part(*name)?;
+        let poses = plate.items.iter().filter(|item| item.part == *name).map(|item| item.pose(part)).collect();
+        let settings = PrintSettings::of_part(plate.supported.contains(name), &plate.material.material, &design.frame.printer);
+        Some(Object { name: part.name.slug(), mesh: meshes.mesh(*name)?, poses, settings })
+    };
+    let contents = Contents {
+        title: format!("{} {}", design.frame.name, plate.name()),
+        printer: &design.frame.printer,
+        material: &plate.material,
+        objects: plate.quantities().iter().filter_map(object).collect(),
+    };
+    archive(&contents, thumbnail)
+}
+
+/// The file of what lies on a plate; `thumbnail` is a PNG.
+///
+/// # Errors
+/// When the archive cannot be made; it is made in memory.
+pub fn archive(contents: &Contents, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let files: [(&str, Vec<u8>); 5] = [
         ("[Content_Types].xml", TYPES.into()),
         ("_rels/.rels", RELATIONS.into()),
-        ("3D/3dmodel.model", model(design, plate, &objects)?),
-        ("Metadata/Slic3r_PE_model.config", settings(design, plate, &objects)?),
+        ("3D/3dmodel.model", model(contents)?),
+        ("Metadata/Slic3r_PE_model.config", settings(contents)?),
         ("Metadata/thumbnail.png", thumbnail.to_vec()),
     ];
     for (name, bytes) in files {
@@ -82,33 +125,26 @@ pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[
     Ok(archive.finish().map_err(std::io::Error::other)?.into_inner())
 }
 
-fn object<'a>(design: &'a Design, meshes: &'a Compensated, plate: &Plate, at: usize, name: PartName) -> Option<Object<'a>> {
-    let part = design.part(name)?;
-    let poses = plate.items.iter().filter(|item| item.part == name).map(|item| item.pose(part)).collect();
-    // Id 1 is the material's.
-    Some(Object { id: at + 2, part, mesh: meshes.mesh(name)?, poses })
-}
-
 type Xml = Writer<Cursor<Vec<u8>>>;
 
-fn model(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
+fn model(contents: &Contents) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
     let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R)];
     xml.create_element("model").with_attributes(top).write_inner_content(|xml| {
         for (name, text) in [
             ("slic3rpe:Version3mf", "1".to_string()),
-            ("Title", format!("{} {}", design.frame.name, plate.name())),
-            ("Description", format!("printed of {}, laid out for {}", plate.material.name, design.frame.printer.name)),
+            ("Title", contents.title.clone()),
+            ("Description", format!("printed of {}, laid out for {}", contents.material.name, contents.printer.name)),
             ("Application", format!("flexframe {}", env!("CARGO_PKG_VERSION"))),
         ] {
             xml.create_element("metadata").with_attribute(("name", name)).write_text_content(BytesText::new(&text))?;
         }
-        xml.create_element("resources").write_inner_content(|xml| resources(xml, plate, objects))?;
+        xml.create_element("resources").write_inner_content(|xml| resources(xml, contents))?;
         xml.create_element("build").write_inner_content(|xml| {
-            for object in objects {
+            for (at, object) in contents.objects.iter().enumerate() {
                 for pose in &object.poses {
-                    let id = object.id.to_string();
-                    let place = [("objectid", id.as_str()), ("transform", &transform(pose)), ("partnumber", object.part.name.slug())];
+                    let id = Object::id(at);
+                    let place = [("objectid", id.as_str()), ("transform", &transform(pose)), ("partnumber", object.name)];
                     xml.create_element("item").with_attributes(place).write_empty()?;
                 }
             }
@@ -125,16 +161,15 @@ fn begun() -> std::io::Result<Xml> {
     Ok(xml)
 }
 
-fn resources(xml: &mut Xml, plate: &Plate, objects: &[Object]) -> std::io::Result<()> {
-    let colour = display_colour(plate.material.material.colour);
+fn resources(xml: &mut Xml, contents: &Contents) -> std::io::Result<()> {
+    let colour = display_colour(contents.material.material.colour);
     xml.create_element("basematerials").with_attribute(("id", MATERIAL)).write_inner_content(|xml| {
-        let base = [("name", plate.material.name.as_str()), ("displaycolor", &colour)];
+        let base = [("name", contents.material.name.as_str()), ("displaycolor", &colour)];
         xml.create_element("base").with_attributes(base).write_empty()?;
         Ok(())
     })?;
-    for object in objects {
-        let id = object.id.to_string();
-        let name = object.part.name.slug();
+    for (at, object) in contents.objects.iter().enumerate() {
+        let (id, name) = (Object::id(at), object.name);
         let about = [("id", id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
         xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
             xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.mesh))?;
@@ -182,21 +217,20 @@ fn display_colour(linear: [f32; 4]) -> String {
 }
 
 /// PrusaSlicer's settings of each object.
-fn settings(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
+fn settings(contents: &Contents) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
     xml.create_element("config").write_inner_content(|xml| {
-        for object in objects {
-            let (id, copies) = (object.id.to_string(), object.poses.len().to_string());
+        for (at, object) in contents.objects.iter().enumerate() {
+            let (id, copies) = (Object::id(at), object.poses.len().to_string());
             let about = [("id", id.as_str()), ("instances_count", &copies)];
-            let own = PrintSettings::of_part(plate.supported.contains(&object.part.name), &plate.material.material, &design.frame.printer);
             xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
-                metadata(xml, "object", "name", object.part.name.slug())?;
-                for setting in &own.0 {
+                metadata(xml, "object", "name", object.name)?;
+                for setting in &object.settings.0 {
                     metadata(xml, "object", setting.key, &setting.value)?;
                 }
                 let last = (object.mesh.triangles.len() - 1).to_string();
                 xml.create_element("volume").with_attributes([("firstid", "0"), ("lastid", &last)]).write_inner_content(|xml| {
-                    metadata(xml, "volume", "name", object.part.name.slug())?;
+                    metadata(xml, "volume", "name", object.name)?;
                     metadata(xml, "volume", "volume_type", "ModelPart")
                 })?;
                 Ok(())
