@@ -34,7 +34,7 @@ pub struct Reader {
 }
 
 /// All of them.
-pub const READERS: [Reader; 18] = [
+pub const READERS: [Reader; 19] = [
     Reader { name: "frame_files", read: frame_file },
     Reader { name: "amended_frames", read: amended_frame },
     Reader { name: "impact_models", read: |bytes| impact_file(bytes, impact_model) },
