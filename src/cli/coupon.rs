@@ -1,6 +1,6 @@
-//! `flexframe coupon`: a small print that tells a printer's clearances, and what was found on it.
+//! `flexframe coupon`: small prints that tell a printer's clearances and what its hinges bear, and what was found on them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::failure::Failure;
@@ -10,25 +10,26 @@ use super::output;
 use super::session;
 use super::terminal;
 use crate::export::stl;
+use crate::impact::measured::{FoldReading, read_folds};
 use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::printing::coupon::{Coupon, Found};
+use crate::printing::coupon::{Coupon, FOLDS, FoldedHinge, Found, HINGE_KEY, HingeLimit, Hinges};
 use crate::printing::plates::PrintSettings;
 use crate::report::page::coupon_page;
 
-/// Write a small print that tells a printer's clearances; read what was found on it into a frame file.
+/// Write small prints that tell a printer's clearances and what its hinges bear; read what was found into a frame file.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe coupon\n  flexframe coupon my-frame.toml --read held=2.8,slides=3.1,window=0.1,plug=0.2 --into my-frame.toml\n\nThe folder's coupon.md says what to look for. A frame file with another one as its base has the clearances of that one."
+    after_help = "Examples:\n  flexframe coupon\n  flexframe coupon my-frame.toml --read held=2.8,slides=3.1,window=0.1,plug=0.2 --into my-frame.toml\n  flexframe coupon --read out/cognifly-coupon/hinges.csv --into my-printer.toml\n\nThe folder's coupon.md says what to look for. A frame file with another one as its base has the clearances and the limit of that one."
 )]
 pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// What was found: held, slides, window, plug, hinge, each with the number on the coupon in mm.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT=MM", requires = "into")]
+    /// What was found: held, slides, window, plug, hinge, each with the number on the coupon in mm; or the table of folded hinges.
+    #[arg(long, value_delimiter = ',', value_name = "WHAT=MM|CSV", requires = "into")]
     pub read: Vec<String>,
-    /// Write the clearances that follow into a frame file: one that is there is amended, a new one has FRAME as its base.
+    /// Write the clearances and the limit that follow into a frame file: one that is there is amended, a new one has FRAME as its base.
     #[arg(long, value_name = "TOML", requires = "read")]
     pub into: Option<PathBuf>,
     /// Folder that takes the folder `FRAME-coupon`.
@@ -53,6 +54,12 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
         let settings = PrintSettings::of_part(false, material, &frame.printer).ini() + &PrintSettings::of_filament(material).ini();
         files.push((format!("{}.ini", piece.name), settings.into_bytes()));
     }
+    for plate in coupon.plates(&frame.printer) {
+        let name = coupon_page::plate_file(&plate);
+        let bytes = coupon_page::plate(frame, &plate);
+        files.push((name.clone(), bytes.map_err(|error| Failure::Machine { what: format!("cannot make {name}"), error })?));
+    }
+    files.push(("hinges.csv".into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));
     files.push(("coupon.png".into(), coupon_page::picture(&coupon)));
     files.push(("coupon.md".into(), coupon_page::markdown(frame, &coupon).into_bytes()));
     let place = output::write_folder(&args.output, &format!("{}-coupon", frame.name), &files)?;
@@ -60,27 +67,92 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
         let names: Vec<String> = files.iter().map(|(name, _)| place.join(name).display().to_string()).collect();
         terminal::print_json(&serde_json::json!({ "folder": place.display().to_string(), "files": names }))?;
     } else if !common.quiet {
-        terminal::print(&format!("{}: three pieces to print; coupon.md says what to look for\n", place.display()))?;
+        terminal::print(&format!("{}: {} pieces to print; coupon.md says what to look for\n", place.display(), coupon.pieces.len()))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
+/// Values that follow from what was found, each with the reason that stands behind it in the file.
+type Set = Vec<(&'static str, f64, String)>;
+
 fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    let unfit = |error: crate::printing::coupon::FindingError| Failure::Usage { message: format!("--read: {error}") };
-    let found: Vec<Found> = args.read.iter().map(|words| Found::parse(words)).collect::<Result<_, _>>().map_err(unfit)?;
-    let set = Found::parameters(frame, &found).map_err(unfit)?;
-    let why = format!("found on the coupon: {}", args.read.join(", "));
-    let lines: Vec<Line> =
-        set.iter().map(|(key, value)| Line { key: (*key).into(), value: Value::Number(*value), why: why.clone() }).collect();
-    if let Some(place) = &args.into {
-        frame_text::amend(place, &args.frame.frame, "Clearances of a printer", &lines)?;
-        if common.json {
-            let set: serde_json::Map<String, serde_json::Value> = set.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
-            terminal::print_json(&serde_json::json!({ "file": place.display().to_string(), "set": set }))?;
-        } else if !common.quiet {
-            let formatted: String = set.iter().map(|(key, value)| format!("{key:<40} {value}\n")).collect();
-            terminal::print(&format!("{formatted}{}\n", place.display()))?;
-        }
+    let (tables, words): (Vec<&String>, Vec<&String>) = args.read.iter().partition(|said| is_table(said));
+    let limit = match tables[..] {
+        [] => None,
+        [table] => Some((table, hinge_limit(frame, table)?)),
+        _ => return Err(Failure::Usage { message: "--read: give one table of folded hinges".into() }),
+    };
+    let mut set = clearances(frame, &words)?;
+    if let Some((table, limit)) = &limit {
+        set.push((HINGE_KEY, limit.factor, format!("hinges folded {FOLDS} times, {table}: {}", bracket(limit))));
+    }
+    let line = |(key, value, why): &(&str, f64, String)| Line { key: (*key).into(), value: Value::Number(*value), why: why.clone() };
+    let Some(place) = &args.into else { return Ok(ExitCode::SUCCESS) };
+    frame_text::amend(place, &args.frame.frame, "What a printer's prints were found to do", &set.iter().map(line).collect::<Vec<_>>())?;
+    if common.json {
+        let values: serde_json::Map<String, serde_json::Value> =
+            set.iter().map(|(key, value, _)| ((*key).into(), (*value).into())).collect();
+        let hinges = limit.as_ref().map(|(_, limit)| {
+            serde_json::json!({
+                "held_percent": limit.held.strain_percent,
+                "cracked_percent": limit.cracked.map(|one| one.strain_percent),
+                "elongation_percent": limit.elongation_percent,
+            })
+        });
+        terminal::print_json(&serde_json::json!({ "file": place.display().to_string(), "set": values, "hinges": hinges }))?;
+    } else if !common.quiet {
+        let formatted: String = set.iter().map(|(key, value, _)| format!("{key:<40} {value}\n")).collect();
+        let hinges = limit.as_ref().map(|(_, limit)| hinge_lines(limit)).unwrap_or_default();
+        terminal::print(&format!("{hinges}{formatted}{}\n", place.display()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn is_table(said: &str) -> bool {
+    !said.contains('=') && Path::new(said).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
+}
+
+fn clearances(frame: &Frame, words: &[&String]) -> Result<Set, Failure> {
+    let unfit = |error: crate::printing::coupon::FindingError| Failure::Usage { message: format!("--read: {error}") };
+    let found: Vec<Found> = words.iter().map(|words| Found::parse(words)).collect::<Result<_, _>>().map_err(unfit)?;
+    let set = Found::parameters(frame, &found).map_err(unfit)?;
+    let said: Vec<&str> = words.iter().map(|words| words.as_str()).collect();
+    let why = format!("found on the coupon: {}", said.join(", "));
+    Ok(set.into_iter().map(|(key, value)| (key, value, why.clone())).collect())
+}
+
+/// The limit that a table of folded hinges asks for; what contradicts itself is refused with its line.
+fn hinge_limit(frame: &Frame, table: &str) -> Result<HingeLimit, Failure> {
+    let readings = read_folds(Path::new(table), FOLDS)?;
+    let usage = |message: String| Failure::Usage { message };
+    let hinges = Hinges::of(frame).map_err(|error| usage(format!("{error}; {}", error.remedy())))?;
+    let folded =
+        |one: &FoldReading| FoldedHinge { thickness_mm: one.thickness_mm, fold_deg: one.fold_deg, cracked_after: one.cracked_after };
+    HingeLimit::of(frame, &hinges, &readings.iter().map(folded).collect::<Vec<_>>()).map_err(|(at, error)| {
+        let line = at.and_then(|at| readings.get(at)).map_or(String::new(), |one| format!(", line {}", one.line));
+        usage(format!("{table}{line}: {error}"))
+    })
+}
+
+/// Between which strains the material's limit lies.
+fn bracket(limit: &HingeLimit) -> String {
+    let held = format!("{:.0} % held", limit.held.strain_percent);
+    match limit.cracked {
+        Some(one) => {
+            format!("{held}, {:.0} % cracked after {}", one.strain_percent, one.folded.cracked_after.unwrap_or_default())
+        }
+        None => format!("{held}, none cracked"),
+    }
+}
+
+fn hinge_lines(limit: &HingeLimit) -> String {
+    let line = |one: &crate::printing::coupon::StrainedHinge| {
+        let became = one.folded.cracked_after.map_or(format!("held {FOLDS} folds"), |count| format!("cracked after {count} folds"));
+        format!("{:.1} mm folded by {:.0} deg: {:.0} %, {became}\n", one.folded.thickness_mm, one.folded.fold_deg, one.strain_percent)
+    };
+    let all: String = limit.hinges.iter().map(line).collect();
+    format!(
+        "{all}{:.0} % of strain held; {:.0} % is the elongation at break: one sample of each, one direction of layers\n",
+        limit.held.strain_percent, limit.elongation_percent
+    )
 }

@@ -3,6 +3,9 @@
 use serde::Serialize;
 
 use super::cutting::{KERF_MM, Saving, rod_plan, rod_savings};
+use super::search_words::search_words;
+use super::spares::with_spares;
+use super::supplies::{Supply, supplies};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
@@ -33,24 +36,36 @@ pub struct PrintLine {
 }
 
 /// Something bought.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct BuyLine {
     /// Its role.
     pub role: String,
-    /// Its name in the catalogue; none of an extra mass, such as wiring.
+    /// Its name in the catalogue; none of an extra mass, such as wiring, or of a supply.
     pub name: String,
-    /// What it is; `extra` when it stands in no catalogue.
+    /// What it is; `extra` when it stands in no catalogue and weighs, `supply` when it is used up: glue, wires.
     pub kind: String,
     /// How many; of rods, stock lengths.
     pub quantity: u32,
+    /// How many to buy, with [spares](super::spares).
+    pub with_spares: u32,
+    /// What to search for.
+    pub search: String,
+    /// Length of one, mm, of wires and cables.
+    pub length_mm: Option<f64>,
+    /// What it is for, and what was assumed.
+    pub note: String,
     /// Thread and length under the head of a screw, mm.
     pub screw_mm: Option<[f64; 2]>,
     /// Mass of all, g; none for rods, whose cut pieces weigh.
     pub mass_g: Option<f64>,
     /// How the mass is known, or which line it is counted in; none for rods.
     pub mass_basis: Option<String>,
-    /// Price of one, where the catalogue has one.
+    /// Price of one, where the catalogue has one; the lowest of several.
     pub price: Option<f64>,
+    /// The highest of several.
+    pub price_most: Option<f64>,
+    /// When the price was found.
+    pub price_date: Option<String>,
     /// Currency of the price.
     pub currency: Option<String>,
     /// Where the price comes from.
@@ -116,6 +131,8 @@ pub struct Bill {
     pub filament_prices: Vec<(String, f64)>,
     /// Sum of the prices of what is bought, where there are any, by currency.
     pub prices: Vec<(String, f64)>,
+    /// The same of what is bought with spares: currency, at the lowest and at the highest prices.
+    pub prices_with_spares: Vec<(String, f64, f64)>,
     /// Lines without a price.
     pub without_price: usize,
 }
@@ -132,6 +149,7 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
         stocks.iter().map(|stock| CutLine { pieces: stock.pieces.iter().map(piece).collect(), rest_mm: stock.rest_mm }).collect();
     let mut buy = buy_lines(design, masses, cut.len() as u32);
     buy.extend(extra_lines(design, masses));
+    buy.extend(supplies(design).into_iter().map(supply_line));
     let minutes = print.iter().map(|line| line.print_min).sum::<Option<f64>>();
     Bill {
         schema_version: 2,
@@ -140,6 +158,7 @@ pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
         print_h: minutes.map(|minutes| minutes / 60.0),
         filament_prices: sums(print.iter().map(|line| (line.price, line.quantity, &line.currency))),
         prices: sums(buy.iter().map(|line| (line.price, line.quantity, &line.currency))),
+        prices_with_spares: prices_with_spares(&buy),
         without_price: buy.iter().filter(|line| line.price.is_none()).count(),
         print,
         buy,
@@ -179,18 +198,24 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
     let line = |(role, item): (&String, &crate::params::frame::BoughtItem)| {
         let part = &item.part;
         let weighed = masses.lines.iter().find(|line| line.kind == "bought" && line.name == *role);
+        let quantity = if role == "rod" { stocks } else { item.quantity };
         BuyLine {
             role: role.clone(),
             name: item.name.clone(),
             kind: part.kind.clone(),
-            quantity: if role == "rod" { stocks } else { item.quantity },
+            quantity,
+            with_spares: with_spares(&part.kind, quantity),
+            search: search_words(role, &item.name, part),
             screw_mm: part.thread_mm.zip(part.length_mm).map(|(thread, length)| [thread, length]),
             mass_g: weighed.map(|line| line.total_g),
             mass_basis: weighed.map(|line| line.basis.clone()),
             price: part.price,
+            price_most: part.price_most,
+            price_date: part.price_date.clone(),
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
             source: part.source.clone(),
+            ..BuyLine::default()
         }
     };
     let mut lines: Vec<BuyLine> = design.frame.bought.iter().map(line).collect();
@@ -204,18 +229,21 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
 fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
     let line = |line: &MassLine| BuyLine {
         role: line.name.clone(),
-        name: String::new(),
         kind: "extra".into(),
         quantity: line.quantity,
-        screw_mm: None,
+        with_spares: line.quantity,
+        note: "a mass; what of it is bought has lines of its own where it is known".into(),
         mass_g: Some(line.total_g),
         mass_basis: Some(line.basis.clone()),
-        price: None,
-        currency: None,
-        price_source: None,
         source: design.frame.extras.get(&line.name).map_or(String::new(), |extra| extra.source.clone()),
+        ..BuyLine::default()
     };
     masses.lines.iter().filter(|line| line.kind == "extra").map(line).collect()
+}
+
+/// What is used up: it weighs nothing here, as extras such as wiring and the printed parts hold its mass.
+fn supply_line(Supply { role, quantity, length_mm, search, note }: Supply) -> BuyLine {
+    BuyLine { role, kind: "supply".into(), quantity, with_spares: quantity, length_mm, search, note, ..BuyLine::default() }
 }
 
 fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {
@@ -242,6 +270,20 @@ fn sums<'a>(lines: impl Iterator<Item = (Option<f64>, u32, &'a Option<String>)>)
         match sums.iter_mut().find(|(known, _)| known == currency) {
             Some((_, sum)) => *sum += all,
             None => sums.push((currency.clone(), all)),
+        }
+    }
+    sums
+}
+
+/// Sums of what is bought with spares: currency, at the lowest and at the highest prices.
+fn prices_with_spares(buy: &[BuyLine]) -> Vec<(String, f64, f64)> {
+    let mut sums: Vec<(String, f64, f64)> = Vec::new();
+    for line in buy {
+        let (Some(price), Some(currency)) = (line.price, &line.currency) else { continue };
+        let [least, most] = [price, line.price_most.unwrap_or(price)].map(|one| one * f64::from(line.with_spares));
+        match sums.iter_mut().find(|(known, ..)| known == currency) {
+            Some((_, low, high)) => (*low, *high) = (*low + least, *high + most),
+            None => sums.push((currency.clone(), least, most)),
         }
     }
     sums

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::bill::{Bill, BuyLine, CutLine};
 use super::cutting::Saving;
+use super::spares::SPARE_RULES;
 use crate::markdown::inert;
 
 /// The page.
@@ -40,17 +41,46 @@ pub fn markdown(bill: &Bill) -> String {
 }
 
 fn buy(page: &mut String, bill: &Bill) {
-    *page += "## Buy\n\n| role | part | pieces | g in all | how it is known | price of one | source |\n|---|---|---:|---:|---|---:|---|\n";
+    *page += "## Buy\n\n| what | part | needed | with spares | search for | price of one | note |\n|---|---|---:|---:|---|---:|---|\n";
     for line in &bill.buy {
+        let (role, search) = (inert(&line.role), inert(dash(&line.search)));
+        let (needed, spares) = (needed(line), line.with_spares);
+        let _ =
+            writeln!(page, "| {role} | {} | {needed} | {spares} | {search} | {} | {} |", name(line), price(line), inert(dash(&line.note)));
+    }
+    let _ = write!(page, "\nSpares: {}.", SPARE_RULES.iter().map(|rule| rule.words).collect::<Vec<_>>().join("; "));
+    if bill.buy.iter().all(|line| !line.name.contains("insert")) {
+        *page += " No threaded inserts are needed: screws cut their own thread in the hub, and the motors have theirs.";
+    }
+    *page += " Lengths of wires are estimates for buying: measure before you cut.\n";
+    prices(page, bill);
+    *page +=
+        "### Masses of what is bought\n\n| what | part | pieces | g in all | how it is known | source |\n|---|---|---:|---:|---|---|\n";
+    for line in bill.buy.iter().filter(|line| line.kind != "supply") {
         let mass = line.mass_g.map_or("-".into(), |mass| format!("{mass:.2}"));
         let basis = inert(line.mass_basis.as_deref().unwrap_or("-"));
         let (role, pieces) = (inert(&line.role), line.quantity);
-        let _ = writeln!(page, "| {role} | {} | {pieces} | {mass} | {basis} | {} | {} |", name(line), price(line), inert(&line.source));
+        let _ = writeln!(page, "| {role} | {} | {pieces} | {mass} | {basis} | {} |", name(line), inert(&line.source));
     }
-    let sums = summed(&bill.prices);
-    let _ = match sums.as_str() {
-        "" => writeln!(page, "\nThe catalogue has no price with a source for any of these.\n"),
-        _ => writeln!(page, "\n{sums} in all; {} lines have no price with a source.\n", bill.without_price),
+    *page += "\n";
+}
+
+/// How many, and how long where it is a wire.
+fn needed(line: &BuyLine) -> String {
+    line.length_mm.map_or(line.quantity.to_string(), |mm| format!("{} x {mm:.0} mm", line.quantity))
+}
+
+fn dash(text: &str) -> &str {
+    if text.is_empty() { "-" } else { text }
+}
+
+fn prices(page: &mut String, bill: &Bill) {
+    let range = |least: f64, most: f64| if least < most { format!("{least:.2} to {most:.2}") } else { format!("{least:.2}") };
+    let sums: Vec<String> =
+        bill.prices_with_spares.iter().map(|(currency, least, most)| format!("{} {currency}", range(*least, *most))).collect();
+    let _ = match sums[..] {
+        [] => writeln!(page, "\nThe catalogue has no price with a source for any of these.\n"),
+        _ => writeln!(page, "\n{} with spares; {} lines have no price with a source.\n", sums.join(" and "), bill.without_price),
     };
 }
 
@@ -69,10 +99,10 @@ fn name(line: &BuyLine) -> String {
 }
 
 fn price(line: &BuyLine) -> String {
-    match (line.price, &line.currency, &line.price_source) {
-        (Some(price), Some(currency), Some(source)) => inert(&format!("{price:.2} {currency} ({source})")),
-        _ => "-".into(),
-    }
+    let (Some(price), Some(currency), Some(source)) = (line.price, &line.currency, &line.price_source) else { return "-".into() };
+    let most = line.price_most.filter(|most| *most > price).map_or(String::new(), |most| format!(" to {most:.2}"));
+    let date = line.price_date.as_ref().map_or(String::new(), |date| format!(", {date}"));
+    inert(&format!("{price:.2}{most} {currency} ({source}{date})"))
 }
 
 fn cut(page: &mut String, bill: &Bill) {

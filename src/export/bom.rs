@@ -17,7 +17,7 @@ fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
 }
 
 /// Columns of the CSV; what a line has not stays empty.
-const COLUMNS: [&str; 17] = [
+const COLUMNS: [&str; 22] = [
     "kind",
     "name",
     "quantity",
@@ -35,12 +35,17 @@ const COLUMNS: [&str; 17] = [
     "currency",
     "price_source",
     "cut",
+    "quantity_with_spares",
+    "price_most_each",
+    "price_date",
+    "search",
+    "note",
 ];
 
 /// A line of the CSV, a field for each column.
 type Row = [String; COLUMNS.len()];
 
-/// The bill of materials as CSV: lines of the kinds `printed`, `rod`, `bought`, `extra`, and
+/// The bill of materials as CSV: lines of the kinds `printed`, `rod`, `bought`, `extra`, `supply`, and
 /// `stock`, one for each stock length of rods, with how to cut it.
 ///
 /// # Errors
@@ -66,9 +71,13 @@ fn rod_row(line: &RodLine) -> Row {
 }
 
 fn bought_row(line: &BuyLine) -> Row {
-    let kind = if line.kind == "extra" { "extra" } else { "bought" };
+    let kind = if matches!(line.kind.as_str(), "extra" | "supply") { line.kind.as_str() } else { "bought" };
     let basis = line.mass_basis.as_deref().unwrap_or_default();
     let mut row = weighed(kind, &line.role, line.quantity, &line.name, line.mass_g.unwrap_or(0.0), basis);
+    if line.mass_g.is_none() {
+        (row[5], row[6]) = Default::default();
+    }
+    row[4] = line.length_mm.map(|mm| format!("{mm:.2}")).unwrap_or_default();
     row[8].clone_from(&line.source);
     if let Some([thread_mm, length_mm]) = line.screw_mm {
         (row[11], row[12]) = (thread_mm.to_string(), length_mm.to_string());
@@ -88,7 +97,9 @@ fn stock_rows(bill: &Bill) -> Vec<Row> {
         row[4] = format!("{:.2}", bill.stock_mm);
         row[8].clone_from(&rod.source);
         row[16] = how;
-        bought(row, rod)
+        let mut row = bought(row, rod);
+        row[17] = quantity.into();
+        row
     };
     if let Some(error) = &bill.cut_error {
         return vec![row(rod.name.clone(), "0", error.clone())];
@@ -112,8 +123,15 @@ fn weighed(kind: &str, name: &str, quantity: u32, material: &str, mass_g: f64, b
     row
 }
 
+/// A row with what to search for, how many to buy, and the price of one.
 fn bought(row: Row, line: &BuyLine) -> Row {
-    priced(row, line.price.map(|price| price.to_string()), line.currency.as_ref(), line.price_source.as_ref())
+    let mut row = priced(row, line.price.map(|price| price.to_string()), line.currency.as_ref(), line.price_source.as_ref());
+    row[17] = line.with_spares.to_string();
+    row[18] = line.price_most.map(|price| price.to_string()).unwrap_or_default();
+    row[19] = line.price_date.clone().unwrap_or_default();
+    row[20].clone_from(&line.search);
+    row[21].clone_from(&line.note);
+    row
 }
 
 /// A row with the price of one.

@@ -15,9 +15,12 @@ mod format;
 pub mod glb;
 pub mod manifest;
 mod mount_motion;
+pub mod search_words;
 pub mod simulator;
+pub mod spares;
 pub mod step;
 pub mod stl;
+pub mod supplies;
 pub mod table;
 pub mod three_mf;
 

@@ -17,9 +17,11 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 
 use super::colour::curved;
 use super::format::{ExportError, Exported, File, Format};
+use crate::frame::assembly::Design;
 use crate::frame::assembly::compensated::Compensated;
-use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
+use crate::params::catalogue::Printer;
+use crate::params::frame::NamedMaterial;
 use crate::printing::plates::{Plate, PrintSettings, SlicerFamily};
 use crate::solid::Mesh;
 
@@ -57,19 +59,35 @@ const RELATIONS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 <Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="rel-1" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/><Relationship Target="/Metadata/thumbnail.png" Id="rel-2" Type="http://schemas.openxmlformats.org/package/2006/relationships/metadata/thumbnail"/></Relationships>
 "#;
 
-/// A part with its id, its settings, and its copies.
-struct Object<'a> {
-    id: String,
-    part: &'a Printed,
-    mesh: &'a Mesh,
-    settings: PrintSettings,
-    copies: Vec<Copied>,
+/// Something on a plate.
+pub struct Object<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// What is printed, in its own axes, mm.
+    pub mesh: &'a Mesh,
+    /// Where each copy of it lies: from those axes to the bed's.
+    pub poses: Vec<Isometry3<f64>>,
+    /// How it is printed.
+    pub settings: PrintSettings,
 }
 
-/// A copy with its own id, and where it is.
-struct Copied {
+/// What a file holds.
+pub struct Contents<'a> {
+    /// What it is called.
+    pub title: String,
+    /// The printer that it is laid out for.
+    pub printer: &'a Printer,
+    /// What all of it is printed of.
+    pub material: &'a NamedMaterial,
+    /// What lies on it.
+    pub objects: Vec<Object<'a>>,
+}
+
+/// An object with its id, and the id and place of each copy.
+struct Numbered<'a> {
     id: String,
-    pose: Isometry3<f64>,
+    object: &'a Object<'a>,
+    copies: Vec<(String, &'a Isometry3<f64>)>,
 }
 
 /// A plate's file; `meshes` are what is printed, `thumbnail` is a PNG.
@@ -77,12 +95,32 @@ struct Copied {
 /// # Errors
 /// When the archive cannot be made; it is made in memory.
 pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
-    let objects = objects(design, meshes, plate);
+    let object = |(name, _): &(PartName, usize)| {
+        let part = design.part(*name)?;
+        let poses = plate.items.iter().filter(|item| item.part == *name).map(|item| item.pose(part)).collect();
+        let settings = PrintSettings::of_part(plate.supported.contains(name), &plate.material.material, &design.frame.printer);
+        Some(Object { name: part.name.slug(), mesh: meshes.mesh(*name)?, poses, settings })
+    };
+    let contents = Contents {
+        title: format!("{} {}", design.frame.name, plate.name()),
+        printer: &design.frame.printer,
+        material: &plate.material,
+        objects: plate.quantities().iter().filter_map(object).collect(),
+    };
+    archive(&contents, thumbnail)
+}
+
+/// The file of what lies on a plate; `thumbnail` is a PNG.
+///
+/// # Errors
+/// When the archive cannot be made; it is made in memory.
+pub fn archive(contents: &Contents, thumbnail: &[u8]) -> std::io::Result<Vec<u8>> {
+    let objects = numbered(contents);
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let files: [(&str, Vec<u8>); 6] = [
         ("[Content_Types].xml", TYPES.into()),
         ("_rels/.rels", RELATIONS.into()),
-        ("3D/3dmodel.model", model(design, plate, &objects)?),
+        ("3D/3dmodel.model", model(contents, &objects)?),
         ("Metadata/Slic3r_PE_model.config", prusa_settings(&objects)?),
         ("Metadata/model_settings.config", orca_settings(&objects)?),
         ("Metadata/thumbnail.png", thumbnail.to_vec()),
@@ -97,43 +135,31 @@ pub fn plate(design: &Design, meshes: &Compensated, plate: &Plate, thumbnail: &[
 }
 
 /// What lies on a plate. Id 1 is the material's; the meshes come next, then the copies.
-fn objects<'a>(design: &'a Design, meshes: &'a Compensated, plate: &Plate) -> Vec<Object<'a>> {
-    let quantities = plate.quantities();
-    let mut ids = 2 + quantities.len()..;
-    let object = |(at, (name, _)): (usize, &(PartName, usize))| {
-        let part = design.part(*name)?;
-        let items = plate.items.iter().filter(|item| item.part == *name);
-        Some(Object {
-            id: (at + 2).to_string(),
-            part,
-            mesh: meshes.mesh(*name)?,
-            settings: PrintSettings::of_part(plate.supported.contains(name), &plate.material.material, &design.frame.printer),
-            copies: items.zip(&mut ids).map(|(item, id)| Copied { id: id.to_string(), pose: item.pose(part) }).collect(),
-        })
-    };
-    quantities.iter().enumerate().filter_map(object).collect()
+fn numbered<'a>(contents: &'a Contents) -> Vec<Numbered<'a>> {
+    let mut ids = (2..).map(|id: usize| id.to_string());
+    let meshes: Vec<(String, &Object)> = ids.by_ref().zip(&contents.objects).collect();
+    meshes.into_iter().map(|(id, object)| Numbered { id, object, copies: ids.by_ref().zip(&object.poses).collect() }).collect()
 }
 
 type Xml = Writer<Cursor<Vec<u8>>>;
 
-fn model(design: &Design, plate: &Plate, objects: &[Object]) -> std::io::Result<Vec<u8>> {
+fn model(contents: &Contents, objects: &[Numbered]) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
     let top = [("unit", "millimeter"), ("xml:lang", "en-US"), ("xmlns", CORE), ("xmlns:slic3rpe", SLIC3R), ("xmlns:cura", CURA)];
     xml.create_element("model").with_attributes(top).write_inner_content(|xml| {
         for (name, text) in [
             ("slic3rpe:Version3mf", "1".to_string()),
-            ("Title", format!("{} {}", design.frame.name, plate.name())),
-            ("Description", format!("printed of {}, laid out for {}", plate.material.name, design.frame.printer.name)),
+            ("Title", contents.title.clone()),
+            ("Description", format!("printed of {}, laid out for {}", contents.material.name, contents.printer.name)),
             ("Application", format!("flexframe {}", env!("CARGO_PKG_VERSION"))),
         ] {
             xml.create_element("metadata").with_attribute(("name", name)).write_text_content(BytesText::new(&text))?;
         }
-        xml.create_element("resources").write_inner_content(|xml| resources(xml, plate, objects))?;
+        xml.create_element("resources").write_inner_content(|xml| resources(xml, contents, objects))?;
         xml.create_element("build").write_inner_content(|xml| {
             for object in objects {
-                for copy in &object.copies {
-                    let place =
-                        [("objectid", copy.id.as_str()), ("transform", &transform(&copy.pose)), ("partnumber", object.part.name.slug())];
+                for (id, pose) in &object.copies {
+                    let place = [("objectid", id.as_str()), ("transform", &transform(pose)), ("partnumber", object.object.name)];
                     xml.create_element("item").with_attributes(place).write_empty()?;
                 }
             }
@@ -150,32 +176,32 @@ fn begun() -> std::io::Result<Xml> {
     Ok(xml)
 }
 
-fn resources(xml: &mut Xml, plate: &Plate, objects: &[Object]) -> std::io::Result<()> {
-    let colour = display_colour(plate.material.material.colour);
+fn resources(xml: &mut Xml, contents: &Contents, objects: &[Numbered]) -> std::io::Result<()> {
+    let colour = display_colour(contents.material.material.colour);
     xml.create_element("basematerials").with_attribute(("id", MATERIAL)).write_inner_content(|xml| {
-        let base = [("name", plate.material.name.as_str()), ("displaycolor", &colour)];
+        let base = [("name", contents.material.name.as_str()), ("displaycolor", &colour)];
         xml.create_element("base").with_attributes(base).write_empty()?;
         Ok(())
     })?;
     for object in objects {
-        let name = object.part.name.slug();
+        let name = object.object.name;
         let about =
             [("id", object.id.as_str()), ("type", "model"), ("name", name), ("partnumber", name), ("pid", MATERIAL), ("pindex", "0")];
         xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
             xml.create_element("metadatagroup").write_inner_content(|xml| {
-                for (key, value) in object.settings.of(SlicerFamily::Cura) {
+                for (key, value) in object.object.settings.of(SlicerFamily::Cura) {
                     let name = format!("cura:{key}");
                     xml.create_element("metadata").with_attribute(("name", name.as_str())).write_text_content(BytesText::new(value))?;
                 }
                 Ok(())
             })?;
-            xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.mesh))?;
+            xml.create_element("mesh").write_inner_content(|xml| mesh(xml, object.object.mesh))?;
             Ok(())
         })?;
     }
     for object in objects {
-        for copy in &object.copies {
-            let about = [("id", copy.id.as_str()), ("type", "model"), ("name", object.part.name.slug())];
+        for (id, _) in &object.copies {
+            let about = [("id", id.as_str()), ("type", "model"), ("name", object.object.name)];
             xml.create_element("object").with_attributes(about).write_inner_content(|xml| {
                 xml.create_element("components").write_inner_content(|xml| {
                     xml.create_element("component").with_attribute(("objectid", object.id.as_str())).write_empty()?;
@@ -226,19 +252,19 @@ fn display_colour(linear: [f32; 4]) -> String {
 }
 
 /// PrusaSlicer's settings of each object.
-fn prusa_settings(objects: &[Object]) -> std::io::Result<Vec<u8>> {
+fn prusa_settings(objects: &[Numbered]) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
     xml.create_element("config").write_inner_content(|xml| {
         for object in objects {
             let copies = object.copies.len().to_string();
-            let name = object.part.name.slug();
+            let name = object.object.name;
             xml.create_element("object").with_attributes([("id", object.id.as_str()), ("instances_count", &copies)]).write_inner_content(
                 |xml| {
                     metadata(xml, Some("object"), "name", name)?;
-                    for (key, value) in object.settings.of(SlicerFamily::Prusa) {
+                    for (key, value) in object.object.settings.of(SlicerFamily::Prusa) {
                         metadata(xml, Some("object"), key, value)?;
                     }
-                    let last = (object.mesh.triangles.len() - 1).to_string();
+                    let last = (object.object.mesh.triangles.len() - 1).to_string();
                     xml.create_element("volume").with_attributes([("firstid", "0"), ("lastid", &last)]).write_inner_content(|xml| {
                         metadata(xml, Some("volume"), "name", name)?;
                         metadata(xml, Some("volume"), "volume_type", "ModelPart")
@@ -253,14 +279,14 @@ fn prusa_settings(objects: &[Object]) -> std::io::Result<Vec<u8>> {
 }
 
 /// Settings of each copy for Orca Slicer and Bambu Studio.
-fn orca_settings(objects: &[Object]) -> std::io::Result<Vec<u8>> {
+fn orca_settings(objects: &[Numbered]) -> std::io::Result<Vec<u8>> {
     let mut xml = begun()?;
     xml.create_element("config").write_inner_content(|xml| {
-        for (object, copy) in objects.iter().flat_map(|object| object.copies.iter().map(move |copy| (object, copy))) {
-            let name = object.part.name.slug();
-            xml.create_element("object").with_attribute(("id", copy.id.as_str())).write_inner_content(|xml| {
+        for (object, (id, _)) in objects.iter().flat_map(|object| object.copies.iter().map(move |copy| (object, copy))) {
+            let name = object.object.name;
+            xml.create_element("object").with_attribute(("id", id.as_str())).write_inner_content(|xml| {
                 metadata(xml, None, "name", name)?;
-                for (key, value) in object.settings.of(SlicerFamily::Orca) {
+                for (key, value) in object.object.settings.of(SlicerFamily::Orca) {
                     metadata(xml, None, key, value)?;
                 }
                 let part = [("id", object.id.as_str()), ("subtype", "normal_part")];

@@ -158,8 +158,12 @@ pub struct BoughtPart {
     pub price: Option<f64>,
     /// Currency of the price, such as EUR.
     pub currency: Option<String>,
-    /// Where the price comes from, and when.
+    /// Where the price comes from.
     pub price_source: Option<String>,
+    /// Highest price that was found where there are several; `price` is then the lowest.
+    pub price_most: Option<f64>,
+    /// When the price was found: year, month and day, such as 2026-11-23, or less of it.
+    pub price_date: Option<String>,
 }
 
 /// Thickness of a circuit board that does not state its own, mm: that of usual FR-4 laminate.
@@ -168,7 +172,9 @@ const USUAL_BOARD_MM: f64 = 1.6;
 impl BoughtPart {
     /// Whether its price comes with a currency and a source, or there is none.
     pub fn is_priced_whole(&self) -> bool {
-        is_whole([self.price.is_some(), self.currency.is_some(), self.price_source.is_some()])
+        let is_stated = [self.price.is_some(), self.currency.is_some(), self.price_source.is_some()];
+        let of_a_price = self.price_most.is_some() || self.price_date.is_some();
+        is_whole(is_stated) && (self.price.is_some() || !of_a_price)
     }
 
     /// Height of a motor from its mounting face to the face that carries the propeller, mm.
@@ -204,12 +210,34 @@ impl BoughtPart {
         if self.board_thickness_mm.is_some_and(|board| board > height) {
             return Some(("board_thickness_mm", format!("`board_thickness_mm` is more than the whole is high, {height} mm")));
         }
+        if let (Some(price), Some(most)) = (self.price, self.price_most)
+            && most < price
+        {
+            return Some(("price_most", format!("`price_most` = {most} is less than `price` = {price}, the lowest")));
+        }
+        if self.price_date.as_ref().is_some_and(|date| !is_date(date)) {
+            return Some(("price_date", "`price_date` is no date: write the year, the month and the day, such as 2026-11-23".into()));
+        }
         match (self.wall_mm, self.diameter_mm) {
             (Some(wall), Some(diameter)) if 2.0 * wall >= diameter => {
                 Some(("wall_mm", format!("`wall_mm`: a tube of {diameter} mm has no wall of {wall} mm; a solid rod states none")))
             }
             _ => None,
         }
+    }
+}
+
+/// Whether a text is a year, a month of a year, or a day.
+fn is_date(text: &str) -> bool {
+    let parts: Vec<&str> = text.split('-').collect();
+    let number = |part: &str, digits: usize, range: std::ops::RangeInclusive<u32>| {
+        part.len() == digits && part.bytes().all(|byte| byte.is_ascii_digit()) && part.parse().is_ok_and(|number| range.contains(&number))
+    };
+    match parts[..] {
+        [year] => number(year, 4, 1900..=9999),
+        [year, month] => number(year, 4, 1900..=9999) && number(month, 2, 1..=12),
+        [year, month, day] => number(year, 4, 1900..=9999) && number(month, 2, 1..=12) && number(day, 2, 1..=31),
+        _ => false,
     }
 }
 

@@ -49,7 +49,7 @@ impl Material {
 
 impl BoughtPart {
     /// Its figures.
-    pub const FIGURES: [Figure; 24] = [
+    pub const FIGURES: [Figure; 25] = [
         figure("size_mm", [0.1, 2000.0], "mm"),
         figure("mass_g", [0.0, 5000.0], "g"),
         figure("diameter_mm", [0.1, 500.0], "mm"),
@@ -74,6 +74,7 @@ impl BoughtPart {
         figure("head_diameter_mm", [0.5, 50.0], "mm"),
         figure("head_height_mm", [0.1, 50.0], "mm"),
         figure("price", [0.0, 1e5], ""),
+        figure("price_most", [0.0, 1e5], ""),
     ];
 }
 

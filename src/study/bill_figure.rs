@@ -26,9 +26,9 @@ impl BillFigure {
     }
 }
 
-/// What stands in a catalogue: extra masses such as wiring have no place for a price.
+/// What stands in a catalogue: extra masses such as wiring, and supplies such as glue, have no place for a price.
 fn catalogued(bill: &Bill) -> impl Iterator<Item = &BuyLine> {
-    bill.buy.iter().filter(|line| line.kind != "extra")
+    bill.buy.iter().filter(|line| line.kind != "extra" && line.kind != "supply")
 }
 
 fn unknown(bill: &Bill) -> usize {

@@ -286,7 +286,7 @@ fn analytic_the_bill_cuts_every_rod_once_and_wastes_nothing_unsaid() {
     for built in built() {
         let (bill, manifest) = (built.text("bom.csv"), built.manifest());
         let rows: Vec<Vec<String>> = bill.lines().skip(1).map(fields).collect();
-        assert!(rows.iter().all(|row| row.len() == 17), "{}", built.preset);
+        assert!(rows.iter().all(|row| row.len() == 22), "{}", built.preset);
         let mut cut: BTreeMap<String, Vec<f64>> = BTreeMap::new();
         for row in rows.iter().filter(|row| row[0] == "stock") {
             let (cuts, rest) = row[16].strip_prefix("cut: ").and_then(|how| how.split_once("; rest ")).expect("says how to cut");

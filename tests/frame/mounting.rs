@@ -30,7 +30,11 @@ fn listed(design: &Design) -> Vec<(String, f64)> {
     let bill = bill(design, &mass::table(design), None);
     let print = bill.print.iter().map(|line| (line.part.to_string(), f64::from(line.quantity)));
     let rods = bill.rods.iter().map(|line| (line.rod.clone(), f64::from(line.quantity)));
-    let buy = bill.buy.iter().filter(|line| line.role != "rod").map(|line| (line.role.clone(), f64::from(line.quantity)));
+    let buy = bill
+        .buy
+        .iter()
+        .filter(|line| line.role != "rod" && line.kind != "supply")
+        .map(|line| (line.role.clone(), f64::from(line.quantity)));
     print.chain(rods).chain(buy).collect()
 }
 

@@ -563,11 +563,52 @@ fn analytic_readings_that_cannot_be_are_refused() {
 }
 
 #[test]
+fn analytic_hinges_that_were_folded_become_a_limit() {
+    let bench = Bench::new("base = \"cognifly\"\n\n[limits]\nhinge_strain_factor = 4.0 # guessed\n");
+    let output = bench.run("coupon", &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let frame = bench.path("frame.toml");
+    let read = |table: &str| {
+        bench.write("hinges.csv", table);
+        flexframe(&["coupon", &frame, "--read", &format!("plug=0.2,{}", bench.path("hinges.csv")), "--into", &frame])
+    };
+    // The table as it comes with the coupon, filled in.
+    let blank = fs::read_to_string(Path::new(&bench.path("out/frame-coupon")).join("hinges.csv")).expect("is there");
+    let output = read(&blank.replace("1.7,114,", "1.7,114,23").replace("2.9,114,", "2.9,114,held"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("1.7 mm folded by 114 deg: 170 %, cracked after 23 folds"), "{}", text(&output.stdout));
+    let written = fs::read_to_string(&frame).expect("is there");
+    assert!(written.contains("hinge_strain_factor = 5.831 # hinges folded 100 times"), "{written}");
+    assert!(written.contains("99 % held, 170 % cracked after 23") && written.contains("plug_clearance_mm = 0.2"), "{written}");
+    // The frame's own fold is within what held.
+    let output = flexframe(&["check", &frame, "--all"]);
+    assert!(text(&output.stdout).contains("99 % are allowed"), "{}", text(&output.stdout));
+    for (table, said) in [
+        (
+            "thickness_mm,fold_deg,folds\n1.7,114,held\n2.9,114,80\n",
+            "hinges.csv, line 3: 2.9 mm cracked after 80 folds at 99 %, but 1.7 mm held",
+        ),
+        ("thickness_mm,fold_deg,folds\n1.7,114,4\n", "hinges.csv: every hinge cracked"),
+        ("thickness_mm,fold_deg,folds\n\n1.7,114,yes\n", "hinges.csv, line 3: `folds` is `yes`"),
+        ("thickness_mm,fold_deg\n1.7,114\n", "line 1: lacks the column `folds`"),
+        ("thickness_mm,fold_deg,folds\n2.2,114,held\n", "line 2: the coupon of this frame has no hinge of 2.2 mm"),
+        (blank.as_str(), "hinges.csv: no hinge was folded"),
+    ] {
+        let output = read(table);
+        assert_eq!(output.status.code(), Some(2), "{table}");
+        assert!(text(&output.stderr).contains(said), "{}", text(&output.stderr));
+        assert_eq!(fs::read_to_string(&frame).expect("is there"), written, "{table}");
+    }
+}
+
+#[test]
 fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
     let bench = Bench::new("base = \"cognifly\" # mine\n\n[fit]\nslide_clearance_mm = 0.3 # guessed\n");
     let output = bench.run("coupon", &[]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    for name in ["gauge.stl", "bar.stl", "bosses.stl", "gauge.ini", "coupon.md", "coupon.png"] {
+    let names =
+        ["gauge.stl", "bar.stl", "bosses.stl", "hinge-29.stl", "gauge.ini", "plate_tpu.3mf", "hinges.csv", "coupon.md", "coupon.png"];
+    for name in names {
         assert!(Path::new(&bench.path("out/frame-coupon")).join(name).is_file(), "{name}");
     }
     let frame = bench.path("frame.toml");

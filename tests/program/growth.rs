@@ -158,6 +158,7 @@ fn planted_records_and_tables_take_time_by_their_length() {
         grows("covariate_tables", "columns", of(|bytes| columns("trial", bytes))),
         grows("covariate_tables", "rows", of(|bytes| lines("trial,surface\n", bytes, |at| format!("{at},mat\n")))),
         grows("scale_readings", "rows", of(|bytes| lines("part,mass_g\n", bytes, |_| "hub,7.25\n".into()))),
+        grows("fold_readings", "rows", of(|bytes| lines("thickness_mm,fold_deg,folds\n", bytes, |_| "2.9,114,held\n".into()))),
         grows("scale_readings", "digits", of(|bytes| format!("part,mass_g\nhub,7.{}\n", "1".repeat(bytes)))),
         grows("static_tests", "rows", of(|bytes| lines("displacement_mm,force_n\n", bytes, |_| "1.5,20\n".into()))),
     ]);

@@ -9,7 +9,9 @@ use flexframe::export::{glb, stl};
 use flexframe::frame::assembly::Design;
 use flexframe::frame::assembly::mass::{self, MassTable};
 use flexframe::impact::effects::Model;
-use flexframe::impact::measured::{DropTable, FileFormat, JudgedDrops, StaticTest, TableFormat, read_bytes, scale_readings};
+use flexframe::impact::measured::{
+    DropTable, FileFormat, FoldReading, JudgedDrops, StaticTest, TableFormat, fold_readings, read_bytes, scale_readings,
+};
 use flexframe::impact::synthetic::Plan;
 use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::params::amend::{Amendment, amended};
@@ -17,7 +19,7 @@ use flexframe::params::files::Memory;
 use flexframe::params::frame_file::Value;
 use flexframe::params::refusal::Refusal;
 use flexframe::params::{Frame, FrameFile, ImpactFile, LoadError};
-use flexframe::printing::coupon::Found;
+use flexframe::printing::coupon::{FOLDS, FoldedHinge, Found, HingeLimit, Hinges};
 use flexframe::solid::Mesh;
 use flexframe::study::{Journal, Study, Subject, load};
 use flexframe::variant::{Goal, Increase};
@@ -32,7 +34,7 @@ pub struct Reader {
 }
 
 /// All of them.
-pub const READERS: [Reader; 18] = [
+pub const READERS: [Reader; 19] = [
     Reader { name: "frame_files", read: frame_file },
     Reader { name: "amended_frames", read: amended_frame },
     Reader { name: "impact_models", read: |bytes| impact_file(bytes, impact_model) },
@@ -45,6 +47,7 @@ pub const READERS: [Reader; 18] = [
     Reader { name: "drop_tables", read: |bytes| drops("soft_050cm/fuzz.csv", bytes) },
     Reader { name: "covariate_tables", read: covariate_table },
     Reader { name: "scale_readings", read: |bytes| scale_readings("fuzz.csv", bytes).map_err(|malformed| malformed.to_string()).is_ok() },
+    Reader { name: "fold_readings", read: fold_table },
     Reader {
         name: "static_tests",
         read: |bytes| StaticTest::read_bytes("fuzz.csv", bytes).map_err(|malformed| malformed.to_string()).is_ok(),
@@ -256,6 +259,22 @@ fn coupon_findings(bytes: &[u8]) -> bool {
         assert!(!matches!(&resolved, Err(message) if message.contains("out of bounds")), "{words}: {resolved:?}");
         true
     })
+}
+
+/// Folded hinges that give a factor give one that divides the elongation into a strain that held.
+fn fold_table(bytes: &[u8]) -> bool {
+    let Ok(readings) = fold_readings("fuzz.csv", bytes, FOLDS) else { return false };
+    let folded =
+        |one: &FoldReading| FoldedHinge { thickness_mm: one.thickness_mm, fold_deg: one.fold_deg, cracked_after: one.cracked_after };
+    let hinges = Hinges::of(&FRAME).expect("the preset closes");
+    let limit = HingeLimit::of(&FRAME, &hinges, &readings.iter().map(folded).collect::<Vec<_>>());
+    if let Ok(limit) = &limit {
+        assert!(
+            (1.0..=20.0).contains(&limit.factor) && limit.held.strain_percent * limit.factor >= 0.999 * limit.elongation_percent,
+            "{limit:?}"
+        );
+    }
+    limit.map_err(|(_, error)| error.to_string()).is_ok()
 }
 
 /// Columns, units and rate, a line each, as the command line gives them.

@@ -443,6 +443,44 @@ fn planted_new_finds_the_rods_of_a_preset() {
     assert_eq!(bench.run(&["check", "-q", "four.toml"]).0, 0, "{out}");
 }
 
+/// Spares, search words, wires and ranges of prices, in each form.
+fn bill_to_buy_from(bench: &Bench, page: &str, csv: &str) {
+    for part in [
+        "| motor_screw | screw-m2x4 (M2 x 4 mm) | 16 | 18 | M2x4 socket head screw DIN 912 |",
+        "| propeller | propeller-3-inch | 4 | 8 | propeller 3.0 inch 76 mm |",
+        "| motor_wire | - | 12 x ",
+        "| rod_glue | - | 1 | 1 | cyanoacrylate glue |",
+        "| receiver | - | 1 | 1 |",
+        "one for every ten begun; of propellers a second set",
+        "No threaded inserts",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    assert!(csv.contains(",18,,,M2x4 socket head screw DIN 912,\n") && csv.contains("\nsupply,rod_glue,1,"), "{csv}");
+    let priced = |range: &str| {
+        let text = format!("base = \"cognifly\"\n[override.parts.propeller-3-inch]\n{range}\n");
+        bench.write("range.toml", &text);
+        bench.run(&["bom", "range.toml"])
+    };
+    let price = "price = 0.5\ncurrency = \"EUR\"\nprice_source = \"an invoice\"\n";
+    let (code, page, _) = priced(&format!("{price}price_most = 0.75\nprice_date = \"2026-11\""));
+    assert_eq!(code, 0);
+    assert!(page.contains("| 0.50 to 0.75 EUR (an invoice, 2026-11) |"), "{page}");
+    assert!(page.contains("4.00 to 6.00 EUR with spares; "), "{page}");
+    let bill = bench.json(&["bom", "range.toml", "--json"]);
+    assert_eq!(bill["prices"], serde_json::json!([["EUR", 2.0]]));
+    assert_eq!(bill["prices_with_spares"], serde_json::json!([["EUR", 4.0, 6.0]]));
+    for (wrong, said) in [
+        (format!("{price}price_most = 0.25"), "`price_most` = 0.25 is less than `price` = 0.5"),
+        (format!("{price}price_date = \"yesterday\""), "`price_date` is no date"),
+        (format!("{price}price_date = \"2026-13\""), "`price_date` is no date"),
+        ("price_most = 0.75".into(), "lacks currency or price_source"),
+    ] {
+        let (code, _, err) = priced(&wrong);
+        assert!(code == 2 && err.contains(said), "{wrong}: {err}");
+    }
+}
+
 #[test]
 fn analytic_bill_in_every_form() {
     let bench = Bench::new(&[(
@@ -498,7 +536,7 @@ fn analytic_bill_in_every_form() {
     assert_eq!([field("extra,wiring,", "mass_total_g"), field("extra,wiring,", "mass_basis")], ["8.000", "estimate"]);
     let wiring = bill["buy"].as_array().expect("a list").iter().find(|line| line["role"] == "wiring").expect("is there");
     assert_eq!((wiring["mass_g"].as_f64(), wiring["kind"].as_str()), (Some(8.0), Some("extra")));
-    assert!(page.contains("| wiring | - | 1 | 8.00 | estimate | - |"), "{page}");
+    assert!(page.contains("| wiring | - | 1 | 8.00 | estimate |"), "{page}");
     assert!(page.contains("| cage_rod | 8 | 192.0 | 192.00 | carbon |") && field("rod,cage_rod,", "length_mm") == "192.00", "{page}");
     assert_eq!(bill["rods"].as_array().expect("a list").len(), 4);
     bench.write("half.toml", "base = \"cognifly\"\n[override.parts.motor-1104]\nprice = 9.5\n");
@@ -507,6 +545,7 @@ fn analytic_bill_in_every_form() {
     bench.write("half.toml", "base = \"cognifly\"\n[override.materials.abs]\ncurrency = \"EUR\"\n");
     let (code, _, err) = bench.run(&["bom", "half.toml"]);
     assert!(code == 2 && err.contains("lacks price_per_kg, currency or price_source") && err.contains("half.toml:3"), "{err}");
+    bill_to_buy_from(&bench, &page, &csv);
     assert_eq!(bench.run(&["bom", "--kerf", "-1"]).0, 2);
     bench.write("short.toml", "base = \"cognifly\"\n[override.parts.rod-carbon-3]\nstock_length_mm = 150.0\n");
     let (code, out, err) = bench.run(&["bom", "short.toml"]);

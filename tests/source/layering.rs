@@ -43,7 +43,7 @@ const LAYERS: [(&str, &[&str]); 35] = [
     ("printing/print_time", &["params", "solid"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time"]),
     ("printing/weighing", &["units", "params", "frame/assembly"]),
-    ("printing/coupon", &["units", "params", "solid"]),
+    ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/fold"]),
     ("mechanics", &["units", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     (
         "checks",

@@ -29,13 +29,20 @@ pub struct HingeLoad {
 
 /// A corner's web at a fold.
 pub fn web(frame: &Frame, fold: Angle) -> HingeLoad {
-    let bore = frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm;
-    let radius = 0.5 * bore + frame.corner.corner_wall_mm;
-    let thickness = frame.corner.corner_hinge_thickness_mm;
+    let (radius, thickness) = (socket_radius_mm(frame), frame.corner.corner_hinge_thickness_mm);
     let length_mm = 2.0 * thickness;
-    let strain_percent = 100.0 * radius * fold.to_rad() / length_mm;
+    let strain_percent = web_strain_percent(frame, thickness, fold);
     let moment = |modulus: f64| modulus * fold.to_rad() / length_mm * second_moment(radius, radius - thickness);
     HingeLoad { length_mm, strain_percent, moment_n_mm: frame.flexible.material.tensile_modulus_mpa.map(moment) }
+}
+
+/// Largest strain of a web of some thickness under the sockets of a frame's corners, %.
+pub fn web_strain_percent(frame: &Frame, thickness_mm: f64, fold: Angle) -> f64 {
+    100.0 * socket_radius_mm(frame) * fold.to_rad() / (2.0 * thickness_mm)
+}
+
+fn socket_radius_mm(frame: &Frame) -> f64 {
+    0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + frame.corner.corner_wall_mm
 }
 
 /// ∫ 2 y² √(r² − y²) dy from a height to r, mm⁴.

@@ -16,7 +16,7 @@ mod task;
 mod timeline;
 
 pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
-pub use hinge::{HingeLoad, necks, web};
+pub use hinge::{HingeLoad, necks, web, web_strain_percent};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
 pub use piece::mesh_at;

@@ -9,5 +9,5 @@ mod part_lines;
 mod way;
 
 pub use mount::{Fixing, MOUNTS, Mount, Stage};
-pub use mounting_plan::{MountStep, Mounting, Precedence};
+pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
 pub use part_lines::{PartLine, without_a_step};

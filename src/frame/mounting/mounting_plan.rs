@@ -90,13 +90,13 @@ type Done = BTreeSet<&'static str>;
 impl Mounting {
     /// The mounts of a design, in their order around its fold.
     pub fn new(design: &Design, fold: &FoldSequence) -> Self {
-        let planning = Planning { ways: Ways::new(design), mounts: of(design) };
+        let planning = Planning { ways: Ways::new(design), mounts: mounts_of(design) };
         Self::in_order(design, fold, &planning, &planning.order())
     }
 
     /// The same in an order that is given by their names; what the order breaks is in the steps' sweeps.
     pub fn in_given_order(design: &Design, fold: &FoldSequence, order: &[&str]) -> Self {
-        let planning = Planning { ways: Ways::new(design), mounts: of(design) };
+        let planning = Planning { ways: Ways::new(design), mounts: mounts_of(design) };
         let order: Vec<&'static Mount> = order.iter().filter_map(|id| planning.mount(id)).collect();
         Self::in_order(design, fold, &planning, &order)
     }
@@ -131,7 +131,7 @@ impl Mounting {
 }
 
 /// The mounts that a design has a part for, or for which it has what they are about.
-fn of(design: &Design) -> Vec<&'static Mount> {
+pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
     let has = |name: &str| design.bodies.iter().any(|body| body.name == name);
     let brings = |mount: &Mount| mount.brings.is_empty() || mount.brings.iter().any(|name| has(name));
     MOUNTS.iter().filter(|mount| has(mount.onto) && brings(mount)).collect()

@@ -97,6 +97,14 @@ pub enum Fault {
         /// What stands there.
         value: String,
     },
+    /// Neither a number of folds nor the word for none that cracked.
+    #[error("`folds` is `{value}`, neither a number from 1 to {most} nor `held`")]
+    NoFolds {
+        /// What stands there.
+        value: String,
+        /// How often a hinge was to be folded.
+        most: u32,
+    },
     /// A number that cannot be.
     #[error("`{column}` = {value} is out of bounds: {min} to {max} {unit}")]
     OutOfBounds {
@@ -169,6 +177,7 @@ impl Fault {
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),
+            Self::NoFolds { most, .. } => format!("write after how many folds it cracked, or `held` where it held {most}"),
             Self::OutOfBounds { .. } => "look at the unit".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
             Self::Unsorted { .. } => "sort the rows of each trial by t_s; two drops need two names".into(),

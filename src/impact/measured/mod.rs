@@ -4,7 +4,8 @@
 //! with the feature `cli`, takes paths of files and folders. They give a [`DropSet`], records grouped by frame and height.
 //! [`JudgedDrops`] judges them together: the [`Impact`] in each record, each [`Flag`] with its evidence, and the [`Session`] it
 //! belongs to. [`Summary`] is what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
-//! positive while the ground pushes, 0 in free fall. Static tests and readings of a scale are read here, too.
+//! positive while the ground pushes, 0 in free fall. Static tests, readings of a scale
+//! and tables of folded hinges are read here, too.
 
 mod clock_check;
 mod clock_period;
@@ -17,6 +18,7 @@ mod fall;
 mod fall_length;
 mod file_format;
 mod flag;
+mod folds;
 mod hint;
 mod impact;
 mod judged;
@@ -43,6 +45,9 @@ pub use drop_table::DropTable;
 pub use fall::Fall;
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};
+#[cfg(feature = "cli")]
+pub use folds::read_folds;
+pub use folds::{FoldReading, fold_readings};
 pub use hint::Hint;
 pub use impact::Impact;
 pub use judged::{Drop, JudgedDrops};

@@ -1,6 +1,8 @@
 //! The pieces of a coupon, made.
 
 use super::gauge;
+use super::hinges::Hinges;
+use crate::frame::skeleton::ClosureError;
 use crate::params::Frame;
 use crate::params::frame::NamedMaterial;
 use crate::solid::gate::{self, GateError};
@@ -9,7 +11,7 @@ use crate::solid::{Feature, Mesh, MeshSolid};
 /// A piece.
 pub struct Piece<'a> {
     /// What its file is called.
-    pub name: &'static str,
+    pub name: String,
     /// What it is printed of.
     pub material: &'a NamedMaterial,
     /// As printed, resting on z = 0, mm.
@@ -18,39 +20,55 @@ pub struct Piece<'a> {
 
 /// The pieces of a frame's coupon.
 pub struct Coupon<'a> {
-    /// Row of bores, windows and tongues; bar with plug; bosses.
-    pub pieces: [Piece<'a>; 3],
+    /// Row of bores, windows and tongues; bar with plug; hinges, the thinnest first; bosses.
+    pub pieces: Vec<Piece<'a>>,
+    /// What the hinges are.
+    pub hinges: Hinges,
 }
 
 /// A piece that cannot be made.
 #[derive(Debug, thiserror::Error)]
-#[error("the coupon's {piece} cannot be made: {}", .error.meaning())]
-pub struct CouponError {
-    /// Which.
-    piece: &'static str,
-    /// Why.
-    error: GateError,
+pub enum CouponError {
+    /// Its mesh is unsound.
+    #[error("the coupon's {piece} cannot be made: {}", .error.meaning())]
+    Unsound {
+        /// Which.
+        piece: String,
+        /// Why.
+        error: GateError,
+    },
+    /// Nothing says how far the hinges fold.
+    #[error("the coupon's hinges fold as far as the frame's, and {error}; {}", .error.remedy())]
+    Open {
+        /// Why it does not close.
+        error: ClosureError,
+    },
 }
 
 impl<'a> Coupon<'a> {
     /// The coupon for the rods, bars, plugs and hinges of a frame.
     ///
     /// # Errors
-    /// When a piece's mesh does not pass the export gate.
+    /// When a piece's mesh does not pass the export gate, or the frame does not close.
     pub fn new(frame: &'a Frame) -> Result<Self, CouponError> {
         // As the parts of this printer are drawn.
         let wider_mm = 0.5 * frame.printer.hole_undersize_mm.unwrap_or(0.0);
-        let piece = |name: &'static str, material: &'a NamedMaterial, feature: &Feature| {
-            let mesh = MeshSolid::build(&feature.with_wider_bores(wider_mm)).simplified().mesh();
-            gate::pass(&mesh).map(|_| Piece { name, material, mesh }).map_err(|error| CouponError { piece: name, error })
+        let piece = |name: &str, material: &'a NamedMaterial, feature: &Feature| {
+            let (name, mesh) = (name.to_string(), MeshSolid::build(&feature.with_wider_bores(wider_mm)).simplified().mesh());
+            match gate::pass(&mesh) {
+                Ok(_) => Ok(Piece { name, material, mesh }),
+                Err(error) => Err(CouponError::Unsound { piece: name, error }),
+            }
         };
-        Ok(Self {
-            pieces: [
-                piece("gauge", &frame.flexible, &gauge::flexible(frame))?,
-                piece("bar", &frame.flexible, &gauge::bar(frame))?,
-                piece("bosses", &frame.rigid, &gauge::rigid(frame))?,
-            ],
-        })
+        let hinges = Hinges::of(frame).map_err(|error| CouponError::Open { error })?;
+        let hinge = |mm: f64| piece(&format!("hinge-{:02}", Hinges::number(mm)), &frame.flexible, &hinges.feature(mm));
+        let mut pieces =
+            vec![piece("gauge", &frame.flexible, &gauge::flexible(frame))?, piece("bar", &frame.flexible, &gauge::bar(frame))?];
+        for thickness_mm in hinges.thicknesses_mm {
+            pieces.push(hinge(thickness_mm)?);
+        }
+        pieces.push(piece("bosses", &frame.rigid, &gauge::rigid(frame))?);
+        Ok(Self { pieces, hinges })
     }
 }
 
@@ -58,11 +76,59 @@ impl<'a> Coupon<'a> {
 mod tests {
     use super::*;
     use crate::params::FrameFile;
+    use crate::params::catalogue::Bed;
+    use crate::units::Angle;
 
     /// Where a straight line along y, at a place and height, is outside the solid all the way back.
     fn is_open(mesh: &MeshSolid, x: f64, z: f64) -> bool {
         use nalgebra::Point3;
         mesh.first_hit(Point3::new(x, 3.7, z), Point3::new(x, 30.0, z)).is_none()
+    }
+
+    #[test]
+    fn analytic_webs_are_as_thick_as_their_numbers_say_and_notches_close_at_the_fold() {
+        use nalgebra::Point3;
+        for preset in ["cognifly", "cognifly-mini", "cognifly-v8"] {
+            let frame = Frame::resolve(&FrameFile::load(preset).expect("is a preset")).expect("resolves");
+            let coupon = Coupon::new(&frame).expect("is made");
+            let hinges = &coupon.hinges;
+            for (piece, thickness_mm) in coupon.pieces[2..5].iter().zip(hinges.thicknesses_mm) {
+                let solid = MeshSolid::from_mesh(&piece.mesh).expect("is closed");
+                let height_mm = |x: f64| {
+                    let hit = solid.first_hit(Point3::new(x, 0.003, 30.0), Point3::new(x, 0.003, -1.0));
+                    hit.map_or(0.0, |hit| hit.at.z)
+                };
+                assert!((height_mm(0.001) - thickness_mm).abs() < 0.01, "{} {}", piece.name, height_mm(0.001));
+                // Each face of the notch leans by half of the fold.
+                let lean = Angle::deg(0.5 * hinges.fold_deg).tan();
+                assert!((height_mm(0.8) - thickness_mm - 0.8 / lean).abs() < 0.01, "{} {}", piece.name, height_mm(0.8));
+                assert_eq!(piece.name, format!("hinge-{:02.0}", 10.0 * thickness_mm));
+            }
+        }
+    }
+
+    #[test]
+    fn analytic_pieces_lie_on_the_bed_apart_from_each_other() {
+        let frame = Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves");
+        let coupon = Coupon::new(&frame).expect("is made");
+        let mut printer = frame.printer.clone();
+        for (bed, size_mm) in [(Bed::Rectangular, [180.0, 180.0]), (Bed::Round, [180.0, 180.0])] {
+            (printer.bed, printer.size_mm) = (bed, size_mm);
+            let plates = coupon.plates(&printer);
+            assert_eq!(plates.iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [5, 1]);
+            let reach_mm = |x: f64, y: f64| if bed == Bed::Round { libm::hypot(x, y) } else { (x - 90.0).abs().max((y - 90.0).abs()) };
+            for plate in &plates {
+                let mut behind_mm = f64::NEG_INFINITY;
+                for (piece, pose) in &plate.placed {
+                    let [low, high] = piece.mesh.bounds_mm().map(|corner| pose * nalgebra::Point3::from(corner));
+                    assert!(low.y >= behind_mm && low.z.abs() < 1e-6, "{} {low}", piece.name);
+                    assert!(reach_mm(low.x, low.y).max(reach_mm(high.x, high.y)) <= 90.0, "{} {low} {high}", piece.name);
+                    behind_mm = high.y + 7.9;
+                }
+            }
+        }
+        printer.size_mm = [60.0, 60.0];
+        assert_eq!(coupon.plates(&printer).iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [1]);
     }
 
     #[test]

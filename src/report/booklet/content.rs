@@ -123,7 +123,7 @@ fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<St
     let print = bill.print.iter().map(|line| (line.part.to_string(), f64::from(line.quantity)));
     let rods = bill.rods.iter().map(|line| (line.rod.clone(), f64::from(line.quantity)));
     let covers = |role: &str| design.frame.extras.get(role).is_some_and(|extra| !extra.covers.is_empty());
-    let buy = bill.buy.iter().filter(|line| line.role != "rod" && !covers(&line.role));
+    let buy = bill.buy.iter().filter(|line| line.role != "rod" && line.kind != "supply" && !covers(&line.role));
     without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts())
 }
 

@@ -4,16 +4,21 @@ use std::fmt::Write;
 
 use nalgebra::{Isometry3, Vector3};
 
+use crate::export::three_mf::{self, Contents, Object};
 use crate::markdown::inert;
 use crate::params::Frame;
-use crate::printing::coupon::{Coupon, Fit};
+use crate::printing::coupon::{Coupon, CouponPlate, FOLDS, Fit, Hinges};
+use crate::printing::plates::{PrintSettings, short};
 use crate::report::picture::image as picture;
-use crate::report::picture::image::{Item, View};
+use crate::report::picture::image::{Bed, Item, View};
+use crate::report::picture::plate_picture;
 
 /// Pixels of the picture.
 const SIZE: [u32; 2] = [1200, 700];
+/// Pixels of the picture within a plate's file.
+const PLATE_SIZE: [u32; 2] = [480, 360];
 /// Between two pieces, mm.
-const ROOM_MM: f64 = 4.0;
+const ROOM_MM: f64 = 10.0;
 
 /// All pieces behind each other.
 pub fn picture(coupon: &Coupon) -> Vec<u8> {
@@ -30,11 +35,49 @@ pub fn picture(coupon: &Coupon) -> Vec<u8> {
     picture::png(&items, View::Perspective, SIZE[0], SIZE[1])
 }
 
+/// What a plate's file is called.
+pub fn plate_file(plate: &CouponPlate) -> String {
+    format!("plate_{}.3mf", short(&plate.material.name))
+}
+
+/// A plate as the bytes of a 3MF file.
+///
+/// # Errors
+/// When the archive cannot be made; it is made in memory.
+pub fn plate(frame: &Frame, plate: &CouponPlate) -> std::io::Result<Vec<u8>> {
+    let (printer, material) = (&frame.printer, plate.material);
+    let settings = PrintSettings::of_part(false, &material.material, printer);
+    let contents = Contents {
+        title: format!("coupon of {} {}", frame.name, short(&material.name)),
+        printer,
+        material,
+        objects: plate
+            .placed
+            .iter()
+            .map(|(piece, pose)| Object { name: &piece.name, mesh: &piece.mesh, poses: vec![*pose], settings: settings.clone() })
+            .collect(),
+    };
+    let moved = plate_picture::from_corner(printer);
+    let colour = material.material.colour;
+    let items: Vec<Item> = plate.placed.iter().map(|(piece, pose)| Item { mesh: &piece.mesh, pose: moved * pose, colour }).collect();
+    let thumbnail = picture::png_on_bed(&items, &Bed { size_mm: printer.size_mm }, View::Perspective, PLATE_SIZE[0], PLATE_SIZE[1]);
+    three_mf::archive(&contents, &thumbnail)
+}
+
+/// The table that a person fills in.
+pub fn fold_table(hinges: &Hinges) -> String {
+    let mut text = format!("# folds: after how many folds the hinge cracked, 1 to {FOLDS}, or held\nthickness_mm,fold_deg,folds\n");
+    for thickness_mm in hinges.thicknesses_mm {
+        let _ = writeln!(text, "{thickness_mm:.1},{:.0},", hinges.fold_deg);
+    }
+    text
+}
+
 /// The page.
 pub fn markdown(frame: &Frame, coupon: &Coupon) -> String {
     let mut text = format!(
         "# Coupon of {}\n\nWhich clearances this printer needs, before the frame is printed. Print each piece as it lies, with the settings of the frame's \
-         parts: load the `.ini` beside it in PrusaSlicer, and keep your own printer and spool.\n\n![The pieces](coupon.png)\n\n| piece | of | settings | mm3 |\n|---|---|---|---|\n",
+         parts: open the `plate_` of each material, or load the `.ini` beside a piece in PrusaSlicer, and keep your own printer and spool.\n\n![The pieces](coupon.png)\n\n| piece | of | settings | mm3 |\n|---|---|---|---|\n",
         frame.name
     );
     // Writing to a string does not fail.
@@ -60,5 +103,34 @@ pub fn markdown(frame: &Frame, coupon: &Coupon) -> String {
          and let every frame of this printer have `base = \"my-printer\"`. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
         frame.name
     );
+    hinges(&mut text, frame, &coupon.hinges);
     text
+}
+
+fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges) {
+    let _ = write!(
+        text,
+        "\n## Hinges\n\nWhat strain this filament bears, printed on this printer: three hinges of the corners' own section, the middle one as thick as \
+         the frame's. Their numbers are tenths of a millimetre, too. Print them as they lie, so that the layers lie along the bend.\n\n\
+         1. Wait a day after printing. Fold at room temperature.\n\
+         2. Hold a piece by its ends, the notch up. Fold it until the notch's faces touch: that is {fold:.0}°, the frame's largest fold. Unfold it flat. \
+         One fold takes about two seconds.\n\
+         3. Look at the outer side of the web every ten folds, with a light behind it. A line across the web that opens is a crack. White \
+         marks and a web that stays bent are not.\n\
+         4. Write into `hinges.csv`, column `folds`: after how many folds it cracked, or `held` where it held {FOLDS}.\n\n\
+         | piece | web | fold | strain | folds until it cracked, or `held` |\n|---|---:|---:|---:|---|\n",
+        fold = hinges.fold_deg
+    );
+    for (thickness_mm, strain) in hinges.thicknesses_mm.iter().zip(hinges.strains_percent(frame)) {
+        let number = Hinges::number(*thickness_mm);
+        let _ = writeln!(text, "| `hinge-{number:02}.stl` | {thickness_mm:.1} mm | {:.0}° | {strain:.0} % | |", hinges.fold_deg);
+    }
+    let _ = write!(
+        text,
+        "\n```console\nflexframe coupon {} --read hinges.csv --into my-printer.toml\n```\n\n\
+         The largest strain that held becomes the limit of the rule `hinge_strain`: `hinge_strain_factor` is set to the material's elongation at break over it. \
+         A thinner web that holds while a thicker one cracks is refused: two pieces were mixed up, or one has a flaw. What the figure is \
+         worth: one sample of each web, one direction of layers, one day. It knows no scatter, no cold, and no weeks under strain.\n",
+        frame.name
+    );
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Isometry3, Translation3};
 
 use crate::frame::assembly::Design;
-use crate::params::catalogue;
+use crate::params::catalogue::{self, Printer};
 use crate::printing::plates::Plate;
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
@@ -16,14 +16,18 @@ pub fn png(design: &Design, plate: &Plate, size: [u32; 2]) -> Vec<u8> {
     design.memo.get("picture", &plate.name(), &inputs, || drawn(design, plate, size)).to_vec()
 }
 
-fn drawn(design: &Design, plate: &Plate, [width, height]: [u32; 2]) -> Vec<u8> {
-    let printer = &design.frame.printer;
-    // The picture's bed begins at its corner, a round one's coordinates in its middle.
+/// From a printer's coordinates to those of a picture: its bed begins at its corner, a round one's coordinates in its middle.
+pub fn from_corner(printer: &Printer) -> Isometry3<f64> {
     let shift = match printer.bed {
         catalogue::Bed::Rectangular => [0.0; 2],
         catalogue::Bed::Round => printer.size_mm.map(|size| 0.5 * size),
     };
-    let moved = Isometry3::from(Translation3::new(shift[0], shift[1], 0.0));
+    Isometry3::from(Translation3::new(shift[0], shift[1], 0.0))
+}
+
+fn drawn(design: &Design, plate: &Plate, [width, height]: [u32; 2]) -> Vec<u8> {
+    let printer = &design.frame.printer;
+    let moved = from_corner(printer);
     let colour = plate.material.material.colour;
     let item = |item: &crate::printing::plates::Item| {
         let part = design.part(item.part)?;

@@ -1,0 +1,228 @@
+//! What the instructions use up and no catalogue has: filament, glue, tape, solder, wires and cables, and the receiver.
+//!
+//! **Wires have no bodies.** A motor's wires go as the instructions lead them: along its arm to the middle and down or up to
+//! the controller. A cable goes straight from the middle of one body to that of the other. To this way come a share of it,
+//! for bends and so that bundles stay slack at the plugs, and a fixed length for two ends to solder or plug. Both are a
+//! choice, so a length here is good for buying, not for cutting: measure before you cut.
+
+use nalgebra::Point3;
+
+use crate::frame::assembly::Design;
+use crate::frame::mounting::{Fixing, mounts_of};
+use crate::params::frame::NamedMaterial;
+
+/// What a wire is longer than its way: a share of the way, and a length, mm.
+const SLACK: (f64, f64) = (0.15, 30.0);
+/// Lengths are rounded up to these, mm.
+const ROUNDED_MM: f64 = 5.0;
+/// Wires of a motor: three phases.
+const PHASES: u32 = 3;
+/// Section of a filament of 1.75 mm, mm².
+const FILAMENT_MM2: f64 = std::f64::consts::FRAC_PI_4 * 1.75 * 1.75;
+
+/// Something that is used up.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Supply {
+    /// Its role in the bill.
+    pub role: String,
+    /// How many.
+    pub quantity: u32,
+    /// Length of one, mm, of wires and cables.
+    pub length_mm: Option<f64>,
+    /// What to search for.
+    pub search: String,
+    /// What it is for, and what was assumed.
+    pub note: String,
+}
+
+impl Supply {
+    fn one(role: &str, search: impl Into<String>, note: impl Into<String>) -> Self {
+        Self { role: role.into(), quantity: 1, length_mm: None, search: search.into(), note: note.into() }
+    }
+}
+
+/// All that a design uses up.
+pub fn supplies(design: &Design) -> Vec<Supply> {
+    let mut all = filaments(design);
+    all.extend(glues(design));
+    all.extend(fixings(design));
+    all.extend(wires(design));
+    if design.frame.bought.contains_key("flight_controller") {
+        all.push(Supply::one(
+            "receiver",
+            "radio receiver serial output",
+            "of your transmitter's protocol; weighed with the wiring; not needed where the computer alone flies",
+        ));
+    }
+    all
+}
+
+fn filaments(design: &Design) -> Vec<Supply> {
+    let (flexible, rigid) = (&design.frame.flexible, &design.frame.rigid);
+    let mut materials: Vec<&NamedMaterial> = vec![flexible];
+    if rigid.name != flexible.name {
+        materials.push(rigid);
+    }
+    let line = |(at, material): (usize, &NamedMaterial)| {
+        let of = design.printed.iter().filter(|part| design.material_of(part.name).name == material.name);
+        let mm3: f64 = of.map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum();
+        let (mass_g, metres) = (1e-3 * mm3 * material.material.density_g_cm3, 1e-3 * mm3 / FILAMENT_MM2);
+        let role = ["filament_flexible", "filament_rigid"][at];
+        Supply::one(
+            role,
+            format!("filament 1.75 mm {}", material.name.replace('-', " ")),
+            format!("{mass_g:.0} g or {metres:.0} m in the parts; skirt and support come on top"),
+        )
+    };
+    materials.into_iter().enumerate().map(line).collect()
+}
+
+fn glues(design: &Design) -> Vec<Supply> {
+    let glued: Vec<String> =
+        mounts_of(design).iter().filter(|mount| mount.fixing == Fixing::Glue).map(|mount| words(mount.title)).collect();
+    let mut all = Vec::new();
+    if !glued.is_empty() {
+        let search = format!("two component epoxy glue for {}", design.frame.rigid.name.to_uppercase());
+        all.push(Supply::one("glue", search, format!("{} joints of rigid parts: {}", glued.len(), glued.join("; "))));
+    }
+    all.push(Supply::one(
+        "rod_glue",
+        "cyanoacrylate glue",
+        "only for a rod that is loose in its bore; never for a hinge or for the plugs in the hub",
+    ));
+    all
+}
+
+/// A title within a sentence.
+fn words(title: &str) -> String {
+    let mut letters = title.chars();
+    letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
+}
+
+/// Tape and solder, as the instructions fix with them.
+fn fixings(design: &Design) -> Vec<Supply> {
+    let used = |fixing: Fixing| -> Vec<String> {
+        mounts_of(design).iter().filter(|mount| mount.fixing == fixing).map(|mount| words(mount.title)).collect()
+    };
+    let kinds = [
+        (Fixing::Tape, "tape", "thin double sided adhesive tape"),
+        (Fixing::Solder, "solder", "solder wire for electronics and heat shrink tube"),
+    ];
+    let line = |(fixing, role, search): (Fixing, &str, &str)| {
+        let used = used(fixing);
+        (!used.is_empty()).then(|| Supply::one(role, search, format!("for {}", used.join("; "))))
+    };
+    kinds.into_iter().filter_map(line).collect()
+}
+
+fn wires(design: &Design) -> Vec<Supply> {
+    let middle = |name: &str| middle_mm(design, name);
+    let controller = middle("motor_controller").or_else(|| middle("flight_controller"));
+    let mut all = Vec::new();
+    if let (Some(motor), Some(controller)) = (middle("motor_FR"), controller) {
+        let quantity = PHASES * design.frame.bought.get("motor").map_or(4, |item| item.quantity);
+        let (flat, rise) = (libm::hypot(motor.x - controller.x, motor.y - controller.y), (motor.z - controller.z).abs());
+        let length_mm = with_slack(flat + rise);
+        all.push(Supply {
+            role: "motor_wire".into(),
+            quantity,
+            length_mm: Some(length_mm),
+            search: format!("silicone stranded wire {:.1} m", (1e-2 * f64::from(quantity) * length_mm).ceil() / 10.0),
+            note: format!(
+                "motor to controller along the arm {flat:.0} mm and {rise:.0} mm in height; {}; as thick as the motor's own, and none where those reach",
+                slack_words()
+            ),
+        });
+    }
+    let leads = [
+        (
+            "battery_wire",
+            "connector_bracket",
+            "motor_controller",
+            2,
+            "silicone stranded wire as thick as the connector's",
+            "power connector",
+        ),
+        ("board_cable", "flight_controller", "motor_controller", 1, "cable between flight controller and ESC", "flight controller"),
+        ("sensor_cable", "flow_sensor", "flight_controller", 1, "cable for the flow sensor", "flow sensor"),
+        ("camera_cable", "camera", "computer", 1, "camera ribbon cable for the computer", "camera"),
+        ("computer_cable", "computer", "flight_controller", 1, "serial cable and 5 V supply", "computer"),
+    ];
+    for (role, from, to, quantity, search, begins) in leads {
+        let Some((a, b)) = middle(from).zip(middle(to)) else { continue };
+        let way = (a - b).norm();
+        let to = to.replace('_', " ");
+        all.push(Supply {
+            role: role.into(),
+            quantity,
+            length_mm: Some(with_slack(way)),
+            search: search.into(),
+            note: format!("{begins} to {to} straight {way:.0} mm; {}", slack_words()),
+        });
+    }
+    all
+}
+
+fn slack_words() -> String {
+    format!("{:.0} % and {:.0} mm slack", 100.0 * SLACK.0, SLACK.1)
+}
+
+/// A way with slack, rounded up, mm.
+fn with_slack(way_mm: f64) -> f64 {
+    (((1.0 + SLACK.0) * way_mm + SLACK.1) / ROUNDED_MM).ceil() * ROUNDED_MM
+}
+
+/// Middle of a body's box, in the frame's axes.
+fn middle_mm(design: &Design, name: &str) -> Option<Point3<f64>> {
+    let body = design.bodies.iter().find(|body| body.name == name)?;
+    let [low, high] = design.shape(body).mesh.bounds_mm();
+    Some(body.pose * Point3::from([0, 1, 2].map(|axis| 0.5 * (low[axis] + high[axis]))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::{Frame, FrameFile};
+
+    fn frame(preset: &str) -> Frame {
+        Frame::resolve(&FrameFile::load(preset).expect("is a preset")).expect("resolves")
+    }
+
+    fn line(all: &[Supply], role: &str) -> Supply {
+        all.iter().find(|one| one.role == role).cloned().unwrap_or_else(|| panic!("no {role}: {all:?}"))
+    }
+
+    #[test]
+    fn analytic_motor_wires_reach_from_the_motor_to_the_middle_with_slack() {
+        let [short, long] = [0.0, 6.0].map(|further| {
+            let mut frame = frame("cognifly");
+            frame.motor_mount.motor_position_mm -= further;
+            let design = Design::new(frame).expect("can be made");
+            line(&supplies(&design), "motor_wire")
+        });
+        // The motor stands on the diagonal; the controller hangs under the hub's middle.
+        let position = frame("cognifly").motor_mount.motor_position_mm;
+        let length = short.length_mm.expect("a length");
+        assert!(length > 1.15 * position + 30.0 && length < 1.15 * (position + 60.0) + 35.0, "{short:?}");
+        assert_eq!(short.quantity, 12);
+        assert!((length - long.length_mm.expect("a length") - 1.15 * 6.0).abs() <= ROUNDED_MM, "{short:?} {long:?}");
+    }
+
+    #[test]
+    fn planted_what_a_frame_lacks_is_not_supplied() {
+        let whole = supplies(&Design::new(frame("cognifly")).expect("can be made"));
+        let mut bare = frame("cognifly");
+        for role in ["camera", "flow_sensor"] {
+            bare.bought.remove(role);
+        }
+        let bare = supplies(&Design::new(bare).expect("can be made"));
+        for role in ["camera_cable", "sensor_cable"] {
+            assert!(line(&whole, role).length_mm.is_some_and(|mm| mm > 30.0));
+            assert!(bare.iter().all(|one| one.role != role), "{bare:?}");
+        }
+        // Without a camera its connectors are not glued.
+        let joints = |all: &[Supply]| line(all, "glue").note.matches(';').count() + 1;
+        assert_eq!((joints(&whole), joints(&bare)), (6, 5));
+        assert!(line(&whole, "rod_glue").search.contains("cyanoacrylate"));
+    }
+}
