@@ -9,6 +9,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
+use crate::printing::plates;
 use crate::report::picture::{printing_picture, scene};
 
 /// Write PNG pictures: assembled from four sides, flat on the bed, each part.
@@ -33,7 +34,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let files: Vec<(String, Vec<u8>)> = if args.findings {
         printing_picture::pictures(&design)
     } else {
-        scene::pictures(&design).into_iter().map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes)).collect()
+        // What lies on no bed is a finding of `check`.
+        let plates = plates::arrange(&design, &plates::all(&design)).unwrap_or_default();
+        scene::pictures(&design, &plates)
+            .into_iter()
+            .map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes))
+            .collect()
     };
     drop(working);
     let place = output::write_folder(

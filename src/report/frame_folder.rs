@@ -61,9 +61,10 @@ pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: 
         files.push(settings_page(design, &plates));
     }
     if choice.pictures {
-        files.extend(scene::pictures(design).into_iter().map(|(path, bytes)| File::new(path, bytes)));
+        let bare: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
+        files.extend(scene::pictures(design, &bare).into_iter().map(|(path, bytes)| File::new(path, bytes)));
     }
-    files.push(File::new("report.md", summary::markdown(design, masses, findings, choice.pictures).into_bytes()));
+    files.push(File::new("report.md", summary::markdown(design, masses, findings, &plates, choice.pictures).into_bytes()));
     let manifest = manifest::manifest(design, &meshes, masses, &files);
     let text = manifest::signed_text(&manifest).map_err(ExportError::of("manifest.json"))?;
     files.push(File::new("manifest.json", text.into_bytes()));

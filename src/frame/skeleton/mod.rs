@@ -14,6 +14,6 @@ mod stack;
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
-pub use module::{MODULE_NAMES, module_turn};
+pub use module::{MODULE_NAMES, MODULE_WORDS, module_turn};
 pub use rotor::{ROTORS, Rotor, Spin};
 pub use stack::{Stack, StackBoard};

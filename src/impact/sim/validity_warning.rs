@@ -63,3 +63,13 @@ pub enum ValidityWarning {
     #[error("with its error the drop height is zero or less")]
     NoFall,
 }
+
+impl ValidityWarning {
+    /// From when on the model is not valid, ms; none where that is no matter of time.
+    pub fn t_ms(&self) -> Option<f64> {
+        match self {
+            Self::PastGap { t_ms, .. } | Self::Pulls { t_ms } | Self::Diverges { t_ms } | Self::Chatters { t_ms } => Some(*t_ms),
+            Self::PastTravel { .. } | Self::SensorLimit { .. } | Self::NoRelease { .. } | Self::Effect { .. } | Self::NoFall => None,
+        }
+    }
+}

@@ -6,7 +6,7 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::fold::{FoldBend, FoldSequence, Step};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, without_a_step};
-use crate::frame::skeleton::{MODULE_NAMES, ROTORS};
+use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
@@ -129,16 +129,10 @@ fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<St
 
 /// Which way the propellers turn.
 fn propellers(design: &Design) -> Panel {
-    let place = |name: &str| match name {
-        "FR" => "front right",
-        "FL" => "front left",
-        "BL" => "rear left",
-        _ => "rear right",
-    };
-    let mut motors: Vec<(u32, String)> = MODULE_NAMES
+    let mut motors: Vec<(u32, String)> = MODULE_WORDS
         .iter()
         .enumerate()
-        .map(|(module, name)| (ROTORS[module].number, format!("{}, {}", place(name), ROTORS[module].spin.words())))
+        .map(|(module, place)| (ROTORS[module].number, format!("{place}, {}", ROTORS[module].spin.words())))
         .collect();
     motors.sort();
     let motors: Vec<String> = motors.into_iter().map(|(number, words)| format!("motor {number} {words}")).collect();

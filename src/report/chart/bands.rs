@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend};
+use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend, titled};
 
 /// A black line on top of waves.
 pub(in crate::report) struct BandLine {
@@ -37,8 +37,9 @@ impl Chart for Bands {
         let points = || self.waves.iter().flatten().chain(self.lines.iter().flat_map(|line| &line.points));
         let (left, right) = points().fold((0.0_f64, 1e-9_f64), |(left, right), point| (left.min(point.0), right.max(point.0)));
         let (low, high) = points().fold((0.0_f64, 1.0_f64), |(low, high), point| (low.min(point.1), high.max(point.1)));
-        let words = Words { title: &self.title, across: self.across, up: self.up };
-        let mut chart = axes(area, &words, [left..right, 1.05 * low..1.05 * high])?;
+        let words = Words { across: self.across, up: self.up };
+        let area = titled(area, &self.title)?;
+        let mut chart = axes(&area, &words, [left..right, 1.05 * low..1.05 * high])?;
         let tone = colour(self.colour);
         for wave in &self.waves {
             chart.draw_series(LineSeries::new(wave.iter().copied(), ShapeStyle::from(BLACK.mix(0.18)).stroke_width(1)))?;

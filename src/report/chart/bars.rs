@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, colour};
+use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, number, titled};
 
 /// The bars of a height.
 pub(in crate::report) struct Group {
@@ -25,7 +25,7 @@ pub(in crate::report) struct Bars {
 }
 
 /// Where the legend begins, pixels.
-const LEGEND: (i32, i32) = (780, 60);
+const LEGEND: (i32, i32) = (780, 24);
 
 /// Width of a bar, of a group's 1.
 const WIDTH: f64 = 0.38;
@@ -33,9 +33,9 @@ const WIDTH: f64 = 0.38;
 impl Chart for Bars {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let count = self.groups.len() as f64;
+        let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 24))
-            .margin(14)
+            .margin(MARGIN)
             .x_label_area_size(44)
             .y_label_area_size(60)
             .margin_right(200)
@@ -47,7 +47,7 @@ impl Chart for Bars {
         };
         let mesh = &mut chart.configure_mesh();
         mesh.disable_x_mesh().disable_x_axis().x_desc(across).y_desc("share, %").x_labels(0).x_label_formatter(&name);
-        mesh.label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
+        mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
         for (part, title) in self.parts.iter().enumerate() {
             let style = colour(part).filled();
             let bars = self.groups.iter().enumerate().flat_map(|(at, group)| {

@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, colour};
+use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, number, titled};
 use crate::impact::measured::Spread;
 
 /// Values of a kind and a group.
@@ -36,7 +36,7 @@ pub(in crate::report) struct Boxes {
 }
 
 /// Where the legend begins, pixels.
-const LEGEND: (i32, i32) = (766, 60);
+const LEGEND: (i32, i32) = (766, 24);
 
 /// Width of a box, of a group's 1, when there is one kind.
 const WIDTH: f64 = 0.56;
@@ -49,9 +49,9 @@ impl Chart for Boxes {
             self.groups.iter().flat_map(|group| group.kinds.iter().flatten()).flat_map(|kind| kind.values.iter().map(|value| value.0));
         let (low, high) = all.fold((0.0_f64, 1.0_f64), |(low, high), value| (low.min(value), high.max(value)));
         let count = self.groups.len().max(1) as f64;
+        let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 24))
-            .margin(14)
+            .margin(MARGIN)
             .x_label_area_size(64)
             .y_label_area_size(60)
             .margin_right(210)
@@ -62,7 +62,7 @@ impl Chart for Boxes {
         };
         let mesh = &mut chart.configure_mesh();
         mesh.disable_x_mesh().disable_x_axis().x_desc(self.across).y_desc(self.up).x_labels(0).x_label_formatter(&name);
-        mesh.label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
+        mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
         let share = WIDTH / self.kinds.len().max(1) as f64;
         for (number, kind) in self.kinds.iter().enumerate() {
             let tone = colour(number);

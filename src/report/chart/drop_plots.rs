@@ -6,7 +6,7 @@ use super::bars::{Bars, Group};
 use super::lines::{Lines, Series};
 use super::plot::{self, PlotError};
 use crate::impact::effects::Model;
-use crate::impact::sim::{Balance, PaperShares, Trace};
+use crate::impact::sim::{Balance, PaperShares, Trace, ValidityWarning};
 
 /// Every plot, path and bytes.
 ///
@@ -26,6 +26,16 @@ fn series(trace: &Trace, values: &[f64], scale: f64, colour: usize, label: Optio
     Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
 }
 
+/// Where each trace first leaves its model's range, on a curve of it.
+fn left(traces: &[Trace], values: fn(&Trace) -> &Vec<f64>, scale: f64) -> Vec<(usize, (f64, f64))> {
+    let point = |(at, trace): (usize, &Trace)| {
+        let t_ms = trace.warnings.iter().filter_map(ValidityWarning::t_ms).min_by(f64::total_cmp)?;
+        let value = values(trace).get((1e-3 * t_ms / Trace::STEP_S).round() as usize)?;
+        Some((at, (t_ms, scale * value)))
+    };
+    traces.iter().enumerate().filter_map(point).collect()
+}
+
 fn acceleration(model: &Model, traces: &[Trace]) -> Lines {
     let mut all = Vec::new();
     for (at, trace) in traces.iter().enumerate() {
@@ -34,6 +44,7 @@ fn acceleration(model: &Model, traces: &[Trace]) -> Lines {
     }
     let title = format!("{}: proper acceleration, pale as it is, strong through the sensor", model.name);
     Lines {
+        left: left(traces, |trace| &trace.sensor_g, 1.0),
         title,
         across: "time from first touch, ms",
         up: "acceleration, g",
@@ -47,6 +58,7 @@ fn displacement(model: &Model, traces: &[Trace]) -> Lines {
     let line = |(at, trace): (usize, &Trace)| series(trace, &trace.x_m, 1e3, at, Some(format!("{} m", trace.height_m)));
     let gap_mm = model.body.gap_m * 1e3;
     Lines {
+        left: left(traces, |trace| &trace.x_m, 1e3),
         title: format!("{}: compression of the frame", model.name),
         across: "time from first touch, ms",
         up: "compression, mm",
@@ -92,6 +104,7 @@ fn peak(model: &Model, traces: &[Trace]) -> Lines {
             line(2, "through the sensor", |trace| trace.peak_sensor_g),
         ],
         levels: Vec::new(),
+        left: Vec::new(),
         legend: SeriesLabelPosition::UpperLeft,
     }
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use plotters::prelude::*;
 
-use super::plot::{self, Area, Chart, Drawn, FONT, PlotError, Words, axes, colour};
+use super::plot::{self, Area, Chart, Drawn, FONT, PlotError, Words, axes, colour, titled};
 use crate::variant::Measure;
 
 /// Every plot, path and bytes: of points in two or three goals. The name is that of the frame, or of the study.
@@ -47,7 +47,8 @@ impl Chart for FrontChart<'_> {
         let third = if self.goals.len() > 2 { format!(", with {}", goal(2)) } else { String::new() };
         let title = format!("{}: frames that none beats{third}", self.name);
         let (across, up) = (goal(0), goal(1));
-        let mut chart = axes(area, &Words { title: &title, across: &across, up: &up }, [self.range(0), self.range(1)])?;
+        let area = titled(area, &title)?;
+        let mut chart = axes(&area, &Words { across: &across, up: &up }, [self.range(0), self.range(1)])?;
         if self.goals.len() == 2 {
             let line = self.points.iter().map(|point| (point[0], point[1]));
             chart.draw_series(LineSeries::new(line, BLACK.mix(0.25)))?;

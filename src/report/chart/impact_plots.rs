@@ -28,6 +28,16 @@ fn series(impact: &Impact, values: impl Iterator<Item = f64>, colour: usize, lab
     Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
 }
 
+/// Where the payload has used up the gap: what hits the ground there is not in the model.
+fn left(found: &Impacts, values: impl Fn(&Impact) -> Vec<f64>) -> Vec<(usize, (f64, f64))> {
+    let Some(gap_mm) = found.gap_mm else { return Vec::new() };
+    let point = |(at, impact): (usize, &Impact)| {
+        let moment = impact.moments.iter().position(|moment| moment.down_mm > gap_mm)?;
+        Some((at, (impact.moments[moment].t_ms, *values(impact).get(moment)?)))
+    };
+    found.impacts.iter().enumerate().filter_map(point).collect()
+}
+
 fn acceleration(found: &Impacts) -> Lines {
     let mut all = Vec::new();
     for (at, impact) in found.impacts.iter().enumerate() {
@@ -35,6 +45,7 @@ fn acceleration(found: &Impacts) -> Lines {
         all.push(series(impact, impact.through(LOGGER_HZ).into_iter(), at, Some(format!("{} m, sensor", impact.height_m))));
     }
     Lines {
+        left: left(found, |impact| impact.through(LOGGER_HZ)),
         title: format!("{}: payload, pale as it is, strong through the sensor", found.frame),
         across: "time from first touch, ms",
         up: "acceleration, g",
@@ -48,6 +59,7 @@ fn of(found: &Impacts, what: &str, up: &'static str, value: fn(&Moment) -> f64, 
     let line =
         |(at, impact): (usize, &Impact)| series(impact, impact.moments.iter().map(value), at, Some(format!("{} m", impact.height_m)));
     Lines {
+        left: left(found, |impact| impact.moments.iter().map(value).collect()),
         title: format!("{}: {what}", found.frame),
         across: "time from first touch, ms",
         up,

@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, colour};
+use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, number, titled};
 use crate::study::Indices;
 
 /// Width of a bar, of an axis' 1.
@@ -24,15 +24,15 @@ impl Chart for IndexBars<'_> {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let most = self.indices.total.iter().map(|index| index.share + index.half_interval).fold(1.0, f64::max);
         let count = self.axes.len() as f64;
+        let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 24))
-            .margin(14)
+            .margin(MARGIN)
             .x_label_area_size(44)
             .y_label_area_size(60)
             .build_cartesian_2d(0.0..count, -0.08..1.12 * most)?;
         let mesh = &mut chart.configure_mesh();
-        mesh.disable_x_mesh().disable_x_axis().y_desc("share of the variance").x_labels(0);
-        mesh.label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
+        mesh.disable_x_mesh().disable_x_axis().y_desc("share of the variance, of 1").x_labels(0);
+        mesh.y_label_formatter(&number).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
         for (kind, indices) in [&self.indices.first, &self.indices.total].into_iter().enumerate() {
             let style = colour(kind).filled();
             for (axis, index) in indices.iter().enumerate() {
@@ -42,7 +42,7 @@ impl Chart for IndexBars<'_> {
                 let ends = [-1.0, 1.0].map(|way| (middle, index.share + way * index.half_interval));
                 chart.draw_series([PathElement::new(ends, BLACK.stroke_width(2))])?;
             }
-            let (x, y) = (90 + 300 * kind as i32, 54);
+            let (x, y) = (90 + 300 * kind as i32, 18);
             area.draw(&Rectangle::new([(x, y), (x + 14, y + 14)], style))?;
             area.draw(&Text::new(KINDS[kind], (x + 22, y), TextStyle::from((FONT, 16))))?;
         }

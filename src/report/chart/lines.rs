@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend};
+use super::plot::{Area, Chart, Drawn, Words, axes, colour, legend, titled};
 
 /// A line.
 pub(in crate::report) struct Series {
@@ -30,6 +30,8 @@ pub(in crate::report) struct Lines {
     pub series: Vec<Series>,
     /// Level lines, with what they mean.
     pub levels: Vec<(String, f64)>,
+    /// Where a line leaves the range in which its model is valid: the number of its colour, and the point.
+    pub left: Vec<(usize, (f64, f64))>,
     /// Where no line is: the legend goes there.
     pub legend: SeriesLabelPosition,
 }
@@ -45,8 +47,9 @@ impl Chart for Lines {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let points = || self.series.iter().flat_map(|series| &series.points);
         let (across, up) = (range(points().map(|p| p.0)), range(points().map(|p| p.1).chain(self.levels.iter().map(|level| level.1))));
-        let words = Words { title: &self.title, across: self.across, up: self.up };
-        let mut chart = axes(area, &words, [across.clone(), up])?;
+        let words = Words { across: self.across, up: self.up };
+        let area = titled(area, &self.title)?;
+        let mut chart = axes(&area, &words, [across.clone(), up])?;
         for (name, level) in &self.levels {
             let line = LineSeries::new([(across.start, *level), (across.end, *level)], BLACK.mix(0.6));
             chart.draw_series(line)?.label(name).legend(|(x, y)| PathElement::new([(x, y), (x + 22, y)], BLACK.mix(0.6)));
@@ -68,6 +71,17 @@ impl Chart for Lines {
             if series.marked {
                 chart.draw_series(series.points.iter().map(|point| Circle::new(*point, 4, colour.filled())))?;
             }
+        }
+        if !self.left.is_empty() {
+            let ring = |at: (f64, f64), tone: RGBColor| {
+                EmptyElement::at(at) + Circle::new((0, 0), 9, WHITE.mix(0.6).filled()) + Circle::new((0, 0), 9, tone.stroke_width(3))
+            };
+            let rings = self.left.iter().map(|(number, at)| ring(*at, colour(*number)));
+            let black = ShapeStyle::from(BLACK).stroke_width(2);
+            chart
+                .draw_series(rings)?
+                .label("from here on beyond the model's range")
+                .legend(move |at| EmptyElement::at(at) + Circle::new((11, 0), 7, black));
         }
         legend(&mut chart, self.legend.clone())
     }

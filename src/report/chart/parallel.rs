@@ -2,7 +2,7 @@
 
 use plotters::prelude::*;
 
-use super::plot::{Area, Chart, Drawn, FONT, colour};
+use super::plot::{Area, Chart, Drawn, FONT, MARGIN, colour, titled};
 use crate::figures::decimals;
 
 /// Most lines that are drawn: more make one surface.
@@ -64,10 +64,8 @@ const REACH: [f64; 2] = [0.06, 0.9];
 impl Chart for Parallel<'_> {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
         let count = self.names.len().max(2);
-        let mut chart = ChartBuilder::on(area)
-            .caption(&self.title, (FONT, 24))
-            .margin(14)
-            .build_cartesian_2d(-0.4..count as f64 - 0.6, -0.04..1.12_f64)?;
+        let area = &titled(area, &self.title)?;
+        let mut chart = ChartBuilder::on(area).margin(MARGIN).build_cartesian_2d(-0.4..count as f64 - 0.6, -0.04..1.12_f64)?;
         let ranges: Vec<[f64; 2]> = (0..self.names.len()).map(|figure| self.range(figure)).collect();
         let height = |figure: usize, value: f64| {
             let [low, high] = ranges[figure];

@@ -6,12 +6,18 @@ use std::sync::Once;
 use plotters::coord::Shift;
 use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
 
 use crate::report::picture::{image as picture, lettering};
 
 /// Size, pixels.
 const SIZE: (u32, u32) = (960, 600);
+/// Around a chart, pixels.
+pub(in crate::report) const MARGIN: u32 = 14;
+/// Height of a title's letters, and of its lines, pixels.
+const TITLE: i32 = 24;
+const LINE: i32 = 30;
 /// Name under which the font is known to the plots.
 pub(in crate::report) const FONT: &str = "sans-serif";
 
@@ -23,10 +29,8 @@ pub(in crate::report) type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as Draw
 /// A chart with a number along each axis.
 pub(in crate::report) type NumberChart<'a, B> = ChartContext<'a, B, Cartesian2d<RangedCoordf64, RangedCoordf64>>;
 
-/// The words of a chart.
+/// The words of a chart beside its axes.
 pub(in crate::report) struct Words<'a> {
-    /// Over it.
-    pub title: &'a str,
     /// Under it.
     pub across: &'a str,
     /// Beside it.
@@ -39,15 +43,38 @@ pub(in crate::report) fn axes<'a, B: DrawingBackend>(
     words: &Words,
     [x, y]: [Range<f64>; 2],
 ) -> Result<NumberChart<'a, B>, DrawingAreaErrorKind<B::ErrorType>> {
-    let mut chart = ChartBuilder::on(area)
-        .caption(words.title, (FONT, 24))
-        .margin(14)
-        .x_label_area_size(44)
-        .y_label_area_size(60)
-        .build_cartesian_2d(x, y)?;
+    let mut chart = ChartBuilder::on(area).margin(MARGIN).x_label_area_size(44).y_label_area_size(60).build_cartesian_2d(x, y)?;
     let mesh = &mut chart.configure_mesh();
-    mesh.x_desc(words.across).y_desc(words.up).label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
+    mesh.x_desc(words.across).y_desc(words.up).x_label_formatter(&number).y_label_formatter(&number);
+    mesh.label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
     Ok(chart)
+}
+
+/// Writes a title over a picture, in as many lines as it takes; what is left below is the chart's.
+pub(in crate::report) fn titled<B: DrawingBackend>(area: &Area<B>, title: &str) -> Result<Area<B>, DrawingAreaErrorKind<B::ErrorType>> {
+    let style = TextStyle::from((FONT, TITLE)).pos(Pos::new(HPos::Center, VPos::Top));
+    let (width, _) = area.dim_in_pixel();
+    let mut lines: Vec<String> = Vec::new();
+    for word in title.split_whitespace() {
+        let longer = lines.last().map(|line| format!("{line} {word}"));
+        match longer {
+            Some(longer) if area.estimate_text_size(&longer, &style)?.0 + 2 * MARGIN <= width => {
+                lines.pop();
+                lines.push(longer);
+            }
+            _ => lines.push(word.into()),
+        }
+    }
+    for (at, line) in lines.iter().enumerate() {
+        area.draw_text(line, &style, (width as i32 / 2, MARGIN as i32 / 2 + LINE * at as i32))?;
+    }
+    Ok(area.split_vertically(MARGIN as i32 / 2 + LINE * lines.len() as i32).1)
+}
+
+/// A number at an axis: no more decimals than it has.
+pub(in crate::report) fn number(value: &f64) -> String {
+    let rounded = (value * 1e6).round() / 1e6;
+    if rounded == 0.0 { "0".into() } else { rounded.to_string() }
 }
 
 /// Draws the legend of what was drawn with a label.
@@ -99,4 +126,38 @@ fn finish<B: DrawingBackend>(chart: &impl Chart, area: &Area<B>) -> Drawn<B> {
     area.fill(&WHITE)?;
     chart.draw(area)?;
     area.present()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Titled(&'static str);
+
+    impl Chart for Titled {
+        fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
+            let below = titled(area, self.0)?;
+            below.fill(&BLACK)
+        }
+    }
+
+    #[test]
+    fn analytic_a_long_title_breaks_into_lines_within_the_picture() {
+        let words = "a title that goes on and on about the frame, its rods, its corners, its hinges and what becomes of them in a fall \
+                     from two metres onto concrete";
+        let [svg, _] = files("t", &Titled(words)).expect("is drawn");
+        let svg = String::from_utf8(svg.1).expect("text");
+        let lines: Vec<&str> = svg.match_indices("<text").map(|(at, _)| &svg[at..]).collect();
+        assert!(lines.len() > 1, "{svg}");
+        let [short, _] = files("t", &Titled("short")).expect("is drawn");
+        assert_eq!(String::from_utf8(short.1).expect("text").matches("<text").count(), 1);
+    }
+
+    #[test]
+    fn analytic_numbers_at_axes_have_no_needless_decimals() {
+        assert_eq!(
+            [0.0, -0.0, 100.0, 0.25, -1.5, 0.1 + 0.2, 1e-9].map(|value| number(&value)),
+            ["0", "0", "100", "0.25", "-1.5", "0.3", "0"]
+        );
+    }
 }

@@ -37,6 +37,7 @@ fn curve(found: &Stiffness) -> Lines {
         up: "force, N",
         series,
         levels: Vec::new(),
+        left: Vec::new(),
         legend: SeriesLabelPosition::LowerRight,
     }
 }

@@ -60,7 +60,7 @@ pub fn plate(frame: &Frame, plate: &CouponPlate) -> std::io::Result<Vec<u8>> {
     let moved = plate_picture::from_corner(printer);
     let colour = material.material.colour;
     let items: Vec<Item> = plate.placed.iter().map(|(piece, pose)| Item { mesh: &piece.mesh, pose: moved * pose, colour }).collect();
-    let thumbnail = picture::png_on_bed(&items, &Bed { size_mm: printer.size_mm }, View::Perspective, PLATE_SIZE[0], PLATE_SIZE[1]);
+    let thumbnail = picture::png_on_bed(&items, &Bed::of(printer), View::Perspective, PLATE_SIZE[0], PLATE_SIZE[1]);
     three_mf::archive(&contents, &thumbnail)
 }
 

@@ -156,6 +156,7 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
                 line("after", 0, 2, false, of(&diagnosis.chosen_points, &|point| point.model_g)),
             ],
             levels: Vec::new(),
+            left: Vec::new(),
             legend: plotters::prelude::SeriesLabelPosition::UpperRight,
         };
         blocks.push(figure(
@@ -188,6 +189,7 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
             up: "measured less model, standard errors",
             series,
             levels: vec![("2 standard errors".into(), 2.0), ("−2".into(), -2.0)],
+            left: Vec::new(),
             legend: plotters::prelude::SeriesLabelPosition::UpperRight,
         };
         blocks.push(figure(name, &chart, format!("Residual {when}, in standard errors of the mean wave."))?);

@@ -29,6 +29,7 @@ pub(super) fn figures(assessment: &LandingAssessment, diagnosis: &Diagnosis) -> 
                 line("after: random slopes", 0, false, &timed(predicted, step_ms)),
             ],
             levels: Vec::new(),
+            left: Vec::new(),
             legend: SeriesLabelPosition::UpperRight,
         };
         let caption = format!("Mean wave from {height_m} m, the base model's, and the mean of landings with random slopes.");
@@ -103,6 +104,7 @@ fn touches(assessment: &LandingAssessment) -> Lines {
         up: "first to opposite foot, ms",
         series,
         levels: Vec::new(),
+        left: Vec::new(),
         legend: SeriesLabelPosition::UpperLeft,
     }
 }
@@ -125,6 +127,7 @@ fn times(spreads: &[HeightSpread]) -> Lines {
         up: "share of the drops",
         series: spreads.iter().enumerate().flat_map(both).collect(),
         levels: Vec::new(),
+        left: Vec::new(),
         legend: SeriesLabelPosition::LowerRight,
     }
 }
@@ -150,6 +153,7 @@ fn drop(shown: &ShownDrop, step_ms: f64) -> Lines {
         up: UP,
         series,
         levels: Vec::new(),
+        left: Vec::new(),
         legend: SeriesLabelPosition::UpperRight,
     }
 }

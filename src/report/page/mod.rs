@@ -10,6 +10,7 @@ pub mod document;
 mod landing_figures;
 #[cfg(feature = "charts")]
 mod landing_section;
+pub mod next_steps;
 pub mod print_settings;
 pub mod recovery_page;
 pub mod study_page;

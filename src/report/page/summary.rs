@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::next_steps;
 use crate::checks::{Finding, Tightest, Verdict, tightest};
 use crate::export::cutting;
 use crate::figures::decimals;
@@ -9,17 +10,20 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::skeleton::RodRole;
 use crate::markdown::inert;
+use crate::printing::plates::Plate;
 
-/// The report of a design, with its findings; `pictures` says whether the pictures lie beside it.
-pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], pictures: bool) -> String {
+/// The report of a design, with its findings and its plates; `pictures` says whether the pictures lie beside it.
+pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], plates: &[(Plate, Vec<u8>)], pictures: bool) -> String {
     let mut page = String::new();
     let frame = &design.frame;
     // Writing to a String cannot fail.
     let _ = writeln!(page, "# {}\n\n{}\n", inert(&frame.name), inert(&frame.description));
+    verdict(&mut page, findings);
+    next_steps::section(&mut page, design, masses, plates);
+    page.push_str("## The frame\n\n");
     if pictures {
         page.push_str("![assembled](pictures/assembled_perspective.png)\n\n");
     }
-    verdict(&mut page, findings);
     geometry(&mut page, design, masses);
     printed(&mut page, design, masses, pictures);
     rods(&mut page, design);
@@ -30,7 +34,7 @@ pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], pictu
         page.push_str(
             "| ![front](pictures/assembled_front.png) | ![right](pictures/assembled_right.png) | ![top](pictures/assembled_top.png) |\n\n",
         );
-        page.push_str("All parts as they are printed:\n\n![flat](pictures/flat_on_bed.png)\n");
+        page.push_str("All parts as they are printed, plate by plate:\n\n![flat](pictures/flat_on_bed.png)\n");
     }
     page
 }

@@ -9,11 +9,12 @@ use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 
 use super::arrow::Arrow;
 use super::camera::{Camera, View};
+use super::labels::Labels;
 use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::Design;
 use crate::frame::fold::{Done, FREE_WAY, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
-use crate::frame::skeleton::{MODULE_NAMES, module_turn};
+use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS, module_turn};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
 use crate::solid::Mesh;
 
@@ -23,6 +24,8 @@ pub const STEP_SIZE: [u32; 2] = [960, 600];
 const EXPLODED_SIZE: [u32; 2] = [1600, 1200];
 /// Height of the letters in a picture, pixels.
 const LETTERS: f64 = 26.0;
+/// Height of the letters beside the parts of the frame taken apart, and of those beside its corners, pixels.
+const NAMES: [f64; 2] = [21.0, 30.0];
 /// Linear colours of what moves, of what it meets, and of the rest.
 pub(super) const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
 /// Places along an arrow.
@@ -85,7 +88,7 @@ pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     pictures
 }
 
-/// The frame taken apart.
+/// The frame taken apart, with the names of its parts: those of the centre, and those of the first module, as the others are like it.
 pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
     let rules = fold.rules(&design.frame, &design.skeleton);
     let places = exploded(&rules, &fold.order());
@@ -96,7 +99,7 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
     }
     layers.sort_by(|a, b| a.0.total_cmp(&b.0));
     let hub = layers.iter().position(|(_, index)| design.bodies[*index].name == Member::Hub.body(0)).unwrap_or(0) as f64;
-    let mut shown = Vec::new();
+    let (mut shown, mut named) = (Vec::new(), Vec::new());
     for (index, body) in design.bodies.iter().enumerate() {
         let shape = design.shape(body);
         let layer = layers.iter().position(|(_, i)| *i == index).map_or(0.0, |layer| layer as f64 - hub);
@@ -105,10 +108,40 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
             (Some((_, pose)), Some(module)) => module_turn(module) * pose,
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
+        named.push((words_of(&body.name, body.module), body.module, pose * middle_of(&shape.mesh)));
         shown.push(Shown { mesh: shape.mesh.clone(), pose, colour: shape.colour });
     }
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), EXPLODED_SIZE);
-    draw(&shown, &[], &camera, EXPLODED_SIZE)
+    let mut picture = draw(&shown, &[], &camera, EXPLODED_SIZE);
+    let Some(mut labels) = Labels::on(&mut picture.rgb, EXPLODED_SIZE[0]) else { return picture };
+    let place = |point: &Point3<f64>| {
+        let [x, y, _] = camera.project(point);
+        [x, y]
+    };
+    for (module, words) in MODULE_WORDS.iter().enumerate() {
+        let corner = Member::Corner(true).body(module);
+        let at = design.bodies.iter().position(|body| body.name == corner);
+        at.into_iter().for_each(|at| labels.put(words, NAMES[1], place(&named[at].2)));
+    }
+    let mut seen: Vec<&str> = Vec::new();
+    for (words, _, point) in named.iter().filter(|(_, module, _)| module.is_none_or(|module| module == 0)) {
+        if !seen.contains(&words.as_str()) {
+            seen.push(words);
+            labels.put(words, NAMES[0], place(point));
+        }
+    }
+    picture
+}
+
+/// A body's name as words: without its module, and without the number of one among several.
+fn words_of(name: &str, module: Option<usize>) -> String {
+    let own = |part: &&str| module.is_none_or(|module| *part != MODULE_NAMES[module]) && part.parse::<u32>().is_err();
+    name.split('_').filter(own).collect::<Vec<_>>().join(" ")
+}
+
+fn middle_of(mesh: &Mesh) -> Point3<f64> {
+    let [low, high] = mesh.bounds_mm();
+    Point3::from((Vector3::from(low) + Vector3::from(high)) * 0.5)
 }
 
 /// Bodies as the rasteriser takes them.
@@ -239,8 +272,7 @@ impl Stage<'_> {
     /// Middle of a member in its own axes.
     fn middle(&self, member: Member) -> Point3<f64> {
         let body = self.design.bodies.iter().find(|body| body.name == member.body(0));
-        let [low, high] = body.map_or([[0.0; 3]; 2], |body| self.design.shape(body).mesh.bounds_mm());
-        Point3::from((Vector3::from(low) + Vector3::from(high)) * 0.5)
+        body.map_or(Point3::origin(), |body| middle_of(&self.design.shape(body).mesh))
     }
 }
 

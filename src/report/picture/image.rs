@@ -11,10 +11,14 @@ use super::{
     raster::{self, Fill},
     surface::{self, Drawn},
 };
+use crate::params::catalogue::{self, Printer};
 use crate::solid::Mesh;
 
 /// Distance between the lines of the bed's grid, mm; every fifth is stronger.
 const GRID_MM: f64 = 10.0;
+
+/// Corners of a round bed as it is drawn.
+const DISC_CORNERS: usize = 96;
 
 /// Linear intensity of the bed, of the shadow on it, and of its thin and strong lines.
 const BED: [f32; 4] = [0.88, 0.50, 0.70, 0.42];
@@ -33,32 +37,79 @@ pub struct Item<'a> {
     pub colour: [f32; 4],
 }
 
-/// The bed of a printer: the plane Z = 0 from the origin, its front left corner, to the size along X and Y.
+/// The bed of a printer in the plane Z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bed {
+    /// Front left corner of the square or rectangle around it, mm.
+    pub low_mm: [f64; 2],
     /// Extent along X and Y, mm.
     pub size_mm: [f64; 2],
+    /// Whether it is the disc in that square.
+    pub round: bool,
+}
+
+impl Bed {
+    /// A printer's, its corner in the origin.
+    pub fn of(printer: &Printer) -> Self {
+        Self { low_mm: [0.0; 2], size_mm: printer.size_mm, round: printer.bed == catalogue::Bed::Round }
+    }
+
+    /// Width and depth as they are drawn, mm.
+    fn drawn_mm(&self) -> [f64; 2] {
+        self.size_mm.map(|s| if s.is_finite() { s.clamp(0.0, 5000.0) } else { 0.0 })
+    }
+
+    /// Corners, counter-clockwise, mm.
+    fn outline(&self) -> Vec<Point3<f64>> {
+        let ([x0, y0], [x, y]) = (self.low_mm, self.drawn_mm());
+        if !self.round {
+            return [[x0, y0], [x0 + x, y0], [x0 + x, y0 + y], [x0, y0 + y]].map(|[x, y]| Point3::new(x, y, 0.0)).into();
+        }
+        let radius = 0.5 * x.min(y);
+        let on = |turn: usize| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * turn as f64 / DISC_CORNERS as f64);
+            Point3::new(x0 + 0.5 * x + radius * cos, y0 + 0.5 * y + radius * sin, 0.0)
+        };
+        (0..DISC_CORNERS).map(on).collect()
+    }
+
+    /// From where to where a line of the grid lies on the bed: at this place of one axis, along the other, from the corner, mm.
+    fn along(&self, axis: usize, at: f64) -> [f64; 2] {
+        let size = self.drawn_mm();
+        if !self.round {
+            return [0.0, size[1 - axis]];
+        }
+        let (radius, off) = (0.5 * size[0].min(size[1]), at - 0.5 * size[axis]);
+        let half = (radius * radius - off * off).max(0.0).sqrt();
+        [0.5 * size[1 - axis] - half, 0.5 * size[1 - axis] + half]
+    }
 }
 
 /// A picture of the items on white, all of them within it, as the bytes of a PNG file; size in pixels (at least 1).
 pub fn png(items: &[Item], view: View, width: u32, height: u32) -> Vec<u8> {
-    encoded(&pixels(items, None, view, [width, height]), width, height)
+    encoded(&pixels(items, &[], view, [width, height]), width, height)
 }
 
 /// The same with a printer's bed under the items: a grid, and their shadows. From below the bed is not drawn.
 pub fn png_on_bed(items: &[Item], bed: &Bed, view: View, width: u32, height: u32) -> Vec<u8> {
-    encoded(&pixels(items, Some(bed), view, [width, height]), width, height)
+    encoded(&pixels(items, &[*bed], view, [width, height]), width, height)
 }
 
 /// Red, green, blue bytes of the picture.
-pub(in crate::report) fn pixels(items: &[Item], bed: Option<&Bed>, view: View, size: [u32; 2]) -> Vec<u8> {
+pub(in crate::report) fn pixels(items: &[Item], beds: &[Bed], view: View, size: [u32; 2]) -> Vec<u8> {
+    seen(items, beds, &[], view, size).0
+}
+
+/// The same with points that lie within the picture, too, and the camera that sees it.
+pub(in crate::report) fn seen(items: &[Item], beds: &[Bed], points: &[Point3<f64>], view: View, size: [u32; 2]) -> (Vec<u8>, Camera) {
     let size = size.map(|s| s.max(1));
-    let mut points = corners(items);
-    points.extend(bed.iter().flat_map(|b| rectangle(b)));
-    let camera = Camera::fit(view, bed.is_some(), &points, size);
-    let mut fills = bed.map(|b| bed_fills(b, items, view, &camera)).unwrap_or_default();
+    let mut all = corners(items);
+    all.extend(beds.iter().flat_map(Bed::outline));
+    all.extend(points);
+    let camera = Camera::fit(view, !beds.is_empty(), &all, size);
+    let mut fills = bed_fills(beds, items, view, &camera);
     fills.extend(fills_of(items, &camera));
-    raster::rgb(&fills, size[0] as usize, size[1] as usize)
+    (raster::rgb(&fills, size[0] as usize, size[1] as usize), camera)
 }
 
 /// All corners of the items, mm.
@@ -81,36 +132,45 @@ pub(in crate::report) fn fills_of(items: &[Item], camera: &Camera) -> Vec<Fill> 
     fills
 }
 
-/// Corners of the bed, counter-clockwise from the origin, mm.
-fn rectangle(bed: &Bed) -> [Point3<f64>; 4] {
-    let [x, y] = bed.size_mm.map(|s| if s.is_finite() { s.clamp(0.0, 5000.0) } else { 0.0 });
-    [[0.0, 0.0], [x, 0.0], [x, y], [0.0, y]].map(|[x, y]| Point3::new(x, y, 0.0))
-}
-
-/// The bed, its grid, and the shadows on it.
-fn bed_fills(bed: &Bed, items: &[Item], view: View, camera: &Camera) -> Vec<Fill> {
-    if view == View::Bottom {
+/// The beds, their grids, and the shadows on them.
+fn bed_fills(beds: &[Bed], items: &[Item], view: View, camera: &Camera) -> Vec<Fill> {
+    if view == View::Bottom || beds.is_empty() {
         return Vec::new();
     }
     let grey = |corners, shade: f32| Fill { corners, light: [1.0; 3], colour: [shade; 3], alpha: 1.0 };
-    let corners = rectangle(bed);
-    let [p, q, r, s] = corners.map(|p| camera.project(&p));
-    let mut fills = vec![grey([p, q, r], BED[0]), grey([p, r, s], BED[0])];
+    let mut fills = Vec::new();
+    for bed in beds {
+        let outline: Vec<[f64; 3]> = bed.outline().iter().map(|p| camera.project(p)).collect();
+        fills.extend(outline.windows(2).skip(1).map(|pair| grey([outline[0], pair[0], pair[1]], BED[0])));
+    }
     for item in items.iter().filter(|item| item.colour[3] >= 1.0) {
         let cast: Vec<[f64; 3]> =
             item.mesh.vertices.iter().map(|v| shadow(&(item.pose * Point3::from(v.map(f64::from))), camera)).collect();
         let whole = item.mesh.triangles.iter().filter(|t| t.iter().all(|&i| (i as usize) < cast.len()));
         fills.extend(whole.map(|t| grey(t.map(|i| cast[i as usize]), BED[1])));
     }
-    let far = corners[2];
-    for (axis, length) in [(0, far.x), (1, far.y)] {
+    fills.extend(beds.iter().flat_map(|bed| grid(bed, camera)));
+    fills
+}
+
+/// The lines on a bed, and its rim.
+fn grid(bed: &Bed, camera: &Camera) -> Vec<Fill> {
+    let mut fills = Vec::new();
+    let mut line = |ends: [Point3<f64>; 2], strong: bool| {
+        let ends = ends.map(|point| camera.project(&point));
+        fills.extend(surface::line(ends, [if strong { BED[3] } else { BED[2] }; 3], camera));
+    };
+    let [x0, y0] = bed.low_mm;
+    for (axis, length) in bed.drawn_mm().into_iter().enumerate() {
         for step in 0..=(length / GRID_MM).ceil() as usize {
-            let along = (step as f64 * GRID_MM).min(length);
-            let strong = step % 5 == 0 || along == length;
-            let ends = [0.0, [far.y, far.x][axis]].map(|t| if axis == 0 { [along, t] } else { [t, along] });
-            let ends = ends.map(|[x, y]| camera.project(&Point3::new(x, y, 0.0)));
-            fills.extend(surface::line(ends, [if strong { BED[3] } else { BED[2] }; 3], camera));
+            let at = (step as f64 * GRID_MM).min(length);
+            let point = |t: f64| if axis == 0 { Point3::new(x0 + at, y0 + t, 0.0) } else { Point3::new(x0 + t, y0 + at, 0.0) };
+            line(bed.along(axis, at).map(point), step % 5 == 0 || at == length && !bed.round);
         }
+    }
+    if bed.round {
+        let rim = bed.outline();
+        (0..rim.len()).for_each(|at| line([rim[at], rim[(at + 1) % rim.len()]], true));
     }
     fills
 }
@@ -239,11 +299,20 @@ mod tests {
     fn analytic_same_bytes_twice() {
         let (ball, cube) = (sphere(9.0, 24), cuboid([10.0, 4.0, 2.0]));
         let items = [at(&ball, [5.0, 0.0, 0.0], RED), at(&cube, [0.0; 3], [0.1, 0.4, 0.1, 0.4])];
-        let bed = Bed { size_mm: [40.0, 30.0] };
+        let bed = Bed { low_mm: [0.0; 2], size_mm: [40.0, 30.0], round: false };
         for view in VIEWS {
             assert_eq!(png(&items, view, 160, 120), png(&items, view, 160, 120));
             assert_eq!(png_on_bed(&items, &bed, view, 160, 120), png_on_bed(&items, &bed, view, 160, 120));
         }
+    }
+
+    #[test]
+    fn analytic_a_round_bed_covers_a_disc_of_its_square() {
+        let covered = |round: bool| {
+            let bed = Bed { low_mm: [10.0, -5.0], size_mm: [200.0, 200.0], round };
+            decoded(&png_on_bed(&[], &bed, View::Top, 400, 400)).iter().filter(|p| **p != [255; 3]).count() as f64
+        };
+        assert!((covered(true) / covered(false) - 0.25 * PI).abs() < 0.01, "{} {}", covered(true), covered(false));
     }
 
     #[test]
@@ -268,8 +337,10 @@ mod tests {
             let pixels = decoded(&png(&items, view, 64, 48));
             assert!(pixels.iter().any(|p| p[0] > 100 && p[1] < 100), "{view:?}");
             assert_eq!(decoded(&png(&[at(&flat, [0.0; 3], RED)], view, 64, 48)).len(), 64 * 48);
-            let bed = Bed { size_mm: [f64::NAN, f64::INFINITY] };
-            assert_eq!(decoded(&png_on_bed(&[at(&cube, [0.0; 3], RED)], &bed, view, 64, 48)).len(), 64 * 48);
+            for round in [false, true] {
+                let bed = Bed { low_mm: [0.0; 2], size_mm: [f64::NAN, f64::INFINITY], round };
+                assert_eq!(decoded(&png_on_bed(&[at(&cube, [0.0; 3], RED)], &bed, view, 64, 48)).len(), 64 * 48);
+            }
         }
     }
 }

@@ -26,8 +26,8 @@ pub fn png(design: &Design, slopes_rad: [f64; 2]) -> Vec<u8> {
     let lowest_mm = corners(&turned).iter().map(|point| point.z).fold(f64::INFINITY, f64::min);
     let onto = Isometry3::translation(0.5 * GROUND_MM, 0.5 * GROUND_MM, -lowest_mm);
     let landed: Vec<Item> = turned.iter().map(|item| Item { pose: onto * item.pose, ..*item }).collect();
-    let ground = Bed { size_mm: [GROUND_MM; 2] };
-    let [side, raised] = [View::Front, View::Perspective].map(|view| pixels(&landed, Some(&ground), view, SIZE));
+    let ground = Bed { low_mm: [0.0; 2], size_mm: [GROUND_MM; 2], round: false };
+    let [side, raised] = [View::Front, View::Perspective].map(|view| pixels(&landed, &[ground], view, SIZE));
     let row = 3 * SIZE[0] as usize;
     let both: Vec<u8> = side.chunks_exact(row).zip(raised.chunks_exact(row)).flat_map(|(a, b)| [a, b].concat()).collect();
     encoded(&both, 2 * SIZE[0], SIZE[1])

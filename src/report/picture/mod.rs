@@ -5,6 +5,7 @@ pub mod bent_scene;
 pub(in crate::report) mod camera;
 pub mod fold_scene;
 pub mod image;
+pub(in crate::report) mod labels;
 pub mod landing_picture;
 pub(in crate::report) mod lettering;
 pub mod mount_scene;

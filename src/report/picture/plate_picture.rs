@@ -34,5 +34,5 @@ fn drawn(design: &Design, plate: &Plate, [width, height]: [u32; 2]) -> Vec<u8> {
         Some(Item { mesh: &part.mesh, pose: moved * item.pose(part), colour })
     };
     let items: Vec<Item> = plate.items.iter().filter_map(item).collect();
-    picture::png_on_bed(&items, &Bed { size_mm: printer.size_mm }, View::Perspective, width, height)
+    picture::png_on_bed(&items, &Bed::of(printer), View::Perspective, width, height)
 }

@@ -121,7 +121,7 @@ fn drawn(part: &Printed, marks: &[Mark]) -> Vec<u8> {
         let body = Item { mesh: &part.mesh, pose, colour: PART };
         let marked = marks.iter().flat_map(|mark| mark.meshes.iter().map(move |mesh| Item { mesh, pose, colour: mark.colour }));
         let items: Vec<Item> = marked.chain([body]).collect();
-        picture::pixels(&items, None, View::Perspective, VIEW)
+        picture::pixels(&items, &[], View::Perspective, VIEW)
     });
     let lines = words(part, marks);
     let [width, height] = [2 * VIEW[0], VIEW[1] + (WORDS[0] * lines.len() as f64 + 8.0) as u32];

@@ -1,9 +1,15 @@
 //! The pictures of a frame: assembled, flat on the bed, and each part.
 
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 
+use super::labels::Labels;
+use super::lettering::Lettering;
+use super::plate_picture;
 use crate::frame::assembly::{Body, Design, Printed};
+use crate::frame::fold::Member;
+use crate::frame::skeleton::MODULE_WORDS;
+use crate::printing::plates::Plate;
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
 
@@ -13,23 +19,35 @@ const FRAME_SIZE: [u32; 2] = [1024, 768];
 /// Width and height of the picture of one part, pixels.
 const PART_SIZE: [u32; 2] = [480, 360];
 
-/// Room between parts on the bed, mm.
+/// Height of the letters, pixels.
+const LETTERS: f64 = 22.0;
+
+/// Room between parts in rows, mm.
 const ROOM_MM: f64 = 4.0;
 
-/// Every picture, path and PNG bytes.
-pub fn pictures(design: &Design) -> Vec<(String, Vec<u8>)> {
+/// Between two beds, mm.
+const BETWEEN_MM: f64 = 30.0;
+
+/// Most beds beside each other.
+const MOST_BESIDE: usize = 3;
+
+/// How far off a corner there is room for its name, mm.
+const OFF_CORNER_MM: f64 = 22.0;
+
+/// Every picture, path and PNG bytes; the parts lie on these plates.
+pub fn pictures(design: &Design, plates: &[Plate]) -> Vec<(String, Vec<u8>)> {
     let mut jobs: Vec<Job> = [("front", View::Front), ("right", View::Right), ("top", View::Top), ("perspective", View::Perspective)]
         .into_iter()
         .map(|(name, view)| Job::Assembled(name, view))
         .collect();
-    jobs.push(Job::Bed);
+    jobs.push(Job::Beds(plates));
     jobs.extend(design.printed.iter().map(Job::Part));
     jobs.par_iter().map(|job| (job.path(), job.kept(design))).collect()
 }
 
 enum Job<'a> {
     Assembled(&'static str, View),
-    Bed,
+    Beds(&'a [Plate]),
     Part(&'a Printed),
 }
 
@@ -37,7 +55,7 @@ impl Job<'_> {
     fn path(&self) -> String {
         match self {
             Self::Assembled(name, _) => format!("pictures/assembled_{name}.png"),
-            Self::Bed => "pictures/flat_on_bed.png".into(),
+            Self::Beds(_) => "pictures/flat_on_bed.png".into(),
             Self::Part(part) => format!("pictures/part_{}.png", part.name),
         }
     }
@@ -51,9 +69,11 @@ impl Job<'_> {
                 let body = |body: &Body| (design.shape(body).solid.key(), body.pose, design.shape(body).colour);
                 design.memo.get("picture", &path, &(view, design.bodies.iter().map(body).collect::<Vec<_>>()), draw)
             }
-            Self::Bed => {
+            Self::Beds(plates) => {
                 let parts: Vec<_> = design.printed.iter().map(printed).collect();
-                design.memo.get("picture", &path, &(parts, design.frame.printer.size_mm), draw)
+                let items: Vec<_> = plates.iter().map(|plate| (plate.name(), &plate.items)).collect();
+                let printer = &design.frame.printer;
+                design.memo.get("picture", &path, &(parts, items, printer.bed, printer.size_mm), draw)
             }
             Self::Part(part) => design.memo.get("picture", &path, &printed(part), draw),
         };
@@ -63,11 +83,9 @@ impl Job<'_> {
     fn draw(&self, design: &Design) -> Vec<u8> {
         let [width, height] = FRAME_SIZE;
         match self {
+            Self::Assembled(_, view @ (View::Perspective | View::Top)) => with_corners(design, *view),
             Self::Assembled(_, view) => picture::png(&assembled(design), *view, width, height),
-            Self::Bed => {
-                let (items, bed) = on_bed(design);
-                picture::png_on_bed(&items, &bed, View::Perspective, width, height)
-            }
+            Self::Beds(plates) => on_beds(design, plates),
             Self::Part(part) => {
                 let [width, height] = PART_SIZE;
                 let item = Item { mesh: &part.mesh, pose: Isometry3::identity(), colour: colour(design, part) };
@@ -89,24 +107,75 @@ pub(in crate::report) fn assembled(design: &Design) -> Vec<Item<'_>> {
     design.bodies.iter().map(item).collect()
 }
 
-/// All copies of all parts in rows on the printer's bed, deepest first; rows that do not fit run over its far edge.
-fn on_bed(design: &Design) -> (Vec<Item<'_>>, Bed) {
-    let bed = Bed { size_mm: design.frame.printer.size_mm };
+/// The frame with the names of its four corners.
+fn with_corners(design: &Design, view: View) -> Vec<u8> {
+    let [width, height] = FRAME_SIZE;
+    let corner = |module: usize| design.bodies.iter().find(|body| body.name == Member::Corner(true).body(module));
+    // Off the corner, so that there is white for the words.
+    let off = |body: &Body| {
+        let at = Point3::from(body.pose.translation.vector);
+        let outward = Vector3::new(at.x, at.y, 0.0);
+        at + outward * (OFF_CORNER_MM / outward.norm().max(1e-9))
+    };
+    let corners: Vec<(&str, &Body)> =
+        MODULE_WORDS.iter().enumerate().filter_map(|(module, words)| Some((*words, corner(module)?))).collect();
+    let room: Vec<Point3<f64>> = corners.iter().map(|(_, body)| off(body)).collect();
+    let (mut rgb, camera) = picture::seen(&assembled(design), &[], &room, view, FRAME_SIZE);
+    if let Some(mut labels) = Labels::on(&mut rgb, width) {
+        for (words, body) in corners {
+            let [x, y, _] = camera.project(&Point3::from(body.pose.translation.vector));
+            labels.put(words, LETTERS, [x, y]);
+        }
+    }
+    picture::encoded(&rgb, width, height)
+}
+
+/// Every plate as it is printed, each on a bed of its own, beside each other; without plates all parts in rows on no bed.
+fn on_beds(design: &Design, plates: &[Plate]) -> Vec<u8> {
+    let [width, height] = FRAME_SIZE;
+    if plates.is_empty() {
+        return picture::png(&in_rows(design), View::Perspective, width, height);
+    }
+    let printer = &design.frame.printer;
+    let columns = plates.len().min(MOST_BESIDE);
+    let (mut items, mut beds) = (Vec::new(), Vec::new());
+    for (at, plate) in plates.iter().enumerate() {
+        let low_mm = [0, 1].map(|axis| [at % columns, at / columns][axis] as f64 * (printer.size_mm[axis] + BETWEEN_MM));
+        let moved = Isometry3::translation(low_mm[0], low_mm[1], 0.0) * plate_picture::from_corner(printer);
+        beds.push(Bed { low_mm, ..Bed::of(printer) });
+        let printed = plate.items.iter().filter_map(|item| Some((item, design.part(item.part)?)));
+        let colour = plate.material.material.colour;
+        items.extend(printed.map(|(item, part)| Item { mesh: &part.mesh, pose: moved * item.pose(part), colour }));
+    }
+    let names: Vec<Point3<f64>> =
+        beds.iter().map(|bed| Point3::new(bed.low_mm[0] + 0.5 * bed.size_mm[0], bed.low_mm[1] - 0.4 * BETWEEN_MM, 0.0)).collect();
+    let (mut rgb, camera) = picture::seen(&items, &beds, &names, View::Perspective, FRAME_SIZE);
+    if let Some(lettering) = Lettering::new() {
+        for (plate, at) in plates.iter().zip(&names) {
+            let [x, y, _] = camera.project(at);
+            lettering.write(&mut rgb, width as usize, &plate.name().replace('_', " "), LETTERS, [x, y]);
+        }
+    }
+    picture::encoded(&rgb, width, height)
+}
+
+/// All copies of all parts in rows, deepest first, in a square.
+fn in_rows(design: &Design) -> Vec<Item<'_>> {
     let mut copies: Vec<&Printed> =
         design.printed.iter().flat_map(|part| std::iter::repeat_n(part, part.part.quantity() as usize)).collect();
     copies.sort_by(|a, b| b.mesh.size_mm()[1].total_cmp(&a.mesh.size_mm()[1]).then(a.name.cmp(&b.name)));
-    let (mut x, mut y, mut depth) = (ROOM_MM, ROOM_MM, 0.0_f64);
+    let room = |part: &Printed| part.mesh.size_mm().map(|size| size + ROOM_MM);
+    let wide = copies.iter().map(|part| room(part)[0] * room(part)[1]).sum::<f64>().sqrt();
+    let (mut x, mut y, mut depth) = (0.0, 0.0, 0.0_f64);
     let mut items = Vec::new();
     for part in copies {
-        let [low, high] = part.mesh.bounds_mm();
-        let size = [high[0] - low[0], high[1] - low[1]];
-        if x + size[0] + ROOM_MM > bed.size_mm[0] {
-            (x, y, depth) = (ROOM_MM, y + depth + ROOM_MM, 0.0);
+        let ([low, _], [across, along, _]) = (part.mesh.bounds_mm(), room(part));
+        if x > 0.0 && x + across > wide {
+            (x, y, depth) = (0.0, y + depth, 0.0);
         }
-        let pose = Isometry3::translation(x - low[0], y - low[1], 0.0);
-        items.push(Item { mesh: &part.mesh, pose, colour: colour(design, part) });
-        x += size[0] + ROOM_MM;
-        depth = depth.max(size[1]);
+        items.push(Item { mesh: &part.mesh, pose: Isometry3::translation(x - low[0], y - low[1], 0.0), colour: colour(design, part) });
+        x += across;
+        depth = depth.max(along);
     }
-    (items, bed)
+    items
 }

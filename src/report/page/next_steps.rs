@@ -1,0 +1,95 @@
+//! What a person does next with the files of a frame: print, cut, buy, put together; each with its time, its cost and its file.
+
+use std::fmt::Write;
+
+use crate::export::bill::{Bill, bill};
+use crate::figures::decimals;
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass::MassTable;
+use crate::frame::fold::FoldSequence;
+use crate::frame::mounting::mounts_of;
+use crate::markdown::inert;
+use crate::printing::plates::Plate;
+
+/// A step: what is done, how long it takes, what it costs, where it stands.
+type Row = [String; 4];
+
+/// The section of a page.
+pub fn section(page: &mut String, design: &Design, masses: &MassTable, plates: &[(Plate, Vec<u8>)]) {
+    let bill = bill(design, masses, None);
+    page.push_str("## What to do next\n\n| | what | time | cost | where it stands |\n|---|---|---:|---:|---|\n");
+    let try_first: Row = ["try the printer: fits and hinges, on a coupon".into(), unknown(), unknown(), "`flexframe coupon FRAME`".into()];
+    let steps = [try_first, print(design, &bill, plates), cut(&bill), buy(&bill), put_together(design)];
+    for (at, [what, time, cost, place]) in steps.iter().enumerate() {
+        // Writing to a String cannot fail.
+        let _ = writeln!(page, "| {} | {what} | {time} | {cost} | {place} |", at + 1);
+    }
+    page.push_str(
+        "\nTimes are estimates: printing without heating, cooling and support, assembly by hand without practice. What has no figure is not known. \
+         FRAME is the preset or file that this folder was built from.\n\n",
+    );
+}
+
+fn unknown() -> String {
+    "-".into()
+}
+
+fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
+    let pieces: u32 = bill.print.iter().map(|line| line.quantity).sum();
+    let time = bill.print_h.map_or_else(unknown, |hours| format!("{hours:.1} h"));
+    if plates.is_empty() {
+        let what = format!("print {pieces} parts, {:.0} g; not all of them lie on the printer's bed", bill.printed_g);
+        return [what, time, unknown(), "`parts/`, one STL file each".into()];
+    }
+    let printer = &design.frame.printer;
+    let plate = |(plate, _): &(Plate, Vec<u8>)| {
+        let hours =
+            plate.print_s(&design.printed, printer).map_or(String::new(), |seconds| format!(" {} h", decimals(seconds / 3600.0, 1)));
+        format!("[{0}](plates/{0}.3mf){hours}", plate.name())
+    };
+    let files: Vec<String> = plates.iter().map(plate).collect();
+    let what = format!("print {pieces} parts on {}, {:.0} g", counted(plates.len(), "plate"), bill.printed_g);
+    [what, time, unknown(), format!("{}; [settings](print-settings.md)", files.join(", "))]
+}
+
+fn cut(bill: &Bill) -> Row {
+    let pieces: u32 = bill.rods.iter().map(|line| line.quantity).sum();
+    let what = match &bill.cut_error {
+        Some(error) => format!("cut {pieces} rods: **{}**", inert(error)),
+        None => format!("cut {pieces} rods from {} of {:.0} mm", counted(bill.cut.len(), "stock length"), bill.stock_mm),
+    };
+    [what, unknown(), unknown(), "lengths below; [which from which](bom.csv)".into()]
+}
+
+fn buy(bill: &Bill) -> Row {
+    let lines = bill.buy.iter().filter(|line| line.kind != "extra");
+    let sums: Vec<String> = bill.prices_with_spares.iter().map(|(currency, least, most)| price(*least, *most, currency)).collect();
+    let cost = if sums.is_empty() { unknown() } else { format!("{}, without what has no price", sums.join(" and ")) };
+    [
+        format!("buy {} things, spares, glue and wires among them", lines.count()),
+        unknown(),
+        cost,
+        "[bill](bom.csv), `flexframe bom FRAME`".into(),
+    ]
+}
+
+/// An amount of money, or from one to another.
+fn price(least: f64, most: f64, currency: &str) -> String {
+    let most = if most > least { format!(" to {most:.2}") } else { String::new() };
+    inert(&format!("{least:.2}{most} {currency}"))
+}
+
+fn put_together(design: &Design) -> Row {
+    let mounts = mounts_of(design);
+    let place = String::from("`flexframe fold FRAME`");
+    let Ok(fold) = FoldSequence::new(&design.frame, &design.skeleton) else {
+        return ["fold it: **no order of folding was found**".into(), unknown(), unknown(), place];
+    };
+    let minutes = fold.steps.iter().map(|step| step.minutes).sum::<f64>() + mounts.iter().map(|mount| mount.minutes).sum::<f64>();
+    let what = format!("put it together and fold it, {}", counted(fold.steps.len() + mounts.len(), "step"));
+    [what, format!("{:.1} h", minutes / 60.0), unknown(), place]
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
