@@ -30,9 +30,9 @@ impl LandingTable {
     pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
         let [_, fall_s] = fall(model, height_m);
         let lags = expected.lags();
-        let read = |(fine, touch_s): (Vec<f64>, [Option<f64>; FEET])| {
-            let [_, opposite, beside, far] = touch_s.map(|touch| touch.unwrap_or(NEVER_S));
-            (expected.mean_of_aligned(&fine, &lags), [opposite, beside.min(far), beside.max(far)])
+        let read = |landing: ReadLanding| {
+            let [_, opposite, beside, far] = landing.touch_s.map(|touch| touch.unwrap_or(NEVER_S));
+            (expected.mean_of_aligned(&landing.wave_g, &lags), [opposite, beside.min(far), beside.max(far)])
         };
         let landings: Vec<_> = landed_everywhere(body, legs, model, expected, height_m)?.into_par_iter().map(read).collect();
         let points = points();
@@ -65,26 +65,28 @@ pub fn phase_covariance(
         point.around.iter().for_each(|(node, share)| shares[*node] += weight * share);
     }
     let landings = landed_everywhere(body, legs, model, expected, height_m)?;
-    let covariances: Vec<_> = landings.iter().zip(shares).map(|((fine, _), share)| expected.over_phases(fine) * share).collect();
+    let covariances: Vec<_> = landings.iter().zip(shares).map(|(landing, share)| expected.over_phases(&landing.wave_g) * share).collect();
     covariances.into_iter().reduce(|sum, part| sum + part)
 }
 
 /// Landings that are simulated side by side.
 const TOGETHER: usize = 4;
 
-/// What the sensor reads of the landing at each simulated slope, g, and when each foot touched, s.
-fn landed_everywhere(
-    body: &LeggedBody,
-    legs: &Legs,
-    model: &Model,
-    expected: &Expected,
-    height_m: f64,
-) -> Option<Vec<(Vec<f64>, [Option<f64>; FEET])>> {
+/// What the sensor reads of a landing.
+struct ReadLanding {
+    /// From first touch on, g.
+    wave_g: Vec<f64>,
+    /// When each foot touched, s.
+    touch_s: [Option<f64>; FEET],
+}
+
+/// The landing at each simulated slope.
+fn landed_everywhere(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Vec<ReadLanding>> {
     let [speed_m_s, _] = fall(model, height_m);
     let read = |landing: Landing| {
         let mut wave = landing.accel_g;
         legs.mount.iter().for_each(|mount| mount.carry(&mut wave, STEP_S));
-        (filtered(wave, &model.arrangement().sensor), landing.touch_s)
+        ReadLanding { wave_g: filtered(wave, &model.arrangement().sensor), touch_s: landing.touch_s }
     };
     let slopes = simulated();
     let (together, alone) = slopes.as_chunks::<TOGETHER>();
