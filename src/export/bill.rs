@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::cutting::{KERF_MM, Saving, rod_plan, rod_savings};
-use super::search_words::search_words;
+use super::search_words::{ALL_IN_ONE, search_words};
 use super::spares::with_spares;
 use super::supplies::{Supply, supplies};
 use crate::frame::assembly::Design;
@@ -199,13 +199,15 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
         let part = &item.part;
         let weighed = masses.lines.iter().find(|line| line.kind == "bought" && line.name == *role);
         let quantity = if role == "rod" { stocks } else { item.quantity };
+        let is_both = role == "motor_controller" && !design.frame.bought.contains_key("flight_controller");
+        let searched = if is_both { ALL_IN_ONE } else { role };
         BuyLine {
             role: role.clone(),
             name: item.name.clone(),
             kind: part.kind.clone(),
             quantity,
             with_spares: with_spares(&part.kind, quantity),
-            search: search_words(role, &item.name, part),
+            search: search_words(searched, &item.name, part),
             screw_mm: part.thread_mm.zip(part.length_mm).map(|(thread, length)| [thread, length]),
             mass_g: weighed.map(|line| line.total_g),
             mass_basis: weighed.map(|line| line.basis.clone()),

@@ -10,6 +10,9 @@ const INCH_MM: f64 = 25.4;
 const SOCKET_HEADS_MM: [[f64; 3]; 7] =
     [[1.4, 2.6, 1.4], [1.6, 3.0, 1.6], [2.0, 3.8, 2.0], [2.5, 4.5, 2.5], [3.0, 5.5, 3.0], [4.0, 7.0, 4.0], [5.0, 8.5, 5.0]];
 
+/// Instead of the role of a motor controller that has no flight controller beside it: it is both.
+pub const ALL_IN_ONE: &str = "all_in_one";
+
 /// The words for a part in a role, by its name in the catalogue.
 pub fn search_words(role: &str, name: &str, part: &BoughtPart) -> String {
     let own = own_name(&part.kind, name);
@@ -53,10 +56,11 @@ fn motor(own: &str, part: &BoughtPart) -> String {
 }
 
 fn board(role: &str, own: &str, part: &BoughtPart) -> String {
-    let pattern = part.hole_pattern_mm.map_or(String::new(), |[along, across]| format!(" {along:.0}x{across:.0} mm"));
+    let pattern = part.hole_pattern_mm.map_or(String::new(), |[along, across]| format!(" {along}x{across} mm"));
     match role {
         "flight_controller" => format!("flight controller{pattern}"),
         "motor_controller" => format!("4 in 1 ESC motor controller{pattern}"),
+        ALL_IN_ONE => format!("AIO flight controller with 4 in 1 ESC{pattern}"),
         _ => own.into(),
     }
 }
@@ -115,6 +119,15 @@ mod tests {
         ] {
             assert_eq!(as_it_is(role), said);
         }
+    }
+
+    #[test]
+    fn analytic_a_board_that_is_both_controllers_is_called_so() {
+        let frame = Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves");
+        let item = &frame.bought["motor_controller"];
+        let mut part = item.part.clone();
+        part.hole_pattern_mm = Some([25.5, 25.5]);
+        assert_eq!(search_words(ALL_IN_ONE, &item.name, &part), "AIO flight controller with 4 in 1 ESC 25.5x25.5 mm");
     }
 
     #[test]

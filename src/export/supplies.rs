@@ -47,7 +47,7 @@ pub fn supplies(design: &Design) -> Vec<Supply> {
     all.extend(glues(design));
     all.extend(fixings(design));
     all.extend(wires(design));
-    if design.frame.bought.contains_key("flight_controller") {
+    if ["flight_controller", "motor_controller"].iter().any(|role| design.frame.bought.contains_key(*role)) {
         all.push(Supply::one(
             "receiver",
             "radio receiver serial output",

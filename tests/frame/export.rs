@@ -319,6 +319,14 @@ fn analytic_the_bill_cuts_every_rod_once_and_wastes_nothing_unsaid() {
 fn analytic_the_report_links_to_files_that_are_there() {
     for built in built() {
         let report = built.text("report.md");
+        // What to do next comes first, with the plates that are there.
+        let next = report.find("## What to do next").expect("begins with it");
+        assert!(report.find("## ").is_some_and(|first| first == next), "{}", built.preset);
+        let plates = list(&built.manifest(), "files").iter().filter(|file| name(file, "path").ends_with(".3mf")).count();
+        assert!(plates > 0 && report[next..].lines().take(12).any(|line| line.matches(".3mf)").count() == plates), "{}", built.preset);
+        for step in ["print 31 parts", "cut 28 rods from", "buy ", "put it together and fold it, "] {
+            assert!(report[next..].lines().take(10).any(|line| line.contains(step)), "{}: {step}", built.preset);
+        }
         let links: Vec<&str> = report.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
         assert!(links.iter().filter(|link| link.ends_with(".stl")).count() == PartName::ALL.len());
         let pictures: Vec<&&str> = links.iter().filter(|link| link.ends_with(".png")).collect();

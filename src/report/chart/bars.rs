@@ -36,6 +36,7 @@ impl Chart for Bars {
         let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
+            .margin_top(MARGIN / 2)
             .x_label_area_size(44)
             .y_label_area_size(60)
             .margin_right(200)

@@ -52,6 +52,7 @@ impl Chart for Boxes {
         let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
+            .margin_top(MARGIN / 2)
             .x_label_area_size(64)
             .y_label_area_size(60)
             .margin_right(210)

@@ -27,6 +27,7 @@ impl Chart for IndexBars<'_> {
         let area = &titled(area, &self.title)?;
         let mut chart = ChartBuilder::on(area)
             .margin(MARGIN)
+            .margin_top(MARGIN / 2)
             .x_label_area_size(44)
             .y_label_area_size(60)
             .build_cartesian_2d(0.0..count, -0.08..1.12 * most)?;

@@ -73,9 +73,7 @@ impl Chart for Lines {
             }
         }
         if !self.left.is_empty() {
-            let ring = |at: (f64, f64), tone: RGBColor| {
-                EmptyElement::at(at) + Circle::new((0, 0), 9, WHITE.mix(0.6).filled()) + Circle::new((0, 0), 9, tone.stroke_width(3))
-            };
+            let ring = |at: (f64, f64), tone: RGBColor| EmptyElement::at(at) + Circle::new((0, 0), 9, tone.stroke_width(3));
             let rings = self.left.iter().map(|(number, at)| ring(*at, colour(*number)));
             let black = ShapeStyle::from(BLACK).stroke_width(2);
             chart

@@ -43,7 +43,12 @@ pub(in crate::report) fn axes<'a, B: DrawingBackend>(
     words: &Words,
     [x, y]: [Range<f64>; 2],
 ) -> Result<NumberChart<'a, B>, DrawingAreaErrorKind<B::ErrorType>> {
-    let mut chart = ChartBuilder::on(area).margin(MARGIN).x_label_area_size(44).y_label_area_size(60).build_cartesian_2d(x, y)?;
+    let mut chart = ChartBuilder::on(area)
+        .margin(MARGIN)
+        .margin_top(MARGIN / 2)
+        .x_label_area_size(44)
+        .y_label_area_size(60)
+        .build_cartesian_2d(x, y)?;
     let mesh = &mut chart.configure_mesh();
     mesh.x_desc(words.across).y_desc(words.up).x_label_formatter(&number).y_label_formatter(&number);
     mesh.label_style((FONT, 16)).axis_desc_style((FONT, 18)).light_line_style(TRANSPARENT).draw()?;
@@ -66,9 +71,9 @@ pub(in crate::report) fn titled<B: DrawingBackend>(area: &Area<B>, title: &str) 
         }
     }
     for (at, line) in lines.iter().enumerate() {
-        area.draw_text(line, &style, (width as i32 / 2, MARGIN as i32 / 2 + LINE * at as i32))?;
+        area.draw_text(line, &style, (width as i32 / 2, MARGIN as i32 + LINE * at as i32))?;
     }
-    Ok(area.split_vertically(MARGIN as i32 / 2 + LINE * lines.len() as i32).1)
+    Ok(area.split_vertically(MARGIN as i32 + LINE * lines.len() as i32).1)
 }
 
 /// A number at an axis: no more decimals than it has.

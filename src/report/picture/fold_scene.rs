@@ -12,7 +12,7 @@ use super::camera::{Camera, View};
 use super::labels::Labels;
 use super::lettering::Lettering;
 use super::raster;
-use crate::frame::assembly::Design;
+use crate::frame::assembly::{Design, Kind};
 use crate::frame::fold::{Done, FREE_WAY, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
 use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS, module_turn};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
@@ -108,7 +108,7 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
             (Some((_, pose)), Some(module)) => module_turn(module) * pose,
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
-        named.push((words_of(&body.name, body.module), body.module, pose * middle_of(&shape.mesh)));
+        named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module, pose * middle_of(&shape.mesh)));
         shown.push(Shown { mesh: shape.mesh.clone(), pose, colour: shape.colour });
     }
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), EXPLODED_SIZE);
@@ -133,10 +133,14 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
     picture
 }
 
-/// A body's name as words: without its module, and without the number of one among several.
-fn words_of(name: &str, module: Option<usize>) -> String {
+/// A body's name as words: without its module, and without the number of one among several; a rod is called one.
+fn words_of(name: &str, module: Option<usize>, is_rod: bool) -> String {
     let own = |part: &&str| module.is_none_or(|module| *part != MODULE_NAMES[module]) && part.parse::<u32>().is_err();
-    name.split('_').filter(own).collect::<Vec<_>>().join(" ")
+    let mut words: Vec<&str> = name.split('_').filter(own).collect();
+    if is_rod {
+        words.insert(words.len().min(1), "rod");
+    }
+    words.join(" ")
 }
 
 fn middle_of(mesh: &Mesh) -> Point3<f64> {

@@ -36,23 +36,39 @@ impl<'a> Labels<'a> {
         let half = [0.5 * self.lettering.width(words, size) + ROOM[0], 0.5 * LINE * size + ROOM[1]];
         let Some(middle) = self.free(at, half) else { return };
         self.taken.push([middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1]]);
-        // To the nearest point of the words' box.
-        let end = [0, 1].map(|axis| at[axis].clamp(middle[axis] - half[axis] + ROOM[axis], middle[axis] + half[axis] - ROOM[axis]));
-        self.line(at, end);
+        self.line(at, beside(at, middle, half));
         self.lettering.write(self.rgb, self.width, words, size, middle);
     }
 
-    /// The middle of a free box as near to a point as can be.
+    /// The middle of a free box as near to a point as can be: one whose line crosses nothing on its way, or else no words.
     fn free(&self, at: [f64; 2], half: [f64; 2]) -> Option<[f64; 2]> {
-        let places = DISTANCES.iter().flat_map(|distance| {
-            (0..DIRECTIONS).map(move |direction| {
-                let (sin, cos) = libm::sincos(std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64);
-                // The box touches a circle around the point.
-                let out = distance + (half[0] * cos.abs()).min(half[0]) + half[1] * sin.abs();
-                [at[0] + out * cos, at[1] + out * sin]
-            })
-        });
-        places.into_iter().find(|middle| self.is_free(*middle, half))
+        let places: Vec<[f64; 2]> = around(at, half).filter(|middle| self.is_free(*middle, half)).collect();
+        let crossing = |middle: &&[f64; 2]| self.crosses(at, beside(at, **middle, half));
+        let clean = places.iter().find(|middle| crossing(middle) == Crossing::Nothing);
+        clean.or_else(|| places.iter().find(|middle| crossing(middle) == Crossing::Things)).copied()
+    }
+
+    /// What a line crosses after it has left what it begins in.
+    fn crosses(&self, from: [f64; 2], to: [f64; 2]) -> Crossing {
+        let steps = libm::hypot(to[0] - from[0], to[1] - from[1]).ceil() as usize;
+        let (mut outside, mut crossed) = (false, Crossing::Nothing);
+        for step in 0..=steps {
+            let [x, y] = [0, 1].map(|axis| from[axis] + step as f64 / steps.max(1) as f64 * (to[axis] - from[axis]));
+            if self.taken.iter().any(|[x0, y0, x1, y1]| (*x0..=*x1).contains(&x) && (*y0..=*y1).contains(&y)) {
+                return Crossing::Words;
+            }
+            let white = self.is_white(x, y);
+            outside |= white;
+            if outside && !white {
+                crossed = Crossing::Things;
+            }
+        }
+        crossed
+    }
+
+    fn is_white(&self, x: f64, y: f64) -> bool {
+        let (x, y) = (x.max(0.0) as usize, y.max(0.0) as usize);
+        x < self.width && y < self.height && self.rgb[3 * (y * self.width + x)..][..3].iter().all(|v| *v == 255)
     }
 
     fn is_free(&self, [x, y]: [f64; 2], half: [f64; 2]) -> bool {
@@ -88,6 +104,31 @@ impl<'a> Labels<'a> {
             }
         }
     }
+}
+
+/// What a line crosses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Crossing {
+    Nothing,
+    Things,
+    Words,
+}
+
+/// Middles of boxes around a point, the nearest first.
+fn around(at: [f64; 2], half: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    DISTANCES.into_iter().flat_map(move |distance| {
+        (0..DIRECTIONS).map(move |direction| {
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * direction as f64 / DIRECTIONS as f64);
+            // The box touches a circle around the point.
+            let out = distance + half[0] * cos.abs() + half[1] * sin.abs();
+            [at[0] + out * cos, at[1] + out * sin]
+        })
+    })
+}
+
+/// The point of the words' box that is nearest to what they name.
+fn beside(at: [f64; 2], middle: [f64; 2], half: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| at[axis].clamp(middle[axis] - half[axis] + ROOM[axis], middle[axis] + half[axis] - ROOM[axis]))
 }
 
 #[cfg(test)]

@@ -16,6 +16,9 @@ use crate::report::picture::image::{Bed, Item, View};
 /// Width and height of the pictures of the whole frame, pixels.
 const FRAME_SIZE: [u32; 2] = [1024, 768];
 
+/// Width and height of the picture of several plates, pixels.
+const BEDS_SIZE: [u32; 2] = [1440, 720];
+
 /// Width and height of the picture of one part, pixels.
 const PART_SIZE: [u32; 2] = [480, 360];
 
@@ -132,7 +135,7 @@ fn with_corners(design: &Design, view: View) -> Vec<u8> {
 
 /// Every plate as it is printed, each on a bed of its own, beside each other; without plates all parts in rows on no bed.
 fn on_beds(design: &Design, plates: &[Plate]) -> Vec<u8> {
-    let [width, height] = FRAME_SIZE;
+    let [width, height] = if plates.len() > 1 { BEDS_SIZE } else { FRAME_SIZE };
     if plates.is_empty() {
         return picture::png(&in_rows(design), View::Perspective, width, height);
     }
@@ -149,7 +152,7 @@ fn on_beds(design: &Design, plates: &[Plate]) -> Vec<u8> {
     }
     let names: Vec<Point3<f64>> =
         beds.iter().map(|bed| Point3::new(bed.low_mm[0] + 0.5 * bed.size_mm[0], bed.low_mm[1] - 0.4 * BETWEEN_MM, 0.0)).collect();
-    let (mut rgb, camera) = picture::seen(&items, &beds, &names, View::Perspective, FRAME_SIZE);
+    let (mut rgb, camera) = picture::seen(&items, &beds, &names, View::Perspective, [width, height]);
     if let Some(lettering) = Lettering::new() {
         for (plate, at) in plates.iter().zip(&names) {
             let [x, y, _] = camera.project(at);
