@@ -590,7 +590,7 @@ fn analytic_hinges_that_were_folded_become_a_limit() {
             "hinges.csv, line 3: 2.9 mm cracked after 80 folds at 99 %, but 1.7 mm held",
         ),
         ("thickness_mm,fold_deg,folds\n1.7,114,4\n", "hinges.csv: every hinge cracked"),
-        ("thickness_mm,fold_deg,folds\n\n1.7,114,yes\n", "hinges.csv, line 3: `folds` is `yes`"),
+        ("thickness_mm,fold_deg,folds\n2.9,114,held\n1.7,114,yes\n", "hinges.csv, line 3: `folds` is `yes`"),
         ("thickness_mm,fold_deg\n1.7,114\n", "line 1: lacks the column `folds`"),
         ("thickness_mm,fold_deg,folds\n2.2,114,held\n", "line 2: the coupon of this frame has no hinge of 2.2 mm"),
         (blank.as_str(), "hinges.csv: no hinge was folded"),

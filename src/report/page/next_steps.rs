@@ -45,11 +45,17 @@ fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
     let plate = |(plate, _): &(Plate, Vec<u8>)| {
         let hours =
             plate.print_s(&design.printed, printer).map_or(String::new(), |seconds| format!(" {} h", decimals(seconds / 3600.0, 1)));
-        format!("[{0}](plates/{0}.3mf){hours}", plate.name())
+        format!("{}{hours}", linked(&plate.name()))
     };
     let files: Vec<String> = plates.iter().map(plate).collect();
     let what = format!("print {pieces} parts on {}, {:.0} g", counted(plates.len(), "plate"), bill.printed_g);
     [what, time, unknown(), format!("{}; [settings](print-settings.md)", files.join(", "))]
+}
+
+/// A plate's name as a link to its file; a material's name that is no plain word is written without one.
+fn linked(plate: &str) -> String {
+    let plain = plate.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c));
+    if plain { format!("[{plate}](plates/{plate}.3mf)") } else { format!("{} in `plates/`", inert(plate)) }
 }
 
 fn cut(bill: &Bill) -> Row {
