@@ -472,7 +472,7 @@ slicer_weighs_parts() {
     fi
 }
 
-# A coupon is printed in a quarter of an hour a material, by the slicer's own estimate.
+# A coupon for fits is printed in a quarter of an hour a material, its hinges in half an hour, by the slicer's own estimate.
 slicer_times_coupon() {
     heading "PrusaSlicer slices the coupon"
     if from_debian prusa-slicer prusa-slicer; then
