@@ -122,6 +122,17 @@ simulators_from_pypi() {
     "$python" -c "$imports" >/dev/null 2>&1
 }
 
+# Downloads wait for the network, and compilers do not: what the steps below install comes while the tests are compiled. Not Rust for
+# WebAssembly, which may replace the compiler that is at work.
+installed_ahead() {
+    local command
+    for command in admesh qpdf prusa-slicer chromium; do from_debian "$command" "$command" || true; done
+    from_debian qemu-x86_64 qemu-user || true
+    from_npm || true
+    cadquery_from_pypi || true
+    simulators_from_pypi || true
+}
+
 # --- Rust --------------------------------------------------------------------------------------------------
 
 # Compiles the tests, and then the program: it is the same with the tests' libraries and without (feature one-build), so this
@@ -293,8 +304,12 @@ page_works_in_a_browser() {
     else
         step "the studio's lints" npm run --silent --prefix studio/page lint
         rm -rf "$work/studio-pictures"
-        (cd studio/page && FLEXFRAME=$OLDPWD/$binary STUDIO_WORK=$work/studio npx playwright test) | tee -a "$results" ||
-            failed "the studio in Chromium" "exit code $?"
+        # The stories, two at a time, also after a measurement that failed.
+        local project
+        for project in measured stories; do
+            (cd studio/page && FLEXFRAME=$OLDPWD/$binary STUDIO_WORK=$work/studio npx playwright test --project "$project" --no-deps) |
+                tee -a "$results" || failed "the studio in Chromium: $project" "exit code $?"
+        done
     fi
 }
 
@@ -591,12 +606,16 @@ summary() {
 }
 
 step "cargo fmt" cargo fmt --check
-step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
-step "cargo clippy with every feature" cargo clippy --release --lib --all-features -- -D warnings
+installed_ahead >"$work/installed.log" 2>&1 &
+installing=$!
+step "cargo clippy with every feature" cargo clippy --release --all-targets --all-features -- -D warnings
 step "cargo clippy without features" cargo clippy --release --lib --no-default-features -- -D warnings
 step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
 step "cargo fmt of the fuzz targets" cargo fmt --check --manifest-path fuzz/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
 reference_records
-if compiled; then in_lanes; fi
+if compiled; then
+    wait "$installing" || true
+    in_lanes
+fi
 summary

@@ -9,11 +9,16 @@ const port = Number(process.env["STUDIO_PORT"] ?? 8431);
 export default defineConfig({
   testDir: "tests",
   outputDir: resolve(process.env["STUDIO_WORK"] ?? "test-results"),
-  workers: 1,
   retries: 1,
-  timeout: 90_000,
+  // Ends what hangs; nothing is measured by it.
+  timeout: 180_000,
   expect: { timeout: 20_000 },
   reporter: [["./tests/lines.ts"]],
+  // What is measured runs first, alone; the stories wait for what they see, two at a time.
+  projects: [
+    { name: "measured", testMatch: /(figures|engine)\.spec\.ts/, workers: 1 },
+    { name: "stories", testMatch: /story-.*\.spec\.ts/, workers: 2, dependencies: ["measured"] },
+  ],
   use: {
     baseURL: `http://127.0.0.1:${port}/`,
     viewport: { width: 1400, height: 900 },
