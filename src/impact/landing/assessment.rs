@@ -55,8 +55,6 @@ pub struct LandingAssessment {
     pub fit: LandingFit,
     /// Its parameters.
     pub estimates: Vec<EffectEstimate>,
-    /// The legs, fitted to single drops with their touches.
-    pub by_drops: LandingFit,
     /// The spread of slopes height by height.
     pub heights: Vec<SlopesAtHeight>,
     /// Gaps.
@@ -110,36 +108,38 @@ impl LandingAssessment {
             let same = |height_m: f64| waves.groups.iter().any(|group| group.height_m == height_m);
             evidence.observed.only(same)
         };
-        let fitted_touches = heights_of(evidence.fitted);
+        let touches = heights_of(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
-        let rigid = LandingProblem {
+        let plain = LandingProblem {
             body: LeggedBody::of(evidence.model),
             model: evidence.model,
             waves: &prepared.problem,
-            observed: &fitted_touches,
+            observed: &touches,
             mounted: false,
+            at_release: false,
         };
-        let first = rigid.fitted(None)?;
-        let without = PopulationFit::of(evidence, &rigid, &first)?;
+        // How touches are read depends on the landings, and little on whether these are those of the last fit.
+        let rough = plain.fitted(None)?;
+        let fitted_touches = touches.with_errors(&plain.tables(&rough.legs)?, &rough.slopes, evidence.seed);
+        let (rigid, first) = LandingProblem { observed: &fitted_touches, ..plain }.fitted_with_release_if_it_pays(&rough)?;
+        let without = PopulationFit::of(evidence, &rigid, first)?;
         let with = if without.lack_of_fit_p < RARE { without.with_mount(evidence, &rigid) } else { None };
         let mounted = with.is_some();
         let PopulationFit { fit, waves, lack_of_fit_p, spread_p } = with.unwrap_or(without);
         let problem = LandingProblem { waves: &waves, mounted, ..rigid };
-        let by_drops = problem.fitted_to_drops(&fit, None)?;
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
         let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
         let gaps = match &held {
-            Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, &by_drops, waves, touches, evidence.seed)?,
-            None => left_out_gaps(&problem, evidence.fitted, &fit, &by_drops, evidence.seed)?,
+            Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, waves, touches, evidence.seed)?,
+            None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
         };
         let estimates = problem.estimates(&fit, evidence.seed)?;
         let mount_steady_p = problem.mount_steady_p(&fit);
-        let tables = problem.tables(&by_drops.legs)?;
+        let tables = problem.tables(&fit.legs)?;
         let covariates = covariates(evidence.fitted, &fitted_touches, &tables, &fit);
         let separating = separating(&problem, evidence.observed, &fit, evidence.seed);
-        let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &by_drops));
-        let tables = problem.tables(&fit.legs)?;
+        let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &fit));
         let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
         let spreads = fitted_touches.heights.iter().zip(&tables).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
         let spreads = spreads.collect();
@@ -157,7 +157,6 @@ impl LandingAssessment {
             evidence: touched,
             fit,
             estimates,
-            by_drops,
             heights,
             gaps,
             mount_steady_p,
@@ -297,13 +296,13 @@ impl LandingAssessment {
 fn slopes_by_height(observed: &ObservedLandings, tables: &[LandingTable], fit: &LandingFit) -> Option<Vec<SlopesAtHeight>> {
     let one = |(height, table): (&HeightLandings, &LandingTable)| {
         let [_, (opposite_s, error_s), _] = height.opposite_quartiles_s()?;
-        let predicted_s = Population::of(table, &fit.slopes).opposite_delay_s(0.5);
+        let [predicted_s] = Population::of(table, &fit.slopes).read_delays_s(height.errors.as_ref(), [0.5]);
         Some(SlopesAtHeight { height_m: height.height_m, opposite_s, predicted_s, error_s })
     };
     observed.heights.iter().zip(tables).map(one).collect()
 }
 
-/// A population fitted in units of the scatter that it explains itself.
+/// A population, and how it stands to the mean waves.
 struct PopulationFit {
     fit: LandingFit,
     waves: FitProblem,
@@ -312,12 +311,11 @@ struct PopulationFit {
 }
 
 impl PopulationFit {
-    /// From a first fit, in units of the drops' own scatter.
-    fn of(evidence: &LandingEvidence, first: &LandingProblem, from: &LandingFit) -> Option<Self> {
-        let scatter = LandingScatter::of(evidence.fitted, first, from)?;
+    /// Of a fit, whose mean waves are judged in units of the scatter that it explains itself.
+    fn of(evidence: &LandingEvidence, first: &LandingProblem, fit: LandingFit) -> Option<Self> {
+        let scatter = LandingScatter::of(evidence.fitted, first, &fit)?;
         let waves = scatter.problem(first.waves);
         let problem = first.at(&waves);
-        let fit = problem.fitted(Some(from))?;
         let jacobian = problem.sensitivity(&fit)?;
         let samples = waves.expected.samples;
         let seen = LinearisedFit { effects: DMatrix::zeros(jacobian.nrows(), 0), jacobian, samples };
@@ -332,12 +330,12 @@ impl PopulationFit {
     fn with_mount(&self, evidence: &LandingEvidence, rigid: &LandingProblem) -> Option<Self> {
         let problem = LandingProblem { mounted: true, ..rigid.at(&self.waves) };
         let mounted = problem.fitted_with_mount(&self.fit)?;
-        let paid = mounted.minimum.sum + 2.0 * PRICE < self.fit.minimum.sum;
+        let paid = problem.left_of_waves(&mounted)? + 2.0 * PRICE < problem.left_of_waves(&self.fit)?;
         if !paid || mounted.has_mount_at_bound() {
             return None;
         }
         let first = LandingProblem { mounted: true, ..rigid.clone() };
-        Self::of(evidence, &first, &mounted)
+        Self::of(evidence, &first, mounted)
     }
 }
 
@@ -346,11 +344,13 @@ fn covariates(fitted: &Waves, observed: &ObservedLandings, tables: &[LandingTabl
     let mut times = Vec::new();
     let mut slopes = Vec::new();
     for ((group, height), table) in fitted.groups.iter().zip(&observed.heights).zip(tables) {
-        let population = Population::of(table, &fit.slopes);
+        let (population, read_s) = (Population::of(table, &fit.slopes), height.read_s());
         let read: Vec<Option<&LegTouches>> =
             group.trials.iter().map(|trial| height.drops.iter().find(|drop| drop.trial == *trial).map(|drop| &drop.touches)).collect();
         times.push(read.iter().map(|touches| touches.map(|touches| touches.delays_s().to_vec())).collect());
-        slopes.push(read.iter().map(|touches| touches.map(|touches| vec![given_touches(table, &population, touches).slope_rad])).collect());
+        slopes.push(
+            read.iter().map(|touches| touches.map(|touches| vec![given_touches(table, &population, touches, read_s).slope_rad])).collect(),
+        );
     }
     vec![Covariate { id: "leg_times".into(), values: times }, Covariate { id: "landing_slope".into(), values: slopes }]
 }
@@ -360,5 +360,5 @@ fn separating(problem: &LandingProblem, observed: &ObservedLandings, fit: &Landi
     let heights_m = [observed.heights.first()?.height_m, observed.heights.last()?.height_m];
     let table = |height_m: f64| LandingTable::of(&problem.body, &fit.legs, problem.model, &problem.waves.expected, height_m);
     let (low, high) = (table(heights_m[0])?, table(heights_m[1])?);
-    Some(SeparatingDrops { heights_m, drops: drops_to_tell([&low, &high], &fit.slopes, seed) })
+    Some(SeparatingDrops { heights_m, drops: drops_to_tell([&low, &high], &fit.slopes, problem.observed.read_s(), seed) })
 }

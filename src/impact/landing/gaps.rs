@@ -40,15 +40,17 @@ struct Unseen {
 
 impl Unseen {
     /// Of one height of a problem.
-    fn of(problem: &LandingProblem, group: &WaveGroup, height: usize, fit: &LandingFit, by_drops: &LandingFit, seed: u64) -> Option<Self> {
+    fn of(problem: &LandingProblem, group: &WaveGroup, height: usize, fit: &LandingFit, seed: u64) -> Option<Self> {
         let at = problem.waves.at(&[height]);
         let own = problem.at(&at);
         let predicted = own.mean_windows(&fit.legs, &fit.slopes)?.as_slice().to_vec();
-        let tables = own.tables(&by_drops.legs)?;
-        let left = own.left_by_drops(height, &tables[0], &by_drops.slopes);
-        let population = Population::of(&tables[0], &by_drops.slopes);
-        let drops = &problem.observed.heights[height].drops;
-        let waves: Vec<DVector<f64>> = drops.iter().map(|drop| given_touches(&tables[0], &population, &drop.touches).window).collect();
+        let tables = own.tables(&fit.legs)?;
+        let left = own.left_by_drops(height, &tables[0], &fit.slopes);
+        let population = Population::of(&tables[0], &fit.slopes);
+        let landings = &problem.observed.heights[height];
+        let (drops, read_s) = (&landings.drops, landings.read_s());
+        let waves: Vec<DVector<f64>> =
+            drops.iter().map(|drop| given_touches(&tables[0], &population, &drop.touches, read_s).window).collect();
         let mut rng = Pcg64::seed_from_u64(seed);
         let mut order: Vec<usize> = (0..drops.len()).collect();
         let dealt = (0..PERMUTED).map(|_| {
@@ -110,7 +112,6 @@ pub fn held_out_gaps(
     problem: &LandingProblem,
     fitted: &Waves,
     fit: &LandingFit,
-    by_drops: &LandingFit,
     held: &Waves,
     touches: &ObservedLandings,
     seed: u64,
@@ -121,28 +122,22 @@ pub fn held_out_gaps(
         chosen: (0..held.groups.len()).collect(),
         ..problem.waves.clone()
     };
-    let other = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
+    let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
+    let touches = touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes, seed);
+    let other = LandingProblem { observed: &touches, ..unread };
     let unseen: Option<Vec<Unseen>> =
-        held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, by_drops, seed)).collect();
+        held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, seed)).collect();
     Some(gaps_of(&unseen?, fitted_gap(problem, fitted, fit)?))
 }
 
 /// At each height, fitted to the others.
-pub fn left_out_gaps(problem: &LandingProblem, fitted: &Waves, fit: &LandingFit, by_drops: &LandingFit, seed: u64) -> Option<LandingGaps> {
+pub fn left_out_gaps(problem: &LandingProblem, fitted: &Waves, fit: &LandingFit, seed: u64) -> Option<LandingGaps> {
     let all = problem.waves.chosen.clone();
     let mut unseen = Vec::new();
     for out in &all {
         let others: Vec<usize> = all.iter().copied().filter(|height| height != out).collect();
-        let (refit, drops) = if others.is_empty() {
-            (fit.clone(), by_drops.clone())
-        } else {
-            let waves = problem.waves.at(&others);
-            let rest = problem.at(&waves);
-            let refit = rest.fitted(Some(fit))?;
-            let drops = rest.fitted_to_drops(&refit, Some(by_drops))?;
-            (refit, drops)
-        };
-        unseen.push(Unseen::of(problem, &fitted.groups[*out], *out, &refit, &drops, seed)?);
+        let refit = if others.is_empty() { fit.clone() } else { problem.at(&problem.waves.at(&others)).fitted(Some(fit))? };
+        unseen.push(Unseen::of(problem, &fitted.groups[*out], *out, &refit, seed)?);
     }
     Some(gaps_of(&unseen, fitted_gap(problem, fitted, fit)?))
 }

@@ -8,6 +8,7 @@
 
 mod assessment;
 mod evidence;
+mod fit_step;
 mod fitting;
 mod gaps;
 mod gate;
@@ -23,7 +24,9 @@ mod simulation;
 mod slope_grid;
 mod spike;
 mod table;
+mod touch_errors;
 mod touch_power;
+mod touched_slopes;
 mod touches;
 
 pub use assessment::{LandingAssessment, LandingEvidence, SeparatingDrops, SlopesAtHeight};

@@ -1,13 +1,26 @@
 //! Drops with their touch times, height by height, as the fits compare them.
 
 use nalgebra::DVector;
+use rand::SeedableRng;
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
 
-use super::touches::LegTouches;
+use super::legged_body::Slopes;
+use super::population::Population;
+use super::table::LandingTable;
+use super::touch_errors::TouchErrors;
+use super::touches::{LegTouches, ReadDrops, TouchPattern};
 use crate::impact::fit::{Chosen, Waves};
 use crate::impact::measured::{Drop, Spread};
 
 /// The least spike of a touch that is believed, g.
 pub const SEEN_G: f64 = 20.0;
+/// The shares of the quantiles that a fit compares.
+pub const QUARTILES: [f64; 3] = [0.25, 0.5, 0.75];
+/// Standard deviation of a touch time that was read, as long as no landing was simulated, s: the clock's step, and feet that slide.
+const READ_S: f64 = 0.9e-3;
+/// Least of it, s: touches are searched for in steps of a twentieth, and the model is not the frame.
+const LEAST_READ_S: f64 = 0.3e-3;
 /// Fewest drops of a height whose feet were all seen.
 pub const FEWEST: usize = 8;
 
@@ -20,6 +33,8 @@ pub struct ObservedLanding {
     pub window: Vec<f64>,
     /// Its touches.
     pub touches: LegTouches,
+    /// What its lateral axes show beside them.
+    pub pattern: TouchPattern,
 }
 
 /// The drops from one height.
@@ -29,6 +44,8 @@ pub struct HeightLandings {
     pub height_m: f64,
     /// Those whose lateral axes could be read.
     pub drops: Vec<ObservedLanding>,
+    /// How their touch times are read; `None` before landings were simulated.
+    pub errors: Option<TouchErrors>,
 }
 
 /// All drops whose lateral axes could be read.
@@ -46,18 +63,35 @@ impl ObservedLandings {
             chosen.drops.iter().find(same)
         };
         let all = waves.groups.iter().flat_map(|group| group.trials.iter().map(|trial| drop(trial, group.height_m)));
-        let mut touches = LegTouches::of_all(&all.collect::<Vec<_>>()).into_iter();
+        let mut touches = ReadDrops::of(&all.collect::<Vec<_>>()).each.into_iter();
         let heights = waves.groups.iter().map(|group| {
             let read = group.trials.iter().zip(&group.windows).zip(touches.by_ref());
             let drops: Vec<ObservedLanding> = read
-                .filter_map(|((trial, window), touches)| {
-                    Some(ObservedLanding { trial: trial.clone(), window: window.clone(), touches: touches? })
+                .filter_map(|((trial, window), read)| {
+                    let (touches, pattern) = read?;
+                    Some(ObservedLanding { trial: trial.clone(), window: window.clone(), touches, pattern })
                 })
                 .collect();
-            HeightLandings { height_m: group.height_m, drops }
+            HeightLandings { height_m: group.height_m, drops, errors: None }
         });
         let heights: Vec<HeightLandings> = heights.collect();
         heights.iter().all(|height| height.drops.len() >= FEWEST).then_some(Self { heights })
+    }
+
+    /// The same with how touch times are read, by the landings that were simulated at each height, and how frequent they are.
+    #[must_use]
+    pub fn with_errors(&self, tables: &[LandingTable], slopes: &Slopes, seed: u64) -> Self {
+        let with = |(height, table): (&HeightLandings, &LandingTable)| {
+            let weights = Population::of(table, slopes).weights().clone();
+            let mut rng = Pcg64::seed_from_u64(seed);
+            HeightLandings { errors: TouchErrors::of(height, table, &weights, &mut rng), ..height.clone() }
+        };
+        Self { heights: self.heights.par_iter().zip(tables).map(with).collect() }
+    }
+
+    /// Standard deviation of a touch time that was read, the largest of the heights', s.
+    pub fn read_s(&self) -> f64 {
+        self.heights.iter().map(HeightLandings::read_s).fold(0.0, f64::max)
     }
 
     /// Those heights alone for which the answer is yes.
@@ -67,10 +101,17 @@ impl ObservedLandings {
     }
 }
 
+impl ObservedLanding {
+    /// Whether the touch of each foot was seen.
+    pub fn all_seen(&self) -> bool {
+        self.touches.least_size_g() >= SEEN_G
+    }
+}
+
 impl HeightLandings {
     /// The drops of which all feet were seen.
     pub fn seen(&self) -> impl Iterator<Item = &ObservedLanding> {
-        self.drops.iter().filter(|drop| drop.touches.least_size_g() >= SEEN_G)
+        self.drops.iter().filter(|drop| drop.all_seen())
     }
 
     /// Mean window, g.
@@ -80,25 +121,35 @@ impl HeightLandings {
         sum / self.drops.len() as f64
     }
 
-    /// Quartiles of the time from the first foot to the opposite one, with their standard errors, s.
-    ///
-    /// The standard error of a quartile is by the distance of its neighbours: those half a standard error of the share away.
-    pub fn opposite_quartiles_s(&self) -> Option<[(f64, f64); 3]> {
-        let delays: Vec<f64> = self.seen().map(|drop| drop.touches.opposite.delay_s).collect();
-        if delays.len() < FEWEST {
-            return None;
-        }
-        let quantile = |share: f64| Spread::middle(delays.iter().copied(), 1.0 - 2.0 * share.min(1.0 - share));
-        let at = |share: f64| quantile(share).map(|[low, high]| if share <= 0.5 { low } else { high });
-        let count = delays.len() as f64;
-        let mut quartiles = [(0.0, 0.0); 3];
-        for (quartile, share) in quartiles.iter_mut().zip([0.25, 0.5, 0.75]) {
-            let off = (share * (1.0 - share) / count).sqrt();
-            let error_s = 0.5 * (at(share + off)? - at(share - off)?);
-            *quartile = (at(share)?, error_s.max(LEAST_ERROR_S));
-        }
-        Some(quartiles)
+    /// Standard deviation of a touch time that was read, s.
+    pub fn read_s(&self) -> f64 {
+        self.errors.as_ref().map_or(READ_S, |errors| errors.deviation_s.max(LEAST_READ_S))
     }
+
+    /// Quartiles of the time from the first foot to the opposite one, with their standard errors, s.
+    pub fn opposite_quartiles_s(&self) -> Option<[(f64, f64); 3]> {
+        quartiles_with_errors_s(self.seen())
+    }
+}
+
+/// Quartiles of the time from the first foot to the opposite one of some drops, with their standard errors, s; `None` of too few.
+///
+/// The standard error of a quartile is by the distance of its neighbours: those half a standard error of the share away.
+pub fn quartiles_with_errors_s<'a>(drops: impl Iterator<Item = &'a ObservedLanding>) -> Option<[(f64, f64); 3]> {
+    let delays: Vec<f64> = drops.map(|drop| drop.touches.opposite.delay_s).collect();
+    if delays.len() < FEWEST {
+        return None;
+    }
+    let quantile = |share: f64| Spread::middle(delays.iter().copied(), 1.0 - 2.0 * share.min(1.0 - share));
+    let at = |share: f64| quantile(share).map(|[low, high]| if share <= 0.5 { low } else { high });
+    let count = delays.len() as f64;
+    let mut quartiles = [(0.0, 0.0); 3];
+    for (quartile, share) in quartiles.iter_mut().zip(QUARTILES) {
+        let off = (share * (1.0 - share) / count).sqrt();
+        let error_s = 0.5 * (at(share + off)? - at(share - off)?);
+        *quartile = (at(share)?, error_s.max(LEAST_ERROR_S));
+    }
+    Some(quartiles)
 }
 
 /// Least standard error of a quartile: no time is read better on the whole, s.

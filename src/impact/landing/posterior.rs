@@ -6,8 +6,6 @@ use super::population::Population;
 use super::table::LandingTable;
 use super::touches::LegTouches;
 
-/// Standard deviation of a touch time that was read, s: the clock's step, and feet that slide.
-pub const READ_S: f64 = 0.9e-3;
 /// Times that belong to no touch lie evenly within this, s.
 const STRAY_S: f64 = 15e-3;
 /// A spike of this size is as often a stray as not, g.
@@ -28,14 +26,15 @@ pub struct SlopeEstimate {
     pub window: DVector<f64>,
 }
 
-/// The expected landing of a drop from its touch times, slopes being distributed as in a population.
-pub fn given_touches(table: &LandingTable, population: &Population, touches: &LegTouches) -> SlopeEstimate {
+/// The expected landing of a drop from its touch times, which were read with a standard deviation of `read_s`, slopes being distributed as
+/// in a population.
+pub fn given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> SlopeEstimate {
     let seen = [touches.opposite, touches.beside[0], touches.beside[1]];
     let stray = seen.map(|touch| libm::exp(-touch.size_g / STRAY_G).clamp(LEAST_STRAY, 1.0));
     let likelihood = |delays_s: &[f64; 3]| {
         let each = seen.iter().zip(stray).zip(delays_s).map(|((touch, stray), delay_s)| {
-            let off = (touch.delay_s - delay_s) / READ_S;
-            let read = libm::exp(-0.5 * off * off) / (READ_S * (2.0 * std::f64::consts::PI).sqrt());
+            let off = (touch.delay_s - delay_s) / read_s;
+            let read = libm::exp(-0.5 * off * off) / (read_s * (2.0 * std::f64::consts::PI).sqrt());
             stray / STRAY_S + (1.0 - stray) * read
         });
         each.product::<f64>()

@@ -65,6 +65,11 @@ impl SpikeShape {
         self.corners[left] + (place - left as f64) * (self.corners[left + 1] - self.corners[left])
     }
 
+    /// Readings of a spike along a channel and of one against it, g.
+    pub fn sum_at(&self, [along, against]: &[Spike; 2], t_s: f64) -> f64 {
+        along.size_g * self.at(t_s - along.at_s) - against.size_g * self.at(t_s - against.at_s)
+    }
+
     /// The shape that explains channels best, whose spikes are known; `None` where they do not determine it.
     pub fn of(channels: &[(Channel, [Spike; 2])]) -> Option<Self> {
         let free = CORNERS - 2;

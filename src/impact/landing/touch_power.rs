@@ -12,7 +12,6 @@ use rand_pcg::Pcg64;
 
 use super::legged_body::Slopes;
 use super::population::Population;
-use super::posterior::READ_S;
 use super::table::LandingTable;
 use super::touches::LAST_S;
 use crate::impact::diagnose::{COUNTS, SIMULATED};
@@ -21,8 +20,8 @@ use crate::impact::measured::Spread;
 /// Part of the experiments of either kind that may be judged wrongly.
 const WRONG: f64 = 0.05;
 
-/// Fewest drops from each of two heights, the lower one's landings first.
-pub fn drops_to_tell(tables: [&LandingTable; 2], slopes: &Slopes, seed: u64) -> Option<usize> {
+/// Fewest drops from each of two heights, the lower one's landings first; touch times are read with a standard deviation of `read_s`.
+pub fn drops_to_tell(tables: [&LandingTable; 2], slopes: &Slopes, read_s: f64, seed: u64) -> Option<usize> {
     let fixed = Slopes { rate_rad_s: 0.0, at_release_rad: slopes.deviation_rad(tables[0].fall_s) };
     let growing = tables.map(|table| Population::of(table, slopes));
     let constant = tables.map(|table| Population::of(table, &fixed));
@@ -34,7 +33,7 @@ pub fn drops_to_tell(tables: [&LandingTable; 2], slopes: &Slopes, seed: u64) -> 
     }
     let mut rng = Pcg64::seed_from_u64(seed);
     let mut above = |populations: &[Population; 2], count: usize| {
-        let over = |_: &usize| Some(read_ratio(tables, populations, count, &mut rng)? > limit);
+        let over = |_: &usize| Some(read_ratio(tables, populations, read_s, count, &mut rng)? > limit);
         let mut over = over;
         (0..SIMULATED).filter(|at| over(at) == Some(true)).count() as f64 / SIMULATED as f64
     };
@@ -42,14 +41,14 @@ pub fn drops_to_tell(tables: [&LandingTable; 2], slopes: &Slopes, seed: u64) -> 
 }
 
 /// Logarithm of the ratio of the median times of so many drops from each height, as they would be read.
-fn read_ratio(tables: [&LandingTable; 2], populations: &[Population; 2], count: usize, rng: &mut Pcg64) -> Option<f64> {
+fn read_ratio(tables: [&LandingTable; 2], populations: &[Population; 2], read_s: f64, count: usize, rng: &mut Pcg64) -> Option<f64> {
     let mut medians = [0.0; 2];
     for ((median, table), population) in medians.iter_mut().zip(tables).zip(populations) {
         let law = WeightedIndex::new(population.weights().iter()).ok()?;
         let times = (0..count).filter_map(|_| {
             let noise: f64 = StandardNormal.sample(rng);
             let delay_s = table.delays_s[law.sample(rng)][0];
-            (delay_s < LAST_S).then_some((delay_s + READ_S * noise).max(0.0))
+            (delay_s < LAST_S).then_some((delay_s + read_s * noise).max(0.0))
         });
         *median = Spread::of(times)?.median.max(1e-6);
     }

@@ -6,6 +6,7 @@
 //! millisecond cancel each other; sizes say how far to trust a time.
 
 use std::f64::consts::FRAC_1_SQRT_2;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -53,9 +54,26 @@ pub struct LegTouches {
 }
 
 impl LegTouches {
-    /// Reads drops together, as they show one shape of spike; `None` for a drop whose lateral axes were not measured, or whose record ends
-    /// too soon.
-    pub fn of_all(drops: &[Option<&Drop>]) -> Vec<Option<Self>> {
+    /// The least of the four spikes, g.
+    pub fn least_size_g(&self) -> f64 {
+        self.beside.iter().map(|touch| touch.size_g).fold(self.first_size_g.min(self.opposite.size_g), f64::min)
+    }
+
+    /// Delays of the opposite foot and of those beside, s.
+    pub fn delays_s(&self) -> [f64; 3] {
+        [self.opposite.delay_s, self.beside[0].delay_s, self.beside[1].delay_s]
+    }
+}
+
+/// Drops with their touches.
+pub struct ReadDrops {
+    /// Those of each; `None` for a drop whose lateral axes were not measured, or whose record ends too soon.
+    pub each: Vec<Option<(LegTouches, TouchPattern)>>,
+}
+
+impl ReadDrops {
+    /// Reads drops together, as they show one shape of spike.
+    pub fn of(drops: &[Option<&Drop>]) -> Self {
         let lateral: Vec<Option<LateralReadings>> = drops.iter().map(|drop| drop.and_then(LateralReadings::of)).collect();
         let read = |shape: &SpikeShape| -> Vec<Option<FourSpikes>> {
             lateral.par_iter().map(|one| one.as_ref().map(|one| one.read(shape))).collect()
@@ -71,24 +89,81 @@ impl LegTouches {
             }
         }
         let spikes = read(&shape);
-        lateral.iter().zip(spikes).map(|(one, spikes)| Some(one.as_ref()?.touches(&spikes?))).collect()
-    }
-
-    /// The least of the four spikes, g.
-    pub fn least_size_g(&self) -> f64 {
-        self.beside.iter().map(|touch| touch.size_g).fold(self.first_size_g.min(self.opposite.size_g), f64::min)
-    }
-
-    /// Delays of the opposite foot and of those beside, s.
-    pub fn delays_s(&self) -> [f64; 3] {
-        [self.opposite.delay_s, self.beside[0].delay_s, self.beside[1].delay_s]
+        let shape = Arc::new(shape);
+        let both = |(one, spikes): (&Option<LateralReadings>, Option<FourSpikes>)| {
+            let (one, spikes) = (one.as_ref()?, spikes?);
+            Some((one.touches(&spikes), TouchPattern::of(one, &spikes, &shape)))
+        };
+        Self { each: lateral.iter().zip(spikes).map(both).collect() }
     }
 }
 
-/// The reading along the direction in which a foot's touch pushes.
-fn toward(foot: usize, x: f64, y: f64) -> f64 {
-    let diagonal = if foot < 2 { x + y } else { x - y };
-    FRAC_1_SQRT_2 * if foot.is_multiple_of(2) { diagonal } else { -diagonal }
+/// What a drop's lateral axes show beside when its feet touched: sizes of the spikes, and what is no spike.
+///
+/// With it, drops with other touches can be read as this one was: so the error of reading is known where spikes overlap.
+#[derive(Clone, Debug)]
+pub struct TouchPattern {
+    shape: Arc<SpikeShape>,
+    t_s: Vec<f64>,
+    /// Along the two diagonals, g.
+    rest_g: [Vec<f64>; 2],
+    /// When the first foot touches, s.
+    first_s: f64,
+    /// Which foot is first.
+    first: usize,
+    /// By foot, g.
+    sizes_g: [f64; FEET],
+}
+
+impl TouchPattern {
+    fn of(lateral: &LateralReadings, spikes: &FourSpikes, shape: &Arc<SpikeShape>) -> Self {
+        let all = [spikes[0][0], spikes[0][1], spikes[1][0], spikes[1][1]];
+        let first = first_of(&all);
+        let [own, other] = &lateral.channels;
+        let rest = |channel: &Channel, spikes: &[Spike; 2]| -> Vec<f64> {
+            let readings = channel.t_s.iter().zip(&channel.along_g);
+            readings.map(|(t_s, along_g)| along_g - shape.sum_at(spikes, *t_s)).collect()
+        };
+        Self {
+            shape: shape.clone(),
+            t_s: own.t_s.clone(),
+            rest_g: [rest(own, &spikes[0]), rest(other, &spikes[1])],
+            first_s: all[first].at_s,
+            first,
+            sizes_g: all.map(|spike| spike.size_g),
+        }
+    }
+
+    /// What would have been read of this drop, had its feet touched with other delays: of the opposite foot, and of those beside, the earlier one
+    /// first, or the other one where `swapped`.
+    pub fn read(&self, [opposite_s, mut early_s, mut late_s]: [f64; 3], swapped: bool) -> Option<LegTouches> {
+        if swapped {
+            std::mem::swap(&mut early_s, &mut late_s);
+        }
+        let mut spikes = self.sizes_g.map(|size_g| Spike { at_s: self.first_s, size_g });
+        spikes[self.first ^ 1].at_s += opposite_s;
+        beside(self.first).into_iter().zip([early_s, late_s]).for_each(|(foot, delay_s)| spikes[foot].at_s += delay_s);
+        let along = |diagonal: usize| -> Vec<f64> {
+            let pair = [spikes[2 * diagonal], spikes[2 * diagonal + 1]];
+            self.t_s.iter().zip(&self.rest_g[diagonal]).map(|(t_s, rest_g)| rest_g + self.shape.sum_at(&pair, *t_s)).collect()
+        };
+        let lateral = LateralReadings::of_diagonals(&self.t_s, [along(0), along(1)])?;
+        Some(lateral.touches(&lateral.read(&self.shape)))
+    }
+}
+
+/// The foot that touched first: the earliest one, not the one with the largest spike. Where two touch nearly together, the times of
+/// the wrong one's opposite foot are too short.
+fn first_of(spikes: &[Spike; FEET]) -> usize {
+    let largest = spikes.iter().map(|spike| spike.size_g).fold(0.0, f64::max);
+    let believed = |at: &usize| spikes[*at].size_g >= BELIEVED * largest;
+    (0..FEET).filter(believed).min_by(|a, b| spikes[*a].at_s.total_cmp(&spikes[*b].at_s)).unwrap_or(0)
+}
+
+/// The reading toward a foot's push, of those along the two diagonals.
+fn toward(foot: usize, diagonals_g: [f64; 2]) -> f64 {
+    let diagonal = diagonals_g[foot / 2];
+    if foot.is_multiple_of(2) { diagonal } else { -diagonal }
 }
 
 /// The spikes of the first foot and of the opposite one, and of the two beside.
@@ -107,14 +182,19 @@ struct LateralReadings {
 impl LateralReadings {
     fn of(drop: &Drop) -> Option<Self> {
         let (t_s, [x, y, _]) = drop.aligned_axes()?;
+        let along = |sign: f64| x.iter().zip(&y).map(|(x, y)| FRAC_1_SQRT_2 * (x + sign * y)).collect();
+        Self::of_diagonals(&t_s, [along(1.0), along(-1.0)])
+    }
+
+    fn of_diagonals(t_s: &[f64], diagonals_g: [Vec<f64>; 2]) -> Option<Self> {
+        let at = |foot: usize, at: usize| toward(foot, [diagonals_g[0][at], diagonals_g[1][at]]);
         let start = t_s.partition_point(|t_s| *t_s < 1e-9);
         let first_end = t_s.partition_point(|t_s| *t_s < FIRST_S + SPIKE_S + 1e-9);
         if start >= first_end || *t_s.last()? < LAST_S {
             return None;
         }
-        let (first, peak) = (0..FEET)
-            .flat_map(|foot| (start..first_end).map(move |at| (foot, at)))
-            .max_by(|a, b| toward(a.0, x[a.1], y[a.1]).total_cmp(&toward(b.0, x[b.1], y[b.1])))?;
+        let (first, peak) =
+            (0..FEET).flat_map(|foot| (start..first_end).map(move |at| (foot, at))).max_by(|a, b| at(a.0, a.1).total_cmp(&at(b.0, b.1)))?;
         let step_s = (t_s.last()? - t_s.first()?) / (t_s.len() as f64 - 1.0);
         let span = t_s.partition_point(|t_s| *t_s < -BEFORE_S)..t_s.partition_point(|t_s| *t_s < LAST_S + SPIKE_S);
         // Faster loggers are averaged: a shape with corners every half millisecond shows no more.
@@ -124,12 +204,13 @@ impl LateralReadings {
             |block: &std::ops::Range<usize>, value: &dyn Fn(usize) -> f64| block.clone().map(value).sum::<f64>() / block.len() as f64;
         let channel = |foot: usize| Channel {
             t_s: blocks.iter().map(|block| mean(block, &|at| t_s[at])).collect(),
-            along_g: blocks.iter().map(|block| mean(block, &|at| toward(foot, x[at], y[at]))).collect(),
+            along_g: blocks.iter().map(|block| mean(block, &|place| at(foot, place))).collect(),
         };
+        let [a, b] = [diagonals_g[0][peak], diagonals_g[1][peak]];
         Some(Self {
             first,
             begin_s: t_s[peak] - 0.5 * SPIKE_S,
-            direction_rad: libm::atan2(y[peak], x[peak]),
+            direction_rad: libm::atan2(a - b, a + b),
             channels: [channel(first), channel(beside(first)[0])],
         })
     }
@@ -139,17 +220,13 @@ impl LateralReadings {
         [shape.read(&self.channels[0], span_s, Some(self.begin_s)), shape.read(&self.channels[1], span_s, None)]
     }
 
-    /// The foot that touched first is the earliest one, not the one with the largest spike: where two touch nearly together, the times of
-    /// the wrong one's opposite foot are too short.
     fn touches(&self, [own, other]: &FourSpikes) -> LegTouches {
         let feet = [self.first, self.first ^ 1, beside(self.first)[0], beside(self.first)[1]];
         let spikes = [own[0], own[1], other[0], other[1]];
-        let largest = spikes.iter().map(|spike| spike.size_g).fold(0.0, f64::max);
-        let believed = |at: &usize| spikes[*at].size_g >= BELIEVED * largest;
-        let at = (0..FEET).filter(believed).min_by(|a, b| spikes[*a].at_s.total_cmp(&spikes[*b].at_s)).unwrap_or(0);
+        let at = first_of(&spikes);
         let first_s = spikes[at].at_s;
         let touch = |at: usize| Touch { delay_s: (spikes[at].at_s - first_s).max(0.0), size_g: spikes[at].size_g };
-        let mut beside = [touch((at + 2) % FEET), touch(((at + 2) % FEET) ^ 1)];
+        let mut beside = beside(at).map(touch);
         beside.sort_by(|a, b| a.delay_s.total_cmp(&b.delay_s));
         LegTouches { first: feet[at], first_size_g: spikes[at].size_g, direction_rad: self.direction_rad, opposite: touch(at ^ 1), beside }
     }
@@ -211,8 +288,9 @@ mod tests {
         let set = read_bytes(&[("a.csv".into(), table(&drops).into_bytes())], &FileFormat::default()).expect("reads");
         let judged = JudgedDrops::of(&set).groups;
         let all: Vec<Option<&Drop>> = judged[0].1.iter().map(Some).collect();
-        let read = LegTouches::of_all(&all);
-        let off: Vec<f64> = read.iter().zip(&drops).map(|(read, truth)| read.expect("has touches").opposite.delay_s - truth[1]).collect();
+        let read = ReadDrops::of(&all).each;
+        let off: Vec<f64> =
+            read.iter().zip(&drops).map(|(read, truth)| read.as_ref().expect("has touches").0.opposite.delay_s - truth[1]).collect();
         let mean = off.iter().sum::<f64>() / off.len() as f64;
         let mut sizes: Vec<f64> = off.iter().map(|off| off.abs()).collect();
         sizes.sort_by(f64::total_cmp);

@@ -9,12 +9,12 @@ use crate::impact::landing::{LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS};
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
-    let LandingAssessment { evidence, estimates, by_drops, heights, gaps, lack_of_fit_p, gates, .. } = assessment;
+    let LandingAssessment { evidence, estimates, fit, heights, gaps, lack_of_fit_p, gates, .. } = assessment;
     let by_key: BTreeMap<&str, &EffectEstimate> = estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
     let mut all = json!(by_key);
     all["named"] = assessment.named().into();
     all["touches"] = json!(evidence);
-    all["by_drops"] = json!(by_drops.legs);
+    all["by_drops"] = json!(fit.legs);
     all["heights"] = json!(heights);
     all["gap"] = json!(gaps);
     all["lack_of_fit_p"] = json!(lack_of_fit_p);

@@ -333,7 +333,7 @@ impl Study {
     }
 
     fn landings(&self, page: &mut String) {
-        let LandingAssessment { gaps, gates, by_drops, .. } = &self.landing;
+        let LandingAssessment { gaps, gates, fit, .. } = &self.landing;
         page.push_str(
             "## The frame lands on one foot first\n\n\
              With the sensor's 500 Hz (`--model paper-corrected`), drops from 50 and 100 cm fitted and those from 150 cm held out, without\n\
@@ -352,9 +352,9 @@ impl Study {
             landing_data::spread(&self.landing),
             gaps.held_out.net_g,
             gaps.given_touches.net_g,
-            by_drops.legs.stiffness_n_m,
-            by_drops.legs.damping_n_s_m,
-            by_drops.legs.inertia_kg_m2,
+            fit.legs.stiffness_n_m,
+            fit.legs.damping_n_s_m,
+            fit.legs.inertia_kg_m2,
             gaps.held_out.floor_g,
             if self.landing.named() { "`landing_tilt` is named." } else { "`landing_tilt` is supported and not named: a test failed." }
         );
