@@ -54,7 +54,7 @@ fn estimate<'a>(landing: &'a LandingAssessment, key: &str) -> &'a EffectEstimate
     landing.estimates.iter().find(|estimate| estimate.key == key).expect("is fitted")
 }
 
-/// `enough` is left to chance here, as it fails one set in fourteen.
+/// `enough` is left to chance here, as it fails one set in thirty.
 #[test]
 fn planted_landings_on_one_foot_are_found_with_their_turning_rate() {
     for (rate_rad_s, seed) in [(0.25, 11), (0.4, 12)] {
