@@ -3,7 +3,7 @@
 use super::balance::{Balance, Moment, PaperShares};
 use super::events::Events;
 use super::integrate::{Flow, SolverOptions, Stop, integrate};
-use super::system::{ALL, System};
+use super::system::{ALL, Push, System};
 use super::validity_warning::ValidityWarning;
 use crate::impact::effects::Reach;
 use crate::units::GRAVITY_M_S2;
@@ -28,6 +28,8 @@ pub struct Trace {
     pub v_m_s: Vec<f64>,
     /// Proper acceleration of the frame, g.
     pub proper_g: Vec<f64>,
+    /// Force of the ground upwards on the frame, N; below 0 where the model's ground pulls.
+    pub ground_n: Vec<f64>,
     /// The sensor's output before sampling, g.
     pub sensor_g: Vec<f64>,
     /// Largest |x''|, g.
@@ -66,6 +68,7 @@ impl Trace {
             x_m: Vec::new(),
             v_m_s: Vec::new(),
             proper_g: Vec::new(),
+            ground_n: Vec::new(),
             sensor_g: Vec::new(),
             peak_coordinate_g: 0.0,
             peak_proper_g: 0.0,
@@ -80,11 +83,13 @@ impl Trace {
         }
     }
 
-    fn push(&mut self, system: &System, t_s: f64, y: &[f64; ALL], proper_m_s2: f64) {
+    fn push(&mut self, system: &System, t_s: f64, y: &[f64; ALL], push: &Push) {
+        let [frame_m_s2, _] = system.proper_m_s2(push, y);
         self.t_s.push(t_s);
         self.x_m.push(y[0]);
         self.v_m_s.push(y[1]);
-        self.proper_g.push(proper_m_s2 / GRAVITY_M_S2);
+        self.proper_g.push(frame_m_s2 / GRAVITY_M_S2);
+        self.ground_n.push(push.total_n);
         self.sensor_g.push(system.arrangement.sensor.reading_g(y[system.sensed()]));
     }
 }
@@ -100,7 +105,7 @@ pub fn simulate(system: &System, height_m: f64, settings: &SolverOptions) -> Tra
         while trace.t_s.len() < points && trace.t_s.len() as f64 * Trace::STEP_S <= dense.time_s(1.0) {
             let t_s = trace.t_s.len() as f64 * Trace::STEP_S;
             let y = dense.at((t_s - dense.start_s) / dense.h_s);
-            trace.push(system, t_s, &y, system.proper_m_s2(&system.push(phase, &y), &y)[0]);
+            trace.push(system, t_s, &y, &system.push(phase, &y));
         }
         if trace.t_s.len() == points && events.release.is_some() { Flow::Enough } else { Flow::On }
     });

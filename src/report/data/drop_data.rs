@@ -56,6 +56,8 @@ fn of_height(trace: &Trace, series: bool) -> Value {
     if series {
         value["t_s"] = json!(trace.t_s);
         value["accel_g"] = json!(trace.sensor_g);
+        value["x_mm"] = trace.x_m.iter().map(|x_m| x_m * 1e3).collect();
+        value["ground_n"] = json!(trace.ground_n);
     }
     value
 }

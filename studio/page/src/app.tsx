@@ -4,7 +4,7 @@ import { useEffect, useRef } from "preact/hooks";
 import type { ComponentType } from "preact";
 import { Checks } from "./panels/checks.tsx";
 import { Compare } from "./panels/compare.tsx";
-import { Diagnose } from "./panels/diagnose.tsx";
+import { Diagnose, takeDrops } from "./panels/diagnose.tsx";
 import { Drop } from "./panels/drop.tsx";
 import { Files } from "./panels/files.tsx";
 import { Fold } from "./panels/fold.tsx";
@@ -14,6 +14,7 @@ import { Parameters } from "./panels/parameters.tsx";
 import { Source } from "./panels/source.tsx";
 import { Selection, Toolbar } from "./panels/toolbar.tsx";
 import { column, left, right } from "./state/focus.ts";
+import { openFrame } from "./state/opening.ts";
 import { computing, findings, frame, notice, refused } from "./state/studio.ts";
 import { Tabs } from "./ui/tabs.tsx";
 import { join } from "./view/scene_state.ts";
@@ -29,10 +30,33 @@ const PANELS: { id: typeof right.value; words: string; of: ComponentType }[] = [
 
 const violations = computed(() => findings.value?.of.filter(({ verdict }) => verdict === "violated").length ?? 0);
 
+/** Text that is dragged is for the fields. */
+function holdsFiles(event: DragEvent): boolean {
+  return event.dataTransfer?.types.includes("Files") ?? false;
+}
+
+/** Files that are dragged onto the page: frame files are opened, everything else are measured drops. */
+function takeFiles(event: DragEvent): void {
+  if (!holdsFiles(event)) return;
+  event.preventDefault();
+  const files = [...(event.dataTransfer?.files ?? [])];
+  const frames = files.filter(({ name }) => name.toLowerCase().endsWith(".toml"));
+  const drops = files.filter((file) => !frames.includes(file));
+  if (frames.length > 0) void openFrame(frames);
+  if (drops.length > 0) {
+    right.value = "diagnose";
+    void takeDrops(drops);
+  }
+}
+
 export function App() {
   const Panel = PANELS.find(({ id }) => id === right.value)?.of ?? Checks;
   return (
-    <div class={`app show-${column.value}`}>
+    <div
+      class={`app show-${column.value}`}
+      onDragOver={(event) => holdsFiles(event) && event.preventDefault()}
+      onDrop={takeFiles}
+    >
       <Header />
       <nav class="columns" aria-label="Parts of the page">
         {(["left", "middle", "right"] as const).map((id) => (
@@ -74,6 +98,12 @@ export function App() {
   );
 }
 
+/** To the text of the frame file. */
+function showLine(): void {
+  left.value = "text";
+  column.value = "left";
+}
+
 function Picture() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
@@ -101,7 +131,16 @@ function Picture() {
       </p>
       {refusal && (
         <div class="refusal" role="alert">
-          <b>The picture is of the last good frame.</b> {refusal.message}
+          <b>The picture is of the last good frame.</b>{" "}
+          {refusal.place && (
+            <>
+              <button type="button" class="link" onClick={() => showLine()}>
+                {refusal.place.file}, line {refusal.place.line}
+              </button>
+              :{" "}
+            </>
+          )}
+          {refusal.message}
           {refusal.remedy && <span class="remedy">{refusal.remedy}</span>}
         </div>
       )}

@@ -1,6 +1,6 @@
 // Story 2: see.
 import type { Page } from "@playwright/test";
-import { expect, openField, settled, shot, start, test } from "./studio.ts";
+import { differing, expect, openField, pixels, setNumber, settled, shot, start, test } from "./studio.ts";
 
 /** Clicks the picture in places around its middle until a body is hit. */
 async function clickBody(page: Page, again = 0): Promise<void> {
@@ -72,12 +72,20 @@ test("the camera stays where it is when something changes", async ({ page }) => 
   const canvas = page.locator("canvas");
   await canvas.focus();
   for (let turns = 0; turns < 6; turns++) await page.keyboard.press("ArrowLeft");
-  await page.waitForTimeout(400);
+  const turned = await pixels(page);
   await shot(page, "2-turned");
-  const field = await openField(page, "rods.strut_rod_length_mm");
-  await field.fill("52");
-  await field.press("Enter");
-  await settled(page);
-  await page.waitForTimeout(400);
+  // A limit changes no body: a picture is drawn anew, and it is the same.
+  await setNumber(page, "limits.mass_budget_g", "245");
+  await expect(page.getByText("changed (1)")).toBeVisible();
+  expect(differing(turned, await pixels(page))).toBeLessThan(50);
+  await setNumber(page, "rods.strut_rod_length_mm", "52");
+  const changed = differing(turned, await pixels(page));
   await shot(page, "2-turned-changed");
+  await page.getByRole("button", { name: "Fit", exact: true }).click();
+  await canvas.focus();
+  for (let turns = 0; turns < 6; turns++) await page.keyboard.press("ArrowRight");
+  const back = differing(turned, await pixels(page));
+  expect(changed).toBeGreaterThan(500);
+  // Another direction differs more than another frame.
+  expect(back).toBeGreaterThan(1.5 * changed);
 });

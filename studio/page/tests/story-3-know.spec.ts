@@ -1,5 +1,5 @@
 // Story 3: know.
-import { checked, expect, setNumber, settled, shot, start, test } from "./studio.ts";
+import { checked, expect, nativeFindings, setNumber, settled, shot, start, test } from "./studio.ts";
 
 test("every rule, violated first, with margins; a click goes to the place and to the parameters", async ({ page }) => {
   await start(page);
@@ -20,6 +20,37 @@ test("every rule, violated first, with margins; a click goes to the place and to
   await setNumber(page, "rods.cage_rod_length_mm", "190");
   await checked(page);
   await expect(page.locator('[data-rule="envelope"]')).not.toHaveClass(/violated/);
+});
+
+test("strength is computed on demand, with the findings of the command line, and again after a change", async ({
+  page,
+}) => {
+  test.setTimeout(120_000);
+  await start(page);
+  await checked(page);
+  const rule = page.locator('[data-rule="design_drop"]');
+  await expect(rule).toHaveCount(0);
+  const strength = page.locator("[data-strength]");
+  await expect(strength).toHaveAttribute("data-strength", "off");
+  const shown = async () => {
+    await expect(strength).toHaveAttribute("data-strength", "done", { timeout: 60_000 });
+    const head = rule.getByRole("button", { expanded: false }).first();
+    if (await head.isVisible()) await head.click();
+    return (await rule.locator(".place > p:not(.levers)").allInnerTexts()).sort();
+  };
+  await page.getByLabel("strength, too").check();
+  await expect(strength).toHaveAttribute("data-strength", "computing");
+  await expect(strength).toContainText("computing…");
+  const native = nativeFindings("cognifly", "--strength").filter(({ rule }) => rule === "design_drop");
+  expect(native.length).toBeGreaterThan(2);
+  expect(await shown()).toEqual(native.map(({ message }) => message).sort());
+  await rule.scrollIntoViewIfNeeded();
+  await shot(page, "3-strength");
+  const before = await shown();
+  await setNumber(page, "rods.strut_rod_length_mm", "54");
+  await expect(strength).toHaveAttribute("data-strength", "computing");
+  await expect(rule).toHaveCount(0);
+  expect(await shown()).not.toEqual(before);
 });
 
 test("before and after, against the preset and a pinned variant", async ({ page }) => {

@@ -1,6 +1,6 @@
 // Story 4: fold.
 import { readFileSync } from "node:fs";
-import { expect, shot, start, test } from "./studio.ts";
+import { differing, expect, litMiddle, pixels, shot, start, test } from "./studio.ts";
 
 test("the assembly as a motion, with steps, captions and angles; the instructions", async ({ page }) => {
   await start(page);
@@ -30,4 +30,47 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   ).toBe("%PDF-");
   await page.getByRole("tab", { name: "Checks" }).click();
   await expect(page.locator(".picked")).toHaveCount(0);
+});
+
+test("the picture follows the steps: it differs between them, and the part that a step names moves", async ({
+  page,
+}) => {
+  await start(page);
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  const slider = page.getByLabel("Time of the assembly");
+  const at = async (seconds: number) => {
+    await slider.fill(String(seconds));
+    return pixels(page);
+  };
+  const perStep = 2.5;
+  // Between steps: each shows more than the one before.
+  const pictures = [];
+  for (const step of [1, 18, 23, 28, 34]) pictures.push(await at((step - 0.5) * perStep));
+  for (let one = 1; one < pictures.length; one++)
+    expect(differing(pictures[one - 1]!, pictures[one]!), `between pictures ${one} and ${one + 1}`).toBeGreaterThan(
+      2000,
+    );
+  // Within a step: what it names is lit, and its middle goes elsewhere.
+  for (const [step, title] of [
+    [22, "Bottom corner onto the lower strut"],
+    [23, "Bend the foot and close the triangle"],
+    [28, "Four modules into the hub, rods into the rings"],
+  ] as const) {
+    const before = await at((step - 1) * perStep + 0.02);
+    await expect(page.locator(".fold h3")).toHaveText(title);
+    if (step === 23) await shot(page, "4-before");
+    const after = await at(step * perStep - 0.1);
+    await expect(page.locator(".fold h3")).toHaveText(title);
+    if (step === 23) await shot(page, "4-after");
+    const [from, to] = [litMiddle(before), litMiddle(after)];
+    expect(Math.min(from.count, to.count), `${title}: pixels of what it names`).toBeGreaterThan(60);
+    expect(differing(before, after), `${title}: pixels that change`).toBeGreaterThan(300);
+    const way = Math.hypot(to.x - from.x, to.y - from.y);
+    expect(way, `${title}: pixels that the middle of what it names goes`).toBeGreaterThan(4);
+  }
+  // The same time gives the same picture again, and nothing stays lit when the assembly is left.
+  expect(differing(pictures[2]!, await at(22.5 * perStep))).toBeLessThan(50);
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await expect.poll(async () => litMiddle(await pixels(page)).count).toBeLessThan(20);
 });

@@ -1,6 +1,6 @@
 // Story 5: drop.
 import type { Locator } from "@playwright/test";
-import { expect, peakOfDrop, setNumber, shot, start, test } from "./studio.ts";
+import { dropped, expect, peakOfDrop, setNumber, shot, start, test } from "./studio.ts";
 
 /** Waits for a peak that is the expected one but for the last digits of another machine's arithmetic. */
 async function expectPeak(shown: Locator, expected: number, timeout: number): Promise<void> {
@@ -22,6 +22,27 @@ test("a drop by a model, a higher one, and beside the preset", async ({ page }) 
   await expectPeak(peak, peakOfDrop("cognifly", "paper-corrected", 2), 60_000);
   await page.getByLabel(/beside it/).check();
   await expect(page.locator("[data-peak]")).toHaveCount(2, { timeout: 60_000 });
+  // a(t) and F(x), each with both variants; F(x) goes in and out.
+  const curves = (title: string) => page.locator(".plot", { hasText: title }).locator(".u-legend .u-series .u-label");
+  await expect(curves("Acceleration")).toHaveText(["my-cognifly", "cognifly (before)"]);
+  await expect(curves("Force of the ground")).toHaveText([
+    "my-cognifly, in",
+    "my-cognifly, out",
+    "cognifly (before), in",
+    "cognifly (before), out",
+  ]);
+  const before = Number(await peak.getAttribute("data-peak"));
+  // Most force is the mass times the peak of what the frame feels, which the command line gives.
+  const { mass_kg, peak_proper_g } = dropped("cognifly", "paper-corrected", 2);
+  const named = await page.locator(".plot [role=img]").nth(1).getAttribute("aria-label");
+  const most = Number(/cognifly \(before\), in: at most ([\d.]+)/.exec(named ?? "")?.[1]);
+  expect(most / (mass_kg * peak_proper_g * 9.80665)).toBeGreaterThan(0.98);
+  expect(most / (mass_kg * peak_proper_g * 9.80665)).toBeLessThan(1.001);
+  // Another frame is beside it.
+  await setNumber(page, "rods.strut_rod_length_mm", "56");
+  await page.getByRole("tab", { name: "Drop" }).click();
+  await expect.poll(async () => Number(await peak.getAttribute("data-peak")), { timeout: 60_000 }).not.toBe(before);
+  await page.locator(".plot").last().scrollIntoViewIfNeeded();
   await shot(page, "5-model");
 });
 

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join, relative } from "node:path";
 import type { Page } from "@playwright/test";
 import { unzipSync } from "fflate";
-import { expect, program, settled, shot, start, test } from "./studio.ts";
+import { drag, expect, mass, program, settled, shot, start, test } from "./studio.ts";
 
 const PRESETS = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
 
@@ -53,6 +53,11 @@ test("the whole folder, the STEP files and a single STL have the bytes of the co
   const all = await downloaded(page, /^Everything/);
   expect([...all.keys()].sort()).toEqual(built.sort());
   for (const [path, bytes] of all) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
+  const report = await downloaded(page, /^Report/);
+  const toRead = built.filter((path) => path.endsWith(".md") || path.startsWith("pictures/"));
+  expect(toRead).toContain("report.md");
+  expect([...report.keys()].sort()).toEqual(toRead);
+  for (const [path, bytes] of report) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
   const steps = await downloaded(page, /^STEP/);
   expect([...steps.keys()].sort()).toEqual(built.filter((path) => path.endsWith(".step")));
   for (const [path, bytes] of steps) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
@@ -100,4 +105,72 @@ test("a link holds 20 changes in 2 kB and opens the same model; the frame file i
   writeFileSync(join(folder, "my-cognifly.toml"), text.get("my-cognifly.toml")!);
   execFileSync(program, ["build", join(folder, "my-cognifly.toml"), "--no-pictures", "-q", "-o", folder]);
   expect(readFileSync(join(folder, "my-cognifly", "frame.glb")).equals(mine.get("my-cognifly-frame.glb")!)).toBe(true);
+});
+
+test("a frame file of one's own is opened or dragged in, its differences are against the preset that it names", async ({
+  page,
+}) => {
+  test.setTimeout(150_000);
+  const folder = mkdtempSync(join(tmpdir(), "studio-"));
+  const text = 'base = "cognifly-mini"\n\n[rods]\n# shorter\nstrut_rod_length_mm = 49.0\n';
+  const path = join(folder, "Own.mini-1.toml");
+  writeFileSync(path, text);
+  execFileSync(program, ["build", path, "--no-pictures", "-q", "-o", folder]);
+  await start(page);
+  const first = await mass(page);
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.getByLabel("Open a .toml file").setInputFiles(path);
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly-mini");
+  await expect(page.locator("#toml")).toHaveValue(text);
+  await settled(page);
+  await page.getByRole("tab", { name: "Values" }).click();
+  await expect(page.getByText("changed (1)")).toBeVisible();
+  const glb = await downloaded(page, /^GLB/);
+  expect(readFileSync(join(folder, "Own.mini-1", "frame.glb")).equals(glb.get("Own.mini-1-frame.glb")!)).toBe(true);
+  await shot(page, "7-opened");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  expect(await mass(page)).toBe(first);
+  await expect(page.getByText("changed (0)")).toBeVisible();
+  await drag(page, "canvas", [{ name: "v8.toml", text: 'base = "cognifly-v8"\nlimits.mass_budget_g = 240.0\n' }]);
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly-v8");
+  await settled(page);
+  await expect(page.locator("[data-gauge=mass]")).toContainText("of 240 g");
+});
+
+test("frame files that cannot be opened are refused in words, and nothing changes", async ({ page }) => {
+  await start(page);
+  const first = await mass(page);
+  const script = "<img src=x onerror=alert(1)>";
+  const refused = page.locator(".notice");
+  await drag(page, "canvas", [
+    { name: "a.toml", text: 'base = "b"\n' },
+    { name: "b.toml", text: 'base = "cognifly"\n' },
+  ]);
+  await expect(refused).toContainText("2 frame files were given. The studio takes one");
+  await drag(page, "canvas", [{ name: "a.toml", text: `base = '${script}'\n` }]);
+  await expect(refused).toContainText(`a.toml has the base “${script}”, which is no preset`);
+  await expect(refused).toContainText("cognifly-mini");
+  await shot(page, "7-refused-base");
+  await drag(page, ".gauges", [{ name: "large.toml", text: "#".repeat(2 << 20) }]);
+  await expect(refused).toContainText("large.toml has 2.1 MB");
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly");
+  await expect(page.getByRole("button", { name: "Undo" })).toBeDisabled();
+  expect(await mass(page)).toBe(first);
+  // What is no TOML stands as text with its refusal; the picture stays, and undo goes back.
+  await drag(page, "canvas", [{ name: "bad.toml", text: 'base = "cognifly"\n[rods\narm = 1\n' }]);
+  await expect(refused).toHaveCount(0);
+  await expect(page.locator("#toml-refusal")).toContainText("line 2");
+  await page.getByRole("tab", { name: "Values" }).click();
+  await page.locator(".refusal").getByRole("button", { name: "bad.toml, line 2" }).click();
+  await expect(page.locator("#toml")).toBeVisible();
+  await shot(page, "7-refused-text");
+  expect(await mass(page)).toBe(first);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(page.locator(".refusal")).toHaveCount(0);
+  // Measured drops that are dragged in are for the diagnosis, whatever panel is open.
+  await drag(page, "canvas", [{ name: "drops.csv", text: "trial,height_m,t_s,accel_g\na,1,0,NaN\n" }]);
+  await expect(page.getByRole("tab", { name: "Diagnose" })).toHaveAttribute("aria-selected", "true");
+  await expect(page.locator(".diagnose .fault").first()).toContainText("drops.csv", { timeout: 30_000 });
 });

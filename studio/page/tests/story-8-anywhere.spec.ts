@@ -144,3 +144,38 @@ test("a corrupt link, hostile text, NaN and a table of 200 MB: a clear message, 
   await page.getByLabel(/Open measured drops/).setInputFiles(table);
   await expect(page.locator(".notice")).toContainText("large.csv has 210 MB");
 });
+
+test("the policy allows nothing but the page itself and WebAssembly", async ({ page, baseURL, faults }) => {
+  const asked = await page.goto("./");
+  const stated = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute("content");
+  for (const policy of [stated!, (await asked!.allHeaders())["content-security-policy"]!]) {
+    const sources = policy.split(";").flatMap((directive) => directive.trim().split(/\s+/).slice(1));
+    const allowed = ["'none'", "'self'", "'wasm-unsafe-eval'", "blob:"];
+    expect(sources.filter((source) => !allowed.includes(source))).toEqual([]);
+    expect(policy).toContain("default-src 'none'");
+  }
+  await start(page);
+  expect(faults).toEqual([]);
+  const outcomes = await page.evaluate(async (self) => {
+    const refused = (work: () => unknown) =>
+      Promise.resolve()
+        .then(work)
+        .then(
+          () => "allowed",
+          () => "refused",
+        );
+    const inline = document.createElement("script");
+    inline.textContent = "window.executed = true";
+    document.body.append(inline);
+    const elsewhere = self.replace("127.0.0.1", "localhost");
+    return {
+      inline: "executed" in window,
+      eval: await refused(() => new Function("1")),
+      request: await refused(() => fetch(elsewhere)),
+      picture: await refused(() => Object.assign(new Image(), { src: `${elsewhere}icon.svg` }).decode()),
+    };
+  }, baseURL!);
+  expect(outcomes).toEqual({ inline: false, eval: "refused", request: "refused", picture: "refused" });
+  // The browser says so on the console.
+  expect(faults.splice(0).length).toBeGreaterThan(2);
+});

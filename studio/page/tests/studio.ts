@@ -1,5 +1,5 @@
 // What the stories share: a page that must not ask anybody else for anything, and must not complain.
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -11,14 +11,31 @@ export { expect };
 /** The command line that the page has to agree with. */
 export const program = resolve(process.env["FLEXFRAME"] ?? "../../target/release/flexframe");
 
+type Dropped = { mass_kg: number; peak_sensor_g: number; peak_proper_g: number };
+
 /** The peak that the command line gives for a drop of a frame, g. */
 export function peakOfDrop(frame: string, model: string, height: number): number {
+  return dropped(frame, model, height).peak_sensor_g;
+}
+
+/** What the command line gives for a drop of a frame. */
+export function dropped(frame: string, model: string, height: number): Dropped {
   const folder = mkdtempSync(join(tmpdir(), "studio-"));
   const options = ["drop", frame, "--model", model, "--height", String(height), "--json", "-q", "-o", folder];
   const answer = JSON.parse(execFileSync(program, options, { encoding: "utf8" })) as {
-    heights: { peak_sensor_g: number }[];
+    body?: { mass_kg: number };
+    heights: { peak_sensor_g: number; peak_proper_g: number }[];
   };
-  return answer.heights[0]!.peak_sensor_g;
+  return { mass_kg: answer.body?.mass_kg ?? NaN, ...answer.heights[0]! };
+}
+
+/** The findings of the command line for a frame. */
+export function nativeFindings(frame: string, ...options: string[]): { rule: string; message: string }[] {
+  const asked = ["check", frame, "--json", "--no-cache", ...options];
+  // A violated limit is an answer, too.
+  const { stdout } = spawnSync(program, asked, { encoding: "utf8", maxBuffer: 1 << 28 });
+  const answer = JSON.parse(stdout) as { frames: { findings: { rule: string; message: string }[] }[] };
+  return answer.frames[0]!.findings;
 }
 
 const shots = join(process.env["STUDIO_WORK"] ?? "test-results", "..", "studio-pictures");
@@ -82,6 +99,56 @@ export async function openField(page: Page, key: string) {
 
 export async function mass(page: Page): Promise<number> {
   return Number.parseFloat((await page.locator("[data-gauge=mass] b").innerText()).replace(" g", ""));
+}
+
+export type Pixels = { width: number; height: number; rgb: Uint8Array };
+
+/** The drawn picture: red, green and blue of its pixels, row by row. */
+export async function pixels(page: Page): Promise<Pixels> {
+  // What was asked for is drawn with the next frame.
+  await page.waitForTimeout(700);
+  const png = await page.locator("canvas").first().screenshot();
+  const { width, height, text } = await page.evaluate(async (coded) => {
+    const bytes = Uint8Array.from(atob(coded), (one) => one.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d")!;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    let text = "";
+    for (let at = 0; at < data.length; at += 4) text += String.fromCharCode(data[at]!, data[at + 1]!, data[at + 2]!);
+    return { width: image.width, height: image.height, text: btoa(text) };
+  }, png.toString("base64"));
+  return { width, height, rgb: new Uint8Array(Buffer.from(text, "base64")) };
+}
+
+/** How many pixels of two pictures differ. */
+export function differing(a: Pixels, b: Pixels): number {
+  let count = 0;
+  for (let at = 0; at < a.rgb.length; at += 3)
+    if ([0, 1, 2].some((of) => Math.abs(a.rgb[at + of]! - b.rgb[at + of]!) > 24)) count += 1;
+  return count;
+}
+
+/** The middle of what is lit, which alone is blue, and how many pixels it has. */
+export function litMiddle({ width, rgb }: Pixels): { x: number; y: number; count: number } {
+  let [x, y, count] = [0, 0, 0];
+  for (let at = 0; at < rgb.length / 3; at++) {
+    const [red, green, blue] = [rgb[3 * at]!, rgb[3 * at + 1]!, rgb[3 * at + 2]!];
+    if (blue < red + 50 || blue < green + 30) continue;
+    [x, y, count] = [x + (at % width), y + Math.floor(at / width), count + 1];
+  }
+  return { x: x / count, y: y / count, count };
+}
+
+/** Drags files onto an element and lets them go. */
+export async function drag(page: Page, onto: string, files: { name: string; text: string }[]): Promise<void> {
+  const transfer = await page.evaluateHandle((files) => {
+    const made = new DataTransfer();
+    for (const { name, text } of files) made.items.add(new File([text], name));
+    return made;
+  }, files);
+  for (const type of ["dragover", "drop"])
+    await page.locator(onto).first().dispatchEvent(type, { dataTransfer: transfer });
 }
 
 /** Keeps a picture of the page for somebody to look at. */

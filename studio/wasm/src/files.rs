@@ -44,11 +44,18 @@ fn of(open: &OpenFrame, which: Which) -> Result<Vec<File>, Refused> {
             let booklet = Booklet::new(design, masses, &sequence(open)?);
             Ok(vec![File::new("instructions.pdf", booklet_pdf::pdf(&booklet).map_err(Refused::plain)?)])
         }
-        Which::Folder => {
-            let findings = checks::check(design, masses);
-            frame_folder::files(design, masses, &findings, FolderChoice { pictures: true, step: true }).map_err(Refused::plain)
+        Which::Report => {
+            let to_read = |file: &File| file.path.ends_with(".md") || file.path.starts_with("pictures/");
+            Ok(folder(open, false)?.into_iter().filter(to_read).collect())
         }
+        Which::Folder => folder(open, true),
     }
+}
+
+/// What `build` writes.
+fn folder(OpenFrame { design, masses, .. }: &OpenFrame, step: bool) -> Result<Vec<File>, Refused> {
+    let findings = checks::check(design, masses);
+    frame_folder::files(design, masses, &findings, FolderChoice { pictures: true, step }).map_err(Refused::plain)
 }
 
 /// The steps of the fold, as `fold.json` has them, without the search for collisions on the way.

@@ -81,12 +81,15 @@ impl OpenFrame {
     pub fn findings(&mut self, quick: bool, strength: bool) -> Result<Value, Refused> {
         let dearest = if quick { Cost::Quick } else { Cost::Slow };
         let begun = AtomicUsize::new(0);
+        let of = |passes: usize| passes + usize::from(strength);
         let tell = |step: Step| {
-            tell_stage(begun.fetch_add(1, Ordering::Relaxed), step.of, step.name);
+            tell_stage(begun.fetch_add(1, Ordering::Relaxed), of(step.of), step.name);
             ControlFlow::Continue(())
         };
         let mut findings = self.workspace.findings(dearest, &tell)?.value;
         if strength {
+            let passes = begun.into_inner();
+            tell_stage(passes, of(passes), "Design drop");
             let (settings, found) = crate::mechanics::predicted(self)?;
             findings.extend(checks::strength(&self.design, &self.masses, &settings.limits, &found));
         }

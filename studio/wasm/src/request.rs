@@ -181,6 +181,8 @@ pub enum Which {
     FoldMotion,
     /// `instructions.pdf`.
     Instructions,
+    /// `report.md` with its pictures, and how to print.
+    Report,
     /// Everything that `build --step` writes.
     Folder,
 }

@@ -39,6 +39,8 @@ export type DropAnswer = {
     } | null;
     t_s: number[];
     accel_g: number[];
+    x_mm: number[];
+    ground_n: number[];
   }[];
   outside: { warning: string }[];
 };

@@ -1,7 +1,7 @@
 // Story 3: every rule beside the model, violated first, the margin as a bar; a click goes to the place.
 import { computed, signal } from "@preact/signals";
 import type { Finding } from "../engine/answers.ts";
-import { catalogue, checking, findings, findingsAreCurrent } from "../state/studio.ts";
+import { catalogue, checking, findings, findingsAreCurrent, strengthFailure, withStrength } from "../state/studio.ts";
 import { touched } from "../state/places.ts";
 import { label, short } from "../ui/words.ts";
 import { isDisc } from "../view/body_facts.ts";
@@ -45,11 +45,32 @@ export function Checks() {
         {all && findingsAreCurrent.value && !all.all && "Quick checks only; the others are running."}
         {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
       </p>
+      <Strength />
       <ul class={findingsAreCurrent.value ? "" : "old"}>
         {groups.value.map((group) => (
           <Rule key={group.id} group={group} />
         ))}
       </ul>
+    </div>
+  );
+}
+
+/** What takes as long as all other checks, and is asked for. */
+function Strength() {
+  const known = findings.value?.strength && findingsAreCurrent.value;
+  const state = !withStrength.value ? "off" : strengthFailure.value ? "failed" : known ? "done" : "computing";
+  return (
+    <div class="strength" data-strength={state}>
+      <label>
+        <input
+          type="checkbox"
+          checked={withStrength}
+          onChange={(event) => (withStrength.value = event.currentTarget.checked)}
+        />{" "}
+        strength, too: a drop by the frame’s own mechanics
+      </label>
+      <span role="status">{state === "computing" && " – computing…"}</span>
+      {state === "failed" && <p class="fault">{strengthFailure.value}</p>}
     </div>
   );
 }

@@ -21,7 +21,8 @@ const most = signal(2);
 const reading = new Work<Measured>();
 const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[] }>();
 
-async function take(files: Iterable<File>): Promise<void> {
+/** Takes measured drops. */
+export async function takeDrops(files: Iterable<File>): Promise<void> {
   const taken: Attached = {};
   let sum = 0;
   for (const file of files) {
@@ -69,14 +70,7 @@ export function Diagnose() {
   const measured = reading.result.value;
   const names = Object.keys(drops.value);
   return (
-    <div
-      class="diagnose"
-      onDragOver={(event) => event.preventDefault()}
-      onDrop={(event) => {
-        event.preventDefault();
-        void take([...(event.dataTransfer?.files ?? [])]);
-      }}
-    >
+    <div class="diagnose">
       <div class="row dropzone">
         <label class="file">
           Open measured drops (CSV, .bin, .bhn)
@@ -84,7 +78,7 @@ export function Diagnose() {
             type="file"
             multiple
             accept=".csv,.bin,.bhn"
-            onChange={(event) => void take([...(event.currentTarget.files ?? [])])}
+            onChange={(event) => void takeDrops([...(event.currentTarget.files ?? [])])}
           />
         </label>
         <span>or drag them here,</span>

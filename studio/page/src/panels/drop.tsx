@@ -26,7 +26,8 @@ type Dropped = {
   contactMs: number | null;
   travelMm: number | null;
   accel: [number, number][];
-  force: [number, number][] | null;
+  /** The ground's force over the way down, from first touch until the frame leaves the ground. */
+  force: [number, number][];
   energies: [string, number][];
   warnings: string[];
   motion: Uint8Array<ArrayBuffer> | null;
@@ -90,7 +91,10 @@ function ofDrop(name: string, answer: DropAnswer): Dropped {
     contactMs: of.contact_time_ms,
     travelMm: of.max_displacement_mm,
     accel: of.t_s.map((t, at) => [1000 * t, of.accel_g[at]!]),
-    force: null,
+    // A model whose ground pulls goes on after that.
+    force: of.x_mm
+      .map((x, at): [number, number] => [x, of.ground_n[at]!])
+      .filter((_, at) => 1000 * of.t_s[at]! <= (of.contact_time_ms ?? Infinity)),
     energies,
     warnings: answer.outside.map(({ warning }) => warning),
     motion: null,
@@ -113,7 +117,9 @@ function ofImpact(name: string, answer: ImpactAnswer, motion: Uint8Array<ArrayBu
     contactMs: of.contact_ms,
     travelMm: of.travel_mm,
     accel: of.moments.map(({ t_ms }, at) => [t_ms, of.sensor_g[at]!]),
-    force: of.moments.map(({ down_mm, ground_n }) => [down_mm, ground_n]),
+    force: of.moments
+      .filter(({ t_ms }) => t_ms <= (of.contact_ms ?? Infinity))
+      .map(({ down_mm, ground_n }) => [down_mm, ground_n]),
     energies: (Object.keys(WORDS) as (keyof Energies)[]).map((key) => [WORDS[key], of.energy_lowest[key] / 1000]),
     warnings: [],
     motion,
@@ -123,16 +129,19 @@ function ofImpact(name: string, answer: ImpactAnswer, motion: Uint8Array<ArrayBu
 const accelerations = computed<Curve[]>(() =>
   (work.result.value ?? []).map(({ name, accel }, at) => ({ name, points: accel, dashed: at > 0 })),
 );
+/** The points that lie farther than all before them. */
+function rising(points: [number, number][]): [number, number][] {
+  let farthest = -Infinity;
+  return points.filter(([x]) => x > farthest && ((farthest = x), true));
+}
+
 // A curve over the way is not single-valued: loading and unloading are curves of their own.
 const forces = computed<Curve[]>(() =>
-  (work.result.value ?? []).flatMap(({ name, force }) => {
-    if (!force) return [];
+  (work.result.value ?? []).flatMap(({ name, force }, colour) => {
     const lowest = force.reduce((best, [x], at) => (x > force[best]![0] ? at : best), 0);
-    const rising = (points: [number, number][]) =>
-      points.filter(([x], at) => at === 0 || x > Math.max(...points.slice(0, at).map(([before]) => before)));
     return [
-      { name: `${name}, in`, points: rising(force.slice(0, lowest + 1)) },
-      { name: `${name}, out`, points: rising(force.slice(lowest).reverse()), dashed: true },
+      { name: `${name}, in`, points: rising(force.slice(0, lowest + 1)), colour },
+      { name: `${name}, out`, points: rising(force.slice(lowest).reverse()), colour, dashed: true },
     ];
   }),
 );
@@ -178,8 +187,8 @@ export function Drop() {
         {results.length > 0 && (
           <Plot title="Acceleration behind the sensor" x="t, ms" y="a, g" curves={accelerations.value} />
         )}
-        {forces.value.length > 0 && (
-          <Plot title="Force on the ground over the way down" x="x, mm" y="F, N" curves={forces.value} />
+        {results.length > 0 && (
+          <Plot title="Force of the ground over the way down" x="x, mm" y="F, N" curves={forces.value} />
         )}
         {results.map(({ name, energies }) => (
           <EnergyBar key={name} name={name} energies={energies} />

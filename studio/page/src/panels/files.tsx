@@ -3,8 +3,8 @@ import { signal } from "@preact/signals";
 import type { Setting } from "../state/link.ts";
 import { toFragment } from "../state/link.ts";
 import { isUnchanged } from "../state/doc.ts";
-import { changedKeys, doc, frame, notice, presets, take, valueOf } from "../state/studio.ts";
-import { plainName } from "../state/link.ts";
+import { openFrame } from "../state/opening.ts";
+import { changedKeys, doc, frame, notice, valueOf } from "../state/studio.ts";
 import { download, made, save, saveText } from "../state/downloads.ts";
 import { Work } from "../state/work.ts";
 import { Progress } from "../ui/progress.tsx";
@@ -17,6 +17,7 @@ const KINDS: { which: string; words: string }[] = [
   { which: "bill", words: "Bill of materials (CSV)" },
   { which: "instructions", words: "Assembly instructions (PDF)" },
   { which: "fold", words: "Assembly steps (JSON)" },
+  { which: "report", words: "Report with pictures, how to print (Markdown, ZIP)" },
   { which: "folder", words: "Everything, with report and pictures (ZIP)" },
 ];
 
@@ -81,8 +82,14 @@ export function Files() {
       <h3>A frame file of yours</h3>
       <label class="file">
         Open a .toml file
-        <input type="file" accept=".toml" onChange={(event) => void open(event.currentTarget.files?.[0])} />
-      </label>
+        <input
+          type="file"
+          multiple
+          accept=".toml"
+          onChange={(event) => void openFrame([...(event.currentTarget.files ?? [])])}
+        />
+      </label>{" "}
+      <span>or drag it onto the page. Its base is a preset, against which its differences are marked.</span>
     </div>
   );
 }
@@ -110,17 +117,4 @@ async function share(): Promise<void> {
   } catch {
     notice.value = "The link stands below; this browser does not let the page copy it.";
   }
-}
-
-async function open(file: File | undefined): Promise<void> {
-  if (!file) return;
-  if (file.size > 1 << 20) {
-    notice.value = `${file.name} is too large; a frame file has at most 1 MB.`;
-    return;
-  }
-  const text = await file.text();
-  const base = /^\s*base\s*=\s*["']([^"']+)["']/m.exec(text)?.[1];
-  const name = plainName(file.name.replace(/\.toml$/, "")) ?? "opened";
-  const preset = presets.value?.frames.find((known) => known.name === base)?.name ?? doc.value.preset;
-  take({ preset, name, text });
 }

@@ -4,12 +4,13 @@ import type { Fold as Sequence } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
-import { goTo, hideMotion, length, playing, seconds, showMotion } from "../state/player.ts";
+import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import { download } from "../state/downloads.ts";
 import { Progress } from "../ui/progress.tsx";
 import { label, short } from "../ui/words.ts";
+import { handled } from "../view/scene_state.ts";
 
 type Folded = { sequence: Sequence; motion: Uint8Array<ArrayBuffer>; of: string };
 const work = new Work<Folded>();
@@ -45,6 +46,14 @@ const now = computed(() => {
     of: sequence.steps.length,
     share: seconds.value / sequence.step_shown_s - at,
   };
+});
+
+const bodies = computed(() => {
+  const step = owner.value === "fold" ? now.value?.step : undefined;
+  return (step ? [...step.bends, ...step.joins] : []).map(({ body }) => body).join(" ");
+});
+effect(() => {
+  handled.value = new Set(bodies.value.split(" ").filter(Boolean));
 });
 
 export function Fold() {

@@ -1,14 +1,11 @@
 // Story 1: the frame file as text, editable; refusals stand at their lines.
 import { useEffect, useRef, useState } from "preact/hooks";
-import { doc, presets, refused, take } from "../state/studio.ts";
+import { baseName } from "../state/doc.ts";
+import { presetNamed } from "../state/opening.ts";
+import { doc, refused, take } from "../state/studio.ts";
 
 /** The text is read when nothing was typed for this long, ms. */
 const REST_MS = 350;
-
-/** A base that is a preset. */
-function known(base: string | undefined): string | undefined {
-  return presets.value?.frames.find(({ name }) => name === base)?.name;
-}
 
 export function Source() {
   const [typed, setTyped] = useState<string | null>(null);
@@ -25,11 +22,10 @@ export function Source() {
     timer.current = setTimeout(() => read(next), REST_MS);
   };
   const read = (next: string) => {
-    const base = /^\s*base\s*=\s*["']([^"']+)["']/m.exec(next)?.[1];
     take({
       ...doc.value,
       text: next,
-      preset: known(base) ?? doc.value.preset,
+      preset: presetNamed(baseName(next)) ?? doc.value.preset,
       name: doc.value.name === doc.value.preset ? `my-${doc.value.preset}` : doc.value.name,
     });
   };

@@ -16,6 +16,12 @@ export function isUnchanged(doc: Doc): boolean {
   return doc.name === doc.preset && doc.text.trim() === unchangedText(doc.preset).trim();
 }
 
+/** The base that a frame file states, ahead of its tables. */
+export function baseName(text: string): string | undefined {
+  const head = text.split(/^\s*\[/m)[0] ?? "";
+  return /^\s*base\s*=\s*["']([^"'\n]*)["']/m.exec(head)?.[1];
+}
+
 /** What two documents share when they mean the same frame. */
 export function identity(doc: Doc): string {
   return isUnchanged(doc) ? doc.preset : `${doc.name}\n${doc.text}`;

@@ -31,7 +31,12 @@ export const refused = signal<{ refusal: Refusal; key: string | null } | null>(n
 export const computing = signal(false);
 /** Values that were set and are not in the text yet. */
 export const pending = signal<Record<string, Setting | null>>({});
-export const findings = signal<{ of: Finding[]; all: boolean; identity: string } | null>(null);
+/** What the checks found; `strength`: with the drop by the frame's own mechanics. */
+export const findings = signal<{ of: Finding[]; all: boolean; strength: boolean; identity: string } | null>(null);
+/** Whether the drop by the frame's own mechanics is asked for after all checks: it takes as long as they do. */
+export const withStrength = signal(false);
+/** Why it could not be computed. */
+export const strengthFailure = signal<string | null>(null);
 export const checking = signal<{ done: number; of: number; name: string } | null>(null);
 export const notice = signal<string | null>(null);
 
@@ -166,13 +171,14 @@ async function show(now: Wanted): Promise<void> {
   const known = findings.value;
   const found = answer.frames[0]?.findings ?? [];
   if (!(known?.all && known.identity === identity(next)))
-    findings.value = { of: found, all: false, identity: identity(next) };
+    findings.value = { of: found, all: false, strength: false, identity: identity(next) };
 }
 
 /** All checks, in the second engine, when nothing was changed for a moment. */
 let resting: ReturnType<typeof setTimeout> | undefined;
 effect(() => {
   const of = shownDoc.value;
+  void withStrength.value;
   clearTimeout(resting);
   if (of) resting = setTimeout(() => void checkAll(of), 500);
 });
@@ -184,13 +190,14 @@ async function checkAll(of: Doc): Promise<void> {
     return;
   }
   checkRuns = true;
+  const known = findings.peek();
+  const begun = performance.now();
   try {
-    const { handle } = await current.opened(of);
-    const { answer } = await checker.ask<Checked>({ do: "findings", handle }, {}, (stage) => (checking.value = stage));
-    if (shownDoc.value && identity(shownDoc.value) === identity(of)) {
-      findings.value = { of: answer.frames[0]?.findings ?? [], all: true, identity: identity(of) };
-      performance.measure("all checks", { start: performance.now(), end: performance.now() });
+    if (!(known?.all && known.identity === identity(of))) {
+      if (!(await found(of, false))) return;
+      performance.measure("all checks", { start: begun, end: performance.now() });
     }
+    if (withStrength.peek() && !findings.peek()?.strength) await checkStrength(of);
   } catch (error) {
     if (error instanceof Stopped) notice.value = `The second engine stopped and was started again: ${error.message}`;
     else if (!(error instanceof Refused)) throw error;
@@ -198,6 +205,27 @@ async function checkAll(of: Doc): Promise<void> {
     checking.value = null;
     checkRuns = false;
   }
+}
+
+/** A frame without a model of its mechanics keeps its other findings. */
+async function checkStrength(of: Doc): Promise<void> {
+  strengthFailure.value = null;
+  try {
+    await found(of, true);
+  } catch (error) {
+    if (!(error instanceof Refused)) throw error;
+    strengthFailure.value = error.message;
+  }
+}
+
+/** Asks the second engine for findings; whether they are of what is still shown. */
+async function found(of: Doc, strength: boolean): Promise<boolean> {
+  const { handle } = await current.opened(of);
+  const request = { do: "findings", handle, strength };
+  const { answer } = await checker.ask<Checked>(request, {}, (stage) => (checking.value = stage));
+  const still = shownDoc.value !== null && identity(shownDoc.value) === identity(of);
+  if (still) findings.value = { of: answer.frames[0]?.findings ?? [], all: true, strength, identity: identity(of) };
+  return still;
 }
 
 /** Asks for the frame that the page most likely begins with, so that the engine makes it while the page is still drawn. */

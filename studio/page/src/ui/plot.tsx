@@ -4,7 +4,8 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { theme } from "../state/theme.ts";
 
-export type Curve = { name: string; points: [number, number][]; dashed?: boolean };
+/** `colour`: which of the colours; without it, one after the other. */
+export type Curve = { name: string; points: [number, number][]; dashed?: boolean; colour?: number };
 type Props = { title: string; x: string; y: string; curves: Curve[]; height?: number };
 
 const COLOURS = ["#e8862e", "#3f7fd1", "#2f9e62", "#b3547a", "#8a8f2b", "#7c6bd6"];
@@ -41,9 +42,9 @@ export function Plot({ title, x, y, curves, height = 190 }: Props) {
         legend: { live: false },
         series: [
           { label: x },
-          ...curves.map(({ name, dashed }, at) => ({
+          ...curves.map(({ name, dashed, colour }, at) => ({
             label: name,
-            stroke: COLOURS[at % COLOURS.length]!,
+            stroke: COLOURS[(colour ?? at) % COLOURS.length]!,
             width: 1.6,
             spanGaps: true,
             points: { show: false },

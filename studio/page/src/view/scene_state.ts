@@ -16,6 +16,8 @@ export const ghost = signal(false);
 export const picked = signal<Picked | null>(null);
 /** Parts of the parameter or the finding that is looked at. */
 export const lit = signal<Set<string>>(new Set());
+/** Bodies that the shown step of the assembly bends or puts on. */
+export const handled = signal<ReadonlySet<string>>(new Set());
 /** What the picture shows instead of the assembled frame. */
 export const stage = signal<"frame" | "bed" | "motion">("frame");
 /** The plates of the bed by name, and which is shown. */
@@ -49,7 +51,7 @@ export const look = computed<Look>(() => {
     envelopeMm: envelope.value ? [width, depth, height] : null,
     centreMm: centre.value ? (frame.value?.masses.centre_of_mass_mm ?? null) : null,
     section: section.value,
-    lit: new Set([...lit.value, ...own]),
+    lit: new Set([...lit.value, ...own, ...handled.value]),
     severities: severities.value,
     ghost: ghost.value,
   };

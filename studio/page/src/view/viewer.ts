@@ -231,6 +231,7 @@ export class Viewer {
     const bodies = this.#picture?.bodies ?? [];
     const known =
       bodies.find((body) => body.facts.name === facts.name) ??
+      bodies.find((body) => facts.name.startsWith(`${body.facts.name}_`)) ??
       bodies.find((body) => facts.name.startsWith(body.facts.part));
     return known?.facts ?? facts;
   }
