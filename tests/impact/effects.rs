@@ -229,6 +229,26 @@ fn analytic_the_gap_moves_nothing() {
 }
 
 #[test]
+fn analytic_the_ground_s_work_takes_what_fell() {
+    // By the trapezoids of the series up to its last point on the way down: the speed there is what the ground's work leaves of the fall.
+    for effects in [&[][..], &[("preload", &[40.0][..])], &[("payload_mode", &[0.3, 120.0, 0.05][..])]] {
+        let trace = dropped(&model(effects), 1.0);
+        let last = trace.v_m_s.iter().position(|v_m_s| *v_m_s < 0.0).expect("turns") - 1;
+        let work_j: f64 =
+            (0..last).map(|at| 0.5 * (trace.ground_n[at] + trace.ground_n[at + 1]) * (trace.x_m[at + 1] - trace.x_m[at])).sum();
+        let left_j = 0.5 * MASS_KG * (trace.impact_speed_m_s.powi(2) - trace.v_m_s[last].powi(2)) + MASS_KG * G * trace.x_m[last];
+        if effects.first().is_some_and(|(id, _)| *id == "payload_mode") {
+            // A payload that lags behind falls farther, and moves itself.
+            assert!(work_j < left_j && work_j > 0.5 * left_j, "{work_j} J of {left_j} J");
+        } else {
+            assert!((work_j / left_j - 1.0).abs() < 1e-4, "{effects:?}: {work_j} J, expected {left_j} J");
+            let most = trace.ground_n.iter().zip(&trace.proper_g).map(|(n, g)| (n - MASS_KG * G * g).abs()).fold(0.0, f64::max);
+            assert!(most < 1e-9, "{effects:?}: {most} N between force and mass times acceleration");
+        }
+    }
+}
+
+#[test]
 fn analytic_energies_balance_and_each_work_has_its_formula() {
     for (id, values, _) in CASES.into_iter().chain([("foot_stagger", &[8.0][..], 0.0), ("air_drag", &[0.2][..], 0.0)]) {
         let trace = dropped(&model(&[(id, values)]), 1.2);

@@ -39,7 +39,7 @@ pub(in crate::cli) struct Args {
     /// Drop heights, m.
     #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…", value_parser = number(HEIGHTS_M, "m"))]
     pub height: Vec<f64>,
-    /// With --json: the sensor's output, too, in steps of 0.05 ms for 60 ms.
+    /// With --json: the sensor's output, compression and the ground's force, too, in steps of 0.05 ms for 60 ms.
     #[arg(long)]
     pub trace: bool,
     /// Folder that takes the folder `drop-MODEL`, or `drop-MODEL-FRAME`.

@@ -56,6 +56,17 @@ test.describe("an engine that fails", () => {
     expect(await mass(page)).toBe(first);
     expect(faults).toEqual([]);
   });
+
+  test("is asked for again where a server takes the request and never answers", async ({ page }) => {
+    let asked = 0;
+    await page.route("**/engine.wasm", async (route) => {
+      asked += 1;
+      if (asked > 1) await route.continue();
+    });
+    await start(page);
+    expect(asked).toBe(2);
+    await expect(page.locator(".notice")).toHaveCount(0);
+  });
 });
 
 /** Resident memory of the page's process, with its workers, MB. */

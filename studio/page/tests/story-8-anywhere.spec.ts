@@ -170,7 +170,18 @@ test("the policy allows nothing but the page itself and WebAssembly", async ({ p
     const elsewhere = self.replace("127.0.0.1", "localhost");
     return {
       inline: "executed" in window,
-      eval: await refused(() => new Function("1")),
+      // What is evaluated from outside may do this, what it leaves for later may not.
+      eval: await refused(async () => {
+        await new Promise((resolve, reject) =>
+          setTimeout(() => {
+            try {
+              resolve(new Function("1"));
+            } catch (error) {
+              reject(error as Error);
+            }
+          }),
+        );
+      }),
       request: await refused(() => fetch(elsewhere)),
       picture: await refused(() => Object.assign(new Image(), { src: `${elsewhere}icon.svg` }).decode()),
     };

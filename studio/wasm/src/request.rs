@@ -104,7 +104,7 @@ pub enum Wanted {
         handle: Option<Handle>,
         /// Drop heights, m.
         heights_m: Vec<f64>,
-        /// With the sensor's output.
+        /// With the series: the sensor's output, compression, force of the ground.
         #[serde(default)]
         trace: bool,
     },

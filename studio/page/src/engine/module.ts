@@ -11,9 +11,28 @@ export function engineModule(): Promise<WebAssembly.Module> {
   return compiled;
 }
 
+/** A server that says nothing for this long is asked again, ms: a connection can be taken and never be answered. */
+const PATIENCE_MS = 8000;
+const TRIES = 4;
+
 async function load(): Promise<WebAssembly.Module> {
-  const response = await fetch("./engine/engine.wasm");
+  const response = await answered("./engine/engine.wasm", TRIES);
   if (!response.ok) throw new Error(`engine.wasm: ${response.status} ${response.statusText}`);
   // Read at once and not while it is compiled: a server that answers one request after another is free for the scripts again.
   return WebAssembly.compile(await response.arrayBuffer());
+}
+
+/** The answer as soon as its head is there; reading it may take as long as it takes. */
+async function answered(url: string, tries: number): Promise<Response> {
+  const ending = new AbortController();
+  const timer = setTimeout(() => ending.abort(), PATIENCE_MS);
+  try {
+    return await fetch(url, { signal: ending.signal });
+  } catch (error) {
+    if (!ending.signal.aborted) throw error;
+    if (tries <= 1) throw new Error(`${url}: no answer in ${(TRIES * PATIENCE_MS) / 1000} s`, { cause: error });
+    return await answered(url, tries - 1);
+  } finally {
+    clearTimeout(timer);
+  }
 }
