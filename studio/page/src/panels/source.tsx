@@ -1,5 +1,5 @@
 // Story 1: the frame file as text, editable; refusals stand at their lines.
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { baseName } from "../state/doc.ts";
 import { presetNamed } from "../state/opening.ts";
 import { doc, refused, take } from "../state/studio.ts";
@@ -12,8 +12,8 @@ export function Source() {
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const area = useRef<HTMLTextAreaElement>(null);
   const text = typed ?? doc.value.text;
-  // What is set elsewhere shows here as soon as nobody types.
-  useEffect(() => setTyped(null), [doc.value.text]);
+  // What is set elsewhere shows here as soon as nobody types. At once: an effect after the first picture would take back what was typed meanwhile.
+  useLayoutEffect(() => setTyped(null), [doc.value.text]);
   const refusal = refused.value?.refusal;
   const line = refusal?.place?.file === `${doc.value.name}.toml` ? refusal.place.line : null;
   const type = (next: string) => {
