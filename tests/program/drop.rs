@@ -29,9 +29,11 @@ fn analytic_json_has_the_keys_that_others_read() {
     for height in heights {
         let keys: BTreeSet<&str> = height.as_object().expect("an object").keys().map(String::as_str).collect();
         let expected = ["height_m", "peak_coordinate_g", "peak_proper_g", "peak_sensor_g", "contact_time_ms", "max_displacement_mm"];
-        assert_eq!(keys, expected.into_iter().chain(["energy", "t_s", "accel_g"]).collect());
+        assert_eq!(keys, expected.into_iter().chain(["energy", "t_s", "accel_g", "x_mm", "ground_n"]).collect());
         let t_s = height["t_s"].as_array().expect("a list");
-        assert_eq!((t_s.len(), height["accel_g"].as_array().expect("a list").len()), (1201, 1201));
+        for series in ["t_s", "accel_g", "x_mm", "ground_n"] {
+            assert_eq!(height[series].as_array().expect("a list").len(), 1201, "{series}");
+        }
         assert!((t_s[1200].as_f64().expect("a number") - 0.06).abs() < 1e-12 && t_s[0] == 0.0 && height["accel_g"][0] == 0.0);
     }
     assert_eq!(result["body"]["from"], "model paper");

@@ -13,8 +13,6 @@ use super::touches::{LegTouches, ReadDrops, TouchPattern};
 use crate::impact::fit::{Chosen, Waves};
 use crate::impact::measured::{Drop, Spread};
 
-/// The least spike of a touch that is believed, g.
-pub const SEEN_G: f64 = 20.0;
 /// The shares of the quantiles that a fit compares.
 pub const QUARTILES: [f64; 3] = [0.25, 0.5, 0.75];
 /// Standard deviation of a touch time that was read, as long as no landing was simulated, s: the clock's step, and feet that slide.
@@ -84,7 +82,8 @@ impl ObservedLandings {
         let with = |(height, table): (&HeightLandings, &LandingTable)| {
             let weights = Population::of(table, slopes).weights().clone();
             let mut rng = Pcg64::seed_from_u64(seed);
-            HeightLandings { errors: TouchErrors::of(height, table, &weights, &mut rng), ..height.clone() }
+            let patterns: Vec<&TouchPattern> = height.drops.iter().map(|drop| &drop.pattern).collect();
+            HeightLandings { errors: TouchErrors::of(&patterns, table, &weights, &mut rng), ..height.clone() }
         };
         Self { heights: self.heights.par_iter().zip(tables).map(with).collect() }
     }
@@ -104,7 +103,7 @@ impl ObservedLandings {
 impl ObservedLanding {
     /// Whether the touch of each foot was seen.
     pub fn all_seen(&self) -> bool {
-        self.touches.least_size_g() >= SEEN_G
+        self.touches.all_seen()
     }
 }
 

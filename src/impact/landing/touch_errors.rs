@@ -1,6 +1,6 @@
 //! How touch times are read where spikes overlap.
 //!
-//! Each slope's landing is given the spikes and the rest of a measured drop ([`TouchPattern`](super::touches::TouchPattern)), and its touch times are read as those of
+//! Each slope's landing is given the spikes and the rest of a measured drop ([`TouchPattern`]), and its touch times are read as those of
 //! the measured drops were. Short times come out longer than they are, and a tenth of all are off by milliseconds: without this, slopes of 0.15
 //! rad/s came out a sixth too large.
 //!
@@ -9,8 +9,8 @@
 use nalgebra::DVector;
 use rand::{Rng, RngExt};
 
-use super::observed::{HeightLandings, SEEN_G};
 use super::table::{LandingTable, NEVER_S};
+use super::touches::TouchPattern;
 
 /// Readings of each slope's landing.
 const READINGS: usize = 2;
@@ -29,13 +29,13 @@ pub struct TouchErrors {
 }
 
 impl TouchErrors {
-    /// Reads the landings of a table, as frequent as `weights` says, like the drops of a height.
-    pub fn of(height: &HeightLandings, table: &LandingTable, weights: &DVector<f64>, rng: &mut impl Rng) -> Option<Self> {
+    /// Reads the landings of a table, as frequent as `weights` says, like the drops of a height, whose patterns these are.
+    pub fn of(patterns: &[&TouchPattern], table: &LandingTable, weights: &DVector<f64>, rng: &mut impl Rng) -> Option<Self> {
         let mut sizes: Vec<(f64, f64)> = Vec::new();
         let mut read = |delays_s: &[f64; 3], weight: f64| -> Option<f64> {
-            let pattern = &height.drops[rng.random_range(0..height.drops.len())].pattern;
+            let pattern = patterns[rng.random_range(0..patterns.len())];
             let touches = pattern.read(*delays_s, rng.random_bool(0.5))?;
-            if touches.least_size_g() < SEEN_G {
+            if !touches.all_seen() {
                 return None;
             }
             let read_s = touches.delays_s();

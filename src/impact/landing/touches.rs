@@ -26,6 +26,8 @@ const BEFORE_S: f64 = 2e-3;
 const CHANNEL_STEP_S: f64 = 0.25e-3;
 /// Part of the largest spike that one needs to be the first.
 const BELIEVED: f64 = 0.3;
+/// The least spike of a touch that is believed, g.
+const SEEN_G: f64 = 20.0;
 /// How often touches and shape are found in turn.
 const ROUNDS: usize = 5;
 
@@ -57,6 +59,11 @@ impl LegTouches {
     /// The least of the four spikes, g.
     pub fn least_size_g(&self) -> f64 {
         self.beside.iter().map(|touch| touch.size_g).fold(self.first_size_g.min(self.opposite.size_g), f64::min)
+    }
+
+    /// Whether the touch of each foot was seen.
+    pub fn all_seen(&self) -> bool {
+        self.least_size_g() >= SEEN_G
     }
 
     /// Delays of the opposite foot and of those beside, s.
