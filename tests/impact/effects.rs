@@ -241,7 +241,9 @@ fn analytic_the_ground_s_work_takes_what_fell() {
             // A payload that lags behind falls farther, and moves itself.
             assert!(work_j < left_j && work_j > 0.5 * left_j, "{work_j} J of {left_j} J");
         } else {
-            assert!((work_j / left_j - 1.0).abs() < 1e-4, "{effects:?}: {work_j} J, expected {left_j} J");
+            // A preload sets in within the first step of the series: half of its work there is what trapezoids may miss.
+            let missed_j = effects.first().map_or(0.0, |(_, values)| 0.5 * values[0] * trace.x_m[1]);
+            assert!((work_j - left_j).abs() < 1e-4 * left_j + missed_j, "{effects:?}: {work_j} J, expected {left_j} J");
             let most = trace.ground_n.iter().zip(&trace.proper_g).map(|(n, g)| (n - MASS_KG * G * g).abs()).fold(0.0, f64::max);
             assert!(most < 1e-9, "{effects:?}: {most} N between force and mass times acceleration");
         }
