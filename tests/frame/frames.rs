@@ -91,20 +91,24 @@ fn findings(findings: &[Finding]) -> String {
     text
 }
 
-/// Every stage that a frame reaches.
-fn stages(folder: &Path) -> Stages {
+/// Every stage that a frame reaches, or what is wrong: said by the test's own thread, as the words of another are lost.
+fn stages(folder: &Path) -> Result<Stages, String> {
     let check = Command::new(cargo_bin("flexframe")).args(["check", "-q", "frame.toml"]).env("NO_COLOR", "1").current_dir(folder).output();
     let check = check.expect("the program starts");
     if check.status.code() == Some(2) {
-        return vec![("refusal", String::from_utf8(check.stderr).expect("UTF-8"))];
+        return Ok(vec![("refusal", String::from_utf8(check.stderr).expect("UTF-8"))]);
     }
-    let frame = Frame::load(&folder.join("frame.toml").display().to_string()).expect("is not refused").0;
-    let design = Design::with(frame, common::memo()).expect("is not refused");
+    let wrong = |what: String| format!("{}: {what}", folder.display());
+    let frame = Frame::load(&folder.join("frame.toml").display().to_string()).map_err(|error| wrong(error.to_string()))?.0;
+    let design = Design::with(frame, common::memo()).map_err(|error| wrong(error.to_string()))?;
     let table = mass::table(&design);
     let found = checks::check(&design, &table);
     let code = if found.iter().any(|finding| finding.margin < 0.0 && finding.verdict == checks::Verdict::Violated) { 1 } else { 0 };
-    assert_eq!(check.status.code(), Some(code), "{}: what the shell is told", folder.display());
-    vec![("skeleton", skeleton(&design)), ("parts", parts(&design)), ("masses", masses(&table)), ("findings", findings(&found))]
+    if check.status.code() != Some(code) {
+        let (status, said) = (check.status, String::from_utf8_lossy(&check.stderr));
+        return Err(wrong(format!("the shell is told {status}, not {code}: {said}")));
+    }
+    Ok(vec![("skeleton", skeleton(&design)), ("parts", parts(&design)), ("masses", masses(&table)), ("findings", findings(&found))])
 }
 
 fn cases() -> Vec<PathBuf> {
@@ -119,7 +123,8 @@ fn cases() -> Vec<PathBuf> {
 fn regress_every_stage_of_every_frame() {
     let cases = cases();
     assert!(cases.len() >= 16, "{} folders", cases.len());
-    let reached: Vec<Stages> = cases.par_iter().map(|folder| stages(folder)).collect();
+    let reached: Result<Vec<Stages>, String> = cases.par_iter().map(|folder| stages(folder)).collect();
+    let reached = reached.unwrap_or_else(|wrong| panic!("{wrong}"));
     for (folder, stages) in cases.iter().zip(&reached) {
         let refused = stages.iter().any(|(stage, _)| *stage == "refusal");
         let named = folder.file_name().is_some_and(|name| name.to_string_lossy().starts_with("refused-"));

@@ -51,9 +51,13 @@ pub fn minimise(
             break;
         }
     }
-    let near = |(value, [min, max]): (&f64, &[f64; 2])| (value - min).min(max - value) <= 1e-6 * (max - min);
-    let at_bound = at.iter().zip(bounds).map(near).collect();
+    let at_bound = at_bounds(&at, bounds);
     Some(Minimum { at, residual: here, jacobian, sum, at_bound })
+}
+
+/// Which values lie at a bound, to a millionth of the room between both.
+pub fn at_bounds(at: &[f64], bounds: &[[f64; 2]]) -> Vec<bool> {
+    at.iter().zip(bounds).map(|(value, [min, max])| (value - min).min(max - value) <= 1e-6 * (max - min)).collect()
 }
 
 /// A step that lowers the sum; `None` where there is none.

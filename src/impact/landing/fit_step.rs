@@ -55,3 +55,30 @@ fn side_by_side(left: &DMatrix<f64>, right: &DMatrix<f64>) -> DMatrix<f64> {
     all.columns_mut(left.ncols(), right.ncols()).copy_from(right);
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// Where drops and touch times are linear, a change that other parameters explain leads to these, whatever the fit weighs. What lies
+        /// at a bound stays.
+        #[test]
+        fn analytic_a_change_that_parameters_explain_leads_to_them(
+            entries in prop::collection::vec(-1.0_f64..1.0, 5 * (12 + 6)),
+            moved in prop::collection::vec(-1.0_f64..1.0, 5),
+            held in 0_usize..5,
+        ) {
+            let jacobian = DMatrix::from_vec(18, 5, entries);
+            let (drops, touches) = (jacobian.rows(0, 12).into_owned(), jacobian.rows(12, 6).into_owned());
+            let mut moved = DVector::from_vec(moved);
+            let mut at_bound = [false; 5];
+            (moved[held], at_bound[held]) = (0.0, true);
+            let step = FitStep::of(&at_bound, &drops, &touches).expect("is determined").by(&(&jacobian * &moved));
+            // The ridge of `inverse`, and how nearly columns may be alike.
+            prop_assert!((step - &moved).norm() < 1e-4, "{moved}");
+        }
+    }
+}

@@ -24,7 +24,7 @@ use super::table::LandingTable;
 use super::touched_slopes::{self, TouchedSlopes, decorrelated, left_of_quartiles};
 use crate::impact::diagnose::{EffectEstimate, PRICE};
 use crate::impact::effects::Model;
-use crate::impact::fit::{FitProblem, Minimum, inverse, minimise};
+use crate::impact::fit::{FitProblem, Minimum, at_bounds, inverse, minimise};
 use crate::impact::measured::Spread;
 
 /// What is fitted.
@@ -231,8 +231,7 @@ impl LandingProblem<'_> {
         let Minimum { sum, .. } = best?;
         let scaled = self.with_touched_slopes(&scaled)?;
         let (legs, slopes) = meaning(&scaled);
-        let near = |(value, [min, max]): (&f64, &[f64; 2])| (value - min).min(max - value) <= 1e-6 * (max - min);
-        let at_bound = scaled.iter().zip(&bounds).map(near).collect();
+        let at_bound = at_bounds(&scaled, &bounds);
         Some(LandingFit { legs, slopes, scaled, at_bound, sum })
     }
 
@@ -359,7 +358,7 @@ impl LandingProblem<'_> {
             let mut times = vec![-1.0; here.drops.len()];
             picks.iter().for_each(|pick| times[*pick] += 1.0);
             weights.extend(times);
-            let drawn = picks.iter().map(|pick| &here.drops[*pick]).filter(|drop| drop.all_seen());
+            let drawn = picks.iter().map(|pick| &here.drops[*pick]).filter(|drop| drop.touches.all_seen());
             let (before, after) = (here.opposite_quartiles_s()?, quartiles_with_errors_s(drawn)?);
             delays.extend(decorrelated(std::array::from_fn(|at| (after[at].0 - before[at].0) / before[at].1)));
         }

@@ -7,9 +7,11 @@ use rayon::prelude::*;
 
 use super::legged_body::Slopes;
 use super::population::Population;
+use super::read_drops::ReadDrops;
 use super::table::LandingTable;
 use super::touch_errors::TouchErrors;
-use super::touches::{LegTouches, ReadDrops, TouchPattern};
+use super::touch_pattern::TouchPattern;
+use super::touches::LegTouches;
 use crate::impact::fit::{Chosen, Waves};
 use crate::impact::measured::{Drop, Spread};
 
@@ -100,17 +102,10 @@ impl ObservedLandings {
     }
 }
 
-impl ObservedLanding {
-    /// Whether the touch of each foot was seen.
-    pub fn all_seen(&self) -> bool {
-        self.touches.all_seen()
-    }
-}
-
 impl HeightLandings {
     /// The drops of which all feet were seen.
     pub fn seen(&self) -> impl Iterator<Item = &ObservedLanding> {
-        self.drops.iter().filter(|drop| drop.all_seen())
+        self.drops.iter().filter(|drop| drop.touches.all_seen())
     }
 
     /// Mean window, g.

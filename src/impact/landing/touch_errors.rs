@@ -10,7 +10,7 @@ use nalgebra::DVector;
 use rand::{Rng, RngExt};
 
 use super::table::{LandingTable, NEVER_S};
-use super::touches::TouchPattern;
+use super::touch_pattern::TouchPattern;
 
 /// Readings of each slope's landing.
 const READINGS: usize = 2;
