@@ -122,8 +122,7 @@ simulators_from_pypi() {
     "$python" -c "$imports" >/dev/null 2>&1
 }
 
-# Downloads wait for the network, and compilers do not: what the steps below install comes while the tests are compiled. Not Rust for
-# WebAssembly, which may replace the compiler that is at work.
+# Downloads wait for the network, and compilers do not: what the steps below install comes while the tests are compiled.
 installed_ahead() {
     local command
     for command in admesh qpdf prusa-slicer chromium; do from_debian "$command" "$command" || true; done
@@ -280,12 +279,25 @@ libraries_are_allowed() {
     fi
 }
 
+# The library as a WebAssembly module, for tests.
+engine_compiled() {
+    rust_for_wasm && CARGO_TARGET_DIR=$PWD/$target/wasm nice bash studio/build.sh quick engine
+}
+
+# Its compiler leaves a core idle now and then, and so does that of the tests: side by side they take less time. Not where Debian's Rust
+# is at work, which Rust for WebAssembly may replace.
+engine_compiled_ahead() {
+    [[ $(command -v cargo) != /usr/bin/cargo ]] || return
+    engine_compiled
+}
+
 # The library as a WebAssembly module gives the bytes of the program, in Node.
 engine_gives_the_same_bytes() {
     heading "the engine in WebAssembly gives the program's bytes"
+    wait "$compiling_engine" || true
     if ! rust_for_wasm || ! from_debian node nodejs; then
         skipped "the engine in WebAssembly" "no Rust for wasm32-unknown-unknown, or no node"
-    elif CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick engine; then
+    elif engine_compiled; then
         node tests/external/check_engine.mjs "$engine" "$PWD/$binary" "$built" "$work/same/once" "$work/engine" | tee -a "$results" ||
             failed "the engine in WebAssembly" "exit code $?"
     else
@@ -293,16 +305,25 @@ engine_gives_the_same_bytes() {
     fi
 }
 
-# The studio's page in a browser, on the engine that was just built: its eight stories, clicked through.
+# The studio's page on the engine that was just built, and its lints.
+page_is_built() {
+    heading "the studio's page"
+    if [[ ! -f $engine/engine.wasm ]] || ! from_debian npm npm; then
+        skipped "the studio's page" "no engine or no npm"
+    elif bash studio/build.sh quick page >"$work/page.log" 2>&1; then
+        step "the studio's lints" npm run --silent --prefix studio/page lint
+    else
+        tail -20 "$work/page.log"
+        failed "the studio's page" "it does not build"
+    fi
+}
+
+# The studio in a browser: its eight stories, clicked through.
 page_works_in_a_browser() {
     heading "the studio in Chromium"
-    if [[ ! -f $engine/engine.wasm ]] || ! from_debian npm npm || ! from_debian chromium chromium; then
-        skipped "the studio in Chromium" "no engine, no npm or no chromium"
-    elif ! bash studio/build.sh quick page >"$work/page.log" 2>&1; then
-        tail -20 "$work/page.log"
-        failed "the studio in Chromium" "the page does not build"
+    if [[ ! -f $PWD/studio/dist/index.html ]] || ! from_debian chromium chromium; then
+        skipped "the studio in Chromium" "no page or no chromium"
     else
-        step "the studio's lints" npm run --silent --prefix studio/page lint
         rm -rf "$work/studio-pictures"
         # The stories, two at a time, also after a measurement that failed.
         local project
@@ -560,6 +581,7 @@ in_lanes() {
     gallery_is_that_of_the_program
     by_other_programs
     engine_gives_the_same_bytes
+    page_is_built
     wait "$rust" || failed "the lane of the Rust tests" "exit code $?"
     cat "$work/rust.log"
     random_frames_are_sound
@@ -614,8 +636,11 @@ step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Car
 step "cargo fmt of the fuzz targets" cargo fmt --check --manifest-path fuzz/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
 reference_records
+engine_compiled_ahead >"$work/engine.log" 2>&1 &
+compiling_engine=$!
 if compiled; then
     wait "$installing" || true
     in_lanes
 fi
+wait
 summary
