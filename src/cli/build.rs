@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::bounded::count;
+use super::candidates;
 use super::failure::Failure;
 use super::options::{Common, FrameOption};
 use super::output;
@@ -39,7 +40,7 @@ pub(super) struct Args {
     #[arg(long, conflicts_with = "part")]
     pub step: bool,
     /// Plates of one printed part alone, to print it again, into the folder `FRAME-PART`.
-    #[arg(long, value_name = "PART")]
+    #[arg(long, value_name = "PART", add = candidates::printed())]
     pub part: Option<String>,
     /// How many of it, 1 when nothing is said.
     #[arg(long, value_name = "N", requires = "part", value_parser = count([1, MOST_COPIES]))]

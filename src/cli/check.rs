@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use super::cache;
+use super::candidates;
 use super::failure::{Failure, mechanics_refused};
 use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
@@ -30,10 +31,10 @@ use crate::workspace::advice;
 )]
 pub(super) struct Args {
     /// Presets' names, TOML files, or patterns of files such as 'frames/**/*.toml'.
-    #[arg(default_value = "cognifly", value_name = "FRAME")]
+    #[arg(default_value = "cognifly", value_name = "FRAME", add = candidates::frames())]
     pub frames: Vec<String>,
     /// Material of the rigid parts instead of the frame files': a name of params/materials.toml.
-    #[arg(long, value_name = "MATERIAL")]
+    #[arg(long, value_name = "MATERIAL", add = candidates::materials())]
     pub rigid: Option<String>,
     /// Print every finding, not only what is violated and the tightest of each rule.
     #[arg(long)]

@@ -62,9 +62,14 @@ pub(super) fn of(key: &str, frame: &Frame, file: &FrameFile) -> Result<Option<Ch
     if !["bought.", "materials."].iter().any(|table| key.starts_with(table)) {
         return Ok(None);
     }
-    let known: Vec<String> = KEYS.iter().map(|(key, _)| key.to_string()).chain(ROLES.iter().map(|(role, ..)| bought_key(role))).collect();
+    let known = keys();
     let meant = nearest(key, known.iter().map(String::as_str)).first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
     Err(Failure::Usage { message: format!("there is no key `{key}`{meant}; keys of names are {}", known.join(", ")) })
+}
+
+/// Every key that holds a name.
+pub(super) fn keys() -> Vec<String> {
+    KEYS.iter().map(|(key, _)| key.to_string()).chain(ROLES.iter().map(|(role, ..)| bought_key(role))).collect()
 }
 
 fn bought_key(role: &str) -> String {

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::bounded::{count, number};
+use super::candidates;
 use super::failure::Failure;
 use super::failure::mechanics_refused;
 use super::given_drops::{file_format, frame_and_paths, with_body_of};
@@ -38,10 +39,10 @@ pub(super) struct Args {
     #[command(flatten)]
     pub drops: DropsOption,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
-    #[arg(long, default_value = "paper", value_name = "MODEL")]
+    #[arg(long, default_value = "paper", value_name = "MODEL", add = candidates::models())]
     pub model: String,
     /// A frame whose own static curve is a candidate, too: its share is fitted to the drops.
-    #[arg(long, value_name = "FRAME")]
+    #[arg(long, value_name = "FRAME", add = candidates::frames())]
     pub frame: Option<String>,
     /// With --frame: numbers of the mechanics instead of those that come with the program.
     #[arg(long, value_name = "TOML", requires = "frame")]

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use super::cache;
+use super::candidates;
 use super::failure::{Failure, mechanics_refused};
 use super::options::{Common, MechanicsOption, PageFormat};
 use super::output;
@@ -29,7 +30,7 @@ use crate::variant::{Difference, Evaluation, Increase, Side};
 )]
 pub(super) struct Args {
     /// Two presets' names or TOML files; one file with --git.
-    #[arg(required = true, num_args = 1..=2, value_name = "FRAME")]
+    #[arg(required = true, num_args = 1..=2, value_name = "FRAME", add = candidates::frames())]
     pub frames: Vec<String>,
     /// Compare a file with what it was at this revision of its git repository.
     #[arg(long, value_name = "REVISION")]

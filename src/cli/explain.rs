@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use super::candidates;
 use super::choice::{self, Choice, Followed};
 use super::failure::Failure;
 use super::options::{Common, FrameOption, MechanicsOption};
@@ -20,7 +21,7 @@ use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitiv
 )]
 pub(super) struct Args {
     /// The parameter: its key with or without table, or a beginning of it; or a key of a name, such as bought.battery.
-    #[arg(value_name = "KEY")]
+    #[arg(value_name = "KEY", add = candidates::keys())]
     pub key: String,
     /// Which frame.
     #[command(flatten)]

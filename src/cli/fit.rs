@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::bounded::count;
+use super::candidates;
 use super::failure::Failure;
 use super::given_drops::{file_format, frame_and_paths, with_body_of};
 use super::options::{ChannelOption, Common, DropsOption, FormatOptions};
@@ -30,7 +31,7 @@ pub(super) struct Args {
     #[command(flatten)]
     pub drops: DropsOption,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
-    #[arg(long, default_value = "paper-corrected", value_name = "MODEL")]
+    #[arg(long, default_value = "paper-corrected", value_name = "MODEL", add = candidates::models())]
     pub model: String,
     /// Parameters that are fitted, by their keys in the model file; the others keep their values.
     #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]

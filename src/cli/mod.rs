@@ -6,6 +6,7 @@ mod bom;
 mod bounded;
 mod build;
 mod cache;
+mod candidates;
 mod check;
 mod choice;
 mod completions;
@@ -25,6 +26,7 @@ mod interrupt;
 mod list;
 mod man;
 mod measure;
+mod names;
 mod new;
 mod options;
 mod output;
@@ -134,6 +136,8 @@ fn groups(command: &clap::Command) -> String {
 ///
 /// Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed.
 pub fn run() -> ExitCode {
+    // A shell that asks how a word goes on gets its answer here, and the program ends.
+    clap_complete::CompleteEnv::with_factory(command_line).var(completions::ASKS).bin("flexframe").complete();
     let arguments = match command_line().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => {

@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use super::candidates;
 use super::failure::Failure;
 use super::frame_text::{self, Line};
 use super::options::{Common, FrameOption};
@@ -21,19 +22,19 @@ pub(super) struct Args {
     /// Name of the variant; NAME.toml is written.
     pub name: String,
     /// The frame that it comes from.
-    #[arg(long, default_value = "cognifly", value_name = "FRAME")]
+    #[arg(long, default_value = "cognifly", value_name = "FRAME", add = candidates::frames())]
     pub from: String,
     /// Another battery: a name of params/bought.toml.
-    #[arg(long, value_name = "PART")]
+    #[arg(long, value_name = "PART", add = candidates::bought("battery"))]
     pub battery: Option<String>,
     /// Another propeller.
-    #[arg(long, value_name = "PART")]
+    #[arg(long, value_name = "PART", add = candidates::bought("propeller"))]
     pub propeller: Option<String>,
     /// Another motor.
-    #[arg(long, value_name = "PART")]
+    #[arg(long, value_name = "PART", add = candidates::bought("motor"))]
     pub motor: Option<String>,
     /// Another rod.
-    #[arg(long, value_name = "PART")]
+    #[arg(long, value_name = "PART", add = candidates::bought("rod"))]
     pub rod: Option<String>,
     /// Size to stay within, mm.
     #[arg(long, value_name = "WxDxH")]

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::bounded::{magnitude, number};
+use super::candidates;
 use crate::impact::effects::Channel;
 
 /// Options of every command.
@@ -25,10 +26,10 @@ pub(super) struct Common {
 #[derive(Debug, Args)]
 pub(super) struct FrameOption {
     /// A preset's name or a TOML file.
-    #[arg(default_value = "cognifly")]
+    #[arg(default_value = "cognifly", add = candidates::frames())]
     pub frame: String,
     /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
-    #[arg(long, value_name = "MATERIAL")]
+    #[arg(long, value_name = "MATERIAL", add = candidates::materials())]
     pub rigid: Option<String>,
 }
 

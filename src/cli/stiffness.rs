@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use super::candidates;
 use super::failure::{Failure, mechanics_refused};
 use super::options::{Common, FrameOption};
 use super::output;
@@ -48,7 +49,7 @@ pub(super) struct Args {
     pub compare: Option<PathBuf>,
     /// Ratios to another frame of the same material, each with the band that the guesses of the mechanics leave it: a preset's name
     /// or a TOML file. Takes some ten seconds.
-    #[arg(long, value_name = "FRAME")]
+    #[arg(long, value_name = "FRAME", add = candidates::frames())]
     pub reference: Option<String>,
     /// How far the centre is pressed down, mm.
     #[arg(long, default_value_t = DOWN_MM, value_name = "MM", value_parser = down_mm)]

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use super::candidates;
 use super::failure::Failure;
 use super::frame_text::{self, Line};
 use super::options::{Common, FrameOption};
@@ -25,10 +26,10 @@ use crate::report::page::weighing_page;
 )]
 pub(super) struct Args {
     /// A preset's name or a TOML file, and readings of a scale: a CSV table; either may be left out.
-    #[arg(num_args = 0..=2, value_names = ["FRAME", "READINGS.csv"])]
+    #[arg(num_args = 0..=2, value_names = ["FRAME", "READINGS.csv"], add = candidates::frames())]
     pub given: Vec<String>,
     /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
-    #[arg(long, value_name = "MATERIAL")]
+    #[arg(long, value_name = "MATERIAL", add = candidates::materials())]
     pub rigid: Option<String>,
     /// Slice every part; another program than prusa-slicer is given as --slicer=PROGRAM.
     #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "prusa-slicer", value_name = "PROGRAM")]

@@ -388,8 +388,47 @@ fn analytic_usage_errors_are_exit_2_and_help_is_0() {
         assert_eq!(help.status.code(), Some(0));
         assert!(text(&help.stdout).contains("Example"), "{command}");
     }
-    assert!(text(&flexframe(&["completions", "bash"]).stdout).contains("complete -F"));
     assert!(text(&flexframe(&["man"]).stdout).contains(".TH flexframe"));
+}
+
+/// What bash offers for the last of some words, by the script that the program prints.
+fn offered_by_bash(folder: &std::path::Path, words: &[&str]) -> Vec<String> {
+    let program = cargo_bin("flexframe");
+    let path = format!("{}:{}", program.parent().expect("a folder").display(), std::env::var("PATH").unwrap_or_default());
+    let typed: Vec<String> = words.iter().map(|word| format!("'{word}'")).collect();
+    let script = format!(
+        "source <(flexframe completions bash)
+         COMP_WORDS=(flexframe {}); COMP_CWORD={}
+         _clap_complete_flexframe flexframe \"${{COMP_WORDS[COMP_CWORD]}}\"
+         printf '%s\\n' \"${{COMPREPLY[@]}}\"",
+        typed.join(" "),
+        words.len()
+    );
+    let out = Command::new("bash").args(["-c", &script]).env("PATH", path).current_dir(folder).output().expect("bash");
+    assert!(out.status.success(), "{}", text(&out.stderr));
+    text(&out.stdout).lines().map(String::from).collect()
+}
+
+#[test]
+fn analytic_a_shell_completes_names() {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("cognifly-mine.toml"), "base = \"cognifly\"\n").expect("can be written");
+    std::fs::write(folder.path().join("cognifly.txt"), "").expect("can be written");
+    let offered = |words: &[&str]| offered_by_bash(folder.path(), words);
+    let frames = offered(&["check", "cognifly-m"]);
+    assert_eq!(frames, ["cognifly-mini", "cognifly-mine.toml"]);
+    assert!(offered(&["build", "cognifly"]).iter().all(|name| !name.ends_with(".txt")));
+    assert_eq!(offered(&["new", "light", "--rod", "rod-b"]), ["rod-bamboo-3"]);
+    assert!(offered(&["new", "light", "--battery", ""]).iter().all(|name| name.starts_with("battery-")));
+    assert_eq!(offered(&["check", "--rigid", "pet"]), ["petg"]);
+    assert_eq!(offered(&["build", "--part", "kn"]), ["knee"]);
+    assert_eq!(offered(&["explain", "bought.ba"]), ["bought.battery"]);
+    let second = offered(&["solve", "--minimise", "mass", "--vary", "rods.arm_rod_length_mm,rods.st"]);
+    assert_eq!(second, ["rods.arm_rod_length_mm,rods.strut_rod_length_mm"]);
+    assert_eq!(offered(&["drop", "--model", "paper-"]), ["paper-corrected"]);
+    for shell in ["elvish", "fish", "powershell", "zsh"] {
+        assert!(text(&flexframe(&["completions", shell]).stdout).contains("flexframe"), "{shell}");
+    }
 }
 
 #[test]

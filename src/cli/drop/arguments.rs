@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::cli::bounded::number;
+use crate::cli::candidates;
 use crate::cli::options::FormatOptions;
 use crate::impact::sim::HEIGHTS_M;
 
@@ -16,12 +17,13 @@ const MOST_TILT_DEG: f64 = 30.0;
 )]
 pub(in crate::cli) struct Args {
     /// A preset's name or a TOML file: its mass and gap in place of the model's.
+    #[arg(add = candidates::frames())]
     pub frame: Option<String>,
     /// Material of the frame's rigid parts instead of the frame file's.
-    #[arg(long, value_name = "MATERIAL", requires = "frame")]
+    #[arg(long, value_name = "MATERIAL", requires = "frame", add = candidates::materials())]
     pub rigid: Option<String>,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; `frame`: the frame's own geometry.
-    #[arg(long, default_value = "paper", value_name = "MODEL")]
+    #[arg(long, default_value = "paper", value_name = "MODEL", add = candidates::models())]
     pub model: String,
     /// With --model frame: numbers of the mechanics instead of those that come with the program.
     #[arg(long, value_name = "TOML")]

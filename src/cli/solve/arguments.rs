@@ -1,5 +1,6 @@
 //! The words of `solve`.
 
+use crate::cli::candidates;
 use crate::cli::options::FrameOption;
 use crate::cli::searching::SearchOptions;
 
@@ -25,10 +26,10 @@ pub(in crate::cli) struct Args {
     #[arg(long, value_delimiter = ',', value_name = "GOAL")]
     pub subject_to: Vec<String>,
     /// What may vary: keys, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
-    #[arg(long, value_delimiter = ',', required_unless_present = "choose", value_name = "KEY,…")]
+    #[arg(long, value_delimiter = ',', required_unless_present = "choose", value_name = "KEY,…", add = candidates::numbers_between_commas())]
     pub vary: Vec<String>,
     /// Whole choices: keys of names, of all there are or of some, such as 'bought.battery=battery-2s-850|battery-2s-1100'.
-    #[arg(long, value_delimiter = ',', value_name = "KEY,…")]
+    #[arg(long, value_delimiter = ',', value_name = "KEY,…", add = candidates::choices_between_commas())]
     pub choose: Vec<String>,
     /// With a measure of the mechanics: their numbers instead of those that come with the program.
     #[arg(long, value_name = "TOML")]
