@@ -40,9 +40,9 @@ HEAD = """# Gallery
 
 Six frames for electronics that people fly, in [`examples/frames/`](../examples/frames/): four under 250 g and two under 500 g. Each
 file says for whom it is, what is on board, and where size and mass of each bought part come from. What no source was found for is
-marked as an estimate there, and in the frame's report. Cameras and video transmitters for goggles, receivers and GPS modules have no
-place of their own in a frame: they are counted as masses, and are neither drawn nor checked against what is near. No frame of this
-page was built and flown.
+marked as an estimate there, and in the frame's report. Cameras for goggles and GPS modules lie on the
+[accessory plate](frame-files.md#accessories) where a frame names them in `[bought]`; what stands in `[extras]`, such as video
+transmitters, is counted as a mass, and neither drawn nor checked against what is near. No frame of this page was built and flown.
 
 ```console
 flexframe check examples/frames/pi-zero-2w.toml     # its limits

@@ -10,7 +10,7 @@ use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene, bounds_of};
 use crate::frame::assembly::Kind;
-use crate::frame::skeleton::{RodRole, Stack};
+use crate::frame::skeleton::{Accessories, RodRole, SLOT_MM, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart;
 
@@ -26,6 +26,7 @@ const CAGE: &[&str] = &["rods.cage_rod_length_mm", "motor_mount.motor_position_m
 const MOTOR_HOLES: &[&str] = &["motor_mount.motor_hole_circle_mm", "bought.motor"];
 const COMPUTER_HOLES: &[&str] = &["pi_carrier.pi_pattern_along_mm", "pi_carrier.pi_pattern_across_mm", "bought.computer"];
 const CAMERA_HOLES: &[&str] = &["camera.camera_pattern_across_mm", "camera.camera_pattern_up_mm", "bought.camera"];
+const TIED: &[&str] = &["accessories.accessory_side_mm", "bought.receiver", "bought.buzzer"];
 const SENSOR_HOLES: &[&str] = &["sleeve.sensor_hole_pitch_mm", "bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
@@ -48,9 +49,10 @@ pub static RULE: Rule = Rule {
         COMPUTER_HOLES,
         CAMERA_HOLES,
         SENSOR_HOLES,
+        TIED,
     ]),
     blame: Blame::Levers,
-    in_search: InSearch::Constraints { subjects: &["rod", "screw", "holes", "propellers on", "propellers in"], binds: false },
+    in_search: InSearch::Constraints { subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in"], binds: false },
     found: Found::By(&[Pass::quick(check)]),
 };
 
@@ -74,6 +76,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(motor_screws(&scene.design.frame));
     found.extend(stack_screws(scene));
     found.extend(holes(&scene.design.frame));
+    found.extend(tied(scene));
     found.extend(seat(&scene.design.frame));
     found.extend(cage(scene));
     found
@@ -183,6 +186,29 @@ fn holes(frame: &Frame) -> Vec<Finding> {
         Some(measure((own - held).abs(), HOLE_PLAY_MM, "mm", levers).at_most(format!("holes of the {which}"), message))
     };
     own.into_iter().filter_map(off).collect()
+}
+
+/// The slots for the ties of receiver and buzzer have room on the accessory plate.
+fn tied(scene: &Scene) -> Vec<Finding> {
+    let frame = &scene.design.frame;
+    let seats = Accessories::new(frame, &scene.design.centre);
+    let [least, most] = seats.slot_room_mm(frame);
+    let of = |role: &str| {
+        let [inner, outer] = seats.slot_x_mm(part(frame, role)?);
+        let (inner, outer) = (measure(inner - 0.5 * SLOT_MM, least, "mm", TIED), measure(outer + 0.5 * SLOT_MM, most, "mm", TIED));
+        let ([near, needed], [far, room], called) = (inner.figures(2), outer.figures(2), name(frame, role));
+        Some([
+            inner.at_least(
+                format!("ties of the {role}: inner slot"),
+                format!("the inner slot beside {called} is {near} mm from the hub's axis, {needed} mm keep it off the other side's"),
+            ),
+            outer.at_most(
+                format!("ties of the {role}: outer slot"),
+                format!("the outer slot beside {called} reaches {far} mm from the hub's axis, the tie hole leaves {room} mm"),
+            ),
+        ])
+    };
+    ["receiver", "buzzer"].into_iter().filter_map(of).flatten().collect()
 }
 
 /// A propeller stands on its motor, not in it.

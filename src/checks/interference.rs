@@ -13,6 +13,7 @@ use crate::frame::assembly::Kind;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::frame::assembly::screw_solids::threads_mm3;
 use crate::params::PartName;
+use crate::params::roles::ACCESSORIES;
 
 const ROD_FIT: &[&str] = &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"];
 const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
@@ -23,6 +24,7 @@ const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.
 const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
 const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
 const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
+const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
 const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
@@ -31,7 +33,7 @@ pub static RULE: Rule = Rule {
     requires: "bodies share no volume beyond the intended press fits",
     units: &["mm3"],
     limits: &[],
-    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, COMPUTER, CAMERA, SENSOR]),
+    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, COMPUTER, CAMERA, SENSOR, ACCESSORY]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick(check)]),
@@ -81,6 +83,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),
         () if has("flow_sensor") => (0.0, SENSOR),
+        () if ACCESSORIES.into_iter().any(has) => (0.0, ACCESSORY),
         () if is(PartName::Hub) && is(PartName::HubJoint) => (plugs_mm3(frame) * ROUNDING, PLUG_FIT),
         () if is(PartName::Knee) && is(PartName::Fork) => (0.0, KNEE_WINDOW),
         () if is(PartName::BatterySleeve) => (0.0, SLEEVE),

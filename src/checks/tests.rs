@@ -57,11 +57,12 @@ fn analytic_margin_and_verdict_agree() {
 }
 
 /// Keys of a frame file that choose something whole.
-const CHOICES: [&str; 13] = [
+const CHOICES: [&str; 15] = [
     "printer",
     "materials.flexible",
     "materials.rigid",
     "bought.battery",
+    "bought.buzzer",
     "bought.camera",
     "bought.computer",
     "bought.flight_controller",
@@ -69,6 +70,7 @@ const CHOICES: [&str; 13] = [
     "bought.motor",
     "bought.motor_screw",
     "bought.propeller",
+    "bought.receiver",
     "bought.rod",
     "bought.stack_screw",
 ];

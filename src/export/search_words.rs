@@ -37,6 +37,10 @@ pub fn search_words(role: &str, name: &str, part: &BoughtPart) -> String {
             Some([width, _]) => format!("cable tie {width} x {x:.0} mm"),
             None => format!("{own} {x} x {y} x {z} mm"),
         },
+        "receiver" => format!("radio receiver {own} serial output"),
+        "buzzer" => format!("active buzzer 5 V {own}"),
+        "gps" => format!("GPS module serial {own}"),
+        "fpv_camera" => format!("FPV camera {x:.0} mm wide"),
         _ => own,
     }
 }

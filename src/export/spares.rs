@@ -31,7 +31,7 @@ pub const SPARE_RULES: [SpareRule; 3] = [
     },
     SpareRule { kinds: &["propeller"], spares: Spares::Set, words: "of propellers a second set" },
     SpareRule {
-        kinds: &["motor", "battery", "board", "camera", "sensor", "rod", "connector"],
+        kinds: &["motor", "battery", "board", "camera", "sensor", "rod", "connector", "receiver", "buzzer", "gps", "fpv_camera"],
         spares: Spares::None,
         words: "of everything else none",
     },

@@ -47,7 +47,8 @@ pub fn supplies(design: &Design) -> Vec<Supply> {
     all.extend(glues(design));
     all.extend(fixings(design));
     all.extend(wires(design));
-    if ["flight_controller", "motor_controller"].iter().any(|role| design.frame.bought.contains_key(*role)) {
+    let has = |role: &str| design.frame.bought.contains_key(role);
+    if !has("receiver") && (has("flight_controller") || has("motor_controller")) {
         all.push(Supply::one(
             "receiver",
             "radio receiver serial output",
@@ -147,6 +148,10 @@ fn wires(design: &Design) -> Vec<Supply> {
         ("sensor_cable", "flow_sensor", "flight_controller", 1, "cable for the flow sensor", "flow sensor"),
         ("camera_cable", "camera", "computer", 1, "camera ribbon cable for the computer", "camera"),
         ("computer_cable", "computer", "flight_controller", 1, "serial cable and 5 V supply", "computer"),
+        ("receiver_cable", "receiver", "flight_controller", 1, "serial cable with 5 V for a receiver", "receiver"),
+        ("gps_cable", "gps", "flight_controller", 1, "serial cable with 5 V for a GPS", "GPS"),
+        ("buzzer_cable", "buzzer", "flight_controller", 1, "two-wire cable for a buzzer", "buzzer"),
+        ("fpv_cable", "fpv_camera", "flight_controller", 1, "three-wire cable for a camera", "camera for goggles"),
     ];
     for (role, from, to, quantity, search, begins) in leads {
         let Some((a, b)) = middle(from).zip(middle(to)) else { continue };

@@ -41,6 +41,8 @@ pub struct Frame {
     pub lid: LidParameters,
     /// Camera connectors.
     pub camera: CameraParameters,
+    /// Accessory plate.
+    pub accessories: AccessoryParameters,
     /// Limits.
     pub limits: LimitParameters,
     /// Size to solve the rod lengths for, when the file gives one instead of lengths.
@@ -125,6 +127,7 @@ pub fn catalogue() -> impl Iterator<Item = &'static Parameter> {
         BracketParameters::CATALOGUE,
         LidParameters::CATALOGUE,
         CameraParameters::CATALOGUE,
+        AccessoryParameters::CATALOGUE,
         LimitParameters::CATALOGUE,
     ]
     .into_iter()
@@ -155,6 +158,7 @@ impl Frame {
             "bracket" => self.bracket.value(key),
             "lid" => self.lid.value(key),
             "camera" => self.camera.value(key),
+            "accessories" => self.accessories.value(key),
             "limits" => self.limits.value(key),
             _ => None,
         }

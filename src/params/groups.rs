@@ -59,9 +59,9 @@ parameters! {
     /// The joint between hub, two arm rods and one leg rod.
     pub struct HubJointParameters in "hub_joint" {
         /// Outer diameter of the sockets.
-        hub_joint_diameter_mm: 4.5..=9.0 => [HubJoint, Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
+        hub_joint_diameter_mm: 4.5..=9.0 => [HubJoint, Hub, PiCarrier, AccessoryPlate, BatteryBracket, BatterySleeve, BatteryLid],
         /// Distance between the two parallel arm rods.
-        arm_pitch_mm: 18.0..=34.0 => [HubJoint, Fork, MotorMount, Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
+        arm_pitch_mm: 18.0..=34.0 => [HubJoint, Fork, MotorMount, Hub, PiCarrier, AccessoryPlate, BatteryBracket, BatterySleeve, BatteryLid],
         /// Depth of the arm bores.
         hub_arm_socket_depth_mm: 6.0..=16.0 => [HubJoint],
         /// Length of the plugs, and depth of the hub's plug bores.
@@ -193,13 +193,13 @@ parameters! {
         /// Wall around a plug bore; fixes the hub height.
         hub_boss_wall_mm: 0.8..=2.5 => [Hub],
         /// Wall between plug bore and the outer flank; fixes the tie radius.
-        hub_tie_wall_mm: 1.2..=3.5 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
+        hub_tie_wall_mm: 1.2..=3.5 => [Hub, PiCarrier, AccessoryPlate, BatteryBracket, BatterySleeve, BatteryLid],
         /// Plate left behind a plug bore (plate edge between two arms of a pair).
         hub_back_wall_mm: 0.8..=3.0 => [Hub],
         /// Rounding of the bosses and the plate edge.
         hub_edge_radius_mm: 0.5..=2.0 => [Hub],
         /// Radius of the ring around a tie hole, in hub, carrier and bracket.
-        tie_ring_radius_mm: 2.5..=5.0 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid],
+        tie_ring_radius_mm: 2.5..=5.0 => [Hub, PiCarrier, AccessoryPlate, BatteryBracket, BatterySleeve, BatteryLid],
         /// Diameter of the four tie holes through the hub.
         hub_tie_hole_diameter_mm: 2.0..=4.0 => [Hub],
         /// From the middle of a tie hole inwards to the end of the flat top around it.
@@ -229,7 +229,7 @@ parameters! {
         /// Diameter of the carrier's holes under the board's.
         pi_hole_diameter_mm: 2.0..=3.2 => [PiCarrier],
         /// Diameter of the four tie holes through the carrier.
-        carrier_tie_hole_diameter_mm: 2.5..=5.0 => [PiCarrier],
+        carrier_tie_hole_diameter_mm: 2.5..=5.0 => [PiCarrier, AccessoryPlate],
         /// Outer radius of the rings around the board's holes.
         carrier_pad_radius_mm: 2.2..=4.0 => [PiCarrier],
         /// Width of the bars from the tie rings to the board's holes.
@@ -406,6 +406,36 @@ parameters! {
         camera_lift_mm: 6.0..=30.0 => [CameraConnectorLeft, CameraConnectorRight],
         /// Height of the connectors' feet, from the board's upper face up.
         camera_foot_mm: 2.0..=8.0 => [CameraConnectorLeft, CameraConnectorRight],
+    }
+}
+
+parameters! {
+    /// The plate on the hub for receiver, buzzer, GPS and a camera for goggles, in place of the computer's carrier.
+    pub struct AccessoryParameters in "accessories" {
+        /// Thickness of the accessory plate.
+        accessory_plate_thickness_mm: 1.2..=4.0 => [AccessoryPlate],
+        /// From the hub's axis to the middle of the receiver, to the left, and of the buzzer, to the right.
+        accessory_side_mm: 8.0..=16.0 => [AccessoryPlate],
+        /// Length of the slots beside receiver and buzzer, for the straps of their ties.
+        accessory_slot_mm: 2.0..=6.0 => [AccessoryPlate],
+        /// From the hub's axis back to the mast's axis.
+        mast_back_mm: 8.0..=30.0 => [AccessoryPlate],
+        /// From the plate's upper face up to the face that carries the GPS.
+        mast_height_mm: 10.0..=100.0 => [AccessoryPlate],
+        /// Diameter of the mast between foot and shelf.
+        mast_diameter_mm: 4.0..=12.0 => [AccessoryPlate],
+        /// From the hub's axis forward to the axis of the camera's side screws.
+        fpv_forward_mm: 24.0..=60.0 => [AccessoryPlate],
+        /// From the plate's upper face up to the axis of the camera's side screws.
+        fpv_above_mm: 6.0..=40.0 => [AccessoryPlate],
+        /// How far the camera looks up.
+        fpv_tilt_deg: 0.0..=60.0 => [],
+        /// Thickness of the two cheeks beside the camera.
+        fpv_cheek_mm: 1.5..=4.0 => [AccessoryPlate],
+        /// Distance of the cheeks minus the camera's width, both sides together.
+        fpv_clearance_mm: 0.0..=1.0 => [AccessoryPlate],
+        /// Diameter of the cheeks' holes for the camera's side screws.
+        fpv_hole_diameter_mm: 1.6..=3.2 => [AccessoryPlate],
     }
 }
 

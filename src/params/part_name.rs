@@ -52,6 +52,8 @@ part_names! {
     CameraConnectorLeft = "camera_connector_left",
     /// Right camera connector.
     CameraConnectorRight = "camera_connector_right",
+    /// Carries receiver, buzzer, GPS and a camera for goggles.
+    AccessoryPlate = "accessory_plate",
 }
 
 impl std::fmt::Display for PartName {

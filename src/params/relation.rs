@@ -135,6 +135,7 @@ fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str)
 fn bought(frame: &Frame) -> Result<(), Broken> {
     motor_holes(frame)?;
     carried_camera(frame)?;
+    accessories(frame)?;
     stack(frame)
 }
 
@@ -150,6 +151,23 @@ fn carried_camera(frame: &Frame) -> Result<(), Broken> {
     let remedy = "write camera = \"none\" in [bought], too, or name a computer".into();
     Err(Broken { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
+
+/// The accessory plate lies where the computer's carrier does.
+fn accessories(frame: &Frame) -> Result<(), Broken> {
+    let Some(key) = ACCESSORY_KEYS.into_iter().find(|key| key.strip_prefix("bought.").is_some_and(|role| frame.bought.contains_key(role)))
+    else {
+        return Ok(());
+    };
+    if !frame.bought.contains_key("computer") {
+        return Ok(());
+    }
+    let message = format!("`{key}` lies on the accessory plate, which has its place where the computer's carrier is");
+    let remedy = "write computer = \"none\" and camera = \"none\" in [bought], or count the part as a mass in [extras]".into();
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// Keys of what the accessory plate carries.
+const ACCESSORY_KEYS: [&str; 4] = ["bought.receiver", "bought.buzzer", "bought.gps", "bought.fpv_camera"];
 
 /// The boards under the hub hang on four screws: their holes are one square.
 fn stack(frame: &Frame) -> Result<(), Broken> {

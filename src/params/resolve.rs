@@ -51,6 +51,7 @@ impl Frame {
             bracket: BracketParameters::read(number)?,
             lid: LidParameters::read(number)?,
             camera: CameraParameters::read(number)?,
+            accessories: AccessoryParameters::read(number)?,
             limits: LimitParameters::read(number)?,
             target: target(file)?,
             flexible: catalogues.flexible(file)?,

@@ -1,7 +1,7 @@
 //! What is bought, by what it is for.
 
 /// Roles of bought parts, how many of each, and the kind that fits.
-pub const ROLES: [(&str, u32, &str); 15] = [
+pub const ROLES: [(&str, u32, &str); 19] = [
     ("motor", 4, "motor"),
     ("propeller", 4, "propeller"),
     ("battery", 1, "battery"),
@@ -17,4 +17,11 @@ pub const ROLES: [(&str, u32, &str); 15] = [
     ("stack_screw", 4, "screw"),
     ("tie", 4, "other"),
     ("damper", 4, "other"),
+    ("receiver", 1, "receiver"),
+    ("buzzer", 1, "buzzer"),
+    ("gps", 1, "gps"),
+    ("fpv_camera", 1, "fpv_camera"),
 ];
+
+/// Roles that the accessory plate carries.
+pub const ACCESSORIES: [&str; 4] = ["receiver", "buzzer", "gps", "fpv_camera"];

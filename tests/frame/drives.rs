@@ -13,12 +13,21 @@ use flexframe::frame::assembly::{Design, Printed, mass};
 use flexframe::frame::parts::catalogue;
 use flexframe::frame::skeleton::Centre;
 use flexframe::frame::skeleton::Skeleton;
-use flexframe::params::{Frame, PartName, parameters};
+use flexframe::params::{Frame, LoadError, PartName, parameters};
 use flexframe::solid::{Feature, Mesh, MeshSolid, gate};
 use rayon::prelude::*;
 
-/// The frame that is changed.
+/// The frame that is changed, and what is added to it where a line says `on:accessories`.
 const BASE: &str = "cognifly";
+const ACCESSORIES: &str = r#"
+[bought]
+computer = "none"
+camera = "none"
+receiver = "receiver-nano"
+buzzer = "buzzer-9mm"
+gps = "gps-22x20"
+fpv_camera = "fpv-camera-14"
+"#;
 
 /// Relative change of a volume, and change of a length in mm, that is rounding.
 const ROUNDING: f64 = 1e-6;
@@ -27,6 +36,8 @@ const ROUNDING: f64 = 1e-6;
 struct Line {
     key: &'static str,
     step: f64,
+    /// The frame that it changes.
+    base: Base,
     /// Other keys that have to go along, and by how much.
     with: Vec<(&'static str, f64)>,
     effects: Vec<Effect>,
@@ -45,8 +56,12 @@ impl Line {
         let mut words = text.split_whitespace();
         let mut word = |what: &str| words.next().unwrap_or_else(|| panic!("{what} is missing in {text:?}"));
         let (key, step) = (word("the key"), number(word("the step")));
-        let (mut with, mut effects) = (Vec::new(), Vec::new());
+        let (mut base, mut with, mut effects) = (Base::Default, Vec::new(), Vec::new());
         for word in words {
+            if word == "on:accessories" {
+                base = Base::Accessories;
+                continue;
+            }
             match word.strip_prefix("with:") {
                 Some(change) => {
                     let at = change.find(['+', '-']).unwrap_or_else(|| panic!("no step in {word:?}"));
@@ -55,14 +70,14 @@ impl Line {
                 None => effects.push(Effect::parse(word)),
             }
         }
-        Self { key, step, with, effects }
+        Self { key, step, base, with, effects }
     }
 
     /// The base with this line's change.
     fn frame(&self) -> Frame {
         let all = std::iter::once((self.key, self.step)).chain(self.with.iter().copied());
         let changes: Vec<(String, f64)> = all.map(|(key, step)| (key.to_string(), base_value(key) + step)).collect();
-        common::resolve(&common::toml(BASE, &changes)).unwrap_or_else(|error| panic!("{}: {error}", self.key))
+        self.base.with(&changes).unwrap_or_else(|error| panic!("{}: {error}", self.key))
     }
 }
 
@@ -89,16 +104,44 @@ fn base_value(key: &str) -> f64 {
     base().frame.value(table, name).unwrap_or_else(|| panic!("there is no parameter {key}"))
 }
 
-/// The features of every printed part, before they are made.
+/// The features of every printed part of a frame, before they are made.
 fn features(frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> BTreeMap<PartName, Feature> {
-    catalogue().into_iter().map(|part| (part.name, (part.feature)(frame, &skeleton.closure, centre))).collect()
+    catalogue()
+        .into_iter()
+        .filter(|part| (part.needed)(frame))
+        .map(|part| (part.name, (part.feature)(frame, &skeleton.closure, centre)))
+        .collect()
 }
 
-/// The frame before its change: designed once for all tests. A test asks for it before it works in parallel: a thread
-/// that makes it must not take up work that waits for it.
+/// A frame before its change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Base {
+    /// The preset.
+    Default,
+    /// The preset with everything that the accessory plate carries, and without computer and camera.
+    Accessories,
+}
+
+impl Base {
+    const ALL: [Self; 2] = [Self::Default, Self::Accessories];
+
+    /// The frame with these changes.
+    fn with(self, changes: &[(String, f64)]) -> Result<Frame, LoadError> {
+        let text = common::toml(BASE, changes);
+        common::resolve(&if self == Self::Accessories { text + ACCESSORIES } else { text })
+    }
+
+    /// Designed once for all tests. A test asks for it before it works in parallel: a thread that makes it must not take up work that
+    /// waits for it.
+    fn design(self) -> &'static Design {
+        static DESIGNS: [OnceLock<Design>; 2] = [OnceLock::new(), OnceLock::new()];
+        DESIGNS[self as usize].get_or_init(|| design(self.with(&[]).expect("a preset is valid")))
+    }
+}
+
+/// The preset before its change.
 fn base() -> &'static Design {
-    static BASE_DESIGN: OnceLock<Design> = OnceLock::new();
-    BASE_DESIGN.get_or_init(|| design(Frame::load(BASE).expect("a preset is valid").0))
+    Base::Default.design()
 }
 
 fn design(frame: Frame) -> Design {
@@ -137,10 +180,10 @@ fn differ(before: &Mesh, after: &Mesh) -> bool {
 }
 
 /// What a line's change does to the printed parts: the parts that differ, made anew.
-fn changed_parts(frame: &Frame) -> BTreeMap<PartName, Arc<Mesh>> {
+fn changed_parts(base: Base, frame: &Frame) -> BTreeMap<PartName, Arc<Mesh>> {
     let skeleton = Skeleton::new(frame).expect("the frame closes");
     let centre = Centre::new(frame);
-    let before: BTreeMap<PartName, &Printed> = base().printed.iter().map(|part| (part.name, part)).collect();
+    let before: BTreeMap<PartName, &Printed> = base.design().printed.iter().map(|part| (part.name, part)).collect();
     let mut changed = BTreeMap::new();
     for (name, feature) in features(frame, &skeleton, &centre) {
         if feature != before[&name].feature {
@@ -155,11 +198,11 @@ fn changed_parts(frame: &Frame) -> BTreeMap<PartName, Arc<Mesh>> {
 
 /// What a line says of the printed parts, against what happens: the differences in words.
 fn wrong_parts(line: &Line) -> Vec<String> {
-    let changed = changed_parts(&line.frame());
+    let changed = changed_parts(line.base, &line.frame());
     let mut wrong = Vec::new();
     let stated: BTreeSet<&str> = line.effects.iter().map(|effect| effect.subject).filter(|subject| !subject.contains(':')).collect();
     for (name, mesh) in &changed {
-        let before = measures(&base().part(*name).expect("every part is made").mesh);
+        let before = measures(&line.base.design().part(*name).expect("every part is made").mesh);
         let after = measures(mesh);
         for effect in line.effects.iter().filter(|effect| effect.subject == name.slug()) {
             let [old, new] = [&before, &after].map(|m| *m.get(effect.measure).unwrap_or_else(|| panic!("{effect:?} measures nothing")));
@@ -192,8 +235,9 @@ fn wrong_elsewhere(line: &Line) -> Vec<String> {
         .iter()
         .filter(|effect| !effect.subject.starts_with("limit:"))
         .filter_map(|effect| {
+            let old = line.base.design();
             let read = |design, skeleton| reading(effect, design, skeleton).unwrap_or_else(|| panic!("{effect:?} measures nothing"));
-            let (old, new) = (read(base(), &base().skeleton), read(changed.as_ref().unwrap_or(base()), &skeleton));
+            let (old, new) = (read(old, &old.skeleton), read(changed.as_ref().unwrap_or(old), &skeleton));
             let right = moved(old, new) && (new > old) == effect.grows;
             (!right).then(|| format!("{}: {effect:?}: {old} became {new}", line.key))
         })
@@ -209,7 +253,11 @@ fn reading(effect: &Effect, design: &Design, skeleton: &Skeleton) -> Option<f64>
         ("node", "up") => skeleton.node(&format!("{name}_FR")).map(|at| at.z),
         ("body", measure) => {
             let [low, high] = design.placed(design.bodies.iter().find(|body| body.name == name)?).bounds_mm();
-            Some(if measure == "up" { 0.5 * (low[2] + high[2]) } else { high[0] - low[0] })
+            Some(match measure {
+                "up" => 0.5 * (low[2] + high[2]),
+                "y" => high[1] - low[1],
+                _ => high[0] - low[0],
+            })
         }
         ("mass", "total") => mass::table(design).lines.iter().find(|line| line.name == name).map(|line| line.total_g),
         _ => None,
@@ -252,15 +300,16 @@ fn analytic_parameters_list_the_parts_that_the_table_shows() {
 
 #[test]
 fn analytic_these_features_are_those_that_are_printed() {
-    let design = base();
-    for (name, feature) in features(&design.frame, &design.skeleton, &design.centre) {
-        assert!(design.part(name).is_some_and(|part| part.feature == feature), "{name}");
+    for design in Base::ALL.map(Base::design) {
+        for (name, feature) in features(&design.frame, &design.skeleton, &design.centre) {
+            assert!(design.part(name).is_some_and(|part| part.feature == feature), "{name}");
+        }
     }
 }
 
 #[test]
 fn analytic_each_parameter_changes_its_parts_and_no_other_and_the_right_way() {
-    base();
+    Base::ALL.iter().for_each(|base| _ = base.design());
     let wrong: Vec<String> = table().par_iter().flat_map_iter(|line| wrong_parts(line).into_iter().chain(wrong_elsewhere(line))).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
@@ -285,12 +334,12 @@ fn analytic_each_limit_moves_what_its_rule_is_held_against_and_no_other() {
 }
 
 /// What keeps a frame with this one number changed from being printed, when nothing refuses it.
-fn unmade(key: &str, value: f64) -> Vec<String> {
-    let Ok(frame) = common::resolve(&common::toml(BASE, &[(key.to_string(), value)])) else { return Vec::new() };
+fn unmade(base: Base, key: &str, value: f64) -> Vec<String> {
+    let Ok(frame) = base.with(&[(key.to_string(), value)]) else { return Vec::new() };
     let Ok(skeleton) = Skeleton::new(&frame) else { return Vec::new() };
     let all = features(&frame, &skeleton, &Centre::new(&frame));
     all.into_iter()
-        .filter(|(name, feature)| base().part(*name).is_none_or(|part| part.feature != *feature))
+        .filter(|(name, feature)| base.design().part(*name).is_none_or(|part| part.feature != *feature))
         .filter_map(|(name, feature)| {
             let error = gate::pass(&MeshSolid::build(&feature).to_mesh()).err()?;
             Some(format!("{key} = {value}: {name}: {error}"))
@@ -300,9 +349,10 @@ fn unmade(key: &str, value: f64) -> Vec<String> {
 
 #[test]
 fn analytic_each_parameter_may_go_to_its_bounds_or_is_refused() {
-    base();
+    Base::ALL.iter().for_each(|base| _ = base.design());
     let ends: Vec<(String, f64)> =
         parameters().flat_map(|p| [p.min, p.max].map(|value| (format!("{}.{}", p.table, p.key), value))).collect();
-    let bad: Vec<String> = ends.par_iter().flat_map_iter(|(key, value)| unmade(key, *value)).collect();
+    let of_all = |base: Base| ends.par_iter().flat_map_iter(move |(key, value)| unmade(base, key, *value)).collect::<Vec<String>>();
+    let bad = Base::ALL.map(of_all).concat();
     assert!(bad.is_empty(), "{}", bad.join("\n"));
 }

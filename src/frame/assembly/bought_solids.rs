@@ -2,11 +2,13 @@
 //!
 //! A battery's, sensor's and camera's wires are not drawn, nor what of a zip tie lies outside of its holes.
 
+use nalgebra::Point3;
+
 use super::board_solid::{Populated, board};
 use super::screw_solids;
 use crate::frame::parts::battery_bracket::connector;
 use crate::frame::parts::outline::along_y;
-use crate::frame::skeleton::{Centre, Stack};
+use crate::frame::skeleton::{Accessories, Centre, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart as Entry;
 use crate::solid::Feature;
@@ -40,6 +42,14 @@ pub enum BoughtPart {
     Dampers,
     /// The four ties through hub, carrier and bracket.
     Ties,
+    /// The radio receiver on the accessory plate.
+    Receiver,
+    /// The buzzer beside it.
+    Buzzer,
+    /// The GPS on its mast.
+    Gps,
+    /// The camera for goggles between its cheeks.
+    FpvCamera,
 }
 
 /// Play of the connector in its channel, each side, mm.
@@ -55,7 +65,7 @@ const LENS_HALF_MM: f64 = 4.25;
 
 impl BoughtPart {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 17] = [
         Self::Battery,
         Self::Computer,
         Self::FlightController,
@@ -69,6 +79,10 @@ impl BoughtPart {
         Self::StackScrews,
         Self::Dampers,
         Self::Ties,
+        Self::Receiver,
+        Self::Buzzer,
+        Self::Gps,
+        Self::FpvCamera,
     ];
 
     /// The name in files.
@@ -87,6 +101,10 @@ impl BoughtPart {
             Self::StackScrews => "stack_screw",
             Self::Dampers => "damper",
             Self::Ties => "tie",
+            Self::Receiver => "receiver",
+            Self::Buzzer => "buzzer",
+            Self::Gps => "gps",
+            Self::FpvCamera => "fpv_camera",
         }
     }
 
@@ -115,8 +133,27 @@ impl BoughtPart {
             Self::StackScrews => return screw_solids::stack_screws(part, frame, centre),
             Self::Dampers => return screw_solids::dampers(frame, centre),
             Self::Ties => return screw_solids::ties(part, frame, centre),
+            Self::Receiver | Self::Buzzer | Self::Gps => return on_plate(self.role(), part, frame, centre),
+            Self::FpvCamera => return fpv_camera(part, frame, centre),
         })
     }
+}
+
+/// A box, long from front to rear, on its seat.
+fn on_plate(role: &str, part: &Entry, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let [long, wide, high] = part.size_mm;
+    let low = Feature::cuboid_between([-0.5 * wide, -0.5 * long, 0.0], [0.5 * wide, 0.5 * long, high]);
+    Some(low.placed(Accessories::new(frame, centre).pose(role, frame)?))
+}
+
+/// Its case, as deep as it is high, on the axis of its side screws, and the lens in front of it.
+fn fpv_camera(part: &Entry, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let [wide, high, deep] = part.size_mm;
+    let (case, half) = (deep.min(0.75 * high), 0.5 * deep);
+    let body = Feature::cuboid_between([-0.5 * wide, -half, -0.5 * high], [0.5 * wide, case - half, 0.5 * high]);
+    let lens = Feature::cylinder_between(Point3::new(0.0, case - half - 0.1, 0.0), Point3::new(0.0, half, 0.0), 0.4 * wide.min(high));
+    let camera = if deep > case + 0.2 { Feature::union([body, lens]) } else { body };
+    Some(camera.placed(Accessories::new(frame, centre).pose("fpv_camera", frame)?))
 }
 
 fn battery(frame: &Frame, centre: &Centre) -> Feature {

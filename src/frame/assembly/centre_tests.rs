@@ -16,7 +16,7 @@ fn placed(name: PartName, frame: &Frame, centre: &Centre) -> Feature {
 }
 
 fn all(frame: &Frame, centre: &Centre) -> Vec<(String, Feature)> {
-    let standing = PartName::ALL.into_iter().filter(|name| matches!(record(*name).seat, Seat::Centre(_)));
+    let standing = PartName::ALL.into_iter().filter(|name| matches!(record(*name).seat, Seat::Centre(_)) && (record(*name).needed)(frame));
     let printed = standing.map(|name| (name.to_string(), placed(name, frame, centre)));
     let bought = BoughtPart::ALL.into_iter().filter_map(|part| Some((part.slug().to_string(), part.feature(frame, centre)?)));
     printed.chain(bought).collect()

@@ -354,6 +354,10 @@ fn colour(part: BoughtPart) -> [f32; 4] {
         BoughtPart::StackScrews => STEEL,
         BoughtPart::Dampers => [0.45, 0.03, 0.03, 1.0],
         BoughtPart::Ties => [0.02, 0.02, 0.02, 1.0],
+        BoughtPart::Receiver => [0.02, 0.05, 0.2, 1.0],
+        BoughtPart::Buzzer => [0.03, 0.03, 0.03, 1.0],
+        BoughtPart::Gps => [0.45, 0.36, 0.2, 1.0],
+        BoughtPart::FpvCamera => [0.25, 0.02, 0.02, 1.0],
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use nalgebra::Point3;
 
 use crate::frame::parts::MotorMount;
-use crate::frame::skeleton::{Centre, Stack};
+use crate::frame::skeleton::{Accessories, Centre, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart;
 use crate::solid::Feature;
@@ -71,7 +71,11 @@ pub(super) fn dampers(frame: &Frame, centre: &Centre) -> Option<Feature> {
 pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let [wide, thick] = part.strap_mm?;
     let (radius, half_hub) = (centre.tie_radius_mm, centre.hub_half_height_mm);
-    let top = if frame.bought.contains_key("computer") { centre.carrier_top_mm() } else { half_hub };
+    let top = match () {
+        () if frame.bought.contains_key("computer") => centre.carrier_top_mm(),
+        () if Accessories::wanted(frame) => Accessories::new(frame, centre).top_mm,
+        () => half_hub,
+    };
     let upright = |[x, y]: [f64; 2], low: f64| {
         // Flat towards the hub's axis.
         let [a, b] = if x == 0.0 { [0.5 * wide, 0.5 * thick] } else { [0.5 * thick, 0.5 * wide] };

@@ -67,6 +67,8 @@ const ABOVE: Option<[f64; 3]> = Some([0.0, 0.0, 1.0]);
 const BELOW: Option<[f64; 3]> = Some([0.0, 0.0, -1.0]);
 const FRONT: Option<[f64; 3]> = Some([0.0, 1.0, 0.0]);
 const REAR: Option<[f64; 3]> = Some([0.0, -1.0, 0.0]);
+const LEFT: Option<[f64; 3]> = Some([-1.0, 0.0, 0.0]);
+const RIGHT: Option<[f64; 3]> = Some([1.0, 0.0, 0.0]);
 
 /// A mount of the rigid centre, glued, by hand, before the fold.
 const GLUED: Mount = Mount {
@@ -85,7 +87,7 @@ const GLUED: Mount = Mount {
 };
 
 /// All of them, in the order in which they are tried.
-pub static MOUNTS: [Mount; 19] = [
+pub static MOUNTS: [Mount; 24] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
@@ -214,6 +216,61 @@ pub static MOUNTS: [Mount; 19] = [
         ..GLUED
     },
     Mount {
+        id: "accessory_plate",
+        brings: &["accessory_plate"],
+        onto: "hub",
+        from: ABOVE,
+        fixing: Fixing::Ties("tie"),
+        title: "Accessory plate onto the hub",
+        text: "Lay the plate on the hub, its four tie holes over the hub's, the mast to the rear, the cheeks to the front.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "receiver",
+        brings: &["receiver"],
+        onto: "accessory_plate",
+        from: LEFT,
+        fixing: Fixing::Tape,
+        title: "Receiver onto the plate",
+        text: "Lay the receiver on the left of the plate, a strip of foam tape under it. Lead a small tie through the two slots beside it. Its antenna goes to the rear, away from rods of carbon.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "buzzer",
+        brings: &["buzzer"],
+        onto: "accessory_plate",
+        from: RIGHT,
+        fixing: Fixing::Tape,
+        title: "Buzzer onto the plate",
+        text: "Lay the buzzer on the right of the plate and lead a small tie through the two slots beside it. Its hole stays free.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "gps",
+        brings: &["gps"],
+        onto: "accessory_plate",
+        from: ABOVE,
+        fixing: Fixing::Tape,
+        title: "Satellite receiver (GPS) onto its mast",
+        text: "Stick the GPS onto the mast's shelf with foam tape, its antenna up, its arrow to the front. Tape its cable to the mast.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
+        id: "fpv_camera",
+        brings: &["fpv_camera"],
+        onto: "accessory_plate",
+        from: ABOVE,
+        fixing: Fixing::Tape,
+        title: "Camera between the cheeks",
+        text: "Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up to the tilt that the picture shows before you tighten them.",
+        tool: "screwdriver",
+        ..GLUED
+    },
+    Mount {
         id: "bracket",
         brings: &["battery_bracket"],
         onto: "hub",
@@ -232,9 +289,13 @@ pub static MOUNTS: [Mount; 19] = [
         onto: "hub",
         from: None,
         fixing: Fixing::Ties("tie"),
-        needs: &[("carrier", "the ties pass through the carrier"), ("bracket", "the ties pass through the bracket")],
+        needs: &[
+            ("carrier", "the ties pass through the carrier"),
+            ("accessory_plate", "the ties pass through the accessory plate"),
+            ("bracket", "the ties pass through the bracket"),
+        ],
         title: "Ties",
-        text: "Put two ties through the holes of hub and bracket, in front and at the rear, and out by the bracket's slots; two through the hub's holes left and right. Where there is a carrier, all four go through it, too. Pull them tight and cut what is over.",
+        text: "Put two ties through the holes of hub and bracket, in front and at the rear, and out by the bracket's slots; two through the hub's holes left and right. Where there is a carrier or an accessory plate, all four go through it, too. Pull them tight and cut what is over.",
         tool: "side cutter",
         minutes: 4.0,
         ..GLUED

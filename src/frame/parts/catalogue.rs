@@ -2,8 +2,8 @@
 
 use super::record::PrintedPart;
 use super::{
-    battery_bracket, battery_lid, battery_sleeve, bottom_corner, camera_connector, fork, hub, hub_joint, knee, motor_mount, pi_carrier,
-    top_corner,
+    accessory_plate, battery_bracket, battery_lid, battery_sleeve, bottom_corner, camera_connector, fork, hub, hub_joint, knee,
+    motor_mount, pi_carrier, top_corner,
 };
 use crate::params::PartName;
 
@@ -23,6 +23,7 @@ pub fn record(name: PartName) -> &'static PrintedPart {
         PartName::BatteryLid => &battery_lid::PART,
         PartName::CameraConnectorLeft => &camera_connector::LEFT,
         PartName::CameraConnectorRight => &camera_connector::RIGHT,
+        PartName::AccessoryPlate => &accessory_plate::PART,
     }
 }
 

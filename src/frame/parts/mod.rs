@@ -1,5 +1,6 @@
 //! Printed parts: one file a part, each a plain struct and a pure function to features.
 
+pub mod accessory_plate;
 pub mod battery_bracket;
 pub mod battery_lid;
 pub mod battery_sleeve;

@@ -3,6 +3,7 @@
 //! Axes: X right, Y front, Z up; the origin is where the hub's axis crosses the plane of the arms. A module is what
 //! lies along one diagonal; the four modules are one, turned about Z, so the frame is symmetric by construction.
 
+mod accessories;
 pub mod centre;
 mod closure;
 mod graph;
@@ -11,6 +12,7 @@ pub mod placement;
 mod rotor;
 mod stack;
 
+pub use accessories::{Accessories, SLOT_MM};
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};

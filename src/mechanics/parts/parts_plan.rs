@@ -52,7 +52,8 @@ fn beam_plan(name: PartName) -> BeamPlan {
         | PartName::BatterySleeve
         | PartName::BatteryLid
         | PartName::CameraConnectorLeft
-        | PartName::CameraConnectorRight => BeamPlan::RigidCentre,
+        | PartName::CameraConnectorRight
+        | PartName::AccessoryPlate => BeamPlan::RigidCentre,
     }
 }
 
