@@ -131,7 +131,12 @@ fn amended_frame(bytes: &[u8]) -> bool {
         Amendment { key, value: Some(&Value::Number(0.5)), why: "" },
         Amendment { key: "rods.arm_rod_length_mm", value: None, why: "" },
     ];
-    let Ok(after) = amended(&text(bytes), &amendments) else { return false };
+    // A command amends what it has read.
+    let before = text(bytes);
+    if ImpactFile::parse("before", &before).is_err() {
+        return false;
+    }
+    let Ok(after) = amended(&before, &amendments) else { return false };
     let file = ImpactFile::parse("amended", &after).unwrap_or_else(|refusal| panic!("{}\n{after}", refusal.render()));
     let number = |key: &str| file.entries.get(key).map(|entry| entry.value.clone());
     assert_eq!(number("fit.plug_clearance_mm"), Some(Value::Number(0.25)), "{after}");
