@@ -281,7 +281,7 @@ libraries_are_allowed() {
 
 # The library as a WebAssembly module, for tests.
 engine_compiled() {
-    rust_for_wasm && CARGO_TARGET_DIR=$PWD/$target/wasm nice bash studio/build.sh quick engine
+    rust_for_wasm && CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick engine
 }
 
 # Its compiler leaves a core idle now and then, and so does that of the tests: side by side they take less time. Not where Debian's Rust

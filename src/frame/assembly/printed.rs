@@ -154,8 +154,8 @@ pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSol
     Err(refused)
 }
 
-/// Detail that is simplified away, mm, in the order in which it is tried.
-const DETAILS_MM: [f64; 4] = [0.001, 0.0005, 0.0002, 0.0001];
+/// Detail that is simplified away, mm, in the order in which it is tried: less first, then more, all of it far below what a printer places.
+const DETAILS_MM: [f64; 7] = [0.001, 0.0005, 0.0002, 0.0001, 0.00002, 0.002, 0.004];
 
 /// How far a hinge is moved out, mm, in the order in which it is tried.
 const OFF_CORNER_MM: [f64; 4] = [0.0, 0.01, 0.004, 0.015];
