@@ -10,6 +10,8 @@ use super::scene::{Scene, bounds_of};
 
 const SOLVED_HEIGHT: &[&str] = &["target.height_mm"];
 const HEIGHT: &[&str] = &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"];
+/// What a long frame is deep by, first.
+const DEPTH: &[&str] = &["rods.cage_side_ratio", "rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm"];
 const SOLVED_WIDTH: &[&str] = &["target.width_mm"];
 const WIDTH: &[&str] = &["rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm", "corner.corner_wall_mm"];
 
@@ -32,6 +34,17 @@ const MAKE_WIDE: &[&str] = &[
     "corner.corner_wall_mm",
 ];
 
+/// The same along the frame.
+const MAKE_DEEP: &[&str] = &[
+    "target.width_mm",
+    "rods.cage_rod_length_mm",
+    "rods.arm_rod_length_mm",
+    "rods.strut_rod_length_mm",
+    "corner.corner_node_to_bottom_mm",
+    "corner.corner_wall_mm",
+    "rods.cage_side_ratio",
+];
+
 pub static RULE: Rule = Rule {
     id: "envelope",
     title: "Envelope",
@@ -39,11 +52,11 @@ pub static RULE: Rule = Rule {
     units: &["mm"],
     limits: &[
         Limit::Key { subject: "width", key: "limits.envelope_width_mm" },
-        Limit::Key { subject: "depth", key: "limits.envelope_width_mm" },
+        Limit::Key { subject: "depth", key: "limits.envelope_depth_mm" },
         Limit::Key { subject: "height", key: "limits.envelope_height_mm" },
     ],
-    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, SOLVED_WIDTH, WIDTH]),
-    blame: Blame::Keys(&[("height", MAKE_HIGH), ("", MAKE_WIDE)]),
+    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, SOLVED_WIDTH, WIDTH, DEPTH]),
+    blame: Blame::Keys(&[("height", MAKE_HIGH), ("depth", MAKE_DEEP), ("", MAKE_WIDE)]),
     in_search: InSearch::Constraints { subjects: &["width", "depth", "height"], binds: true },
     found: Found::By(&[Pass::quick(check)]),
 };
@@ -61,14 +74,17 @@ pub struct Extent {
     pub limit_mm: f64,
     /// Whether the frame file states a size that the rods' lengths were solved for.
     pub solved: bool,
+    /// Whether the frame is longer than wide.
+    pub long: bool,
 }
 
 impl Extent {
     fn finding(&self) -> Finding {
-        let Self { name, with_propellers, size_mm, limit_mm, solved } = *self;
+        let Self { name, with_propellers, size_mm, limit_mm, solved, long } = *self;
         let levers = match (name, solved) {
             ("height", true) => SOLVED_HEIGHT,
             ("height", false) => HEIGHT,
+            ("depth", _) if long => DEPTH,
             (_, true) => SOLVED_WIDTH,
             (_, false) => WIDTH,
         };
@@ -84,12 +100,13 @@ impl Extent {
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limits = &scene.design.frame.limits;
     let solved = scene.design.frame.target.is_some();
+    let long = scene.design.skeleton.closure.places.are_apart();
     let mut found = Vec::new();
     for with_propellers in [false, true] {
         let Some(bounds) = bounds_of(scene.placed.iter().filter(|p| with_propellers || !p.is_propeller())) else { continue };
         for (axis, name) in ["width", "depth", "height"].into_iter().enumerate() {
-            let limit_mm = if axis == 2 { limits.envelope_height_mm } else { limits.envelope_width_mm };
-            found.push(Extent { name, with_propellers, size_mm: bounds.high[axis] - bounds.low[axis], limit_mm, solved }.finding());
+            let limit_mm = [limits.envelope_width_mm, limits.envelope_depth_mm, limits.envelope_height_mm][axis];
+            found.push(Extent { name, with_propellers, size_mm: bounds.high[axis] - bounds.low[axis], limit_mm, solved, long }.finding());
         }
     }
     found

@@ -10,7 +10,7 @@ use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene, bounds_of};
 use crate::frame::assembly::Kind;
-use crate::frame::skeleton::{Accessories, RodRole, SLOT_MM, Stack};
+use crate::frame::skeleton::{Accessories, SLOT_MM, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart;
 
@@ -223,7 +223,7 @@ fn seat(frame: &Frame) -> Option<Finding> {
 
 /// No propeller reaches out of the ring that keeps it off walls.
 fn cage(scene: &Scene) -> Option<Finding> {
-    let ring = |p: &&Placed| p.shape.kind == Kind::Rod(RodRole::Cage);
+    let ring = |p: &&Placed| matches!(p.shape.kind, Kind::Rod(role) if role.is_cage());
     let cage = bounds_of(scene.placed.iter().filter(ring))?;
     let mount = &scene.design.frame.motor_mount;
     let wide = measure(

@@ -170,7 +170,7 @@ fn pin_pose(start: Point3<f64>, along: Vector3<f64>) -> Isometry3<f64> {
 /// The keys of a socket's depth, and of the rod's share of it.
 fn levers(role: RodRole, at: usize) -> &'static [&'static str] {
     match (role, at) {
-        (RodRole::Cage, _) | (RodRole::Strut | RodRole::Leg, 1) => IN_CORNER,
+        (RodRole::Cage | RodRole::CageSide, _) | (RodRole::Strut | RodRole::Leg, 1) => IN_CORNER,
         (RodRole::Strut, _) => IN_KNEE,
         (RodRole::Arm, 0) => ARM_IN_HUB_JOINT,
         (RodRole::Arm, _) => IN_FORK,

@@ -65,9 +65,9 @@ fn head(p: &Parameter, frame: &Frame, file: &FrameFile) -> String {
     let mut text = format!("{}.{}\n  {}\n", p.table, p.key, p.doc.trim());
     text += format!("  value    {value} {unit}").trim_end();
     let stated = file.entries.get(&format!("{}.{}", p.table, p.key)).map(|entry| &entry.place);
-    text += &match (stated, follows::role_of(p.key)) {
+    text += &match (stated, follows::followed_key(p.key)) {
         (Some(place), _) => format!(" ({})\n", line_of(place)),
-        (None, Some(role)) => format!(" (follows from bought.{role})\n"),
+        (None, Some(followed)) => format!(" (follows from {followed})\n"),
         (None, None) => "\n".into(),
     };
     text += format!("  bounds   {} to {} {unit}", p.min, p.max).trim_end();
@@ -192,7 +192,7 @@ fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Val
         "value": frame.value(p.table, p.key),
         "bounds": [p.min, p.max],
         "drives": p.drives.iter().map(|part| part.slug()).collect::<Vec<_>>(),
-        "follows": follows::role_of(p.key),
+        "follows": follows::followed(p.key),
         "responses": responses.iter().map(response).collect::<Vec<_>>(),
         "peak": PEAK_CAVEAT,
     })

@@ -37,7 +37,7 @@ struct Row {
     unit: &'static str,
     value: Option<f64>,
     default: Option<f64>,
-    /// The bought part that the value follows from, when no file states it.
+    /// What the value follows from, when no file states it: a bought part's role, or another number.
     follows: Option<&'static str>,
     min: f64,
     max: f64,
@@ -57,7 +57,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
                 unit: p.unit(),
                 value: frame.value(p.table, p.key),
                 default: default.value(p.table, p.key),
-                follows: if file.entries.contains_key(&key) { None } else { follows::role_of(p.key) },
+                follows: if file.entries.contains_key(&key) { None } else { follows::followed(p.key) },
                 min: p.min,
                 max: p.max,
                 drives: p.drives.iter().map(|part| part.slug()).collect(),
@@ -89,7 +89,8 @@ fn table(rows: &[Row]) -> String {
     for row in rows {
         let bounds = format!("{} to {} {}", row.min, row.max, row.unit).trim_end().to_string();
         let drives = if row.drives.is_empty() { String::new() } else { format!(" [{}]", row.drives.join(", ")) };
-        let follows = row.follows.map_or(String::new(), |role| format!(" (follows from bought.{role})"));
+        let follows = row.follows.and_then(|_| follows::followed_key(row.parameter.key));
+        let follows = follows.map_or(String::new(), |key| format!(" (follows from {key})"));
         text +=
             &format!("{:<42} {:>9} {:>9}  {bounds:<18} {}{follows}{drives}\n", row.key, number(row.value), number(row.default), row.doc);
     }
@@ -100,7 +101,7 @@ fn table(rows: &[Row]) -> String {
 fn page(frame: &str, rows: &[Row]) -> String {
     let mut page = format!(
         "# Parameters\n\nPrinted by `flexframe params --markdown`; `docs/frame-files.md` says how a frame file states them. The value is that of\n\
-         `{frame}`; one with a part's role in brackets follows from that bought part unless a file states it. \"Drives\" lists\n\
+         `{frame}`; one with a bought part's role or another number in brackets follows from it unless a file states it. \"Drives\" lists\n\
          the printed parts whose shape changes with the number; every number may move parts, and change mass and checks.\n"
     );
     let mut table = "";

@@ -20,7 +20,7 @@ use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
 use super::mount_motion::MountMotion;
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
-use crate::frame::skeleton::module_turn;
+use crate::frame::skeleton::ModulePlaces;
 
 /// Folded, flexible members.
 const HINGED: [Member; 3] = [Member::HubJoint, Member::Corner(true), Member::Corner(false)];
@@ -73,7 +73,7 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
             None => (file.root.push(placed(&body.name, &body.pose, Some(Index::new(body.shape as u32)))), Vec::new()),
         };
         actors.extend(member.map(|(member, module)| {
-            let roll = (module_turn(module) * fold.module.place(member)).inverse() * body.pose;
+            let roll = fold.module.modules.pose(module, &fold.module.place(member)).inverse() * body.pose;
             Actor { member, module, roll, node, chains }
         }));
         children.push(node);
@@ -212,7 +212,7 @@ impl GlbFile {
             let mut animation = named(format!("{:02} {title}", number + 1));
             if let Some(step) = number.checked_sub(begins).and_then(|at| fold.steps.get(at)) {
                 let shown = moments(&rules, &order, &done, step.task);
-                self.add_fold(&mut animation, &shown, actors);
+                self.add_fold(&mut animation, &fold.module.modules, &shown, actors);
                 let start_s = STEP_S * number as f64;
                 // A step begins where the last one ended.
                 let fresh = shown.into_iter().skip(usize::from(number > begins));
@@ -223,18 +223,18 @@ impl GlbFile {
             self.root.push(animation);
         }
         let mut animation = named("all".into());
-        self.add_fold(&mut animation, &all, actors);
+        self.add_fold(&mut animation, &fold.module.modules, &all, actors);
         self.add_stage(&mut animation, design, stage, [0, titles.len()]);
         self.root.push(animation);
     }
 
     /// The motion of the modules.
-    fn add_fold(&mut self, animation: &mut Animation, shown: &[Moment], actors: &[Actor]) {
+    fn add_fold(&mut self, animation: &mut Animation, modules: &ModulePlaces, shown: &[Moment], actors: &[Actor]) {
         let times: Vec<f64> = shown.iter().map(|moment| moment.at_s).collect();
         let input = self.add_times(&times);
         for actor in actors {
-            let about = module_turn(actor.module);
-            let poses: Vec<Isometry3<f64>> = shown.iter().map(|moment| about * moment.pose(actor.member) * actor.roll).collect();
+            let pose = |moment: &Moment| modules.pose(actor.module, &moment.pose(actor.member)) * actor.roll;
+            let poses: Vec<Isometry3<f64>> = shown.iter().map(pose).collect();
             let places: Vec<Vec<f32>> = poses.iter().map(|pose| metres(&pose.translation.vector).to_vec()).collect();
             let turns = steady(poses.iter().map(|pose| pose.rotation));
             self.add_track(animation, input, actor.node, Property::Translation, &places);

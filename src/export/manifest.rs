@@ -9,7 +9,6 @@ use super::format::{File, SolidEntry};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Shape};
-use crate::frame::skeleton::RodRole;
 use crate::params::catalogue::MassBasis;
 
 /// Version of the manifest's form; raised when a key changes its meaning or goes.
@@ -218,7 +217,9 @@ fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files
 }
 
 fn rod_entries(design: &Design, masses: &MassTable) -> Vec<RodEntry> {
-    RodRole::ALL
+    design
+        .skeleton
+        .roles()
         .iter()
         .map(|role| RodEntry {
             name: role.slug().into(),

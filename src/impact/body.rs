@@ -45,7 +45,7 @@ impl DropBody {
             mass_kg: masses.total_g * 1e-3,
             gap_m: gap_mm * 1e-3,
             travel_m: Some(design.skeleton.closure.ring_half_height_mm * 1e-3),
-            foot_radius_m: Some(design.skeleton.closure.ring_half_side_mm * std::f64::consts::SQRT_2 * 1e-3),
+            foot_radius_m: Some(design.skeleton.closure.ring_radius_mm() * 1e-3),
             origin: Origin::Frame(design.frame.name.clone()),
         }
     }

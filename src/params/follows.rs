@@ -1,4 +1,4 @@
-//! Numbers that follow from the choice of a bought part unless a frame file states them.
+//! Numbers that follow from the choice of a bought part, or from another number, unless a frame file states them.
 
 use std::collections::BTreeMap;
 
@@ -76,6 +76,24 @@ const FOLLOWS: [Follows; 24] = [
     Follows::or("connector_width_mm", &["connector"], |c, _| Some(c.size_mm[1] + CONNECTOR_CLEARANCE_MM), 10.55),
     Follows::or("connector_height_mm", &["connector"], |c, _| Some(c.size_mm[2] + CONNECTOR_CLEARANCE_MM), 5.55),
 ];
+
+/// Numbers that are another number unless a file states them: key, and the other one with its table.
+const SAME_AS: [(&str, &str); 1] = [("envelope_depth_mm", "limits.envelope_width_mm")];
+
+/// The number, with its table, that a key is equal to unless a file states it.
+pub(super) fn same_as(key: &str) -> Option<&'static str> {
+    SAME_AS.iter().find(|(follower, _)| *follower == key).map(|(_, followed)| *followed)
+}
+
+/// What a number follows from, in lists: a bought part's role, or another number's key with its table.
+pub fn followed(key: &str) -> Option<&'static str> {
+    role_of(key).or_else(|| same_as(key))
+}
+
+/// The key that a number follows from: that of a bought part's choice, or another number's.
+pub fn followed_key(key: &str) -> Option<String> {
+    role_of(key).map(|role| format!("bought.{role}")).or_else(|| same_as(key).map(String::from))
+}
 
 /// A sum without the noise that sums of decimals have: it is printed as the key's value.
 fn sum_mm<const N: usize>(terms: [f64; N]) -> f64 {

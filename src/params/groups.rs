@@ -6,8 +6,10 @@ use super::part_name::PartName;
 parameters! {
     /// Rod lengths and the rod itself.
     pub struct RodParameters in "rods" {
-        /// Length of the eight rods of the top and bottom ring.
+        /// Length of the eight rods of the top and bottom ring; of those in front and behind where the sides are longer.
         cage_rod_length_mm: 60.0..=320.0 => [Knee],
+        /// Length of a ring's left and right rods over that of the front and rear ones: a long X where it is more than 1.
+        cage_side_ratio: 1.0..=1.25 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid, AccessoryPlate],
         /// Length of the eight rods between hub and fork.
         arm_rod_length_mm: 40.0..=180.0 => [Knee],
         /// Length of the eight rods between knee and ring; with the arm it fixes the strut tilt and the height.
@@ -442,8 +444,10 @@ parameters! {
 parameters! {
     /// What the frame must keep; `check` holds it against these.
     pub struct LimitParameters in "limits" {
-        /// Largest width and depth of the whole frame, without propellers.
+        /// Largest width of the whole frame, without propellers.
         envelope_width_mm: 60.0..=600.0 => [],
+        /// Largest depth of the whole frame, from front to rear, without propellers.
+        envelope_depth_mm: 60.0..=600.0 => [],
         /// Largest height of the whole frame, without propellers.
         envelope_height_mm: 40.0..=400.0 => [],
         /// Largest mass of the whole frame, ready to take off.

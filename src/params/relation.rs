@@ -213,13 +213,14 @@ fn centre(frame: &Frame) -> Result<(), Broken> {
         "the distance of the plug bores' mouths from the hub axis",
         "raise hub_mouth_mm, or lower arm_pitch_mm or plug_length_mm: the bores of neighbouring arms would meet",
     )?;
-    let tie_radius = (half_pair + hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2;
+    let tie_side = (half_pair + hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2;
+    let tie_front = tie_side + 0.5 * frame.rods.cage_rod_length_mm * (frame.rods.cage_side_ratio - 1.0);
     at_least(
-        0.5 * (carrier.pi_pattern_along_mm + carrier.pi_pattern_across_mm),
-        tie_radius + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm,
+        0.5 * (carrier.pi_pattern_along_mm + carrier.pi_pattern_across_mm * tie_front / tie_side),
+        tie_front + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm,
         "pi_carrier.pi_pattern_along_mm",
         "the reach of the computer's holes",
-        "choose a computer with a longer hole pattern or lower arm_pitch_mm: its holes would lie inside the carrier's bars",
+        "choose a computer with a longer hole pattern, or lower arm_pitch_mm or cage_side_ratio: its holes would lie inside the carrier's bars",
     )?;
     at_least(
         hub.tie_ring_radius_mm * std::f64::consts::SQRT_2 - carrier.carrier_bar_width_mm,
@@ -229,7 +230,7 @@ fn centre(frame: &Frame) -> Result<(), Broken> {
         "lower carrier_bar_width_mm or raise tie_ring_radius_mm: the bars' edges would pass the rings",
     )?;
     at_least(
-        tie_radius + hub.tie_ring_radius_mm - 0.3 - 0.5 * carrier.carrier_strut_width_mm,
+        tie_side + hub.tie_ring_radius_mm - 0.3 - 0.5 * carrier.carrier_strut_width_mm,
         0.5 * carrier.pi_pattern_across_mm,
         "pi_carrier.pi_pattern_across_mm",
         "the carrier's reach across",

@@ -147,7 +147,10 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
             let reason = Reason::WrongType { key: key.clone(), found: other.kind().into(), expected: p.expected() };
             return Err(file.refuse(&key, reason));
         }
-        None => follows::from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
+        None => match follows::same_as(p.key).and_then(|other| catalogue().find(|q| other == format!("{}.{}", q.table, q.key))) {
+            Some(other) => return number(file, bought, other),
+            None => follows::from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
+        },
     };
     if (p.min..=p.max).contains(&value) {
         return Ok(value);

@@ -43,8 +43,8 @@ fn numbers(root: &mut Map<String, Value>) {
         if !drives.is_empty() {
             text += &format!(" Drives {}.", drives.join(", "));
         }
-        if let Some(role) = follows::role_of(p.key) {
-            text += &format!(" Follows from bought.{role} unless stated.");
+        if let Some(followed) = follows::followed_key(p.key) {
+            text += &format!(" Follows from {followed} unless stated.");
         }
         put(root, &format!("{}.{}", p.table, p.key), number(&text, p.unit(), [p.min, p.max], value));
         root[p.table]["description"] = p.table_doc.trim().into();

@@ -14,7 +14,6 @@ use assert_cmd::cargo::cargo_bin;
 use flexframe::checks::{self, Finding};
 use flexframe::frame::assembly::mass::MassTable;
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::frame::skeleton::RodRole;
 use flexframe::params::Frame;
 use rayon::prelude::*;
 
@@ -29,7 +28,7 @@ fn rounded(value: f64) -> f64 {
 fn skeleton(design: &Design) -> String {
     let closure = &design.skeleton.closure;
     let mut text = format!("strut tilt {:.3} deg\nleg tilt {:.3} deg\n\n", closure.strut_tilt.to_deg(), closure.leg_tilt.to_deg());
-    for role in RodRole::ALL {
+    for role in design.skeleton.roles() {
         let count = design.skeleton.rods_of(role).count();
         let _ = writeln!(text, "{count} {} rods of {:.3} mm", role.slug(), design.skeleton.length_mm(role));
     }

@@ -5,7 +5,6 @@ use std::f64::consts::{PI, TAU};
 
 use flexframe::frame::assembly::BoughtPart;
 use flexframe::frame::assembly::Design;
-use flexframe::frame::skeleton::RodRole;
 use flexframe::params::{Frame, preset};
 use flexframe::solid::{Brep, Contour, Feature, MeshSolid, Profile, SEGMENTS_PER_TURN, Segment, gate};
 use flexframe::units::Angle;
@@ -89,7 +88,13 @@ fn solids(design: &Design) -> Vec<(String, Feature)> {
     let mut solids: Vec<(String, Feature)> = design.printed.iter().map(|part| (part.name.to_string(), part.feature.clone())).collect();
     solids.extend(BoughtPart::ALL.into_iter().filter_map(|part| Some((part.slug().to_string(), part.feature(frame, centre)?))));
     let radius = 0.5 * frame.rods.rod_diameter_mm;
-    solids.extend(RodRole::ALL.map(|role| (format!("{} rod", role.slug()), Feature::cylinder(radius, design.skeleton.length_mm(role)))));
+    solids.extend(
+        design
+            .skeleton
+            .roles()
+            .into_iter()
+            .map(|role| (format!("{} rod", role.slug()), Feature::cylinder(radius, design.skeleton.length_mm(role)))),
+    );
     solids.push(("propeller".into(), Feature::cylinder(0.5 * frame.motor_mount.propeller_diameter_mm, 4.0)));
     solids
 }

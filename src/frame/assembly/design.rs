@@ -14,7 +14,7 @@ use super::printed::{Printed, Recipe};
 use super::screw_solids::motor_screws;
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
-use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, RodRole, Skeleton, lengths_for, module_turn, placement};
+use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, Skeleton, lengths_for, placement};
 use crate::memo::{Memo, Progress, Step};
 use crate::params::catalogue::BoughtPart as Entry;
 use crate::params::frame::{NamedMaterial, TargetSize};
@@ -178,7 +178,7 @@ impl Design {
 
     fn place_rods(&mut self) {
         let material = self.frame.rod_material.clone();
-        for role in RodRole::ALL {
+        for role in self.skeleton.roles() {
             let length = self.skeleton.length_mm(role);
             let name = format!("{}_rod", role.slug());
             let feature = rod_solid(&self.frame, length);
@@ -221,7 +221,7 @@ impl Design {
                 name: format!("motor_screw_{quadrant}"),
                 shape,
                 module: Some(module),
-                pose: module_turn(module) * first,
+                pose: self.skeleton.closure.places.pose(module, &first),
             }));
         }
     }

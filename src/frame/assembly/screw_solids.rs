@@ -70,7 +70,7 @@ pub(super) fn dampers(frame: &Frame, centre: &Centre) -> Option<Feature> {
 /// What of the ties is in their holes: through hub and carrier, in front and behind down into the bracket and out of its slots.
 pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let [wide, thick] = part.strap_mm?;
-    let (radius, half_hub) = (centre.tie_radius_mm, centre.hub_half_height_mm);
+    let (beside, before, half_hub) = (centre.tie_side_mm, centre.tie_front_mm, centre.hub_half_height_mm);
     let top = match () {
         () if frame.bought.contains_key("computer") => centre.carrier_top_mm(),
         () if Accessories::wanted(frame) => Accessories::new(frame, centre).top_mm,
@@ -84,12 +84,12 @@ pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<
     let floor = centre.bracket_z_mm() - frame.bracket.tie_hole_depth_mm + STRAP_PLAY_MM;
     let out = centre.bracket_half_mm + STRAP_OUT_MM;
     let leg = |side: f64| {
-        let [near, far] = [side * (radius - 0.5 * thick), side * out];
+        let [near, far] = [side * (before - 0.5 * thick), side * out];
         let low = [-0.5 * wide, near.min(far), floor];
         Feature::cuboid_between(low, [0.5 * wide, near.max(far), floor + thick])
     };
     let sides =
-        [1.0, -1.0].map(|side| Feature::union([upright([side * radius, 0.0], -half_hub), upright([0.0, side * radius], floor), leg(side)]));
+        [1.0, -1.0].map(|side| Feature::union([upright([side * beside, 0.0], -half_hub), upright([0.0, side * before], floor), leg(side)]));
     Some(Feature::union(sides))
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::frame::skeleton::{MODULE_NAMES, RodRole, Skeleton};
+use crate::frame::skeleton::{MODULE_NAMES, Rod, RodRole, Skeleton};
 use crate::params::{Frame, PartName};
 use crate::units::Angle;
 
@@ -96,7 +96,7 @@ impl Member {
         })
     }
 
-    /// The rod it is, if it is one.
+    /// The rod it is in the first module, if it is one.
     pub fn rod(self) -> Option<RodRole> {
         Some(match self {
             Self::Arm(_) => RodRole::Arm,
@@ -170,7 +170,10 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
     let base = |a, b, r| Capsule::new(Side::Base, a, b, r);
     if let Some(role) = member.rod() {
         let r = 0.5 * frame.rods.rod_diameter_mm;
-        return vec![base([0.0, 0.0, r], [0.0, 0.0, skeleton.length_mm(role) - r], r)];
+        // Of cage rods the longest: what is free for it is free for all.
+        let alike = skeleton.rods.iter().filter(|rod| rod.role == role || rod.role.is_cage() && role.is_cage());
+        let length_mm = alike.map(Rod::length_mm).fold(0.0, f64::max);
+        return vec![base([0.0, 0.0, r], [0.0, 0.0, length_mm - r], r)];
     }
     match member {
         Member::HubJoint => {

@@ -11,7 +11,6 @@ use super::task::Task;
 use super::timeline::Moment;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::frame::assembly::{Body, Design, Kind, sides as printed_sides};
-use crate::frame::skeleton::module_turn;
 use crate::solid::{BoxTree, Feature, Mesh, MeshSolid};
 
 /// A rigid piece of a body.
@@ -82,9 +81,10 @@ fn sides(design: &Design, body: &Body, member: Option<Member>, module: &Module) 
     found
 }
 
-/// A member's mesh when its hinges are folded so far, degrees; of one without hinges its shape's.
-pub fn mesh_at(design: &Design, module: &Module, member: Member, folds_deg: &[f64]) -> Option<Arc<Mesh>> {
-    let body = design.bodies.iter().find(|body| body.name == member.body(0) || body.name == member.body(0).trim_end_matches("_FR"))?;
+/// The mesh of a member of the module with this number when its hinges are folded so far, degrees; of one without hinges its shape's.
+pub fn mesh_at(design: &Design, module: &Module, (member, number): (Member, usize), folds_deg: &[f64]) -> Option<Arc<Mesh>> {
+    let name = member.body(number);
+    let body = design.bodies.iter().find(|body| body.name == name)?;
     let part = member.part().and_then(|name| design.part(name));
     let bends = module.bends(member);
     let assembled = bends.iter().zip(folds_deg).all(|(bend, deg)| (bend.angle().to_deg() - deg).abs() < 1e-3);
@@ -103,7 +103,7 @@ impl Piece {
         let (Some(member), Some(module)) = (self.member, self.module) else { return self.place };
         let bend = self.hinge.and_then(|index| of.bends(member).get(index).map(|bend| bent_by(bend, moment.fold_deg(member, index))));
         let folded = bend.map_or_else(Isometry3::identity, |bend| bend.motion());
-        module_turn(module) * moment.pose(member) * folded
+        of.modules.pose(module, &moment.pose(member)) * folded
     }
 
     /// Boxes around its facets.

@@ -1,11 +1,11 @@
-//! Where each member of the first module stands while it is put together.
+//! Where each member of a module stands while it is put together, in the module's axes.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::linkage::Linkage;
 use super::member::{Member, Side, left, outward};
 use crate::frame::parts::record;
-use crate::frame::skeleton::{Centre, RodRole, Skeleton};
+use crate::frame::skeleton::{Centre, ModulePlaces, RodRole, Skeleton};
 use crate::params::{Frame, PartName};
 use crate::solid::Bend;
 use crate::units::Angle;
@@ -29,6 +29,8 @@ pub struct Posture {
 
 /// The assembled places of a module, and its hinges.
 pub struct Module {
+    /// Where the modules stand.
+    pub modules: ModulePlaces,
     /// The triangle.
     pub linkage: Linkage,
     places: Vec<(Member, Isometry3<f64>)>,
@@ -77,11 +79,12 @@ impl Module {
                 (_, Some(name)) => part(name),
                 _ => rod(&member.body(0)),
             }
-            .unwrap_or_else(Isometry3::identity)
+            .map_or_else(Isometry3::identity, |pose| if member == Member::Hub { pose } else { c.places.in_first(pose) })
         };
         let strut_up = [false, true].map(|up| place(Member::Strut(up)) * Vector3::z());
         let bends = |member: Member| member.part().map_or(Vec::new(), |name| record(name).bends(frame, c));
         Self {
+            modules: c.places,
             linkage,
             places: Member::ALL.iter().map(|m| (*m, place(*m))).collect(),
             hub_pivot: Point3::from(outward() * c.hub_leg_pivot_s_mm),
@@ -169,13 +172,14 @@ impl Module {
     /// How far the leg's axis is off the axis of the foot's bore: between bottom and rod's end less the way out, mm.
     pub fn loop_error_mm(&self, posture: &Posture, leg_out_mm: f64, skeleton: &Skeleton) -> f64 {
         let Some(rod) = skeleton.rods_of(RodRole::Leg).next() else { return f64::INFINITY };
-        let (socket, length) = (&rod.sockets[1], rod.length_mm());
+        let length = rod.length_mm();
+        let socket = self.modules.in_first(Isometry3::from(rod.sockets[1].bottom.coords));
         let pose = self.pose(Member::Leg, posture);
         let tip = pose * Point3::new(0.0, 0.0, length);
         let along = pose * Vector3::z();
         let foot = self.side_pose(Member::Corner(false), Side::Second, posture);
         let flat = self.side_pose(Member::Corner(false), Side::Second, &self.closed());
-        let bottom = foot * flat.inverse() * socket.bottom;
+        let bottom = foot * flat.inverse() * Point3::from(socket.translation.vector);
         (bottom - (tip + along * leg_out_mm)).norm()
     }
 }

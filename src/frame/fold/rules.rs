@@ -8,7 +8,7 @@ use super::linkage::{FREE_WAY, Stance};
 use super::member::{Capsule, Member, capsules, distance_mm};
 use super::posture::{Module, Posture};
 use super::task::{FoldMotion, Task};
-use crate::frame::skeleton::{RodRole, Skeleton};
+use crate::frame::skeleton::Skeleton;
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -393,7 +393,7 @@ fn far_sockets(skeleton: &Skeleton) -> Vec<(Member, Member)> {
         let Some(rod) = skeleton.rods.iter().find(|rod| rod.name == member.body(0)) else { continue };
         for socket in &rod.sockets {
             let part = Member::ALL.into_iter().find(|m| m.part() == Some(socket.part));
-            found.extend(part.filter(|_| socket.module == 0 || rod.role == RodRole::Cage).map(|part| (member, part)));
+            found.extend(part.filter(|_| socket.module == 0 || rod.role.is_cage()).map(|part| (member, part)));
         }
     }
     found

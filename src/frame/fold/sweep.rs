@@ -99,9 +99,11 @@ impl Sweeper<'_> {
         let mut pairs = Vec::new();
         for (i, a) in there.iter().enumerate() {
             for (j, b) in there.iter().enumerate().skip(i + 1) {
-                // The modules are one, turned, and so is the hub: of two modules' pieces one may be taken from the first.
+                // The modules are one, turned or mirrored, and so is the hub: of two modules' pieces one may be taken from those that
+                // stand for all.
                 let hub = [a, b].iter().any(|p| p.member == Some(Member::Hub));
-                let stands_for_all = a.module == Some(0) || b.module == Some(0) || (!hub && a.module.is_none() != b.module.is_none());
+                let of_one = [a, b].iter().any(|p| self.is_representative(p.module));
+                let stands_for_all = of_one || (!hub && a.module.is_none() != b.module.is_none());
                 if a.name != b.name && stands_for_all {
                     pairs.push(if a.is_rod() { (j, i) } else { (i, j) });
                 }
@@ -116,6 +118,11 @@ impl Sweeper<'_> {
         Sweep { places, pairs: found.len(), comparisons: found.iter().map(|f| f.comparisons).sum(), beyond_mm3, meetings }
     }
 
+    /// Whether what holds for a module holds for all.
+    fn is_representative(&self, module: Option<usize>) -> bool {
+        module.is_some_and(|module| self.fold.module.modules.representatives().contains(&module))
+    }
+
     /// The pieces that are joined to something, or are now.
     fn there(&self) -> Vec<&Piece> {
         let done = &self.order[..=self.at];
@@ -123,7 +130,7 @@ impl Sweeper<'_> {
             done.iter().flat_map(|t| t.contacts().into_iter().chain(t.lever())).flat_map(|(a, b)| [a, b]).collect();
         let whole = members.contains(&Member::Hub);
         let is_there = |p: &&Piece| match p.module {
-            Some(module) => (whole || module == 0) && p.member.is_some_and(|m| members.contains(&m)),
+            Some(_) => (whole || self.is_representative(p.module)) && p.member.is_some_and(|m| members.contains(&m)),
             None => whole,
         };
         self.pieces.iter().filter(is_there).collect()

@@ -59,23 +59,26 @@ impl AccessoryPlate<'_> {
 
     /// Outline with the tie holes and the slots.
     fn profile(&self) -> Profile {
-        let r = self.seats.tie_mm;
+        let [side, front] = self.seats.tie_mm;
         let hole = |at| Contour::bore(at, 0.5 * self.frame.pi_carrier.carrier_tie_hole_diameter_mm);
-        let ties = [[r, 0.0], [0.0, r], [-r, 0.0], [0.0, -r]].map(hole);
+        let ties = [[side, 0.0], [0.0, front], [-side, 0.0], [0.0, -front]].map(hole);
         face(&self.outline()).with_holes(ties).with_holes(self.slots())
     }
 
-    /// A square on its corner around the tie holes, with a tongue to the front where cheeks stand.
+    /// A square on its corner, longer where the frame is, around the tie holes, with a tongue to the front where cheeks stand.
     fn outline(&self) -> Vec<([f64; 2], f64)> {
-        let (corner, ring) = (self.seats.corner_mm, self.seats.ring_mm);
+        let ([corner, fore], ring) = (self.seats.corner_mm, self.seats.ring_mm);
+        // Of an edge, forward for each millimetre towards the middle.
+        let slope = fore / corner;
         let mut outline = vec![([corner, 0.0], ring)];
         match self.tongue_mm() {
-            Some([half, front]) if front > corner - half => {
-                outline.extend([sharp(half, corner - half), ([half, front], 1.0), ([-half, front], 1.0), sharp(-half, corner - half)]);
+            Some([half, front]) if front > fore - half * slope => {
+                let edge = fore - half * slope;
+                outline.extend([sharp(half, edge), ([half, front], 1.0), ([-half, front], 1.0), sharp(-half, edge)]);
             }
-            _ => outline.push(([0.0, corner], ring)),
+            _ => outline.push(([0.0, fore], ring)),
         }
-        outline.extend([([-corner, 0.0], ring), ([0.0, -corner], ring)]);
+        outline.extend([([-corner, 0.0], ring), ([0.0, -fore], ring)]);
         outline
     }
 

@@ -1,10 +1,13 @@
-//! The hub: a plate with eight plug bores along the diagonals, the frame's centre.
+//! The hub: a plate with eight plug bores along the diagonals, the frame's centre. In a frame that is longer than wide its front and
+//! rear halves stand apart, and a bar on each side joins them.
 //!
 //! Frame of reference: origin on the hub axis in the plane of the arms, x right, y front, z up.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::outline::{SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
+use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
@@ -49,12 +52,42 @@ impl Hub<'_> {
     /// mesh kernel sorts facets by axis-parallel boxes, and those of long facets are thin only along the axes.
     pub fn feature(&self) -> Feature {
         let h = self.centre.hub_half_height_mm;
-        let wide = 2.0 * self.frame.hub.hub_mouth_mm;
-        let arms = Feature::union((0..4).map(|i| quarter(self.pair(h + f64::from(1 + i % 2) * SINK_MM), 90.0 * f64::from(i))))
-            .minus([quarter(self.dish(), -45.0)]);
-        let body = [arms, self.plate()].into_iter().chain(self.corner_fillets()).chain(self.ears());
+        let wide = 2.0 * (self.frame.hub.hub_mouth_mm + self.centre.places.forward_mm);
+        let pairs = (0..4).map(|i| self.in_module(i, self.pair(h + f64::from(1 + i % 2) * SINK_MM)));
+        let arms = Feature::union(pairs.chain(self.bars())).minus([quarter(self.dish(), -45.0)]);
+        let body = std::iter::once(arms).chain(self.plates()).chain(self.corner_fillets()).chain(self.ears());
         let slab = Feature::cuboid_between([-wide, -wide, -h], [wide, wide, h]);
         quarter(Feature::intersection([Feature::union(body), slab]).minus(self.holes()), 45.0)
+    }
+
+    /// What is drawn along x, in the module with this number.
+    fn in_module(&self, module: u8, feature: Feature) -> Feature {
+        self.moved(module < 2, quarter(feature, 90.0 * f64::from(module)))
+    }
+
+    /// What is drawn in a square hub, in the front or the rear half of this one.
+    fn moved(&self, front: bool, feature: Feature) -> Feature {
+        let places = self.centre.places;
+        if !places.are_apart() {
+            return feature;
+        }
+        // The frame's y is the diagonal of the axes in which the hub is drawn.
+        let along = if front { FRAC_1_SQRT_2 } else { -FRAC_1_SQRT_2 } * places.forward_mm;
+        feature.at(along, along, 0.0)
+    }
+
+    /// What joins the halves where they stand apart: a bar on each side, from where the flanks of the front modules meet to where those
+    /// of the rear ones do.
+    fn bars(&self) -> Vec<Feature> {
+        let apart = self.centre.places.forward_mm;
+        if !self.centre.places.are_apart() {
+            return Vec::new();
+        }
+        let (h, re) = (self.centre.hub_half_height_mm + 6.0 * SINK_MM, self.edge_mm());
+        let outer = self.centre.tie_side_mm - 2.0 * SINK_MM;
+        let section = face(&[sharp(0.0, -h), ([outer, -h], re), ([outer, h], re), sharp(0.0, h)]);
+        let right = along_y(section, [-apart, apart]);
+        [right.clone(), right.mirrored(Vector3::x())].map(|bar| quarter(bar, -45.0)).into()
     }
 
     /// The two bosses of a diagonal, drawn along x, with the fillets to the plate.
@@ -91,7 +124,7 @@ impl Hub<'_> {
         let (h, zt) = (self.centre.hub_half_height_mm, self.centre.plate_top_mm);
         let (r1, r2) = (self.frame.hub.hub_pad_fillet_mm, self.edge_mm());
         let (zl, zu) = (zt + r1 - SINK_MM, h + SINK_MM - r2);
-        let xt = self.centre.tie_radius_mm - self.frame.hub.hub_pad_depth_mm;
+        let xt = self.centre.tie_side_mm - self.frame.hub.hub_pad_depth_mm;
         let dz = zu - zl;
         let xc = xt - ((r1 + r2).powi(2) - dz * dz).max(0.04).sqrt();
         let tangent = 180.0 + libm::asin((dz / (r1 + r2)).clamp(-1.0, 1.0)).to_degrees();
@@ -99,9 +132,22 @@ impl Hub<'_> {
         right.extend(arc([xc, zl], r1, -90.0, tangent - 180.0));
         right.extend(arc([xt, zu], r2, tangent, 90.0).into_iter().skip(1));
         right.push(sharp(xt, h + 1.0));
-        let profile = face(&[mirrored(&right), right].concat());
+        let forward = self.centre.places.forward_mm;
+        let front: Vec<Corner> = right.iter().map(|([y, z], r)| ([y + forward, *z], *r)).collect();
+        let [across, along] = [right, front].map(|half| face(&[mirrored(&half), half].concat()));
         let wide = 3.0 * self.centre.flank_mm;
-        Feature::intersection([along_y(profile.clone(), [-wide, wide]), along_x(profile, [-wide - 1.0, wide + 1.0])])
+        Feature::intersection([along_y(across, [-wide - forward, wide + forward]), along_x(along, [-wide - 1.0, wide + 1.0])])
+    }
+
+    /// The plate of a square hub, or one in each half and what is between them.
+    fn plates(&self) -> Vec<Feature> {
+        let apart = self.centre.places.forward_mm;
+        if !self.centre.places.are_apart() {
+            return vec![self.plate()];
+        }
+        let (side, low) = (self.centre.tie_side_mm, -self.centre.hub_half_height_mm - 5.0 * SINK_MM);
+        let between = Feature::cuboid_between([-side, -apart, low], [side, apart, self.centre.plate_top_mm - SINK_MM]);
+        vec![self.moved(true, self.plate()), self.moved(false, self.plate()), quarter(between, -45.0)]
     }
 
     fn plate(&self) -> Feature {
@@ -123,15 +169,17 @@ impl Hub<'_> {
         outline.extend([sharp(s + FILLET_MM, t + 0.4), sharp(s - 0.5, t + 0.4)]);
         let one = upright(face(&outline), [0.6 * self.edge_mm() - self.centre.hub_half_height_mm, self.centre.plate_top_mm - 0.05]);
         let two = Feature::union([one.clone(), one.mirrored(Vector3::y())]);
-        (0..4).map(|i| quarter(two.clone(), 90.0 * f64::from(i))).collect()
+        (0..4).map(|i| self.in_module(i, two.clone())).collect()
     }
 
     fn ears(&self) -> Vec<Feature> {
         let (r, h, re) = (self.frame.hub.tie_ring_radius_mm, self.centre.hub_half_height_mm + 4.0 * SINK_MM, self.edge_mm());
         let ear = Feature::revolve(face(&[sharp(0.0, -h), ([r, -h], re), ([r, h], re), sharp(0.0, h)]))
             .turned_z(Angle::deg(180.0 / f64::from(SEGMENTS_PER_TURN)))
-            .at(self.centre.tie_radius_mm, 0.0, 0.0);
-        (0..4).map(|i| quarter(ear.clone(), 90.0 * f64::from(i) - 45.0)).collect()
+            .at(self.centre.tie_side_mm, 0.0, 0.0);
+        let at = |i: u8| quarter(ear.clone(), 90.0 * f64::from(i) - 45.0);
+        // Those at the sides stay, in the middle of the bars.
+        (0..4).map(|i| if i % 2 == 0 { at(i) } else { self.moved(i == 1, at(i)) }).collect()
     }
 
     fn holes(&self) -> Vec<Feature> {
@@ -144,11 +192,9 @@ impl Hub<'_> {
         let mut holes = Vec::new();
         for i in 0..4 {
             let diagonal = 90.0 * f64::from(i);
-            holes.extend([-0.5, 0.5].map(|side| quarter(plug(side * self.frame.hub_joint.arm_pitch_mm), diagonal)));
-            holes.push(quarter(
-                bore(self.centre.tie_radius_mm, 0.0, self.frame.hub.hub_tie_hole_diameter_mm, [-h - 1.0, h + 1.0]),
-                diagonal - 45.0,
-            ));
+            holes.extend([-0.5, 0.5].map(|side| self.in_module(i, plug(side * self.frame.hub_joint.arm_pitch_mm))));
+            let tie_mm = if i % 2 == 0 { self.centre.tie_side_mm } else { self.centre.tie_front_mm };
+            holes.push(quarter(bore(tie_mm, 0.0, self.frame.hub.hub_tie_hole_diameter_mm, [-h - 1.0, h + 1.0]), diagonal - 45.0));
         }
         for (x, y) in [(half, half), (-half, half), (-half, -half), (half, -half)] {
             let hub = &self.frame.hub;
@@ -206,7 +252,7 @@ mod tests {
     #[test]
     fn measured_hub_holes_lie_on_their_patterns() {
         let (_, centre, hub) = hub();
-        assert!((centre.tie_radius_mm - 25.41).abs() < 0.05);
+        assert!((centre.tie_side_mm - 25.41).abs() < 0.05);
         for (x, y) in [(25.41, 0.0), (0.0, 25.41), (-25.41, 0.0), (0.0, -25.41)] {
             hub.hole([x, y, -5.0], [x, y, 5.0], 3.0);
         }

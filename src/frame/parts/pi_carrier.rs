@@ -44,6 +44,9 @@ struct PiCarrier<'a> {
     centre: &'a Centre,
 }
 
+/// Radius of the circle that fits into the smallest window, mm.
+const LEAST_WINDOW_MM: f64 = 0.3;
+
 /// The lines and points of one quarter, in (along, across).
 struct Quarter {
     /// Tie ring on the long axis, tie ring on the short axis, pad.
@@ -60,12 +63,12 @@ struct Quarter {
 
 impl PiCarrier<'_> {
     fn quarter(&self) -> Quarter {
-        let r = self.centre.tie_radius_mm;
-        let (front, side) = (Point2::new(r, 0.0), Point2::new(0.0, r));
+        let (front, side) = (Point2::new(self.centre.tie_front_mm, 0.0), Point2::new(0.0, self.centre.tie_side_mm));
         let pad = Point2::new(0.5 * self.frame.pi_carrier.pi_pattern_along_mm, 0.5 * self.frame.pi_carrier.pi_pattern_across_mm);
         let strut_way = (pad - front).normalize();
         let right = Vector2::new(strut_way.y, -strut_way.x);
-        let diagonal = Vector2::new(1.0, 1.0).normalize();
+        // Across the bar, outward; at 45° in a square frame.
+        let diagonal = Vector2::new(1.0, front.x / side.y).normalize();
         Quarter {
             front,
             side,
@@ -82,11 +85,11 @@ impl PiCarrier<'_> {
         let quarter = self.quarter();
         let mut profile = Profile::new(self.outer(&quarter)?).with_hole(self.middle(&quarter)?);
         for (a, b) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
-            profile.holes.push(self.triangle(&quarter, a, b)?);
+            profile.holes.extend(self.window(&quarter)?.map(|corners| self.triangle(&corners, a, b)));
             profile.holes.push(Contour::bore([b * quarter.pad.y, a * quarter.pad.x], 0.5 * self.frame.pi_carrier.pi_hole_diameter_mm));
         }
-        let r = self.centre.tie_radius_mm;
-        let ties = [[r, 0.0], [0.0, r], [-r, 0.0], [0.0, -r]];
+        let (before, beside) = (quarter.front.x, quarter.side.y);
+        let ties = [[beside, 0.0], [0.0, before], [-beside, 0.0], [0.0, -before]];
         Some(profile.with_holes(ties.map(|at| Contour::bore(at, 0.5 * self.frame.pi_carrier.carrier_tie_hole_diameter_mm))))
     }
 
@@ -132,10 +135,10 @@ impl PiCarrier<'_> {
         let on_ring = if on_ring.x > 0.0 { on_ring } else { edge.cross(q.side, ring)?[0] };
         let inner = q.rail.shifted(w).meet(edge)?;
         let top = q.side + Vector2::new(0.0, ring);
-        let rise = q.pad.y + w - self.centre.tie_radius_mm;
+        let rise = q.pad.y + w - q.side.y;
         if leave.y < 0.2
             || rise.abs() > ring - 0.3 && rise > 0.0
-            || q.pad.x + q.pad.y < self.centre.tie_radius_mm + self.frame.pi_carrier.carrier_bar_width_mm + pad
+            || q.pad.x + q.pad.y * q.front.x / q.side.y < q.front.x + self.frame.pi_carrier.carrier_bar_width_mm + pad
         {
             return None;
         }
@@ -154,34 +157,48 @@ impl PiCarrier<'_> {
         Some(steps)
     }
 
-    /// The window between rail, bar and strut.
-    fn triangle(&self, q: &Quarter, a: f64, b: f64) -> Option<Contour> {
+    /// The corners of the window between rail, bar and strut, the rounded one last; no window where there is no room for one.
+    fn window(&self, q: &Quarter) -> Option<Option<[Point2<f64>; 3]>> {
         let (strut, rail) = (
             q.strut.shifted(-0.5 * self.frame.pi_carrier.carrier_strut_width_mm),
             q.rail.shifted(-0.5 * self.frame.pi_carrier.carrier_strut_width_mm),
         );
         let bar = q.bar.shifted(0.5 * self.frame.pi_carrier.carrier_bar_width_mm);
-        let corner = |p: Point2<f64>, r: f64| {
-            let p = seen(p, a, b);
+        let corners = [strut.meet(rail)?, rail.meet(bar)?, strut.meet(bar)?];
+        let [pad, ring, tip] = corners;
+        let [one, two] = [pad - tip, ring - tip];
+        let twice_area_mm2 = one.perp(&two);
+        let around_mm = one.norm() + two.norm() + (pad - ring).norm();
+        let fillet_mm = self.frame.pi_carrier.carrier_fillet_mm / libm::tan(0.5 * one.angle(&two)).max(1e-9);
+        let has_room = twice_area_mm2 > LEAST_WINDOW_MM * around_mm && fillet_mm < one.norm().min(two.norm());
+        Some(has_room.then_some(corners))
+    }
+
+    /// The window in one of the quarters.
+    fn triangle(&self, corners: &[Point2<f64>; 3], a: f64, b: f64) -> Contour {
+        let radii = [0.0, 0.0, self.frame.pi_carrier.carrier_fillet_mm];
+        let corner = |(p, r): (&Point2<f64>, f64)| {
+            let p = seen(*p, a, b);
             ([p.x, p.y], r)
         };
-        let corners = [
-            corner(strut.meet(rail)?, 0.0),
-            corner(rail.meet(bar)?, 0.0),
-            corner(strut.meet(bar)?, self.frame.pi_carrier.carrier_fillet_mm),
-        ];
-        Some(Contour::rounded_polygon(&corners))
+        Contour::rounded_polygon(&corners.iter().zip(radii).map(corner).collect::<Vec<_>>())
     }
 
     /// The window inside the four bars; the tie rings bulge into it.
     fn middle(&self, q: &Quarter) -> Option<Contour> {
-        let inner = q.bar.shifted(-0.5 * self.frame.pi_carrier.carrier_bar_width_mm).cross(q.front, self.frame.hub.tie_ring_radius_mm)?;
-        let upper = if inner[0].y > inner[1].y { inner[0] } else { inner[1] };
-        let lower = Point2::new(upper.x, -upper.y);
-        let turned = |p: Point2<f64>, i: usize| (0..i).fold(p, |p, _| Point2::new(-p.y, p.x));
-        let mut pen = Pen::new(lower);
-        for i in 0..4 {
-            pen.arc(turned(q.front, i), turned(lower, i), turned(upper, i), false);
+        let inner = q.bar.shifted(-0.5 * self.frame.pi_carrier.carrier_bar_width_mm);
+        let ring = self.frame.hub.tie_ring_radius_mm;
+        let ([a, b], [c, d]) = (inner.cross(q.front, ring)?, inner.cross(q.side, ring)?);
+        let (front, side) = (if a.y > b.y { a } else { b }, if c.x > d.x { c } else { d });
+        let mut pen = Pen::new(seen(side, -1.0, 1.0));
+        for end in [1.0, -1.0] {
+            pen.arc(seen(q.side, end, end), seen(side, -end, end), seen(side, end, end), false);
+            // In a long frame two bars may meet before they reach the ring.
+            if front.y > 0.0 {
+                pen.arc(seen(q.front, end, end), seen(front, end, end), seen(front, end, -end), false);
+            } else {
+                pen.line(seen(Point2::new(inner.offset / inner.normal.x, 0.0), end, end));
+            }
         }
         Some(pen.close())
     }

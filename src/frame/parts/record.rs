@@ -3,7 +3,7 @@
 
 use nalgebra::{Isometry3, UnitQuaternion};
 
-use crate::frame::skeleton::{Centre, Closure, MODULE_NAMES, module_turn};
+use crate::frame::skeleton::{Centre, Closure, MODULE_NAMES};
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Feature};
 
@@ -39,7 +39,7 @@ pub enum MaterialClass {
 /// Where a part sits: poses from its own axes to the frame's, all of them worked out by the skeleton.
 #[derive(Clone, Copy)]
 pub enum Seat {
-    /// One in each module; the pose is that in the first one.
+    /// One in each module; the pose is that in a module's axes.
     Modules(fn(&Frame, &Closure) -> Isometry3<f64>),
     /// One in the rigid centre.
     Centre(fn(&Centre) -> Isometry3<f64>),
@@ -83,7 +83,7 @@ impl PrintedPart {
         match self.seat {
             Seat::Modules(pose) => {
                 let first = pose(frame, closure);
-                (0..MODULE_NAMES.len()).map(|module| (Some(module), module_turn(module) * first)).collect()
+                (0..MODULE_NAMES.len()).map(|module| (Some(module), closure.places.pose(module, &first))).collect()
             }
             Seat::Centre(pose) => vec![(None, pose(centre))],
         }

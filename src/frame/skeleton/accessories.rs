@@ -14,10 +14,10 @@ use crate::units::Angle;
 /// The accessory plate's seats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accessories {
-    /// From the hub's axis to the tie holes.
-    pub tie_mm: f64,
-    /// From the hub's axis to the plate's left and right corner.
-    pub corner_mm: f64,
+    /// From the hub's axis to the tie holes, at the sides and in front.
+    pub tie_mm: [f64; 2],
+    /// From the hub's axis to the plate's corners, at the sides and in front.
+    pub corner_mm: [f64; 2],
     /// Radius of the rings around the tie holes, and of the plate's corners.
     pub ring_mm: f64,
     /// Height of the plate's underside.
@@ -46,9 +46,12 @@ impl Accessories {
         let low_mm = centre.hub_half_height_mm;
         let top_mm = low_mm + given.accessory_plate_thickness_mm;
         Self {
-            tie_mm: centre.tie_radius_mm,
+            tie_mm: [centre.tie_side_mm, centre.tie_front_mm],
             // The edges touch the rings.
-            corner_mm: centre.tie_radius_mm + std::f64::consts::SQRT_2 * ring_mm,
+            corner_mm: [
+                centre.tie_side_mm + (1.0 + (centre.tie_side_mm / centre.tie_front_mm).powi(2)).sqrt() * ring_mm,
+                centre.tie_front_mm + (1.0 + (centre.tie_front_mm / centre.tie_side_mm).powi(2)).sqrt() * ring_mm,
+            ],
             ring_mm,
             low_mm,
             top_mm,
@@ -84,7 +87,7 @@ impl Accessories {
     /// Between which distances from the hub's axis both slots have to lie with their whole width, mm: clear of those of the other side,
     /// and of the tie holes.
     pub fn slot_room_mm(&self, frame: &Frame) -> [f64; 2] {
-        [0.5 * WALL_MM, self.tie_mm - 0.5 * frame.pi_carrier.carrier_tie_hole_diameter_mm - WALL_MM]
+        [0.5 * WALL_MM, self.tie_mm[0] - 0.5 * frame.pi_carrier.carrier_tie_hole_diameter_mm - WALL_MM]
     }
 }
 

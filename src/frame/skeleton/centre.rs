@@ -7,6 +7,7 @@ use std::f64::consts::SQRT_2;
 
 use nalgebra::Isometry3;
 
+use super::module::ModulePlaces;
 use crate::params::Frame;
 
 /// Plate left around the counterbores of the stack where they reach further out than the plug bores, mm.
@@ -29,8 +30,12 @@ pub struct Centre {
     pub plate_top_mm: f64,
     /// From a diagonal to the outer flank of its bosses.
     pub flank_mm: f64,
-    /// From the hub axis to the tie holes on the x and y axes, where the outer flanks of neighbours meet.
-    pub tie_radius_mm: f64,
+    /// From the hub axis to the tie holes on the x axis; in a square frame the outer flanks of neighbours meet there.
+    pub tie_side_mm: f64,
+    /// From the hub axis to the tie holes on the y axis, where the outer flanks of the front modules meet, and of the rear ones.
+    pub tie_front_mm: f64,
+    /// Where the modules stand.
+    pub places: ModulePlaces,
     /// From the hub axis to the plate's edge between the arms of a pair.
     pub plate_edge_mm: f64,
     /// Shortest distance of the bores' mouths from the hub axis at which neighbouring bores stay apart.
@@ -70,12 +75,14 @@ pub struct Centre {
 impl Centre {
     /// The centre of a frame.
     pub fn new(frame: &Frame) -> Self {
+        let places = ModulePlaces::of(&frame.rods);
         let (hub, joint, bracket, lid) = (&frame.hub, &frame.hub_joint, &frame.bracket, &frame.lid);
         let plug = joint.hub_joint_diameter_mm;
         let hub_half_height_mm = 0.5 * plug + hub.hub_boss_wall_mm;
         let flank_mm = 0.5 * (joint.arm_pitch_mm + plug) + hub.hub_tie_wall_mm;
-        let tie_radius_mm = flank_mm * SQRT_2;
-        let bracket_half_mm = tie_radius_mm + hub.tie_ring_radius_mm;
+        let tie_side_mm = flank_mm * SQRT_2;
+        let tie_front_mm = tie_side_mm + places.forward_mm;
+        let bracket_half_mm = tie_front_mm + hub.tie_ring_radius_mm;
         let behind_bores = hub.hub_mouth_mm - joint.plug_length_mm - hub.hub_back_wall_mm;
         let around_stack = 0.5 * hub.stack_pattern_mm * SQRT_2 + 0.5 * hub.stack_counterbore_diameter_mm + COUNTERBORE_RIM_MM;
         let rim_y_mm = lid.lid_reach_mm - lid.lid_clearance_mm - bracket_half_mm;
@@ -88,7 +95,9 @@ impl Centre {
             hub_half_height_mm,
             plate_top_mm: hub.hub_plate_thickness_mm - hub_half_height_mm,
             flank_mm,
-            tie_radius_mm,
+            tie_side_mm,
+            tie_front_mm,
+            places,
             plate_edge_mm: behind_bores.max(around_stack),
             least_mouth_mm: 0.5 * (joint.arm_pitch_mm + plug) + hub.hub_boss_wall_mm + joint.plug_length_mm,
             magnet_pocket_mm: stack.magnet_mm,

@@ -4,6 +4,7 @@
 //! it towards the ring and must end on the corner's strut pivot, whose s the cage rods fix: the tilt follows from the
 //! strut's length. The leg joins the corner's leg pivot and the hub joint's.
 
+use super::module::ModulePlaces;
 use crate::figures::told_apart;
 use crate::params::Frame;
 use crate::units::Angle;
@@ -11,8 +12,10 @@ use crate::units::Angle;
 /// The dimensions that close the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closure {
-    /// Half the side of the square through the ring nodes, mm.
+    /// Half the distance of the ring nodes across the frame, mm; in a module's axes they lie this far out along x and along y.
     pub ring_half_side_mm: f64,
+    /// Where the modules stand.
+    pub places: ModulePlaces,
     /// Height of the ring nodes above and below the arms, mm.
     pub ring_half_height_mm: f64,
     /// Radius of the corners' sockets, mm.
@@ -109,6 +112,14 @@ const ROUNDING_DEG: f64 = 1e-9;
 const SHORTEST_LEG_MM: f64 = 20.0;
 
 impl Closure {
+    /// From the hub's axis to a ring node, in plan, mm.
+    pub fn ring_radius_mm(&self) -> f64 {
+        match self.places.forward_mm {
+            0.0 => self.ring_half_side_mm * std::f64::consts::SQRT_2,
+            forward_mm => libm::hypot(self.ring_half_side_mm, self.ring_half_side_mm + forward_mm),
+        }
+    }
+
     /// Closes a frame.
     ///
     /// # Errors
@@ -146,6 +157,7 @@ impl Closure {
         }
         Ok(Self {
             ring_half_side_mm,
+            places: ModulePlaces::of(&frame.rods),
             ring_half_height_mm,
             corner_radius_mm,
             strut_pivot_mm,

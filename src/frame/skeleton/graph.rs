@@ -1,18 +1,21 @@
 //! The frame as a graph: nodes, rods, and the sockets that hold the rods' ends.
 
-use nalgebra::{Point3, Rotation3, Unit, Vector3};
+use nalgebra::{Point3, Unit, Vector3};
 use serde::Serialize;
 
 use super::closure::{Closure, ClosureError};
-use super::module::MODULE_NAMES;
+use super::module::{MODULE_NAMES, ModulePlaces, turn_matrix};
 use crate::params::{Frame, PartName};
 
 /// What a rod is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RodRole {
-    /// A side of the top or bottom ring.
+    /// A side of the top or bottom ring: each of them in a square frame, front and back in one that is longer than wide.
     Cage,
+    /// The left or right side of a ring, where it is longer than front and back.
+    #[serde(rename = "cage_side")]
+    CageSide,
     /// From the hub joint to the fork; two a module.
     Arm,
     /// From the hub joint down to the bottom corner.
@@ -23,12 +26,18 @@ pub enum RodRole {
 
 impl RodRole {
     /// Every role.
-    pub const ALL: [Self; 4] = [Self::Cage, Self::Arm, Self::Leg, Self::Strut];
+    pub const ALL: [Self; 5] = [Self::Cage, Self::CageSide, Self::Arm, Self::Leg, Self::Strut];
+
+    /// Whether it is a side of a ring.
+    pub fn is_cage(self) -> bool {
+        matches!(self, Self::Cage | Self::CageSide)
+    }
 
     /// The name in files.
     pub fn slug(self) -> &'static str {
         match self {
             Self::Cage => "cage",
+            Self::CageSide => "cage_side",
             Self::Arm => "arm",
             Self::Leg => "leg",
             Self::Strut => "strut",
@@ -130,15 +139,23 @@ impl Skeleton {
         let closure = Closure::solve(frame)?;
         let (mut nodes, mut rods) = (Vec::new(), Vec::new());
         for (module, name) in MODULE_NAMES.iter().enumerate() {
-            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2 * module as f64);
-            nodes.extend(module_nodes(frame, &closure).map(|(letter, p)| Node { name: format!("{letter}_{name}"), position: turn * p }));
-            rods.extend(module_rods(frame, &closure).into_iter().map(|rod| rod.turned(&turn, module)));
+            let places = &closure.places;
+            nodes.extend(
+                module_nodes(frame, &closure)
+                    .map(|(letter, p)| Node { name: format!("{letter}_{name}"), position: places.point(module, p) }),
+            );
+            rods.extend(module_rods(frame, &closure).into_iter().map(|rod| rod.placed(places, module)));
         }
         nodes.push(Node { name: "H".into(), position: Point3::origin() });
         Ok(Self { closure, nodes, rods })
     }
 
-    /// The rods of a role.
+    /// The roles that it has rods of.
+    pub fn roles(&self) -> Vec<RodRole> {
+        RodRole::ALL.into_iter().filter(|role| self.rods_of(*role).next().is_some()).collect()
+    }
+
+    /// The rods of a role; they are all as long.
     pub fn rods_of(&self, role: RodRole) -> impl Iterator<Item = &Rod> {
         self.rods.iter().filter(move |rod| rod.role == role)
     }
@@ -199,18 +216,24 @@ struct ModuleEnd {
 }
 
 impl ModuleRod {
-    fn turned(self, turn: &Rotation3<f64>, module: usize) -> Rod {
-        let sockets = self.ends.each_ref().map(|end| Socket {
-            part: end.part,
-            module: (module + end.ahead) % 4,
-            bottom: turn * end.bottom,
-            axis: Unit::new_normalize(turn * end.axis),
-            depth_mm: end.depth_mm,
-            bore_mm: end.bore_mm,
+    fn placed(self, places: &ModulePlaces, module: usize) -> Rod {
+        let turn = turn_matrix(module);
+        let sockets = self.ends.each_ref().map(|end| {
+            let owner = (module + end.ahead) % MODULE_NAMES.len();
+            Socket {
+                part: end.part,
+                module: owner,
+                bottom: Point3::from(places.moved(owner, (turn * end.bottom).coords)),
+                axis: Unit::new_normalize(turn * end.axis),
+                depth_mm: end.depth_mm,
+                bore_mm: end.bore_mm,
+            }
         });
         let tip = |i: usize| sockets[i].bottom + sockets[i].axis.into_inner() * self.ends[i].slack_mm;
         let name = format!("{}_{}{}", self.role.slug(), MODULE_NAMES[module], self.suffix);
-        Rod { name, role: self.role, start: tip(0), end: tip(1), sockets }
+        // Modules alternate: those behind their next one carry the sides' rods.
+        let is_side = self.role == RodRole::Cage && module % 2 == 1 && places.are_apart();
+        Rod { name, role: if is_side { RodRole::CageSide } else { self.role }, start: tip(0), end: tip(1), sockets }
     }
 }
 

@@ -1,7 +1,8 @@
 //! The skeleton: nodes, rods and sockets, closed analytically. The only source of positions and axes.
 //!
 //! Axes: X right, Y front, Z up; the origin is where the hub's axis crosses the plane of the arms. A module is what
-//! lies along one diagonal; the four modules are one, turned about Z, so the frame is symmetric by construction.
+//! lies along one diagonal; the four modules are one, turned about Z and, in a frame that is longer than wide, moved apart along Y.
+//! So the frame is symmetric by construction.
 
 mod accessories;
 pub mod centre;
@@ -16,6 +17,6 @@ pub use accessories::{Accessories, SLOT_MM};
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
-pub use module::{MODULE_NAMES, MODULE_WORDS, module_turn};
+pub use module::{MODULE_NAMES, MODULE_WORDS, ModulePlaces, module_turn};
 pub use rotor::{ROTORS, Rotor, Spin};
 pub use stack::{Stack, StackBoard};

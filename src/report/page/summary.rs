@@ -8,7 +8,6 @@ use crate::export::cutting;
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::skeleton::RodRole;
 use crate::markdown::inert;
 use crate::printing::plates::Plate;
 
@@ -91,7 +90,7 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
 
 fn rods(page: &mut String, design: &Design) {
     let _ = writeln!(page, "## Cut\n\nRods of {} mm, {}:\n", design.frame.rods.rod_diameter_mm, inert(&design.frame.rod_material.name));
-    for role in RodRole::ALL {
+    for role in design.skeleton.roles() {
         let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
     }
     let rod = design.frame.bought.get("rod");

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, Vector3};
 
 use super::arrow::Arrow;
 use super::camera::{Camera, View};
@@ -14,7 +14,7 @@ use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::{Design, Kind};
 use crate::frame::fold::{Done, FREE_WAY, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
-use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS, module_turn};
+use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
 use crate::solid::Mesh;
 
@@ -105,7 +105,7 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
         let layer = layers.iter().position(|(_, i)| *i == index).map_or(0.0, |layer| layer as f64 - hub);
         let member = Member::ALL.into_iter().find(|m| body.module.is_some_and(|module| m.body(module) == body.name));
         let pose = match (member.and_then(|m| places.iter().find(|(p, _)| *p == m)), body.module) {
-            (Some((_, pose)), Some(module)) => module_turn(module) * pose,
+            (Some((_, pose)), Some(module)) => fold.module.modules.pose(module, pose),
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
         named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module, pose * middle_of(&shape.mesh)));
@@ -215,7 +215,8 @@ impl Stage<'_> {
         let mut shown = Vec::new();
         for member in Member::ALL.into_iter().filter(|m| members.contains(m) && *m != Member::Hub) {
             let folds = moment.folds.iter().find(|(m, _)| *m == member).map_or(&[][..], |(_, folds)| folds);
-            let Some(mesh) = mesh_at(self.design, &self.fold.module, member, folds) else { continue };
+            let mesh_in = |module| mesh_at(self.design, &self.fold.module, (member, module), folds);
+            let Some(first) = mesh_in(0) else { continue };
             let colour = COLOURS[if moving.contains(&member) {
                 0
             } else if meets.contains(&member) {
@@ -223,8 +224,12 @@ impl Stage<'_> {
             } else {
                 2
             }];
-            let turned = (0..modules).map(|module| module_turn(module) * moment.pose(member));
-            shown.extend(turned.map(|pose| Shown { mesh: mesh.clone(), pose, colour }));
+            shown.extend((0..modules).map(|module| {
+                // Cage rods may be of two lengths.
+                let mesh = if matches!(member, Member::Cage(_)) { mesh_in(module) } else { None };
+                let pose = self.fold.module.modules.pose(module, &moment.pose(member));
+                Shown { mesh: mesh.unwrap_or_else(|| first.clone()), pose, colour }
+            }));
         }
         for body in self.design.bodies.iter().filter(|body| self.is_whole() && body.module.is_none()) {
             let colour = COLOURS[if meets.contains(&Member::Hub) && body.name == Member::Hub.body(0) { 1 } else { 2 }];
@@ -254,8 +259,8 @@ impl Stage<'_> {
             let way = if task.motion() == FoldMotion::Bend || matches!(member, Member::Corner(_)) { way } else { along(&way) };
             let label = self.label(member);
             for module in 0..modules {
-                let turn: UnitQuaternion<f64> = module_turn(module);
-                arrows.push((Arrow { way: way.iter().map(|p| turn * p).collect() }, label.clone()));
+                let there = self.fold.module.modules.pose(module, &Isometry3::identity());
+                arrows.push((Arrow { way: way.iter().map(|p| there * p).collect() }, label.clone()));
             }
         }
         arrows

@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 use nalgebra::Vector3;
 
 use super::Builder;
-use crate::frame::skeleton::{Rod, RodRole};
+use crate::frame::skeleton::Rod;
 use crate::mechanics::model::frame_model::{Extent, RodLine, Skin};
 use crate::mechanics::parts::plan::{Port, steps};
 use crate::mechanics::parts::section::{Elastic, Section};
@@ -30,7 +30,7 @@ impl Builder<'_> {
         if on_axis.is_empty() {
             return;
         }
-        let cut = quarter && rod.role == RodRole::Cage;
+        let cut = quarter && rod.role.is_cage();
         let (low, high) = match cut {
             false => (0.0, length),
             true if on_axis[0].0 < 0.5 * length => (0.0, 0.5 * length),
