@@ -38,7 +38,7 @@ NARROWEST = 3
 
 HEAD = """# Gallery
 
-Six frames for electronics that people fly, in [`examples/frames/`](../examples/frames/): four under 250 g and two under 500 g. Each
+Seven frames for electronics that people fly, in [`examples/frames/`](../examples/frames/): five under 250 g and two under 500 g. Each
 file says for whom it is, what is on board, and where size and mass of each bought part come from. What no source was found for is
 marked as an estimate there, and in the frame's report. Cameras for goggles and GPS modules lie on the
 [accessory plate](frame-files.md#accessories) where a frame names them in `[bought]`; what stands in `[extras]`, such as video

@@ -53,7 +53,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let base = frame_text::base_for(&place, &args.from)?;
     let (from, mut file) = session::load(&FrameOption { frame: args.from.clone(), rigid: None })?;
     let envelope_mm = args.envelope.as_deref().map(envelope).transpose()?;
-    let mut lines = wishes(args, envelope_mm);
+    let mut lines = wishes(args, envelope_mm, file.entries.contains_key(DEPTH));
     if lines.is_empty() {
         return Err(Failure::Usage {
             message: "say what is to be different: --battery, --propeller, --motor, --rod, --envelope or --mass".into(),
@@ -65,7 +65,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let following = Following::begin(&args.search, "away in squared shares of the bounds", common);
     let follows = |standing: &_| following.hears(standing);
-    let envelope_mm = envelope_mm.map(|[x, _, z]| [x, z]);
+    let envelope_mm = envelope_mm.map(|[x, y, z]| [x.min(y), z]);
     let created = create(&Request { file: &file, from: &from, envelope_mm, most: usize::from(args.search.frames), follows: &follows });
     drop(following);
     let creation = match created {
@@ -105,12 +105,16 @@ fn asked_by(key: &str, value: &Value) -> String {
         Some(("bought", role)) => format!("--{role} {value}"),
         Some((_, "mass_budget_g")) => format!("--mass {value}"),
         Some((_, "envelope_width_mm")) => format!("--envelope, width {value} mm"),
+        Some((_, "envelope_depth_mm")) => format!("--envelope, depth {value} mm"),
         _ => format!("--envelope, height {value} mm"),
     }
 }
 
-/// What was asked for, as lines of the file.
-fn wishes(args: &Args, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
+/// Follows the width unless a file states it.
+const DEPTH: &str = "limits.envelope_depth_mm";
+
+/// What was asked for, as lines of the file; the depth is one of them where it is not the width, or where the frame states its own.
+fn wishes(args: &Args, envelope_mm: Option<[f64; 3]>, states_depth: bool) -> Vec<Line> {
     let choices = [
         ("bought.battery", &args.battery),
         ("bought.propeller", &args.propeller),
@@ -122,8 +126,9 @@ fn wishes(args: &Args, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
         name.as_ref().map(|name| Line { key: key.into(), value: Value::Text(name.clone()), why: asked.into() })
     };
     let mut lines: Vec<Line> = choices.into_iter().filter_map(choice).collect();
-    if let Some([x, _, z]) = envelope_mm {
-        for (key, value) in [("limits.envelope_width_mm", x), ("limits.envelope_height_mm", z)] {
+    if let Some([x, y, z]) = envelope_mm {
+        let depth = (x != y || states_depth).then_some((DEPTH, y));
+        for (key, value) in [("limits.envelope_width_mm", x)].into_iter().chain(depth).chain([("limits.envelope_height_mm", z)]) {
             lines.push(Line { key: key.into(), value: Value::Number(value), why: asked.into() });
         }
     }
@@ -131,14 +136,12 @@ fn wishes(args: &Args, envelope_mm: Option<[f64; 3]>) -> Vec<Line> {
     lines
 }
 
-/// `180x180x110`: width, depth and height, mm. The frame is as deep as it is wide.
+/// `180x180x110`: width, depth and height, mm.
 fn envelope(text: &str) -> Result<[f64; 3], Failure> {
-    let wrong = || Failure::Usage {
-        message: format!("--envelope {text}: give width x depth x height in mm, such as 180x180x110, as deep as wide"),
-    };
+    let wrong = || Failure::Usage { message: format!("--envelope {text}: give width x depth x height in mm, such as 180x180x110") };
     let sides: Vec<f64> = text.split('x').filter_map(|side| side.trim().parse().ok()).collect();
     match sides[..] {
-        [x, y, z] if text.split('x').count() == 3 && x == y && [x, z].iter().all(|side: &f64| side.is_finite()) => Ok([x, y, z]),
+        [x, y, z] if text.split('x').count() == 3 && [x, y, z].iter().all(|side: &f64| side.is_finite()) => Ok([x, y, z]),
         _ => Err(wrong()),
     }
 }

@@ -22,6 +22,38 @@ impl std::fmt::Display for Origin {
     }
 }
 
+/// Where the feet stand, seen from above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Feet {
+    /// At the corners of a square.
+    Square {
+        /// From the hub's axis to a foot, m.
+        radius_m: f64,
+    },
+    /// At the corners of a rectangle that is longer than wide. Landings that are not level are not modelled on it: slopes along its
+    /// diagonals are not independent.
+    Rectangle,
+}
+
+impl Feet {
+    /// A frame's feet: under the nodes of its lower ring.
+    pub fn of(design: &Design) -> Self {
+        let closure = &design.skeleton.closure;
+        if closure.places.are_apart() {
+            return Self::Rectangle;
+        }
+        Self::Square { radius_m: closure.ring_half_side_mm * std::f64::consts::SQRT_2 * 1e-3 }
+    }
+
+    /// From the hub's axis to each foot, m, where they stand on a square.
+    pub fn square_radius_m(self) -> Option<f64> {
+        match self {
+            Self::Square { radius_m } => Some(radius_m),
+            Self::Rectangle => None,
+        }
+    }
+}
+
 /// What falls.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DropBody {
@@ -31,8 +63,8 @@ pub struct DropBody {
     pub gap_m: f64,
     /// How far the frame can be compressed before the arms are down at the lower ring, m; unknown without a frame.
     pub travel_m: Option<f64>,
-    /// From the hub's axis to a foot, m; unknown without a frame.
-    pub foot_radius_m: Option<f64>,
+    /// Where the feet stand; unknown without a frame.
+    pub feet: Option<Feet>,
     /// Where the numbers come from.
     pub origin: Origin,
 }
@@ -45,7 +77,7 @@ impl DropBody {
             mass_kg: masses.total_g * 1e-3,
             gap_m: gap_mm * 1e-3,
             travel_m: Some(design.skeleton.closure.ring_half_height_mm * 1e-3),
-            foot_radius_m: Some(design.skeleton.closure.ring_radius_mm() * 1e-3),
+            feet: Some(Feet::of(design)),
             origin: Origin::Frame(design.frame.name.clone()),
         }
     }

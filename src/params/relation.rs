@@ -202,7 +202,7 @@ fn motor_holes(frame: &Frame) -> Result<(), Broken> {
     Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
-/// The rigid centre: its bores stay apart, and its computer finds something to stand on.
+/// The rigid centre: its bores stay apart, and the computer, where there is one, finds something to stand on.
 fn centre(frame: &Frame) -> Result<(), Broken> {
     let (hub, joint, carrier) = (&frame.hub, &frame.hub_joint, &frame.pi_carrier);
     let half_pair = 0.5 * (joint.arm_pitch_mm + joint.hub_joint_diameter_mm);
@@ -213,6 +213,9 @@ fn centre(frame: &Frame) -> Result<(), Broken> {
         "the distance of the plug bores' mouths from the hub axis",
         "raise hub_mouth_mm, or lower arm_pitch_mm or plug_length_mm: the bores of neighbouring arms would meet",
     )?;
+    if !frame.bought.contains_key("computer") {
+        return Ok(());
+    }
     let tie_side = (half_pair + hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2;
     let tie_front = tie_side + 0.5 * frame.rods.cage_rod_length_mm * (frame.rods.cage_side_ratio - 1.0);
     at_least(

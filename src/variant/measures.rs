@@ -8,7 +8,7 @@ use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
-use crate::impact::body::{DropBody, Origin};
+use crate::impact::body::{DropBody, Feet, Origin};
 use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
@@ -82,7 +82,7 @@ impl Evaluation {
             mass_kg: self.masses.total_g * 1e-3,
             gap_m: gap_mm * 1e-3,
             travel_m: Some(self.design.skeleton.closure.ring_half_height_mm * 1e-3),
-            foot_radius_m: Some(self.design.skeleton.closure.ring_radius_mm() * 1e-3),
+            feet: Some(Feet::of(&self.design)),
             origin: Origin::Frame(self.design.frame.name.clone()),
         }
     }

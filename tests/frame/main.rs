@@ -8,6 +8,7 @@ mod fold;
 mod frames;
 mod kernels;
 mod live;
+mod long_frames;
 mod measured_overlap;
 mod measured_parts;
 mod measured_skeleton;

@@ -2,6 +2,7 @@
 //! are told as they are.
 
 use crate::case;
+use flexframe::impact::body::Feet;
 use flexframe::impact::diagnose::EffectEstimate;
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
@@ -81,6 +82,20 @@ fn planted_level_landings_are_not_named_whatever_rings_sideways() {
             assert!(!landing.decides() && !landing.named(), "{verdict}\n{:#?}", landing.gates);
         }
     }
+}
+
+/// On a rectangle the slopes along the diagonals are not independent, and the model of landings does not hold.
+#[test]
+fn planted_a_frame_that_is_longer_than_wide_is_told_that_its_landings_were_not_judged() {
+    let mut plan = plan(Landings { rate_rad_s: 0.4, ..LEVEL }, 12);
+    plan.drops = 20;
+    let set = read(&records(&plan));
+    plan.model.body.feet = Some(Feet::Rectangle);
+    let (told, compared) = diagnosed(&plan, &set);
+    assert!(told.contains("rods.cage_side_ratio") && compared.landing.is_none(), "{told}");
+    plan.model.body.feet = Some(Feet::Square { radius_m: 0.1445 });
+    let (told, compared) = diagnosed(&plan, &set);
+    assert!(!told.contains("rods.cage_side_ratio") && compared.landing.is_some(), "{told}");
 }
 
 #[test]

@@ -356,7 +356,7 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
         (&["new", "x"][..], 2, "say what is to be different"),
         (&["new", "../x", "--mass", "250", "--battery", "battery-of-nobody"], 2, "there is no bought part called `battery-of-nobody`"),
         (&["new", "a b", "--mass", "250"], 2, "cannot be a folder's name"),
-        (&["new", "x", "--envelope", "180x170x110"], 2, "as deep as wide"),
+        (&["new", "x", "--envelope", "180x170"], 2, "give width x depth x height"),
         (&["new", "easy", "--mass", "250"], 2, "easy.toml is there already"),
         (&["new", "x", "--mass", "150", "--frames", "8"], 1, "no such variant was found"),
     ] {

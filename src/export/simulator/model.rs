@@ -202,7 +202,7 @@ fn motor(design: &Design, masses: &MassTable, module: usize) -> Option<Motor> {
 }
 
 /// The thrusts that hold the frame level: their sum is its weight, and they turn it about no axis through its centre of mass.
-/// Motors stand on the corners of a square, so there is one solution.
+/// Motors stand on the corners of a rectangle, so there is one solution.
 fn balance(motors: &mut [Motor], whole: &RigidBody) {
     let [cx, cy, _] = whole.centre_m;
     let Ok(four) = <&mut [Motor; 4]>::try_from(motors) else { return };

@@ -1,5 +1,7 @@
 //! The fold sequence of a frame: steps with their joins, bends, checks and what they wait for.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 use super::hinge::{self, HingeLoad};
@@ -8,7 +10,7 @@ use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{Broken, Done, Rules};
 use super::task::{FoldMotion, Task};
-use crate::frame::skeleton::{Centre, MODULE_NAMES, Skeleton};
+use crate::frame::skeleton::{Centre, MODULE_NAMES, MODULE_WORDS, ModulePlaces, RodRole, Skeleton};
 use crate::memo::Key;
 use crate::params::Frame;
 use crate::solid::Bend;
@@ -99,7 +101,7 @@ pub struct Step {
     /// In a few words.
     pub title: &'static str,
     /// In sentences.
-    pub text: &'static str,
+    pub text: Cow<'static, str>,
     /// What it takes.
     pub tool: &'static str,
     /// What to take care of.
@@ -176,6 +178,21 @@ fn ring_can_close(frame: &Frame) -> Result<(), FoldError> {
     if needed_mm > plug_mm { Err(FoldError::PlugTooShort { needed_mm, plug_mm }) } else { Ok(()) }
 }
 
+/// A task's sentences; where cage rods have two lengths, with the modules that each of them goes into.
+fn text(task: Task, skeleton: &Skeleton) -> Cow<'static, str> {
+    let is_cage = |(member, _): (Member, Member)| member.rod().is_some_and(RodRole::is_cage);
+    if !skeleton.closure.places.are_apart() || task == Task::CloseRing || !task.contacts().into_iter().any(is_cage) {
+        return task.text().into();
+    }
+    let modules = |front: bool| {
+        let of = |module: &usize| ModulePlaces::carries_side_rods(*module) != front;
+        (0..MODULE_NAMES.len()).filter(of).map(|module| MODULE_WORDS[module]).collect::<Vec<_>>().join(" and ")
+    };
+    let [across_mm, along_mm] = [RodRole::Cage, RodRole::CageSide].map(|role| skeleton.sawn_mm(role));
+    let (across, along) = (modules(true), modules(false));
+    format!("{} The modules {across} take a rod of {across_mm:.1} mm, the modules {along} one of {along_mm:.1} mm.", task.text()).into()
+}
+
 fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: usize) -> Step {
     let task = order[at];
     let done: Done = order[..at].iter().copied().collect();
@@ -185,7 +202,7 @@ fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: u
         number: at + 1,
         task,
         title: task.title(),
-        text: task.text(),
+        text: text(task, skeleton),
         tool: task.tool(),
         caution: task.caution(),
         repeats,

@@ -112,14 +112,6 @@ const ROUNDING_DEG: f64 = 1e-9;
 const SHORTEST_LEG_MM: f64 = 20.0;
 
 impl Closure {
-    /// From the hub's axis to a ring node, in plan, mm.
-    pub fn ring_radius_mm(&self) -> f64 {
-        match self.places.forward_mm {
-            0.0 => self.ring_half_side_mm * std::f64::consts::SQRT_2,
-            forward_mm => libm::hypot(self.ring_half_side_mm, self.ring_half_side_mm + forward_mm),
-        }
-    }
-
     /// Closes a frame.
     ///
     /// # Errors

@@ -231,8 +231,7 @@ impl ModuleRod {
         });
         let tip = |i: usize| sockets[i].bottom + sockets[i].axis.into_inner() * self.ends[i].slack_mm;
         let name = format!("{}_{}{}", self.role.slug(), MODULE_NAMES[module], self.suffix);
-        // Modules alternate: those behind their next one carry the sides' rods.
-        let is_side = self.role == RodRole::Cage && module % 2 == 1 && places.are_apart();
+        let is_side = self.role == RodRole::Cage && ModulePlaces::carries_side_rods(module) && places.are_apart();
         Rod { name, role: if is_side { RodRole::CageSide } else { self.role }, start: tip(0), end: tip(1), sockets }
     }
 }

@@ -44,6 +44,11 @@ impl ModulePlaces {
         self.forward_mm > 0.0
     }
 
+    /// Whether a module carries the rods of its side: modules alternate, and those in front right and rear left carry the ones across.
+    pub fn carries_side_rods(module: usize) -> bool {
+        module % 2 == 1
+    }
+
     /// Modules of which every other one is a mirror image or a turn: what holds for them holds for all.
     pub fn representatives(&self) -> &'static [usize] {
         if self.are_apart() { &[0, 1] } else { &[0] }

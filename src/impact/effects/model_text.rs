@@ -128,7 +128,7 @@ impl Model {
         let channel = CHANNELS[file.word(CHANNEL, &CHANNELS.map(|(word, _)| word))?].1;
         let sensor = Sensor::new(CUTOFF.stated(file)?, order as usize, LIMIT.stated(file)?, channel);
         let origin = Origin::Model(file.name.clone());
-        let body = DropBody { mass_kg: MASS.stated(file)?, gap_m: GAP.stated(file)? * 1e-3, travel_m: None, foot_radius_m: None, origin };
+        let body = DropBody { mass_kg: MASS.stated(file)?, gap_m: GAP.stated(file)? * 1e-3, travel_m: None, feet: None, origin };
         let mut effects = Vec::new();
         for spec in every() {
             let listed_empty = is_empty_table(file, spec);

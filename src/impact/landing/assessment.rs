@@ -111,7 +111,7 @@ impl LandingAssessment {
         let touches = heights_of(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
         let plain = LandingProblem {
-            body: LeggedBody::of(evidence.model),
+            body: LeggedBody::of(evidence.model)?,
             model: evidence.model,
             waves: &prepared.problem,
             observed: &touches,

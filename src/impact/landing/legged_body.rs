@@ -22,13 +22,12 @@ pub struct LeggedBody {
 }
 
 impl LeggedBody {
-    /// A model's body; without a frame it has CogniFly's feet. The centre of mass is taken in the plane of the arms.
-    pub fn of(model: &Model) -> Self {
-        Self {
-            mass_kg: model.body.mass_kg,
-            foot_radius_m: model.body.foot_radius_m.unwrap_or(COGNIFLY_FOOT_RADIUS_M),
-            centre_height_m: model.body.travel_m.unwrap_or(COGNIFLY_CENTRE_HEIGHT_M),
-        }
+    /// A model's body; without a frame it has CogniFly's feet. The centre of mass is taken in the plane of the arms. `None` where the
+    /// feet do not stand on a square.
+    pub fn of(model: &Model) -> Option<Self> {
+        let foot_radius_m = model.body.feet.map_or(Some(COGNIFLY_FOOT_RADIUS_M), |feet| feet.square_radius_m())?;
+        let centre_height_m = model.body.travel_m.unwrap_or(COGNIFLY_CENTRE_HEIGHT_M);
+        Some(Self { mass_kg: model.body.mass_kg, foot_radius_m, centre_height_m })
     }
 }
 

@@ -156,7 +156,7 @@ impl Panel {
         Self {
             heading: format!("{}. {}", at + 1, step.title),
             facts: format!("once, {:.0} min; {}; {}", step.minutes, step.tool, fixed(step.fixing)),
-            text: step.text.into(),
+            text: step.text.to_string(),
             caution: step.caution.map(Into::into),
             parts: step.parts.clone(),
             picture: mount_scene::mount(design, step),
@@ -219,7 +219,7 @@ impl Page {
         Self {
             heading: format!("{}. {}", first + at + 1, step.title),
             facts: format!("{often}, {each:.0} min each; {}", step.tool),
-            text: step.text.into(),
+            text: step.text.to_string(),
             measures,
             caution: step.caution.map(Into::into),
             parts: parts.cloned().unwrap_or_default(),

@@ -2,6 +2,7 @@
 
 use super::diagnosis_data::Compared;
 use super::separating_experiment::SeparatingExperiment;
+use crate::impact::body::Feet;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{
     ChannelChoice, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison, confounded,
@@ -108,6 +109,8 @@ impl DiagnosisRequest<'_> {
         compared.landing = self.landing(&choice, &fitted, held_out, &found);
         if let Some(landing) = &compared.landing {
             (found.verdict, found.reasons) = landing.verdict(&found);
+        } else if self.model.body.feet == Some(Feet::Rectangle) && Self::observed(&choice).is_some() {
+            found.reasons.push("the frame is longer than wide (rods.cage_side_ratio): landings that are not level were not judged".into());
         }
         compared.covariates = self.explained(&choice, &fitted, compared.landing.as_ref());
         compared.confounding = confounded(&choice.chosen, self.covariates);
@@ -117,14 +120,17 @@ impl DiagnosisRequest<'_> {
         Ok((found, compared))
     }
 
-    /// Landings that are not level, where the drops have lateral axes and are compared along the vertical.
+    /// Landings that are not level, where touches of the feet were seen.
     fn landing(&self, choice: &ChannelChoice, fitted: &Waves, held_out: Option<&Waves>, found: &Diagnosis) -> Option<LandingAssessment> {
-        if choice.chosen.channel != Channel::Axial {
-            return None;
-        }
-        let observed = ObservedLandings::of(&choice.chosen, &choice.waves)?;
+        let observed = Self::observed(choice)?;
         let evidence = LandingEvidence { fitted, held_out, observed: &observed, model: &self.model, diagnosis: found, seed: self.seed };
         LandingAssessment::of(&evidence)
+    }
+
+    /// Touches of the feet, where the drops have lateral axes and are compared along the vertical.
+    fn observed(choice: &ChannelChoice) -> Option<ObservedLandings> {
+        let axial = choice.chosen.channel == Channel::Axial;
+        axial.then(|| ObservedLandings::of(&choice.chosen, &choice.waves)).flatten()
     }
 
     /// What explains how drops of one fitted height vary.

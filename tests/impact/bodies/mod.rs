@@ -15,7 +15,7 @@ type State = SVector<f64, 6>;
 
 /// The base model, with a gap that is never used up.
 pub fn base() -> Model {
-    let body = DropBody { mass_kg: MASS_KG, gap_m: 1.0, travel_m: None, foot_radius_m: None, origin: Origin::Model("test".into()) };
+    let body = DropBody { mass_kg: MASS_KG, gap_m: 1.0, travel_m: None, feet: None, origin: Origin::Model("test".into()) };
     Model::base(body, Sensor::new(CUTOFF_HZ, 1, 1e5, Channel::Axial), K, C)
 }
 
