@@ -17,7 +17,7 @@ use crate::frame::assembly::mass;
 use crate::memo::Memo;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
-use crate::params::{Frame, FrameFile, parameters, preset};
+use crate::params::{Frame, FrameFile, follows, parameters, preset};
 
 /// Rods are tried for every violation.
 const RODS: [&str; 3] = ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm"];
@@ -139,18 +139,31 @@ impl<'a> Bench<'a> {
     fn remedies(&self, finding: &Finding) -> Vec<Remedy> {
         let Some(rule) = CATALOGUE.iter().find(|rule| rule.id == finding.rule) else { return Vec::new() };
         let levers: Vec<&str> = finding.levers.iter().map(|lever| &**lever).collect();
-        let of = |keys: &[&str]| -> Vec<Remedy> { keys.par_iter().flat_map_iter(|key| self.by_key(finding, rule, key)).collect() };
-        let mut found = of(&levers);
+        let of = |keys: &[String]| -> Vec<Remedy> { keys.par_iter().flat_map_iter(|key| self.by_key(finding, rule, key)).collect() };
+        let mut found = of(&self.chosen(&levers));
         // A bought part that is in the way is replaced, not built around.
         let bought = levers.iter().any(|lever| lever.starts_with("bought."));
         if !bought && found.iter().all(|remedy| remedy.breaks.is_some()) {
-            found.extend(of(&self.effective(finding, rule, &levers).iter().map(String::as_str).collect::<Vec<_>>()));
+            found.extend(of(&self.effective(finding, rule, &levers)));
         }
         if found.iter().any(|remedy| remedy.breaks.is_none()) {
             found.retain(|remedy| remedy.breaks.is_none());
         }
         found.truncate(NAMED);
         found
+    }
+
+    /// What a person chooses: instead of a number that follows from a bought part the choice of that part, unless the file states the number.
+    fn chosen(&self, levers: &[&str]) -> Vec<String> {
+        let mut keys = Vec::new();
+        for lever in levers {
+            let role = lever.rsplit('.').next().and_then(follows::role_of).filter(|_| !self.file.entries.contains_key(*lever));
+            let key = role.map_or_else(|| (*lever).to_string(), |role| format!("bought.{role}"));
+            if !keys.contains(&key) {
+                keys.push(key);
+            }
+        }
+        keys
     }
 
     /// Other keys with an effect, the most effective first: rods, and what drives the parts that the subject names.
@@ -301,6 +314,19 @@ mod tests {
         let narrow = "base = \"cognifly\"\nbought.rod = \"rod-carbon-4\"\n[fork]\nfork_bar_height_mm = 5.6\nfork_cheek_gap_mm = 6.13\n";
         let found = keys(narrow, "interference");
         assert!(found.contains(&"fork.fork_cheek_gap_mm".to_string()), "{found:?}");
+    }
+
+    /// The diameter is that of the propeller which is bought, unless the file states its own.
+    #[test]
+    fn planted_a_propeller_that_is_too_large_is_replaced_by_a_smaller_one() {
+        let chosen = "base = \"cognifly\"\nbought.propeller = \"propeller-4-inch\"\n";
+        assert_eq!(keys(chosen, "propeller_clearance").first().map(String::as_str), Some("bought.propeller"));
+        let stated = "base = \"cognifly\"\nmotor_mount.propeller_diameter_mm = 101.6\n";
+        let found = keys(stated, "propeller_clearance");
+        assert!(
+            found.contains(&"motor_mount.propeller_diameter_mm".to_string()) && !found.contains(&"bought.propeller".into()),
+            "{found:?}"
+        );
     }
 
     #[test]
