@@ -13,7 +13,7 @@ use crate::variant::{Ended, SearchProgress};
 /// How long a search goes on.
 #[derive(Debug, clap::Args)]
 pub(super) struct SearchOptions {
-    /// Most frames to look at.
+    /// Largest number of frames to evaluate.
     #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
     pub frames: u16,
     /// Longest time, s; the answer is then the best so far, and depends on the machine's speed.
