@@ -1,4 +1,4 @@
-//! `flexframe study`: many frames, one a row, on this machine or on a cluster.
+//! `flexframe study`: evaluates many frames, one a row, on this machine or on a cluster.
 
 mod block;
 mod hq;

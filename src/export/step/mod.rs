@@ -1,7 +1,7 @@
 //! Parts and assembly as STEP, ISO 10303-21 by AP214: solids with names, colours and places, in mm.
 //!
-//! A solid is exact where the mesh can be put back on the planes and cylinders of its features, and the mesh with its coplanar
-//! facets merged elsewhere; every file tells which.
+//! A solid is exact if every facet of the mesh can be assigned to a plane or cylinder of its features. Otherwise it is the mesh with
+//! coplanar facets merged. Every file states which of both it contains.
 
 mod product;
 mod shape;
