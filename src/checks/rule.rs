@@ -81,7 +81,7 @@ pub enum InSearch {
     },
     /// On the best frames at the end only, for the reason given.
     AtTheEnd(&'static str),
-    /// Where a goal asks for it only, for the reason given.
+    /// Only if a goal requests it, for the reason given.
     AsGoal(&'static str),
 }
 

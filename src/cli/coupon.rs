@@ -1,4 +1,4 @@
-//! `flexframe coupon`: small prints that tell a printer's clearances and what its hinges bear, and what was found on them.
+//! `flexframe coupon`: the test coupon for a printer's clearances and the strain limit of hinges, and its readings.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -103,7 +103,7 @@ fn legs_of(model: &Model) -> LegSpring {
     LegSpring { from: model.name.clone(), stiffness_n_m, damping_n_s_m }
 }
 
-/// What a simulator is told, in short.
+/// Summary of the exported model.
 fn table(model: &SimulatorModel) -> String {
     let SimulatorModel { whole, legs, motors, .. } = model;
     let [x, y, z] = whole.centre_m.map(|value| decimals(value * 1e3, 1));

@@ -42,7 +42,7 @@ pub(super) struct Args {
     /// Largest mass, g.
     #[arg(long, value_name = "G", value_parser = super::bounded::number([20.0, 2000.0], "g"))]
     pub mass: Option<f64>,
-    /// How long the search goes on.
+    /// Limits of the search.
     #[command(flatten)]
     pub search: SearchOptions,
 }

@@ -79,7 +79,7 @@ fn open(address: &str) -> bool {
     Command::new(program).args(before).arg(address).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn().is_ok()
 }
 
-/// Answers a request; a browser that went away is nobody's failure.
+/// Answers a request; a closed connection is no error.
 fn answer(folder: &Path, request: Request) {
     let read = matches!(request.method(), Method::Get | Method::Head).then(|| file_of(folder, request.url())).flatten();
     let found = read.and_then(|path| Some((media_type(&path), Disk.bytes(&path, LARGEST).ok()?)));

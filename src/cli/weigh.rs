@@ -39,7 +39,7 @@ pub(super) struct Args {
     pub into: Option<PathBuf>,
 }
 
-/// Prints the table; exits 1 when the frame is too heavy with the factors that the scale asks for.
+/// Prints the table; exits 1 when the frame is too heavy with the fitted factors.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let (frame, readings_file) = given(&args.given)?;
     if args.into.is_some() && readings_file.is_none() {
@@ -88,7 +88,7 @@ fn table(design: &Design, scale: &[ScaleReading], sliced: &BTreeMap<PartName, Sl
     })
 }
 
-/// What the scale asks for, as lines of a frame file.
+/// The fitted factors, as lines of a frame file.
 fn lines(weighing: &Weighing, file: &str) -> Vec<Line> {
     let line = |fitted: &Fitted| {
         let after = fitted.after?;

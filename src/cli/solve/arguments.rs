@@ -34,7 +34,7 @@ pub(in crate::cli) struct Args {
     /// With a measure of the mechanics: file with their numbers, instead of the built-in ones.
     #[arg(long, value_name = "TOML")]
     pub mechanics: Option<String>,
-    /// How long the search goes on.
+    /// Limits of the search.
     #[command(flatten)]
     pub search: SearchOptions,
     /// Write the answer as NAME.toml; a front as CSV, JSON and picture into the folder `pareto-FRAME` of this one.

@@ -18,7 +18,7 @@ use super::format::{ExportError, Exported, File, Format, Made};
 use crate::frame::assembly::{Design, Kind, Printed, Shape};
 use crate::solid::{Boundary, Feature, Mesh, NotExact};
 
-/// Linear red, green, blue, alpha of a solid that nobody gave a colour.
+/// Linear red, green, blue, alpha of a solid without a colour.
 const GREY: [f32; 4] = [0.4, 0.4, 0.4, 1.0];
 
 /// A mesh that cannot be a solid.

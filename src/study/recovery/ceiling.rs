@@ -101,7 +101,7 @@ struct Judged {
     id: &'static str,
     /// Logarithm of its weight over that of the null.
     over_null: f64,
-    /// The best-supported effect for somebody who is told as well that it is detectable.
+    /// The effect with the largest posterior probability, given that it is detectable.
     detectable: &'static str,
 }
 
