@@ -102,7 +102,7 @@ impl NotchPreload {
     }
 }
 
-/// The largest strain of a hinge against what its material bears across layers.
+/// The largest strain of a hinge against the limit of its material across layers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LayerStrain {
     /// The hinge.

@@ -1,7 +1,7 @@
-//! The frame against its limits: one rule a file, with its record and a struct that holds the numbers of what it found.
+//! The checks of a frame against its limits: one rule a file, with its record and a struct for the measured numbers.
 //!
-//! Rules measure the assembled bodies, not the parameters that made them. What holds is reported too, with its margin. A new
-//! rule is a file with a `RULE`, and a line of [`CATALOGUE`].
+//! Rules measure the assembled bodies, not the parameters that made them. Findings that keep their limit are reported too, with their
+//! margin. A new rule is a file with a `RULE`, and a line of [`CATALOGUE`].
 
 mod bounds;
 mod cartridge;

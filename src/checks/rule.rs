@@ -1,4 +1,4 @@
-//! What a rule is: everything that a check, a table, a report or a search says of it, in one record beside its code.
+//! The record of a rule: everything that a check, a table, a report or a search needs of it, beside its code.
 
 use super::finding::Finding;
 use super::scene::Scene;
@@ -81,7 +81,7 @@ pub enum InSearch {
     },
     /// On the best frames at the end only, for the reason given.
     AtTheEnd(&'static str),
-    /// Where a goal asks for it only, for the reason given.
+    /// Only if a goal requests it, for the reason given.
     AsGoal(&'static str),
 }
 

@@ -11,17 +11,17 @@ use super::terminal;
 use crate::export::{bill, bill_page, bom};
 use crate::frame::assembly::mass;
 
-/// List what to print, to buy and to cut.
+/// List the parts to print and to buy, and the rods to cut.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  flexframe bom light.toml\n  flexframe bom light.toml --format csv --kerf 1.5 > bom.csv")]
 pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// How to say it; --json is the same as --format json.
+    /// Format of the list; --json is the same as --format json.
     #[arg(long, value_enum, default_value = "markdown", value_name = "FORMAT")]
     pub format: BomFormat,
-    /// Width of a saw cut instead of 1 mm.
+    /// Width of a saw cut, mm, instead of 1 mm.
     #[arg(long, value_name = "MM", value_parser = number([0.0, WIDEST_KERF_MM], "mm"))]
     pub kerf: Option<f64>,
 }

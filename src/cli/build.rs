@@ -30,19 +30,19 @@ pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Folder that takes the frame's folder.
+    /// Folder in which the frame's folder is written.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
     /// Leave out the pictures.
     #[arg(long)]
     pub no_pictures: bool,
-    /// Write STEP files, too: one a part, and `frame.step` with everything in its place.
+    /// Write STEP files, too: one for each part, and `frame.step` for the assembly.
     #[arg(long, conflicts_with = "part")]
     pub step: bool,
-    /// Plates of one printed part alone, to print it again, into the folder `FRAME-PART`.
+    /// Write plates of one printed part only, as a spare, into the folder `FRAME-PART`.
     #[arg(long, value_name = "PART", add = candidates::printed())]
     pub part: Option<String>,
-    /// How many of it, 1 when nothing is said.
+    /// With --part: number of copies, 1 by default.
     #[arg(long, value_name = "N", requires = "part", value_parser = count([1, MOST_COPIES]))]
     pub quantity: Option<usize>,
 }

@@ -24,10 +24,10 @@ use crate::params::frame_file::read_source;
 use crate::params::{Frame, FrameFile};
 use crate::workspace::advice;
 
-/// Hold frames against their limits; exits 1 when one is violated.
+/// Check frames against their limits; exits 1 when one is violated.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json\n  flexframe check 'frames/*.toml' --format github --baseline accepted.json\n\nResults of former commands are taken from FLEXFRAME_CACHE, else XDG_CACHE_HOME/flexframe, else ~/.cache/flexframe."
+    after_help = "Examples:\n  flexframe check\n  flexframe check my-frame.toml --json\n  flexframe check 'frames/*.toml' --format github --baseline accepted.json\n\nResults are cached in FLEXFRAME_CACHE, else XDG_CACHE_HOME/flexframe, else ~/.cache/flexframe."
 )]
 pub(super) struct Args {
     /// Presets' names, TOML files, or patterns of files such as 'frames/**/*.toml'.
@@ -39,34 +39,34 @@ pub(super) struct Args {
     /// Print every finding, not only what is violated and the tightest of each rule.
     #[arg(long)]
     pub all: bool,
-    /// How to say it; --json is the same as --format json.
+    /// Format of the report; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
     pub format: Option<CheckFormat>,
-    /// Try on the frame what clears each kind of violation, and name that: seconds to a minute.
+    /// Try changes of the frame, and propose those that clear each kind of violation. Takes seconds to a minute.
     #[arg(long)]
     pub remedies: bool,
-    /// Notes beyond their figure fail, too.
+    /// Notes whose value exceeds its limit fail, too.
     #[arg(long)]
     pub strict: bool,
-    /// A list of accepted findings: only what is not on it, or is worse than there, fails.
+    /// A list of accepted findings: a finding fails only if it is not on the list, or is worse than there.
     #[arg(long, value_name = "FILE")]
     pub baseline: Option<PathBuf>,
-    /// Write what fails now into the list of --baseline; nothing fails then.
+    /// Write all findings that fail now into the list of --baseline; none fails then.
     #[arg(long, requires = "baseline")]
     pub update_baseline: bool,
-    /// Whether the mechanics are asked.
+    /// Whether the mechanics are computed.
     #[command(flatten)]
     pub mechanics: MechanicsOption,
 }
 
-/// How `check` says what it found.
+/// Format of the report of `check`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum CheckFormat {
     /// A table for a person.
     Text,
     /// Everything.
     Json,
-    /// JUnit XML: a suite a frame, a case a rule.
+    /// JUnit XML: one suite for each frame, one case for each rule.
     Junit,
     /// Annotations of GitHub Actions.
     Github,
@@ -76,7 +76,7 @@ pub(super) enum CheckFormat {
     Sarif,
 }
 
-/// Holds frames against their limits; exits 1 when one is violated, 2 when one does not read.
+/// Checks frames against their limits; exits 1 when one is violated, 2 when one cannot be read.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let names = frames::expand(&args.frames)?;
     let known = baseline(args)?;

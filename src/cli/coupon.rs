@@ -1,4 +1,4 @@
-//! `flexframe coupon`: small prints that tell a printer's clearances and what its hinges bear, and what was found on them.
+//! `flexframe coupon`: the test coupon for a printer's clearances and the strain limit of hinges, and its readings.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -17,22 +17,22 @@ use crate::printing::coupon::{Coupon, FOLDS, FoldedHinge, Found, HINGE_KEY, Hing
 use crate::printing::plates::PrintSettings;
 use crate::report::page::coupon_page;
 
-/// Write small prints that tell a printer's clearances and what its hinges bear; read what was found into a frame file.
+/// Write a test coupon for a printer's clearances and the strain limit of hinges; turn its readings into parameters of a frame file.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe coupon\n  flexframe coupon my-frame.toml --read held=2.8,slides=3.1,window=0.1,plug=0.2 --into my-frame.toml\n  flexframe coupon --read out/cognifly-coupon/hinges.csv --into my-printer.toml\n\nThe folder's coupon.md says what to look for. A frame file with another one as its base has the clearances and the limit of that one."
+    after_help = "Examples:\n  flexframe coupon\n  flexframe coupon my-frame.toml --read held=2.8,slides=3.1,window=0.1,plug=0.2 --into my-frame.toml\n  flexframe coupon --read out/cognifly-coupon/hinges.csv --into my-printer.toml\n\ncoupon.md in the folder describes the readings. A frame file inherits clearances and limit from its base."
 )]
 pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// What was found: held, slides, window, plug, hinge, each with the number on the coupon in mm; or the table of folded hinges.
+    /// Readings: held, slides, window, plug, hinge, each with the number on the coupon in mm; or the table of folded hinges.
     #[arg(long, value_delimiter = ',', value_name = "WHAT=MM|CSV", requires = "into")]
     pub read: Vec<String>,
-    /// Write the clearances and the limit that follow into a frame file: one that is there is amended, a new one has FRAME as its base.
+    /// Write the resulting clearances and limit into a frame file. An existing file is amended; a new one has FRAME as its base.
     #[arg(long, value_name = "TOML", requires = "read")]
     pub into: Option<PathBuf>,
-    /// Folder that takes the folder `FRAME-coupon`.
+    /// Folder in which to write the folder `FRAME-coupon`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

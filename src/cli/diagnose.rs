@@ -29,10 +29,10 @@ use crate::report::data::diagnosis_request::{DiagnosisRequest, MOST_EFFECTS, Req
 use crate::report::page::diagnosis_page;
 use crate::report::page::document::{Block, html, markdown};
 
-/// Find where a model and measured drops disagree, name the missing effect, add it, and show the gap shrink.
+/// Find where a model and measured drops disagree, name the missing effect, add it, and report the remaining gap.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
+    after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
 )]
 pub(super) struct Args {
     /// Which drops.
@@ -41,35 +41,35 @@ pub(super) struct Args {
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
     #[arg(long, default_value = "paper", value_name = "MODEL", add = candidates::models())]
     pub model: String,
-    /// A frame whose own static curve is a candidate, too: its share is fitted to the drops.
+    /// Add the static force curve of this frame to the candidates; its share is fitted to the drops.
     #[arg(long, value_name = "FRAME", add = candidates::frames())]
     pub frame: Option<String>,
-    /// With --frame: numbers of the mechanics instead of those that come with the program.
+    /// With --frame: file with the numbers of the mechanics, instead of the built-in ones.
     #[arg(long, value_name = "TOML", requires = "frame")]
     pub mechanics: Option<String>,
-    /// Heights that no fit sees, m: the gap there says what a name is worth.
+    /// Heights that no fit uses, m. The gap there shows how well the result generalises.
     #[arg(long, value_delimiter = ',', value_name = "HEIGHT,…", value_parser = number(HEIGHTS_M, "m"))]
     pub hold_out_heights: Vec<f64>,
     /// A static test of the same frame, CSV of `displacement_mm,force_n`: compared with each model, not fitted.
     #[arg(long, value_name = "CSV")]
     pub static_test: Option<PathBuf>,
-    /// What may explain how drops of one height vary: a column of the drops' tables, or a CSV file of `trial`, `height_m` where trials are
-    /// numbered anew, and columns of any names. Touch times, slope, order and session are always asked.
+    /// Covariates that may explain the variation between drops of one height: a column of the drops' tables, or a CSV file with `trial`,
+    /// `height_m` if trials are numbered anew at each height, and further columns. Touch times, slope, order and session are always tested.
     #[arg(long, value_delimiter = ',', value_name = "COLUMN|CSV,…")]
     pub covariate: Vec<String>,
     /// Most effects on top of spring and damper, 1 to 3.
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = count([1, MOST_EFFECTS as u32]))]
     pub max_effects: usize,
-    /// Of the simulated data.
+    /// Seed of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// What is compared.
+    /// Channel that is compared.
     #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
     pub channel: ChannelOption,
     /// How the files are written.
     #[command(flatten)]
     pub format: FormatOptions,
-    /// Folder that takes the folder `diagnose-MODEL`.
+    /// Folder in which to write the folder `diagnose-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

@@ -23,25 +23,25 @@ use crate::report::page::diff_page;
 use crate::report::picture::side_by_side;
 use crate::variant::{Difference, Evaluation, Increase, Side};
 
-/// Compare two frames, or a frame with its former self: what differs, and what is better or worse.
+/// Compare two frames, or two revisions of a frame: the differences, and which are better or worse.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe diff cognifly light.toml\n  flexframe diff --git HEAD~1 light.toml --format markdown --fail-on-increase mass=2g\n  flexframe diff cognifly cognifly-mini -o out\n  flexframe diff cognifly light.toml --strength --fail-on-increase design_drop.peak=5g\n\nWhat may not grow is a measure by its name; `flexframe solve --help` lists them."
+    after_help = "Examples:\n  flexframe diff cognifly light.toml\n  flexframe diff --git HEAD~1 light.toml --format markdown --fail-on-increase mass=2g\n  flexframe diff cognifly cognifly-mini -o out\n  flexframe diff cognifly light.toml --strength --fail-on-increase design_drop.peak=5g\n\n`flexframe solve --help` lists the measures for --fail-on-increase."
 )]
 pub(super) struct Args {
     /// Two presets' names or TOML files; one file with --git.
     #[arg(required = true, num_args = 1..=2, value_name = "FRAME", add = candidates::frames())]
     pub frames: Vec<String>,
-    /// Compare a file with what it was at this revision of its git repository.
+    /// Compare a file with its version at this revision of its git repository.
     #[arg(long, value_name = "REVISION")]
     pub git: Option<String>,
-    /// Exit 1 when a measure grows by more than this; may be given several times.
+    /// Exit 1 when a measure increases by more than this; may be given several times.
     #[arg(long, value_name = "MEASURE=AMOUNT")]
     pub fail_on_increase: Vec<String>,
-    /// How to say it; --json is the same as --format json.
+    /// Format of the comparison; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
     pub format: Option<PageFormat>,
-    /// Whether the mechanics are asked.
+    /// Whether the mechanics are computed.
     #[command(flatten)]
     pub mechanics: MechanicsOption,
     /// Write diff.md, diff.json and a picture of both frames into the folder `diff-A-B` of this one.

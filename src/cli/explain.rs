@@ -14,19 +14,19 @@ use crate::params::refusal::Place;
 use crate::params::{Frame, FrameFile, follows};
 use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitivity};
 
-/// Say what a parameter is, what it drives, and what 5 % less and more of it do.
+/// Explain a parameter: its meaning, the parts it drives, the effect of ±5 %.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  flexframe explain arm_pitch_mm\n  flexframe explain arm_rod light.toml --json\n  flexframe explain strut_rod --strength\n  flexframe explain bought.battery"
 )]
 pub(super) struct Args {
-    /// The parameter: its key with or without table, or a beginning of it; or a key of a name, such as bought.battery.
+    /// The parameter: its key, with or without its table, or the beginning of the key; or a key that holds a name, such as bought.battery.
     #[arg(value_name = "KEY", add = candidates::keys())]
     pub key: String,
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Whether the mechanics are asked.
+    /// Whether the mechanics are computed.
     #[command(flatten)]
     pub mechanics: MechanicsOption,
 }

@@ -23,7 +23,7 @@ use crate::mechanics::settings::MechanicsSettings;
 /// Write a frame for simulators: MuJoCo, PyBullet, Gazebo; masses, contact shapes, motors, sensor, legs as springs.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe export cognifly-v8 --mjcf\n  flexframe export my-frame.toml --urdf --sdf -o models\n  flexframe export cognifly-v8 --mjcf --model paper\n\nWithout a format all three are written. docs/simulators.md says what each of them can hold."
+    after_help = "Examples:\n  flexframe export cognifly-v8 --mjcf\n  flexframe export my-frame.toml --urdf --sdf -o models\n  flexframe export cognifly-v8 --mjcf --model paper\n\nWithout a format all three are written. docs/simulators.md describes the content of each."
 )]
 pub(super) struct Args {
     /// Which frame.
@@ -32,7 +32,7 @@ pub(super) struct Args {
     /// For MuJoCo: frame.xml, and scene.xml with a floor.
     #[arg(long)]
     pub mjcf: bool,
-    /// For PyBullet, ROS and others: frame.urdf. It holds no springs.
+    /// For PyBullet, ROS and others: frame.urdf. It has no springs.
     #[arg(long)]
     pub urdf: bool,
     /// For Gazebo: model.sdf and model.config.
@@ -42,10 +42,10 @@ pub(super) struct Args {
     /// `paper-corrected` or a TOML file.
     #[arg(long, default_value = OWN, value_name = "MODEL")]
     pub model: String,
-    /// With the frame's own legs: numbers of the mechanics instead of those that come with the program.
+    /// With --model frame: file with the numbers of the mechanics, instead of the built-in ones.
     #[arg(long, value_name = "TOML")]
     pub mechanics: Option<String>,
-    /// Folder that takes the folder `FRAME-simulators`.
+    /// Folder in which to write the folder `FRAME-simulators`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }
@@ -103,7 +103,7 @@ fn legs_of(model: &Model) -> LegSpring {
     LegSpring { from: model.name.clone(), stiffness_n_m, damping_n_s_m }
 }
 
-/// What a simulator is told, in short.
+/// Summary of the exported model.
 fn table(model: &SimulatorModel) -> String {
     let SimulatorModel { whole, legs, motors, .. } = model;
     let [x, y, z] = whole.centre_m.map(|value| decimals(value * 1e3, 1));

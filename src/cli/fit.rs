@@ -24,7 +24,7 @@ use crate::report::data::fit_data;
 /// Fit parameters of a model to measured drops.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame: its mass and gap hold in place of the model's."
+    after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model."
 )]
 pub(super) struct Args {
     /// Which drops.
@@ -36,33 +36,33 @@ pub(super) struct Args {
     /// Parameters that are fitted, by their keys in the model file; the others keep their values.
     #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]
     pub free: Vec<String>,
-    /// What is made small.
+    /// Objective that is minimised.
     #[arg(long, value_enum, default_value = "ml")]
     pub objective: Aim,
-    /// Use flagged drops, too, as the paper's objective does: all that have a whole impact.
+    /// Use flagged drops, too, if they contain a whole impact. The paper's objective always does.
     #[arg(long)]
     pub all: bool,
-    /// Resampled fits for the intervals; 0 for none.
+    /// Number of bootstrap fits for the intervals; 0 for no intervals.
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = count([0, MOST_SAMPLES]))]
     pub bootstrap: usize,
-    /// Of the resampling.
+    /// Seed of the resampling.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// What is compared; the paper's objective takes what the model states.
+    /// Channel that is compared. The paper's objective uses the one that the model states.
     #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
     pub channel: ChannelOption,
     /// How the files are written.
     #[command(flatten)]
     pub format: FormatOptions,
-    /// Folder that takes the folder `fit-MODEL`.
+    /// Folder in which to write the folder `fit-MODEL`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }
 
-/// What a fit makes small.
+/// Objective that a fit minimises.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum Aim {
-    /// Minus the logarithm of the likelihood: distance of the mean waves in units of their scatter.
+    /// Negative log-likelihood: distance of the mean waves in units of their scatter.
     Ml,
     /// log(1 + sum over heights of the mean squared error up to each drop's peak), as in the paper's notebook.
     Paper,

@@ -18,20 +18,20 @@ use crate::report::booklet::content::Booklet;
 use crate::report::booklet::{booklet_html, booklet_pdf};
 use crate::report::picture::{fold_scene, mount_scene};
 
-/// Write how a frame is put together: steps, animation, instructions; exits 1 when it cannot be.
+/// Write the assembly of a frame: steps, animation, instructions; exits 1 when it cannot be assembled.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
 pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// One step only: its pictures before and after, into `FRAME-step-N`.
+    /// Draw one step only, before and after, into `FRAME-step-N`.
     #[arg(long, value_name = "N", requires = "png", value_parser = count([1, 1000]))]
     pub step: Option<usize>,
     /// With --step: write the pictures.
     #[arg(long, requires = "step")]
     pub png: bool,
-    /// Folder that takes the folder `FRAME-fold`.
+    /// Folder in which to write the folder `FRAME-fold`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

@@ -7,7 +7,7 @@ use super::failure::Failure;
 /// Most frames that one command takes.
 const MOST_FRAMES: usize = 1000;
 
-/// The frames that are meant: patterns become the files that they match, in alphabetical order; the rest stays as it is.
+/// The frames of the command line: patterns become the files that they match, in alphabetical order; the rest stays as it is.
 /// Each frame stands once.
 ///
 /// # Errors

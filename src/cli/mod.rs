@@ -64,7 +64,7 @@ struct Arguments {
     /// What to do.
     #[command(subcommand)]
     command: Command,
-    /// How to talk about it.
+    /// Options of every command.
     #[command(flatten)]
     common: Common,
 }
@@ -72,14 +72,14 @@ struct Arguments {
 const EXAMPLES: &str = "Examples:
   flexframe build                                  the default frame into out/cognifly
   flexframe build params/frames/cognifly-mini.toml -o /tmp/frames
-  flexframe check cognifly-v8                      exits 1: it is 1.92 mm too wide, for one
+  flexframe check cognifly-v8                      exits 1: among others, it is 1.92 mm too wide
   flexframe render cognifly
   flexframe drop --model paper --height 0.5,1,1.5
   flexframe measure ../shared/data/crash_landing
   flexframe fit --model paper-corrected ../shared/data/crash_landing/soft_*
   flexframe params --filter arm
 
-Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed";
+Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 a disk or permission error";
 
 /// Makes the subcommands of the files that hold them, by what they are for, in the order of the help.
 macro_rules! commands {

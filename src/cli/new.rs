@@ -13,15 +13,15 @@ use crate::params::frame_file::Value;
 use crate::params::{LoadError, amend};
 use crate::variant::{CreateError, Creation, Request, SolveError, create, movable};
 
-/// Write a variant of a frame, with what has to change to keep every limit.
+/// Write a variant of a frame, with the changes that it needs to keep every limit.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 261\n\nRods and motors are moved as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
+    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 261\n\nRod lengths and motor positions change as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
 )]
 pub(super) struct Args {
     /// Name of the variant; NAME.toml is written.
     pub name: String,
-    /// The frame that it comes from.
+    /// The frame to start from.
     #[arg(long, default_value = "cognifly", value_name = "FRAME", add = candidates::frames())]
     pub from: String,
     /// Another battery: a name of params/bought.toml.
@@ -36,13 +36,13 @@ pub(super) struct Args {
     /// Another rod.
     #[arg(long, value_name = "PART", add = candidates::bought("rod"))]
     pub rod: Option<String>,
-    /// Size to stay within, mm.
+    /// Largest size, mm.
     #[arg(long, value_name = "WxDxH")]
     pub envelope: Option<String>,
-    /// Mass to stay within, g.
+    /// Largest mass, g.
     #[arg(long, value_name = "G", value_parser = super::bounded::number([20.0, 2000.0], "g"))]
     pub mass: Option<f64>,
-    /// How long the search goes on.
+    /// Limits of the search.
     #[command(flatten)]
     pub search: SearchOptions,
 }

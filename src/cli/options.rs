@@ -11,13 +11,13 @@ use crate::impact::effects::Channel;
 /// Options of every command.
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long, global = true)]
     pub quiet: bool,
     /// Print the result as JSON.
     #[arg(long, global = true)]
     pub json: bool,
-    /// Compute everything: use no results of former commands, and keep none (FLEXFRAME_CACHE=off does the same).
+    /// Compute everything: neither read nor write cached results (FLEXFRAME_CACHE=off does the same).
     #[arg(long, global = true)]
     pub no_cache: bool,
 }
@@ -33,13 +33,14 @@ pub(super) struct FrameOption {
     pub rigid: Option<String>,
 }
 
-/// Whether a frame's own mechanics are asked.
+/// Whether a frame's own mechanics are computed.
 #[derive(Debug, Args)]
 pub(super) struct MechanicsOption {
-    /// Ask the frame's own mechanics, too, a second or two a frame: stiffness, and payload, travel, strains and rods in the design drop.
+    /// Compute the frame's own mechanics, too: stiffness, and payload, travel, strains and rods in the design drop. Takes a second or two
+    /// a frame.
     #[arg(long)]
     pub strength: bool,
-    /// With --strength: numbers of the mechanics instead of those that come with the program.
+    /// With --strength: file with the numbers of the mechanics, instead of the built-in ones.
     #[arg(long, value_name = "TOML", requires = "strength")]
     pub mechanics: Option<String>,
 }
@@ -47,7 +48,7 @@ pub(super) struct MechanicsOption {
 /// Which measured drops.
 #[derive(Debug, Args)]
 pub(super) struct DropsOption {
-    /// Drops, as `measure` reads them; a frame among them brings its mass and gap.
+    /// Drops, as `measure` reads them. A frame among them supplies mass and gap.
     #[arg(required = true, value_name = "DROPS")]
     pub drops: Vec<PathBuf>,
 }
@@ -55,10 +56,10 @@ pub(super) struct DropsOption {
 /// How files of drops are written.
 #[derive(Debug, Args)]
 pub(super) struct FormatOptions {
-    /// Counts of the logger at 0 g, instead of those of the paper's.
+    /// Counts of the logger at 0 g, instead of those of the paper's logger.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = number([-1e5, 1e5], "counts"))]
     pub offset_counts: Option<Vec<f64>>,
-    /// Counts of the logger to one g, instead of those of the paper's.
+    /// Counts of the logger per g, instead of those of the paper's logger.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = magnitude([1e-2, 1e5], "counts"))]
     pub counts_per_g: Option<Vec<f64>>,
     /// Names of a table's columns: trial, session, h (height), v (impact speed, m/s), t, a (along the axis), x, y, z; -NAME changes
@@ -68,15 +69,15 @@ pub(super) struct FormatOptions {
     /// Units of a table: g, mg or m/s2; s, ms or us; m, cm or mm.
     #[arg(long, value_delimiter = ',', value_name = "UNIT,…")]
     pub units: Vec<String>,
-    /// Samples a second of a table, in place of its stamps.
+    /// Sampling rate of a table, Hz, in place of its time stamps.
     #[arg(long, value_name = "HZ", value_parser = number([1.0, 1e6], "Hz"))]
     pub rate: Option<f64>,
 }
 
-/// What of the readings is compared with a model.
+/// Which channel of the readings is compared with a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum ChannelOption {
-    /// What the drops support; the result says which, and why.
+    /// The channel that the drops support; the result states which, and why.
     Auto,
     /// The component along the frame's axis.
     Axial,
@@ -85,7 +86,7 @@ pub(super) enum ChannelOption {
 }
 
 impl ChannelOption {
-    /// The channel, if one is asked for.
+    /// The channel, if one is requested.
     pub(super) fn wanted(self) -> Option<Channel> {
         match self {
             Self::Auto => None,

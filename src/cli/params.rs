@@ -11,7 +11,7 @@ use super::terminal;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, follows, parameters};
 
-/// List every parameter with unit, default, bounds and what it drives.
+/// List every parameter with unit, default, bounds and the parts it drives.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  flexframe params\n  flexframe params cognifly-v8 --filter hinge --json\n  flexframe params --markdown > docs/parameters.md"
@@ -20,10 +20,10 @@ pub(super) struct Args {
     /// Which frame's values to show.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Only keys that contain this.
+    /// List only keys that contain this text.
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
-    /// Print a page of tables, the form of docs/parameters.md.
+    /// Print Markdown tables, as in docs/parameters.md.
     #[arg(long, conflicts_with = "json")]
     pub markdown: bool,
 }

@@ -19,10 +19,10 @@ pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Instead, each part as it is printed, from above and from below, with what hangs over air, is too thin or holds badly marked.
+    /// Instead, draw each part as it is printed, from above and from below, and mark overhangs, thin walls and poor footing.
     #[arg(long)]
     pub findings: bool,
-    /// Folder that takes the folder `FRAME-pictures`, or `FRAME-findings`.
+    /// Folder in which to write the folder `FRAME-pictures`, or `FRAME-findings`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

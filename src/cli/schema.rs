@@ -15,7 +15,7 @@ use crate::schema::CATALOGUE;
     after_help = "Example:\n  flexframe schema frame > frame.schema.json\n\nA frame file that begins with the line\n  #:schema ./frame.schema.json\nis then completed and checked by editors with Taplo, such as VS Code with Even Better TOML."
 )]
 pub(super) struct Args {
-    /// Of which kind of file.
+    /// Kind of file.
     #[arg(default_value = "frame", value_parser = kinds())]
     pub kind: String,
 }

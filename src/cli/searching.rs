@@ -1,4 +1,4 @@
-//! What `solve` and `new` have in common: how long a search goes on, what is told of it meanwhile, and how it is ended.
+//! Code that `solve` and `new` share: limits of a search, its progress reports, and its end.
 
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
@@ -10,10 +10,10 @@ use super::options::Common;
 use super::progress::Progress;
 use crate::variant::{Ended, SearchProgress};
 
-/// How long a search goes on.
+/// Limits of a search.
 #[derive(Debug, clap::Args)]
 pub(super) struct SearchOptions {
-    /// Most frames to look at.
+    /// Largest number of frames to evaluate.
     #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
     pub frames: u16,
     /// Longest time, s; the answer is then the best so far, and depends on the machine's speed.
@@ -33,7 +33,7 @@ pub(super) struct Following {
 }
 
 impl Following {
-    /// From now on; the aim is told in this unit.
+    /// Starts now; the objective is reported in this unit.
     pub fn begin(options: &SearchOptions, unit: &'static str, common: &Common) -> Self {
         let begun = Instant::now();
         Self {

@@ -29,26 +29,26 @@ use crate::report::data::stiffness_data::Stiffness;
 use crate::report::picture::bent_scene;
 use crate::report::picture::image::View;
 
-/// Press a frame down by its own geometry: force over displacement, where the energy sits, strains, modes.
+/// Compute the stiffness of a frame from its geometry: force over displacement, distribution of energy, strains, modes.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe stiffness cognifly-v8 --compare params/static/cognifly-v8.csv\n  flexframe stiffness cognifly-v8 --calibrate params/static/cognifly-v8.csv\n  flexframe stiffness my-frame.toml --mechanics out/cognifly-v8-stiffness/mechanics.toml\n\nA static test is a CSV table with the columns displacement_mm,force_n. docs/mechanics.md says what the model holds."
+    after_help = "Examples:\n  flexframe stiffness cognifly-v8 --compare params/static/cognifly-v8.csv\n  flexframe stiffness cognifly-v8 --calibrate params/static/cognifly-v8.csv\n  flexframe stiffness my-frame.toml --mechanics out/cognifly-v8-stiffness/mechanics.toml\n\nA static test is a CSV table with the columns displacement_mm,force_n. docs/mechanics.md describes the model."
 )]
 pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Numbers of the mechanics instead of those that come with the program: a TOML file.
+    /// TOML file with the numbers of the mechanics, instead of the built-in ones.
     #[arg(long, value_name = "TOML")]
     pub mechanics: Option<String>,
     /// Fit the flexible material's modulus to a static test; the result goes into mechanics.toml.
     #[arg(long, value_name = "CSV", conflicts_with = "compare")]
     pub calibrate: Option<PathBuf>,
-    /// Hold the curve against a static test.
+    /// Compare the curve with a static test.
     #[arg(long, value_name = "CSV")]
     pub compare: Option<PathBuf>,
-    /// Ratios to another frame of the same material, each with the band that the guesses of the mechanics leave it: a preset's name
-    /// or a TOML file. Takes some ten seconds.
+    /// Report ratios to another frame of the same material, a preset's name or a TOML file, each with its band over the guesses of the
+    /// mechanics. Takes some ten seconds.
     #[arg(long, value_name = "FRAME", add = candidates::frames())]
     pub reference: Option<String>,
     /// How far the centre is pressed down, mm.
@@ -60,12 +60,12 @@ pub(super) struct Args {
     /// Leave out pictures and animations.
     #[arg(long)]
     pub no_pictures: bool,
-    /// Folder that takes the folder `FRAME-stiffness`.
+    /// Folder in which to write the folder `FRAME-stiffness`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }
 
-/// A way down that can be: 2 to 60 mm.
+/// A displacement within its bounds: 2 to 60 mm.
 fn down_mm(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(down) if (2.0..=60.0).contains(&down) => Ok(down),

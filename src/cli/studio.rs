@@ -10,19 +10,19 @@ use super::options::Common;
 use super::terminal;
 use crate::params::files::{Disk, Files};
 
-/// Open the studio in the browser: the frame live, with everything the command line knows.
+/// Open the studio in the browser: design, check, fold and drop a frame interactively.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  bash studio/build.sh && flexframe studio\n  flexframe studio --port 0 --no-open\n\nThe page computes in the browser; this program only hands out its files, to this machine alone. Ctrl+C ends it."
+    after_help = "Examples:\n  bash studio/build.sh && flexframe studio\n  flexframe studio --port 0 --no-open\n\nThe page computes in the browser. This program only serves its files, on 127.0.0.1. Ctrl+C ends it."
 )]
 pub(super) struct Args {
     /// The folder that `bash studio/build.sh` makes.
     #[arg(long, default_value = "studio/dist", value_name = "DIR")]
     pub folder: PathBuf,
-    /// Port of 127.0.0.1; 0 takes one that is free.
+    /// Port on 127.0.0.1; 0 selects a free one.
     #[arg(long, default_value_t = 8417, value_name = "N")]
     pub port: u16,
-    /// Say the address and leave the browser alone.
+    /// Print the address and do not open a browser.
     #[arg(long)]
     pub no_open: bool,
 }
@@ -79,7 +79,7 @@ fn open(address: &str) -> bool {
     Command::new(program).args(before).arg(address).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn().is_ok()
 }
 
-/// Answers a request; a browser that went away is nobody's failure.
+/// Answers a request; a closed connection is no error.
 fn answer(folder: &Path, request: Request) {
     let read = matches!(request.method(), Method::Get | Method::Head).then(|| file_of(folder, request.url())).flatten();
     let found = read.and_then(|path| Some((media_type(&path), Disk.bytes(&path, LARGEST).ok()?)));

@@ -12,7 +12,7 @@ use super::progress::Progress;
 use super::terminal;
 use crate::impact::synthetic::{Plan, records, table};
 
-/// Write synthetic drops with a known truth, to test a diagnosis on.
+/// Write synthetic drops from known parameters, to test a diagnosis.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  flexframe synthesize params/synthetic/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
@@ -24,7 +24,7 @@ pub(super) struct Args {
     /// Seed instead of the plan's.
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
-    /// Folder that takes the folder `synthesize-PLAN`.
+    /// Folder in which to write the folder `synthesize-PLAN`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

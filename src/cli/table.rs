@@ -43,7 +43,7 @@ const SUBJECT: usize = 28;
 /// What a person has to read of a frame: every violation with its remedies, then the tightest finding of each rule that holds, a
 /// line each, and how many notes there are. No line is longer than [`COLUMNS`].
 ///
-/// With `strict` a note beyond its figure fails, so it is told, too.
+/// With `strict` a note that exceeds its limit fails, so it is reported, too.
 pub(super) fn brief(findings: &[Finding], strict: bool) -> String {
     let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
     let mut text = String::new();

@@ -20,14 +20,14 @@ use crate::params::LoadError;
 use crate::report::page::diff_page;
 use crate::variant::{Difference, Evaluation, Side};
 
-/// Say at every save of a frame file what it changed.
+/// Report the effect of every save of a frame file.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  flexframe watch light.toml")]
 pub(super) struct Args {
     /// Which frame: a TOML file.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// End after so many saves.
+    /// End after this number of saves.
     #[arg(long, value_name = "N", value_parser = count([0, 1_000_000]))]
     pub saves: Option<usize>,
 }

@@ -19,27 +19,27 @@ use crate::params::frame_file::Value;
 use crate::printing::weighing::{Fitted, Reading, Sliced, Weighing};
 use crate::report::page::weighing_page;
 
-/// Compare what parts weigh by volume, in a slicer and on a scale, and fit the print factors to the scale.
+/// Compare the masses of parts by volume, by a slicer and on a scale, and fit the print factors to the scale.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe weigh --slicer\n  flexframe weigh measured.csv\n  flexframe weigh my-frame.toml measured.csv --slicer --into my-frame.toml\n\nReadings are a CSV table with the columns part,mass_g and, where several lay on the scale, quantity. --slicer runs\nPrusaSlicer, which has to be installed. Exit code 1 when the frame, with the fitted factors, is heavier than its limit."
+    after_help = "Examples:\n  flexframe weigh --slicer\n  flexframe weigh measured.csv\n  flexframe weigh my-frame.toml measured.csv --slicer --into my-frame.toml\n\nReadings are a CSV table with the columns part,mass_g and, if several parts were weighed together, quantity. --slicer runs\nPrusaSlicer, which has to be installed. Exit code 1 when the frame, with the fitted factors, is heavier than its limit."
 )]
 pub(super) struct Args {
-    /// A preset's name or a TOML file, and readings of a scale: a CSV table; either may be left out.
+    /// A preset's name or a TOML file, and a CSV table of readings of a scale. Either may be left out.
     #[arg(num_args = 0..=2, value_names = ["FRAME", "READINGS.csv"], add = candidates::frames())]
     pub given: Vec<String>,
     /// Material of the rigid parts instead of the frame file's: a name of params/materials.toml.
     #[arg(long, value_name = "MATERIAL", add = candidates::materials())]
     pub rigid: Option<String>,
-    /// Slice every part; another program than prusa-slicer is given as --slicer=PROGRAM.
+    /// Slice every part with prusa-slicer; --slicer=PROGRAM names another program.
     #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "prusa-slicer", value_name = "PROGRAM")]
     pub slicer: Option<String>,
-    /// Write the fitted factors into a frame file: one that is there is amended, a new one has FRAME as its base.
+    /// Write the fitted factors into a frame file. An existing file is amended; a new one has FRAME as its base.
     #[arg(long, value_name = "TOML")]
     pub into: Option<PathBuf>,
 }
 
-/// Prints the table; exits 1 when the frame is too heavy with the factors that the scale asks for.
+/// Prints the table; exits 1 when the frame is too heavy with the fitted factors.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let (frame, readings_file) = given(&args.given)?;
     if args.into.is_some() && readings_file.is_none() {
@@ -88,7 +88,7 @@ fn table(design: &Design, scale: &[ScaleReading], sliced: &BTreeMap<PartName, Sl
     })
 }
 
-/// What the scale asks for, as lines of a frame file.
+/// The fitted factors, as lines of a frame file.
 fn lines(weighing: &Weighing, file: &str) -> Vec<Line> {
     let line = |fitted: &Fitted| {
         let after = fitted.after?;

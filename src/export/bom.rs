@@ -16,7 +16,7 @@ fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
     Ok(vec![File::new("bom.csv", csv(&bill(of.design, of.masses, None))?.into_bytes())])
 }
 
-/// Columns of the CSV; what a line has not stays empty.
+/// Columns of the CSV; a missing value is empty.
 const COLUMNS: [&str; 22] = [
     "kind",
     "name",

@@ -30,7 +30,7 @@ fn without_formula(field: &[u8]) -> Vec<u8> {
     mark.iter().copied().chain(line).collect()
 }
 
-/// A number as a field: an unknown one stays empty.
+/// A number as a field; an unknown one is empty.
 pub fn number(value: Option<f64>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }

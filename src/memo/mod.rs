@@ -1,8 +1,8 @@
-//! Memoised steps: what a step gave is kept under everything that it read, and taken from there the next time.
+//! Memoised steps: the result of a step is cached under a hash of its inputs, and reused for the same inputs.
 //!
 //! A step is a pure function. Its [`Key`] is a hash of its name and its inputs, so a value is used again only where the
-//! step would give the same. [`Memo`] keeps values in memory, and on a [`Storage`] where it was given one. It says which steps
-//! were carried out. Computations of many steps tell a [`Progress`] where they are, which may end them between two steps.
+//! step would give the same. [`Memo`] keeps values in memory, and in a [`Storage`] if it was given one. It reports which steps
+//! were carried out. Computations of many steps report to a [`Progress`], which may end them between two steps.
 
 mod key;
 mod progress;

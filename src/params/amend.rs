@@ -11,7 +11,7 @@ pub struct Amendment<'a> {
     pub key: &'a str,
     /// The value; none takes the key out.
     pub value: Option<&'a Value>,
-    /// Why, as a comment behind the value; where it is empty, the comment that is there stays.
+    /// The reason, as a comment after the value; if it is empty, an existing comment is kept.
     pub why: &'a str,
 }
 

@@ -1,4 +1,4 @@
-//! Parameters: a frame file as typed, the frame as meant, and every refusal in between.
+//! Parameters: the frame file with the position of each value, the frame with every value resolved, and the refusals.
 
 #[cfg(feature = "edit")]
 pub mod amend;

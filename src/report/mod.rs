@@ -1,4 +1,4 @@
-//! What is written about a frame: words and pictures.
+//! Reports on a frame: pages, pictures, charts, instructions and data.
 
 pub mod booklet;
 #[cfg(feature = "charts")]

@@ -1,5 +1,5 @@
-//! JSON Schemas (draft 7) of every kind of file that is read, made from the tables that the readers go by: editors that know
-//! `#:schema` complete and check with them. They say what each key is; what keys may not be together only the program knows.
+//! JSON Schemas (draft 7) of every kind of input file, generated from the tables that the readers use. Editors that support `#:schema`
+//! complete and check files with them. A schema describes each key. Contradictions between keys are found by the program only.
 
 mod catalogue;
 mod element;

@@ -1,6 +1,6 @@
 //! Solids: one feature tree, two kernels, and the gate every written mesh passes.
 //!
-//! This folder alone knows the mesh kernel (a port of Manifold) and the B-rep kernel (truck).
+//! Only this folder uses the mesh kernel (a port of Manifold) and the B-rep kernel (truck).
 
 mod bend;
 mod boundary;

@@ -1,4 +1,4 @@
-//! Studies: many frames, one a row, over ranges of parameters; and many sets of drops with something hidden in them.
+//! Studies: many frames over ranges of parameters, or many sets of drops with a hidden effect; one row for each.
 //!
 //! A [`Study`] is read from a plan file. Row `n` of a study is a pure function of the plan and of `n`, so rows can be evaluated in
 //! any order, by any number of processes, and again after an interruption; the table is the same. No file is opened for writing here.

@@ -11,7 +11,7 @@ use super::search::Search;
 const REGION: f64 = 0.12;
 const WIDEST: f64 = 0.35;
 const LEAST: f64 = 0.001;
-/// The least region where values only have to be near others: nobody asks for the last tenths of a millimetre.
+/// Smallest trust region for a target value, where tenths of a millimetre do not matter.
 const LEAST_NEAR: f64 = 0.015;
 /// The short step beside a long one, and the region after a failure of both, in shares of it.
 const SHORTER: f64 = 0.3;

@@ -1,4 +1,4 @@
-//! Variants: what a frame measures, how two frames differ, what a parameter does, and a search for better ones.
+//! Variants: the measures of a frame, the differences of two frames, sensitivities to a parameter, and a search for better frames.
 
 mod aim;
 mod choose;

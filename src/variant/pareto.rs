@@ -15,7 +15,7 @@ use super::solve::{broken, ended, own_values};
 use crate::checks::{CATALOGUE, Cost};
 use crate::params::Frame;
 
-/// How many points of the front are checked by every rule and told.
+/// Number of points of the front that are checked by every rule and reported.
 const MOST: usize = 16;
 
 /// A frame on the front.

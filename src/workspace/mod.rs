@@ -1,7 +1,7 @@
-//! A frame that is being changed: set a value, ask for what follows.
+//! Interactive changes of a frame: set a value, and request results.
 //!
-//! Only what a change drives is computed again, and every answer says what that was. Results are those of a frame that is read and
-//! built from nothing, to the last bit. Nothing here opens a file.
+//! Only the steps that depend on a change are computed again, and every answer lists them. Results are those of a frame that is read and
+//! built without a cache, to the last bit. Nothing here opens a file.
 
 mod answer;
 mod remedy;

@@ -1,4 +1,4 @@
-//! The gate: frames checked against their limits, what of it fails a job, and the forms that build servers read.
+//! The gate: frames checked against their limits, the findings that fail a CI job, and the report formats of CI servers.
 
 pub mod acceptance;
 mod baseline;

@@ -16,14 +16,14 @@ pub struct Judged {
     pub standing: Standing,
     /// Where the frame file drives it, the first most; empty for what is good.
     pub spots: Vec<Spot>,
-    /// What clears it, tried on the frame, as a clause that goes after its message; empty where nobody asked.
+    /// The change that clears it, tested on the frame, as a clause after its message; empty if none was requested.
     pub advice: String,
     /// What its value is made of, as a clause that goes after its message; empty where the message says all.
     pub made_of: String,
 }
 
 impl Judged {
-    /// The finding as a person reads it: what was tried stands for the keys that might be.
+    /// The finding as it is reported: tested changes replace the keys that might clear it.
     pub fn told(&self) -> Finding {
         let mut finding = self.finding.clone();
         if !self.advice.is_empty() {
@@ -119,7 +119,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The exit code that this frame alone asks for.
+    /// The exit code for this frame alone.
     pub fn exit_code(&self) -> u8 {
         match &self.result {
             Ok(held) => u8::from(held.count(Standing::Fails) > 0),

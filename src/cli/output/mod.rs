@@ -1,9 +1,9 @@
-//! A folder that is written whole or not at all, and in which nothing is lost that the program did not write.
+//! Atomic writing of a folder, which preserves every file that the program did not write.
 //!
 //! Each folder states the files that the program wrote into it, with their hashes ([`record`]). Only those may be replaced or
 //! removed, and only while their bytes are as stated. All else stays ([`kept`]): it is linked into the new folder before this takes
 //! the former one's place, so a run may be killed at any moment. The new folder is made in a hidden one beside its place ([`staging`]).
-//! The former folder is then taken apart file by file ([`former`]): what turns out to be nowhere else is put into the new one.
+//! The former folder is then removed file by file ([`former`]); a file that exists nowhere else is moved into the new folder.
 
 mod file;
 mod folder;

@@ -9,7 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::output;
 use crate::study::{Evaluator, begun, line};
 
-/// Evaluate a block of rows, as a task of a cluster does; `study run --engine hq` asks for it.
+/// Evaluate a block of rows as a task on a cluster; `study run --engine hq` calls it.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.

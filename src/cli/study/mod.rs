@@ -1,4 +1,4 @@
-//! `flexframe study`: many frames, one a row, on this machine or on a cluster.
+//! `flexframe study`: evaluates many frames, one a row, on this machine or on a cluster.
 
 mod block;
 mod hq;
@@ -21,7 +21,7 @@ use super::options::Common;
 /// Evaluate many frames over ranges of parameters, on this machine or on a cluster.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe study plan examples/studies/rods.toml\n  flexframe study run examples/studies/rods.toml --budget 10m\n  flexframe study run examples/studies/rods.toml --engine hq\n  flexframe study report examples/studies/rods.toml --goals mass,clearance.propeller\n  flexframe study pick examples/studies/rods.toml 17 -o mine\n\nA plan is a TOML file: base, sampling, samples, seed, measures, and the tables vary and choose; or, with kind = \"recovery\", levels,\nstrengths, effects, laws and the table seeds. docs/studies.md lists its keys. A run that was ended goes on where it was when it is begun\nagain."
+    after_help = "Examples:\n  flexframe study plan examples/studies/rods.toml\n  flexframe study run examples/studies/rods.toml --budget 10m\n  flexframe study run examples/studies/rods.toml --engine hq\n  flexframe study report examples/studies/rods.toml --goals mass,clearance.propeller\n  flexframe study pick examples/studies/rods.toml 17 -o mine\n\nA plan is a TOML file: base, sampling, samples, seed, measures, and the tables vary and choose; or, with kind = \"recovery\", levels,\nstrengths, effects, laws and the table seeds. docs/studies.md lists its keys. A run that was\ninterrupted continues when it is started again."
 )]
 pub(super) struct Args {
     /// What to do with the study.

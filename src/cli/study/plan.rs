@@ -9,7 +9,7 @@ use crate::cli::options::Common;
 use crate::cli::terminal;
 use crate::study::{Axis, Evaluator, Outcome, Study};
 
-/// Say what a study will look at, and how long it will take.
+/// Report the size of a study and its estimated duration.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.

@@ -16,7 +16,7 @@ use crate::report::page::study_page::StudyReport;
 use crate::study::{Column, Indices, Outcomes, Study, Subject, front, indices};
 use crate::variant::Better;
 
-/// Write a study as a page: front, charts, sensitivities and failures of frames, or how often hidden effects were found.
+/// Write the report of a study: front, charts, sensitivities and failures of frames, or how often hidden effects were found.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     #[command(flatten)]
@@ -24,7 +24,7 @@ pub(super) struct Args {
     /// Goals of the front: two or three measures of the study [default: its first two that have a better side].
     #[arg(long, value_delimiter = ',', value_name = "MEASURE,…")]
     goals: Vec<String>,
-    /// Of hidden effects: a Markdown page that takes the tables between two of its lines, which name the study.
+    /// For a study of hidden effects: a Markdown page. The tables are written between the two lines of it that name the study.
     #[arg(long, value_name = "FILE")]
     into: Option<PathBuf>,
 }

@@ -25,16 +25,16 @@ pub(super) struct Args {
     /// Where the rows are evaluated.
     #[arg(long, value_enum, default_value_t = Engine::Local)]
     engine: Engine,
-    /// Longest time, such as 90s, 10m or 2h; a later run goes on.
+    /// Time limit, such as 90s, 10m or 2h; a later run continues.
     #[arg(long, value_name = "TIME", value_parser = bounded::duration)]
     budget: Option<Duration>,
-    /// Give up the rows that are there.
+    /// Discard the existing rows.
     #[arg(long)]
     restart: bool,
     /// Cores of this machine that are used [default: all].
     #[arg(long, value_name = "N", value_parser = bounded::count([1, 1024]))]
     cores: Option<usize>,
-    /// With --engine hq: rows of a task.
+    /// With --engine hq: number of rows of a task.
     #[arg(long, value_name = "ROWS", default_value = "50", value_parser = bounded::count([1, 1_000_000]))]
     block: usize,
 }

@@ -12,7 +12,7 @@ pub(super) struct StudyOption {
     /// The plan: a TOML file.
     #[arg(value_name = "PLAN")]
     pub plan: String,
-    /// Folder that takes the folder `study-PLAN`.
+    /// Folder in which to write the folder `study-PLAN`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

@@ -28,7 +28,7 @@ const PRIORITY: (&str, &str) = ("priority", "1");
 const HIDDEN: (&str, &str) = ("group", "3");
 /// What nothing touches: it is for the eye.
 const SEEN: [(&str, &str); 2] = [("contype", "0"), ("conaffinity", "0")];
-/// Height of the disc that stands for a propeller, m: for the eye only.
+/// Height of the disc that represents a propeller, m: a visual shape only.
 const DISC_M: f64 = 0.002;
 
 /// The frame.

@@ -1,4 +1,4 @@
-//! What a simulator is told of a frame: one record, SI, x front, y left, z up, origin at the hub.
+//! The model of a frame for simulators: one record, SI, x front, y left, z up, origin at the hub.
 
 use nalgebra::{Matrix4, Point3, Vector4};
 use serde::Serialize;

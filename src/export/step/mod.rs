@@ -1,7 +1,7 @@
 //! Parts and assembly as STEP, ISO 10303-21 by AP214: solids with names, colours and places, in mm.
 //!
-//! A solid is exact where the mesh can be put back on the planes and cylinders of its features, and the mesh with its coplanar
-//! facets merged elsewhere; every file tells which.
+//! A solid is exact if every facet of the mesh can be assigned to a plane or cylinder of its features. Otherwise it is the mesh with
+//! coplanar facets merged. Every file states which of both it contains.
 
 mod product;
 mod shape;
@@ -18,7 +18,7 @@ use super::format::{ExportError, Exported, File, Format, Made};
 use crate::frame::assembly::{Design, Kind, Printed, Shape};
 use crate::solid::{Boundary, Feature, Mesh, NotExact};
 
-/// Linear red, green, blue, alpha of a solid that nobody gave a colour.
+/// Linear red, green, blue, alpha of a solid without a colour.
 const GREY: [f32; 4] = [0.4, 0.4, 0.4, 1.0];
 
 /// A mesh that cannot be a solid.

@@ -60,7 +60,7 @@ pub fn lump(design: &Design, lines: &[MassLine]) -> Lump {
     lump_of(design, lines, &|_| true)
 }
 
-/// What of the lines some bodies carry; `None` stands for what no body carries, at the hub or at an extra's position.
+/// The part of the lines that is represented by some bodies; `None` is the mass without a body, at the hub or at an extra's position.
 pub fn lump_of(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) -> bool) -> Lump {
     let sum = moments(design, lines, carries);
     let centre = if sum.mass > 0.0 { sum.first / sum.mass } else { Vector3::zeros() };

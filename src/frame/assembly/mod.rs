@@ -1,4 +1,4 @@
-//! The assembled frame: every part made once, flat and folded, and put where the skeleton says.
+//! The assembled frame: every part made once, flat and folded, and placed in the poses of the skeleton.
 
 mod board_solid;
 mod body;

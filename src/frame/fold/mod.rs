@@ -1,7 +1,8 @@
 //! The fold: how a frame is put together flat and closed by bending, as data.
 //!
-//! [`Task`]s say what there is to do, [`Rules`] from the geometry what may be done when, [`FoldSequence`] has the steps.
-//! [`Linkage`] follows the triangle of arms, strut and leg while it closes, [`Module`] says where every body is.
+//! [`Task`]s are the joints to close and the hinges to bend. [`Rules`] derive from the geometry which task is possible when.
+//! [`FoldSequence`] contains the steps. [`Linkage`] computes the triangle of arms, strut and leg while it closes. [`Module`] gives the pose
+//! of every body.
 
 mod flat;
 mod hinge;

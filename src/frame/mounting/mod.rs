@@ -1,7 +1,7 @@
-//! What is mounted beside the fold, as data: hub and electronics before it, wires and battery after it.
+//! The parts that are mounted before and after the fold, as data: hub and electronics before it, wires and battery after it.
 //!
-//! [`MOUNTS`] says what there is to mount, and from where; `way` asks the meshes what is in the way; [`Mounting`] has the steps in an order
-//! that follows from both.
+//! [`MOUNTS`] lists the mounts with their directions. `way` tests the meshes for collisions on the path of each mount. [`Mounting`] contains
+//! the steps in an order that follows from both.
 
 mod mount;
 mod mounting_plan;

@@ -41,7 +41,7 @@ fn line_of(design: &Design, body: &Body) -> String {
     }
 }
 
-/// How many of a bought thing one of its bodies stands for; 1 of what is not bought.
+/// How many pieces of a bought part one of its bodies represents; 1 for other bodies.
 fn share(design: &Design, line: &str) -> f64 {
     let bodies = design.bodies.iter().filter(|body| line_of(design, body) == line).count();
     design.frame.bought.get(line).map_or(1.0, |item| f64::from(item.quantity) / bodies.max(1) as f64)

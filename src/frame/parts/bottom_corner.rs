@@ -45,7 +45,7 @@ pub struct BottomCorner {
 }
 
 impl BottomCorner {
-    /// The part that a frame asks for; `strut_tilt` is the assembled strut's angle against the vertical.
+    /// The part for a frame; `strut_tilt` is the assembled strut's angle against the vertical.
     pub fn from_frame(frame: &Frame, strut_tilt: Angle) -> Self {
         let (sockets, corner) = (CornerSockets::from_frame(frame), &frame.corner);
         Self {

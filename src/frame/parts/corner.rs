@@ -116,7 +116,7 @@ impl CornerSockets {
         }
     }
 
-    /// The sockets that a frame asks for.
+    /// The sockets for a frame.
     pub fn from_frame(frame: &Frame) -> Self {
         let corner = &frame.corner;
         let bore_mm = frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm;

@@ -66,7 +66,7 @@ pub struct Fork {
 }
 
 impl Fork {
-    /// The part that a frame asks for.
+    /// The part for a frame.
     pub fn from_frame(frame: &Frame) -> Self {
         let fork = &frame.fork;
         Self {

@@ -65,7 +65,7 @@ pub struct Arch {
 }
 
 impl HubJoint {
-    /// The part that a frame asks for.
+    /// The part for a frame.
     pub fn from_frame(frame: &Frame) -> Self {
         let joint = &frame.hub_joint;
         Self {

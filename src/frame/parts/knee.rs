@@ -64,7 +64,7 @@ pub struct Knee {
 }
 
 impl Knee {
-    /// The part that a frame asks for; `strut_tilt` is the strut's angle against the vertical.
+    /// The part for a frame; `strut_tilt` is the strut's angle against the vertical.
     pub fn from_frame(frame: &Frame, strut_tilt: Angle) -> Self {
         let (knee, fork) = (&frame.knee, &frame.fork);
         Self {

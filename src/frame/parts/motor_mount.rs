@@ -73,7 +73,7 @@ pub struct MotorMount {
 }
 
 impl MotorMount {
-    /// The part that a frame asks for.
+    /// The part for a frame.
     pub fn from_frame(frame: &Frame) -> Self {
         let mount = &frame.motor_mount;
         Self {

@@ -1,5 +1,5 @@
-//! What a printed part is: everything that making, placing, weighing, folding and printing it says of it, in one record
-//! beside its shape. How it carries load is in `mechanics/parts`.
+//! The record of a printed part: everything that is needed to make, place, weigh, fold and print it, beside its shape. Its beam model is
+//! in `mechanics/parts`.
 
 use nalgebra::{Isometry3, UnitQuaternion};
 

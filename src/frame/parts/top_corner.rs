@@ -37,7 +37,7 @@ pub struct TopCorner {
 }
 
 impl TopCorner {
-    /// The part that a frame asks for; `strut_tilt` is the assembled strut's angle against the vertical.
+    /// The part for a frame; `strut_tilt` is the assembled strut's angle against the vertical.
     pub fn from_frame(frame: &Frame, strut_tilt: Angle) -> Self {
         Self { sockets: CornerSockets::from_frame(frame), web_fillet_mm: frame.corner.corner_web_fillet_mm, strut_tilt }
     }

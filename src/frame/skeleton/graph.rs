@@ -78,7 +78,7 @@ impl Rod {
         (self.end - self.start).norm()
     }
 
-    /// Length that it is sawn to, mm: the next half millimetre below, as nobody saws finer. The bores take up the rest.
+    /// Length that it is sawn to, mm: rounded down to half a millimetre, the precision of sawing. The bores take up the rest.
     pub fn sawn_mm(&self) -> f64 {
         (self.length_mm() / SAWN_MM + 1e-6).floor() * SAWN_MM
     }

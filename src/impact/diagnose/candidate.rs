@@ -78,7 +78,7 @@ impl Candidate {
 /// A start on a fitted model, with the sum of squares that a linear fit from there promises.
 #[derive(Clone, Debug)]
 pub struct Promise {
-    /// The start, with as much of it as the linear fit asks for.
+    /// The start, with the amount of it from the linear fit.
     pub start: Start,
     /// Promised sum of squares.
     pub sum: f64,

@@ -1,4 +1,4 @@
-//! What changes together with the drop height, so that the drops cannot tell the two apart.
+//! Confounding: covariates that change together with the drop height, so that the drops cannot separate their effects.
 //!
 //! A quantity explains the height as far as its values do in a linear regression (names: as the means of their groups do), less what
 //! as many random values would explain. Where no session is stated, the sensor's zero speaks: when it moved from height to height, so

@@ -13,7 +13,7 @@ pub struct ByHeight {
     pub key: &'static str,
     /// Height, m, value in the file's unit, and its standard error on the fit's scale.
     pub values: Vec<(f64, f64, f64)>,
-    /// Slope of its logarithm over that of the impact speed: 0 where it is constant, 1 where a length stands for a time.
+    /// Slope of its logarithm over that of the impact speed: 0 if it is constant, 1 if it is a length that represents a fixed time.
     pub slope: Option<f64>,
 }
 

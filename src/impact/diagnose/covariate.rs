@@ -16,7 +16,7 @@ use crate::impact::measured::Record;
 const PARTS: usize = 5;
 /// Permutations.
 const PERMUTED: usize = 199;
-/// Variance, in units of the quantity's own, that stands against chance.
+/// Ridge of the regression: variance in units of the covariate's own.
 const RIDGE: f64 = 0.5;
 
 /// A quantity of each drop, height by height.

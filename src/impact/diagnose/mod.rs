@@ -1,4 +1,4 @@
-//! Where simulation and measurement disagree, which named effect is missing, and what is left when it is added.
+//! The diagnosis: where simulation and measurement disagree, which effect is missing, and the residual after it is added.
 //!
 //! [`diagnose`] does all of it. It aligns the drops at their triggers and estimates their trial covariance ([`PreparedDrops`]). It
 //! refits the base model and tests its residual ([`Adequacy`]). It tries every effect on top of the base, then sets of effects

@@ -15,7 +15,7 @@ pub struct MotionState<'a> {
     pub own: &'a [f64],
 }
 
-/// Where a force has a kink: integration stops there and goes on behind it.
+/// A kink of a force: integration stops there and continues after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Threshold {
     /// At a compression, m.

@@ -1,10 +1,11 @@
-//! What can act in a drop: one file an effect, each with its equation, its source, when it is wrong, and its record ([`Spec`]).
+//! The effects that can act in a drop: one file an effect, each with its equation, its source, its limits of validity, and its record
+//! ([`Spec`]).
 //! SI units.
 //!
 //! The base is a body on a linear spring and a linear damper, m x'' = m g - F(x, v). An effect adds a force, or changes
-//! how forces, fall or sensor act. Together, in this order: the sum of the forces (staggered feet stand in for spring
-//! and damper), the tension factor where F < 0 or x < 0, the stop on top, which never pulls; then the sensor's low-pass,
-//! gain and limit on F/m. An effect at its 'off' value is left out of the sum, so the base's numbers stay to the last bit.
+//! how forces, fall or sensor act. They are applied in this order: the sum of the forces (staggered feet replace spring
+//! and damper), the tension factor where F < 0 or x < 0, the stop in addition, which never pulls; then the sensor's low-pass,
+//! gain and limit on F/m. An effect at its 'off' value is left out of the sum, so the base model's results stay the same to the last bit.
 //!
 //! x is the compression since first touch, positive downwards, v = x'; forces on the body count positive upwards.
 

@@ -1,12 +1,12 @@
-//! The two numbers of the flexible material that no static test gives, from measured drops of a frame: its modulus in an
-//! impact and its loss there ([`crate::mechanics::settings::MechanicsSettings`]).
+//! The two numbers of the flexible material that no static test gives, from measured drops of a frame: its modulus and its loss in an
+//! impact ([`crate::mechanics::settings::MechanicsSettings`]).
 //!
-//! A drop height gives two figures with their standard errors ([`Height`]): the median peak and the median
-//! impulse along the axis; drops that a diagnosis leaves out are in neither. The frame's own model answers for both; [`ResponseSurface`] keeps its answers over the numbers' bounds, so
-//! that heights can be left out one after the other without a new run for every step of the search.
+//! A drop height gives two figures with their standard errors ([`Height`]): the median peak and the median impulse along the axis. Both
+//! exclude the drops that a diagnosis excludes. The frame's own model predicts both. [`ResponseSurface`] stores its predictions over the
+//! bounds of the two numbers, so that heights can be left out one after the other without a new run for every step of the search.
 //!
-//! *When it is wrong:* both numbers compensate for everything that the level landing of a linear material leaves out: large strains, slip, tilt. They are
-//! those of this print, this ground and this way of letting go, and no constants of the material.
+//! *When it is wrong:* both numbers compensate for everything that the level landing of a linear material leaves out: large strains,
+//! slip, tilt. They hold for this print, this ground and this way of release, and are no constants of the material.
 
 mod fitting;
 mod frame_reduction;

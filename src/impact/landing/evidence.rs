@@ -18,7 +18,7 @@ const NEAR_RAD: f64 = 15.0 * std::f64::consts::PI / 180.0;
 const CHANCE: f64 = 1.0 / 3.0;
 /// Permutations.
 const PERMUTED: usize = 999;
-/// p-value below which chance is no explanation.
+/// Significance level of both tests.
 const RARE: f64 = 0.01;
 
 /// What the touch times show.
@@ -28,7 +28,7 @@ pub struct TouchEvidence {
     pub drops: usize,
     /// Those whose feet were all seen.
     pub seen: usize,
-    /// Part of the first spikes along a diagonal; chance gives a third.
+    /// Fraction of the first spikes along a diagonal; a third under the null hypothesis.
     pub along_diagonals: f64,
     /// p-value of that under even directions.
     pub along_diagonals_p: f64,
@@ -76,7 +76,7 @@ impl TouchEvidence {
         }
     }
 
-    /// Whether chance gives neither.
+    /// Whether both tests are significant.
     pub fn feet_in_one_plane(&self) -> bool {
         self.along_diagonals_p < RARE && self.plane_p < RARE
     }

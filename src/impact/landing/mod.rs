@@ -1,10 +1,10 @@
 //! Landings that are not level: one foot touches first, the frame turns, the others follow.
 //!
-//! A drop's lateral axes show when each foot touches ([`LegTouches`]). [`TouchEvidence`] asks of these times alone, without a
-//! model, whether four feet in one plane would give them. [`simulate`] drops a rigid body on four legs; [`LandingTable`] holds its
+//! A drop's lateral axes show when each foot touches ([`LegTouches`]). [`TouchEvidence`] tests from these times alone, without a
+//! model, whether they are those of four feet in one plane. [`simulate`] drops a rigid body on four legs; [`LandingTable`] holds its
 //! waves and touch times over all slopes at one speed. [`Population`] averages over random slopes, and [`given_touches`] predicts a
 //! single drop from its own touch times. [`LandingFit`] fits stiffness, damping, inertia and the spread of slopes.
-//! [`LandingAssessment`] puts the effect `landing_tilt` to the tests that every named effect has to pass.
+//! [`LandingAssessment`] applies the tests that the effect `landing_tilt` has to pass before it is named.
 
 mod assessment;
 mod evidence;

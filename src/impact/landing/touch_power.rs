@@ -1,6 +1,6 @@
 //! How many drops tell a slope that grows with the fall from one that does not.
 //!
-//! Where height and session change together, a turning rate at release cannot be told from releases that were steeper on another day.
+//! If height and session change together, a turning rate at release cannot be distinguished from steeper releases on another day.
 //! Dropped in one session, the two differ: a turning rate gives the same touch times from all heights, a slope at release gives
 //! times in proportion to 1/v0. Simulated experiments of either kind are judged by the ratio of the median times from two heights.
 

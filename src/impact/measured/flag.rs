@@ -12,7 +12,7 @@ const RATES_HZ: RangeInclusive<f64> = 399.0..=201_000.0;
 const GAP_STEPS: f64 = 1.5;
 /// Fewest samples before the trigger.
 const FEWEST_BEFORE: usize = 3;
-/// Least that a record goes on after the trigger, s.
+/// Shortest duration of a record after the trigger, s.
 const LEAST_AFTER_S: f64 = 0.02;
 /// Equal samples in a row, at the top of the impact, that count as clipping: at least so many, and so long, s.
 const FLAT: usize = 3;

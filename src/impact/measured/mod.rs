@@ -1,9 +1,9 @@
-//! Drops as they were measured: reading records, finding the impact in each, judging it, summing up a height.
+//! Measured drops: reading records, detecting the impact in each, flagging bad records, summaries of each height.
 //!
 //! [`read_bytes`] takes files' names and bytes: the logger's `.bin` files and CSV tables, written as a [`FileFormat`] says; `read`,
 //! with the feature `cli`, takes paths of files and folders. They give a [`DropSet`], records grouped by frame and height.
-//! [`JudgedDrops`] judges them together: the [`Impact`] in each record, each [`Flag`] with its evidence, and the [`Session`] it
-//! belongs to. [`Summary`] is what the records of a height say together. Acceleration is proper acceleration in g along the frame's axis,
+//! [`JudgedDrops`] flags them together: the [`Impact`] in each record, each [`Flag`] with its evidence, and the [`Session`] it
+//! belongs to. [`Summary`] has the statistics of the records of a height. Acceleration is proper acceleration in g along the frame's axis,
 //! positive while the ground pushes, 0 in free fall. Static tests, readings of a scale
 //! and tables of folded hinges are read here, too.
 

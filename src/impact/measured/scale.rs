@@ -66,7 +66,7 @@ fn reading(row: &csv::ByteRecord, line: u64, part: usize, mass: usize, quantity:
     Ok(ScaleReading { line, part, quantity: quantity as u32, mass_g, resolution_g: last_digit(row.get(mass).unwrap_or_default()) })
 }
 
-/// What the last digit of a number stands for: 0.1 of `12.3`, 1 of `12`, 0.01 of `1.23`, 10 of `1.2e2`.
+/// Value of the last digit of a number: 0.1 of `12.3`, 1 of `12`, 0.01 of `1.23`, 10 of `1.2e2`.
 fn last_digit(field: &[u8]) -> f64 {
     let text = String::from_utf8_lossy(field).trim().to_ascii_lowercase();
     let (digits, power) = text.split_once('e').map_or((text.as_str(), 0), |(digits, power)| (digits, power.parse().unwrap_or(0)));

@@ -18,7 +18,7 @@ use crate::units::GRAVITY_M_S2;
 const HEIGHTS_M: RangeInclusive<f64> = 0.01..=100.0;
 /// Speeds at first touch, m/s.
 const SPEEDS_M_S: RangeInclusive<f64> = 0.4..=45.0;
-/// Heights of speeds are told apart by this, m.
+/// Heights computed from speeds are different if they differ by this, m.
 const HEIGHT_STEP_M: f64 = 1e-4;
 /// Times, s.
 const TIMES_S: RangeInclusive<f64> = -1e7..=1e7;

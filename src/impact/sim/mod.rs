@@ -1,4 +1,4 @@
-//! The drop itself: the sum of the effects, integrated with its events, and what a sensor makes of it. SI units.
+//! The simulation of a drop: the sum of the effects, integrated with its events, and the output of a sensor. SI units.
 //!
 //! [`System`] is a model made ready to run. [`wave`] gives the sensor's output alone, fast, for fits; [`simulate`] gives
 //! a [`Trace`] with events, peaks and energies. t = 0 is first touch.

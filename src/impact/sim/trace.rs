@@ -8,7 +8,7 @@ use super::validity_warning::ValidityWarning;
 use crate::impact::effects::Reach;
 use crate::units::GRAVITY_M_S2;
 
-/// A run goes on for this long when the frame has not left the ground, s.
+/// Duration of a run in which the frame does not leave the ground, s.
 const PATIENCE_S: f64 = 0.5;
 
 /// A drop from one height.

@@ -3,7 +3,7 @@
 /// A validity warning.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ValidityWarning {
-    /// The lowest body has reached the ground; the simulation goes on as if it had not.
+    /// The lowest body has reached the ground; the simulation ignores this contact.
     #[error("the gap of {gap_mm:.1} mm is used up after {t_ms:.2} ms at {speed_m_s:.2} m/s: from then on a rigid body hits the ground")]
     PastGap {
         /// The gap.

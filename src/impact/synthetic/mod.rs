@@ -1,9 +1,9 @@
-//! Synthetic drops with a known truth, on which `diagnose` is tested. SI units, readings in g.
+//! Synthetic drops with a known truth, to test `diagnose`. SI units, readings in g.
 //!
-//! Nothing here is shared with `sim` but the numbers of a model. The equations are written a second time, each effect's in its
+//! This module shares only the numbers of a model with `sim`. The equations are written a second time, each effect's in its
 //! record (`effects::Generator` says why), and integrated by the classical Runge-Kutta method of order 4 in steps of microseconds.
-//! [`Hidden`] holds effects outside the catalogue, [`Stalls`] a logger whose clock stalls,
-//! [`Landings`] bodies that land on one foot first, [`ScatterLaw`] how readings vary.
+//! [`Hidden`] is an effect outside the catalogue, [`Stalls`] a logger whose clock stalls, [`Landings`] bodies that land on one foot
+//! first, and [`ScatterLaw`] the variation of the readings.
 
 mod bezier;
 mod fine_wave;

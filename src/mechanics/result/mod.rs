@@ -1,4 +1,4 @@
-//! Results of the solvers in the terms of an engineer: curves, impacts, strength, calibration.
+//! Engineering results of the solvers: curves, impacts, strength, calibration.
 
 pub mod calibration;
 pub mod deformed;

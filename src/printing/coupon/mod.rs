@@ -1,5 +1,5 @@
-//! A coupon: small prints that tell which clearances a printer needs and what strain its hinges bear, and what was found on them
-//! as lines of a frame file.
+//! The test coupon: small prints from which a printer's clearances and the strain limit of hinges are read, and the readings as lines
+//! of a frame file.
 //!
 //! Axes as printed: x along a row, y back, z up from the bed, mm.
 

@@ -1,4 +1,4 @@
-//! Which printed parts lie where on which plate, and how they are to be printed.
+//! The arrangement of printed parts on plates, and their print settings.
 //!
 //! [`arrange`] fills plates of one material each. Coordinates are the printer's: millimetres, Z up, origin at the front left
 //! corner of a rectangular bed, in the middle of a round one.

@@ -1,12 +1,12 @@
 //! How long printing takes.
 //!
-//! A line of infill or wall is as long as its section's area over the distance of two lines. It is laid at the material's speed, or
-//! at what its most flow allows, slower in short loops; walls lose time in corners, and each loop brings moves without printing.
-//! The three factors are fitted to what PrusaSlicer 2.5 estimates for the plates of this project on printers of 500, 1000 and
-//! 1250 mm/s²; `tests/external/print_time.py` measures that each plate is within 15 %.
+//! The length of the lines of infill or walls is the area of their section over the distance of two lines. They are printed at the
+//! material's speed, or at its largest volumetric flow, and slower in short loops. Walls lose time in corners, and each loop adds travel
+//! moves. Three factors are fitted to the times that PrusaSlicer 2.5 estimates for the plates of this project on printers with 500, 1000
+//! and 1250 mm/s²; `tests/external/print_time.py` measures that each plate is within 15 %.
 //!
-//! It is wrong for speeds far from those of the catalogue (18 to 60 mm/s), where acceleration counts for more, for plates whose layers are so small
-//! that the slicer waits for them to cool, and by the support that a part needs: none is reckoned with. Heating the bed is not printing.
+//! *When it is wrong:* for speeds far from those of the catalogue (18 to 60 mm/s), where acceleration has more influence, and for plates
+//! with layers so small that the slicer waits for them to cool. Support and heating of the bed are not included.
 
 mod layer;
 

@@ -1,4 +1,4 @@
-//! How a part prints: in layers, over air, in walls, on its first layer.
+//! Printability of a part: layers, unsupported regions, walls, and footing on the first layer.
 //!
 //! Everything is measured on the mesh that is printed, in print axes: mm, Z up, resting on z = 0.
 

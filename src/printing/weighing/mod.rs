@@ -1,5 +1,5 @@
-//! A frame's printed mass three ways: volume times density, as a slicer fills it, on a scale; and the print factors that the
-//! scale asks for.
+//! The printed mass of a frame from three sources: volume times density, a slicer, and a scale; and the print factors fitted to the
+//! scale.
 
 mod print_factor;
 mod weighed;

@@ -56,7 +56,7 @@ impl Compared {
         self.sampling.iter().map(|(height_m, decimation)| format!("readings from {height_m} m: {decimation}")).collect()
     }
 
-    /// What explains how drops of one height vary, and what cannot be told from the height, in sentences.
+    /// The covariates that explain the variation between drops of one height, and the confounded ones, in sentences.
     pub fn explained(&self) -> Vec<String> {
         let covariates = self.covariates.iter().map(CovariateEffect::sentence);
         let confounding = self.confounding.iter().map(|one| one.found.clone());

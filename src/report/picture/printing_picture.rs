@@ -96,7 +96,7 @@ fn look(fault: Option<Fault>) -> ([f32; 4], &'static str) {
     }
 }
 
-/// A slab under what hangs of each layer.
+/// A slab under the unsupported regions of each layer.
 fn terraces(place: &Hanging) -> Vec<Mesh> {
     place.layers.iter().map(|(bottom_mm, piece)| piece.drawn_up(bottom_mm - MARK_MM[0], bottom_mm + MARK_MM[1]).to_mesh()).collect()
 }

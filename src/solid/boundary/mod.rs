@@ -1,4 +1,4 @@
-//! Boundary representations: faces on planes and cylinders, bounded by edges that two faces share. What STEP files hold.
+//! Boundary representations: faces on planes and cylinders, bounded by edges that two faces share. STEP files contain them.
 //!
 //! The topology is that of the mesh. [`Boundary::faceted`] merges its coplanar facets; [`Boundary::exact`] puts its facets back
 //! on the surfaces of the feature tree that they stand for, and edges and corners where those surfaces meet.

@@ -1,4 +1,4 @@
-//! What nobody reaches: the share of names that are right when the judge is told everything but the trial variation that happened.
+//! The upper bound of accuracy: the share of right names for an ideal observer who knows everything except the realised trial variation.
 //!
 //! The judge of one seed knows its truths (every effect and strength, all parameters but k and c), what each reads without
 //! noise, and the covariance of the mean waves, and weighs them by Bayes' rule, all equally likely; k and c have an even
@@ -101,7 +101,7 @@ struct Judged {
     id: &'static str,
     /// Logarithm of its weight over that of the null.
     over_null: f64,
-    /// The best-supported effect for somebody who is told as well that it is detectable.
+    /// The effect with the largest posterior probability, given that it is detectable.
     detectable: &'static str,
 }
 

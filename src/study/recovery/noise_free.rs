@@ -63,7 +63,7 @@ pub(super) fn catalogue(plan: &Plan, base: &Model) -> Option<Search> {
     Search::run(&setting, base)
 }
 
-/// The single effect with the best score for somebody who is told the generator's own covariance: what is lost by having to
+/// The single effect with the best score under the generator's own covariance: what is lost by having to
 /// estimate it. No bound: the score is the diagnosis' own, not the best there could be.
 pub(super) fn told_the_covariance(plan: &Plan, base: &Model) -> Option<&'static str> {
     let few = waves(plan)?;

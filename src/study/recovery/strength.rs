@@ -1,4 +1,4 @@
-//! How much of an effect there is in a truth.
+//! The amount of an effect in a truth.
 
 use crate::impact::effects::{CATALOGUE, Model, Spec, candidates};
 use rand::{Rng, RngExt};
@@ -8,8 +8,7 @@ pub fn recorded(model: &Model) -> Vec<&'static Spec> {
     candidates(&CATALOGUE, model)
 }
 
-/// Values of an effect with as much of it as `amount` says, its other parameters by chance; `None` for an effect without a
-/// line here.
+/// Values of an effect of the given amount, with its other parameters drawn at random; `None` for an effect without a line here.
 pub fn values(id: &str, model: &Model, amount: f64, rng: &mut impl Rng) -> Option<Vec<f64>> {
     let side = if rng.random_bool(0.4) { -1.0 } else { 1.0 };
     let one = |value: f64| vec![value];

@@ -49,14 +49,14 @@ impl Truth {
     }
 }
 
-/// Two effects by chance, in the order of the catalogue; none where the draw has one twice.
+/// Two random effects, in the order of the catalogue; none if the same effect is drawn twice.
 pub(super) fn pair(all: &[&'static Spec], seed: u64) -> Option<[&'static Spec; 2]> {
     let mut rng = Pcg64::seed_from_u64(seed + 4242);
     let (a, b) = (rng.random_range(0..all.len()), rng.random_range(0..all.len()));
     (a != b).then(|| [all[a.min(b)], all[a.max(b)]])
 }
 
-/// Something outside of the catalogue: four kinds in turn, with numbers by chance.
+/// An effect outside the catalogue: four kinds in turn, with random parameters.
 pub(super) fn outside(seed: u64) -> Hidden {
     let mut rng = Pcg64::seed_from_u64(seed + 999);
     let strength = libm::exp(rng.random_range(0.0..1.5));
@@ -142,7 +142,7 @@ impl Truths<'_> {
     }
 }
 
-/// An effect with as much of it as `amount` says; its other parameters by chance.
+/// An effect of the given amount, with its other parameters drawn at random.
 fn with(model: &Model, id: &str, amount: f64, rng: &mut impl Rng) -> Option<Model> {
     let spec = by_id(id)?;
     let values = strength::values(id, model, amount, rng)?;
