@@ -232,7 +232,7 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
 }
 
 fn frame_text(args: &Args, held: &CheckedFrame) -> String {
-    let findings: Vec<Finding> = held.findings.iter().map(Judged::told).collect();
+    let findings: Vec<Finding> = held.findings.iter().map(Judged::reported).collect();
     let every = || findings.iter().map(|finding| Tightest { finding, of: 1 }).collect::<Vec<_>>();
     let table = if args.all { table::findings(&every()) } else { table::brief(&findings, args.strict) };
     let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));

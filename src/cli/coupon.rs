@@ -113,9 +113,9 @@ fn is_table(said: &str) -> bool {
 }
 
 fn clearances(frame: &Frame, words: &[&String]) -> Result<Set, Failure> {
-    let unfit = |error: crate::printing::coupon::FindingError| Failure::Usage { message: format!("--read: {error}") };
-    let found: Vec<Found> = words.iter().map(|words| Found::parse(words)).collect::<Result<_, _>>().map_err(unfit)?;
-    let set = Found::parameters(frame, &found).map_err(unfit)?;
+    let usage_error = |error: crate::printing::coupon::FindingError| Failure::Usage { message: format!("--read: {error}") };
+    let found: Vec<Found> = words.iter().map(|words| Found::parse(words)).collect::<Result<_, _>>().map_err(usage_error)?;
+    let set = Found::parameters(frame, &found).map_err(usage_error)?;
     let said: Vec<&str> = words.iter().map(|words| words.as_str()).collect();
     let why = format!("found on the coupon: {}", said.join(", "));
     Ok(set.into_iter().map(|(key, value)| (key, value, why.clone())).collect())

@@ -163,7 +163,7 @@ fn formatted(creation: &Creation, lines: &[Line], place: &str) -> String {
     format!(
         "{text}{place}: {:.1} g, {fails}; {}\n",
         creation.evaluation.masses.total_g,
-        searching::told(creation.looked_at, creation.ended)
+        searching::summary(creation.looked_at, creation.ended)
     )
 }
 

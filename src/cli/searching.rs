@@ -82,7 +82,7 @@ impl Following {
 }
 
 /// How many frames a search looked at and why it ended, for a person.
-pub(super) fn told(count: usize, ended: Ended) -> String {
+pub(super) fn summary(count: usize, ended: Ended) -> String {
     let frames = if count == 1 { "1 frame was looked at".into() } else { format!("{count} frames were looked at") };
     format!("{frames}; the search {}", word(ended))
 }

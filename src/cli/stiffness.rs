@@ -10,7 +10,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::export::bent_glb;
+use crate::export::deformed_glb;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, mass};
 use crate::impact::frame_fit::reduced_model;
@@ -26,7 +26,7 @@ use crate::mechanics::solve::modes::{Modes, REPORTED};
 use crate::report::chart::stiffness_plots;
 use crate::report::data::stiffness_data;
 use crate::report::data::stiffness_data::Stiffness;
-use crate::report::picture::bent_scene;
+use crate::report::picture::deformed_scene;
 use crate::report::picture::image::View;
 
 /// Compute the stiffness of a frame from its geometry: force over displacement, distribution of energy, strains, modes.
@@ -79,7 +79,7 @@ const SWING_MM: f64 = 15.0;
 const ANIMATED_S: f64 = 4.0;
 
 /// Pictures and animations of the frame pressed down and in its modes.
-fn bent_files(
+fn deformed_files(
     design: &Design,
     bound: &Bound,
     whole: &FrameModel,
@@ -93,7 +93,7 @@ fn bent_files(
     let mut shapes = Vec::new();
     for (down_mm, state) in &curve.states {
         let bodies = bound.deformed(&whole.unfolded(quarter, state));
-        files.push((format!("pictures/down_{down_mm:02.0}_mm.png"), bent_scene::picture(design, &bodies, View::Right)));
+        files.push((format!("pictures/down_{down_mm:02.0}_mm.png"), deformed_scene::picture(design, &bodies, View::Right)));
         shapes.push(bodies);
     }
     // One shape after the other, and back.
@@ -101,18 +101,18 @@ fn bent_files(
     let stops: Vec<usize> = (0..=count).chain((0..count).rev()).collect();
     let weights = |stop: usize| (1..=count).map(|at| if at == stop { 1.0 } else { 0.0 }).collect();
     let step_s = ANIMATED_S / stops.len().max(2) as f64;
-    let keys: Vec<bent_glb::Key> = stops.iter().enumerate().map(|(at, stop)| (step_s * at as f64, weights(*stop))).collect();
-    files.push(("pressed.glb".into(), bent_glb::bent(design, "the centre pressed down", &rest, &shapes, &keys).map_err(failed)?));
+    let keys: Vec<deformed_glb::Key> = stops.iter().enumerate().map(|(at, stop)| (step_s * at as f64, weights(*stop))).collect();
+    files.push(("pressed.glb".into(), deformed_glb::deformed(design, "the centre pressed down", &rest, &shapes, &keys).map_err(failed)?));
     let Some(modes) = modes else { return Ok(files) };
     for (at, mode) in modes.modes.iter().enumerate() {
         let bodies = bound.deformed(&modes.state(mode, SWING_MM));
         let name = format!("mode_{}_{:.0}_hz", at + 1, mode.frequency_hz);
-        files.push((format!("pictures/{name}.png"), bent_scene::picture(design, &bodies, View::Perspective)));
+        files.push((format!("pictures/{name}.png"), deformed_scene::picture(design, &bodies, View::Perspective)));
         let most = modes.modes.iter().all(|other| other.share_up <= mode.share_up);
         if most {
             let turn = |at: i32| std::f64::consts::TAU * f64::from(at) / 16.0;
-            let keys: Vec<bent_glb::Key> = (0..=32).map(|at| (ANIMATED_S * f64::from(at) / 32.0, vec![libm::sin(turn(at))])).collect();
-            files.push((format!("{name}.glb"), bent_glb::bent(design, &name, &rest, &[bodies], &keys).map_err(failed)?));
+            let keys: Vec<deformed_glb::Key> = (0..=32).map(|at| (ANIMATED_S * f64::from(at) / 32.0, vec![libm::sin(turn(at))])).collect();
+            files.push((format!("{name}.glb"), deformed_glb::deformed(design, &name, &rest, &[bodies], &keys).map_err(failed)?));
         }
     }
     Ok(files)
@@ -178,7 +178,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         None => "The numbers that this result was computed with.".into(),
     };
     if let Some(bound) = Bound::new(&design, &whole).filter(|_| !args.no_pictures) {
-        files.extend(bent_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
+        files.extend(deformed_files(&design, &bound, &whole, &quarter, &curve, modes.as_ref())?);
     }
     let reduced = reduced_model(&design, &masses, &quarter, &curve, &settings).map_err(mechanics_refused)?;
     files.push(("model.toml".into(), reduced.to_toml().into_bytes()));

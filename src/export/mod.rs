@@ -2,12 +2,12 @@
 //!
 //! A format of a frame's folder is one [`Format`] beside its code, and an entry of the [`CATALOGUE`].
 
-pub mod bent_glb;
 pub mod bill;
 pub mod bill_page;
 pub mod bom;
 mod colour;
 pub mod cutting;
+pub mod deformed_glb;
 pub mod fold_glb;
 pub mod fold_json;
 mod fold_skin;

@@ -38,13 +38,13 @@ fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
 /// A rule: it fails by what fails, then it is skipped by what is accepted; what is noted stands in its output.
 fn case(held: &CheckedFrame, rule: &str) -> TestCase {
     let of = |standing: Standing| held.findings.iter().filter(move |judged| judged.standing == standing && judged.finding.rule == rule);
-    let told = |standing: Standing| of(standing).map(text).collect::<Vec<_>>().join("\n");
-    let (fails, accepted, warnings) = (of(Standing::Fails).next(), of(Standing::Accepted).next(), told(Standing::Warning));
+    let lines = |standing: Standing| of(standing).map(text).collect::<Vec<_>>().join("\n");
+    let (fails, accepted, warnings) = (of(Standing::Fails).next(), of(Standing::Accepted).next(), lines(Standing::Warning));
     let status = match (fails, accepted) {
-        (Some(first), _) => failed(NonSuccessKind::Failure, rule, &first.finding.message, &told(Standing::Fails)),
+        (Some(first), _) => failed(NonSuccessKind::Failure, rule, &first.finding.message, &lines(Standing::Fails)),
         (None, Some(_)) => {
             let mut status = TestCaseStatus::skipped();
-            status.set_message(format!("accepted: {}", told(Standing::Accepted)));
+            status.set_message(format!("accepted: {}", lines(Standing::Accepted)));
             status
         }
         (None, None) => TestCaseStatus::success(),

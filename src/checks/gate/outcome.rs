@@ -24,7 +24,7 @@ pub struct Judged {
 
 impl Judged {
     /// The finding as it is reported: tested changes replace the keys that might clear it.
-    pub fn told(&self) -> Finding {
+    pub fn reported(&self) -> Finding {
         let mut finding = self.finding.clone();
         if !self.advice.is_empty() {
             finding.message = format!("{}; {}", finding.message, self.advice);

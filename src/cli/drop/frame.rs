@@ -17,7 +17,7 @@ use crate::mechanics::settings::MechanicsSettings;
 use crate::report::chart::impact_plots;
 use crate::report::data::impact_data;
 use crate::report::data::impact_data::Impacts;
-use crate::report::picture::bent_scene;
+use crate::report::picture::deformed_scene;
 use crate::report::picture::image::View;
 use crate::units::Angle;
 
@@ -57,7 +57,7 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
         for (t_ms, state) in highest.states.iter().step_by(2) {
             let Some(bound) = &bound else { continue };
             let bodies = bound.deformed(&whole.unfolded(&model, state));
-            files.push((format!("pictures/{:02.0}_ms.png", t_ms), bent_scene::picture(&design, &bodies, View::Right)));
+            files.push((format!("pictures/{:02.0}_ms.png", t_ms), deformed_scene::picture(&design, &bodies, View::Right)));
         }
     }
     std::mem::drop(working);

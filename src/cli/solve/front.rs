@@ -14,7 +14,7 @@ use crate::report::data::front_data;
 use crate::variant::Front;
 
 /// Says what was found, and writes it when asked to; exit code 1 when nothing was.
-pub(super) fn told(found: &Option<Front>, frame: &str, into: Option<&Path>, common: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn report_front(found: &Option<Front>, frame: &str, into: Option<&Path>, common: &Common) -> Result<ExitCode, Failure> {
     let Some(front) = found else { return Ok(ExitCode::from(1)) };
     let json = front_data::json(front, frame, searching::id(front.ended));
     if common.json {
@@ -40,7 +40,7 @@ pub(super) fn told(found: &Option<Front>, frame: &str, into: Option<&Path>, comm
 fn table(front: &Front) -> String {
     let goals = front.goals.iter().map(|goal| format!("{:>22}", format!("{}, {}", goal.name, goal.unit)));
     let vary = front.vary.iter().map(|vary| format!("{:>22}", vary.parameter.key));
-    let mut text = format!("{}\n\n{}\n", searching::told(front.looked_at, front.ended), goals.chain(vary).collect::<String>());
+    let mut text = format!("{}\n\n{}\n", searching::summary(front.looked_at, front.ended), goals.chain(vary).collect::<String>());
     for point in &front.points {
         let goals = front.goals.iter().zip(&point.goals).map(|(goal, value)| format!("{:>22}", goal.reported(Some(*value))));
         let values = point.values.iter().map(|value| format!("{:>22}", decimals(*value, 3)));

@@ -2,7 +2,7 @@
 
 mod arguments;
 mod front;
-mod told;
+mod report;
 mod wish;
 
 use std::path::Path;
@@ -41,20 +41,20 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let Wanted::Frame { doc, .. } = &wanted else {
         let found = crate::variant::front(&problem, &wanted.measures());
         following.ends();
-        return front::told(&answered(found)?, &before.name, args.output.as_ref().map(Path::new), common);
+        return front::report_front(&answered(found)?, &before.name, args.output.as_ref().map(Path::new), common);
     };
     let found = choose(&problem, &choices);
     following.ends();
     let Some(chosen) = answered(found)? else { return Ok(ExitCode::from(1)) };
     if common.json {
-        terminal::print_json(&told::json(&chosen))?;
+        terminal::print_json(&report::json(&chosen))?;
     } else if !common.quiet {
         let begun = Evaluation::quick(before.clone(), &Arc::default()).ok();
         let begun = match &mechanics {
             None => begun,
             Some(settings) => begun.and_then(|begun| begun.strengthened(settings).ok()),
         };
-        terminal::print(&told::formatted(&chosen, &before.name, begun.as_ref()))?;
+        terminal::print(&report::formatted(&chosen, &before.name, begun.as_ref()))?;
     }
     if let (Some(place), Some(base)) = (written, base) {
         write(&place, &base, &format!("{doc} by flexframe solve"), &chosen, args)?;

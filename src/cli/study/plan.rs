@@ -31,12 +31,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&json(&study, a_row_s))?;
     } else {
-        terminal::print(&told(&study, tried, refused, a_row_s))?;
+        terminal::print(&formatted(&study, tried, refused, a_row_s))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn told(study: &Study, tried: usize, refused: usize, a_row_s: f64) -> String {
+fn formatted(study: &Study, tried: usize, refused: usize, a_row_s: f64) -> String {
     let mut text = format!("{}: {} rows on {}\n\nwhat varies\n", study.name, study.rows(), study.base_name());
     for axis in &study.axes {
         let over = match axis {

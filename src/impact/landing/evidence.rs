@@ -15,7 +15,7 @@ use super::observed::{HeightLandings, ObservedLandings};
 /// A direction counts as a diagonal within so much, rad.
 const NEAR_RAD: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Part of all directions within it.
-const CHANCE: f64 = 1.0 / 3.0;
+const NULL_SHARE: f64 = 1.0 / 3.0;
 /// Permutations.
 const PERMUTED: usize = 999;
 /// Significance level of both tests.
@@ -50,7 +50,7 @@ impl TouchEvidence {
         let drops = all().count();
         let along = seen().filter(|drop| off_diagonal_rad(drop.touches.direction_rad) <= NEAR_RAD).count();
         let count = seen().count();
-        let along_p = match (along as u64).checked_sub(1).zip(Binomial::new(CHANCE, count as u64).ok()) {
+        let along_p = match (along as u64).checked_sub(1).zip(Binomial::new(NULL_SHARE, count as u64).ok()) {
             Some((below, binomial)) => binomial.sf(below),
             None => 1.0,
         };

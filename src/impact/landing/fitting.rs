@@ -301,7 +301,7 @@ impl LandingProblem<'_> {
         let [drops, _] = self.at_fit(fit)?;
         let (samples, columns) = (self.waves.expected.samples, [MOUNT_AT, MOUNT_AT + 1]);
         let heights = self.heights();
-        let (mut precision_sum, mut weighed_sum, mut apart, mut row) = (DMatrix::zeros(2, 2), DVector::zeros(2), 0.0, 0);
+        let (mut precision_sum, mut weighed_sum, mut chi_squared, mut row) = (DMatrix::zeros(2, 2), DVector::zeros(2), 0.0, 0);
         for height in &heights {
             let (mut normal, mut scatter, mut right) = (DMatrix::zeros(2, 2), DMatrix::zeros(2, 2), DVector::zeros(2));
             for _ in &height.drops {
@@ -314,13 +314,13 @@ impl LandingProblem<'_> {
             }
             let step = inverse(&normal)? * right;
             let precision = &normal * inverse(&scatter)? * &normal;
-            apart += step.dot(&(&precision * &step));
+            chi_squared += step.dot(&(&precision * &step));
             weighed_sum += &precision * step;
             precision_sum += precision;
         }
-        apart -= weighed_sum.dot(&(inverse(&precision_sum)? * &weighed_sum));
+        chi_squared -= weighed_sum.dot(&(inverse(&precision_sum)? * &weighed_sum));
         let freedom = columns.len() * heights.len().checked_sub(1).filter(|free| *free > 0)?;
-        Some(ChiSquared::new(freedom as f64).ok()?.sf(apart.max(0.0)))
+        Some(ChiSquared::new(freedom as f64).ok()?.sf(chi_squared.max(0.0)))
     }
 
     /// The parameters of a population's fit with intervals, by drops drawn with replacement and one step of the fit for each set.

@@ -23,14 +23,14 @@ pub struct Run {
     /// Longest time, ms.
     pub longest_ms: f64,
     /// How long the feet have to be in the air for the contact to have ended, ms.
-    pub apart_ms: f64,
+    pub off_ground_ms: f64,
     /// How far the frame is turned about X, then about Y, when it touches. Other than none needs the whole frame.
     pub tilt: [Angle; 2],
 }
 
 impl Default for Run {
     fn default() -> Self {
-        Self { step_ms: 0.1, longest_ms: 40.0, apart_ms: 1.0, tilt: [Angle::rad(0.0); 2] }
+        Self { step_ms: 0.1, longest_ms: 40.0, off_ground_ms: 1.0, tilt: [Angle::rad(0.0); 2] }
     }
 }
 
@@ -132,8 +132,8 @@ impl Impact {
             }
             left_ms = if ground_n > 0.0 { None } else { left_ms.or(Some(motion.t_ms)) };
             // Feet hop while the frame still comes down; that is no end.
-            let apart = left_ms.is_some_and(|at| motion.t_ms - at >= run.apart_ms - 1e-9);
-            if apart && rising(model, &motion) > 0.0 {
+            let is_off = left_ms.is_some_and(|at| motion.t_ms - at >= run.off_ground_ms - 1e-9);
+            if is_off && rising(model, &motion) > 0.0 {
                 impact.contact_ms = left_ms;
                 break;
             }

@@ -39,7 +39,7 @@ impl RecoveryReport<'_> {
     }
 
     fn table(&self, table: &Table) -> Block {
-        let line = |(name, facts): &(String, Vec<Fact>)| std::iter::once(name.clone()).chain(facts.iter().map(told)).collect();
+        let line = |(name, facts): &(String, Vec<Fact>)| std::iter::once(name.clone()).chain(facts.iter().map(formatted)).collect();
         let head = std::iter::once(table.of.to_string()).chain(self.settings());
         Block::Table(head.collect(), table.lines.iter().map(line).collect())
     }
@@ -85,7 +85,7 @@ fn of_share(share: &Share) -> [String; 5] {
     [share.good.to_string(), share.all.to_string(), share.share().to_string(), least.to_string(), most.to_string()]
 }
 
-fn told(fact: &Fact) -> String {
+fn formatted(fact: &Fact) -> String {
     match fact {
         Fact::Share(share) => {
             let [least, most] = share.interval().map(|end| decimals(end, 2));

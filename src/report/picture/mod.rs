@@ -1,8 +1,8 @@
 //! Pictures of meshes: camera, rasteriser, and the scenes that are drawn.
 
 pub(in crate::report) mod arrow;
-pub mod bent_scene;
 pub(in crate::report) mod camera;
+pub mod deformed_scene;
 pub mod fold_scene;
 pub mod image;
 pub(in crate::report) mod labels;

@@ -96,8 +96,8 @@ const SUMMARY: [(&str, Says); 21] = [
     ("ceiling: of the detectable, for somebody who knows that they are", |rows| mean(rows, "ceiling.detectable", |_| true)),
     ("ceiling: first in the ranking, without the limit on alarms", |rows| mean(rows, "ceiling.first", |_| true)),
     ("what single records tell beside their mean, noncentrality, median", |rows| median_of(rows, "ceiling.single_records")),
-    ("told the generator's covariance: first in the ranking, of all strengths", |rows| {
-        of(rows, |row| row.is_one() && row.word("told.first").is_some(), |row| row.is_first("told.first"))
+    ("with the generator's covariance: first in the ranking, of all strengths", |rows| {
+        of(rows, |row| row.is_one() && row.word("known_covariance.first").is_some(), |row| row.is_first("known_covariance.first"))
     }),
     ("refused", |rows| Fact::Number(rows.iter().filter(|row| row.is_refused()).count() as f64)),
 ];

@@ -37,19 +37,19 @@ struct Hypothesis {
     strength: f64,
     plan: Plan,
     /// Noncentrality.
-    apart: f64,
+    noncentrality: f64,
 }
 
 impl Hypothesis {
     fn is_detectable(&self) -> bool {
-        self.apart > DETECTABLE
+        self.noncentrality > DETECTABLE
     }
 }
 
 /// A hypothesis as seen from a truth: its k and c refitted to the truth's mean waves.
 struct Seen {
     /// Whitened difference of the means.
-    apart: DVector<f64>,
+    residual: DVector<f64>,
     /// Orthonormal basis of the change with k and c.
     tangent: DMatrix<f64>,
     /// Half the logarithm of how much k and c are worth.
@@ -66,12 +66,12 @@ impl Seen {
         let root = normal.cholesky()?;
         let worth = root.l().diagonal().iter().map(|one| libm::log(*one)).sum();
         let tangent = root.l().solve_lower_triangular(&jacobian.transpose())?.transpose();
-        Some(Self { apart: fitted.minimum.residual * gain.sqrt(), tangent, worth, model })
+        Some(Self { residual: fitted.minimum.residual * gain.sqrt(), tangent, worth, model })
     }
 
     /// Logarithm of the likelihood, but for what is common to all.
     fn weight(&self, noise: &DVector<f64>) -> f64 {
-        let all = &self.apart + noise;
+        let all = &self.residual + noise;
         -0.5 * (all.norm_squared() - self.tangent.tr_mul(&all).norm_squared()) - self.worth
     }
 }
@@ -85,14 +85,14 @@ fn seen(truth: &Plan, hypotheses: &[&Model], gain: f64) -> Option<Vec<Seen>> {
 /// What the trial covariance of single records tells from the null in addition, in units of noncentrality: twice the divergence of Wishart
 /// densities (S. Kullback, *Information Theory and Statistics*, chapter 9) for somebody who knows the covariance's law.
 fn in_covariance(truth: &Plan, null: &Model) -> Option<f64> {
-    let nulls = covariances(&Plan { model: null.clone(), ..truth.clone() })?;
+    let null_covariances = covariances(&Plan { model: null.clone(), ..truth.clone() })?;
     let one = |(own, null): (&DMatrix<f64>, &DMatrix<f64>)| {
         let inverse = inverse_root(null)?;
         let white = &inverse * own * inverse.transpose();
         let spread: f64 = white.symmetric_eigenvalues().iter().map(|one| one - 1.0 - libm::log(*one)).sum();
         Some((truth.drops - 1) as f64 * spread)
     };
-    covariances(truth)?.iter().zip(&nulls).map(one).sum()
+    covariances(truth)?.iter().zip(&null_covariances).map(one).sum()
 }
 
 /// What the judge says.
@@ -106,7 +106,7 @@ struct Judged {
 }
 
 fn judged(seen: &[Seen], truths: &[Hypothesis], rng: &mut Pcg64) -> Judged {
-    let noise = DVector::from_fn(seen[0].apart.len(), |_, _| StandardNormal.sample(rng));
+    let noise = DVector::from_fn(seen[0].residual.len(), |_, _| StandardNormal.sample(rng));
     let weights: Vec<f64> = seen.iter().map(|one| one.weight(&noise)).collect();
     let most = weights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let best = |of: &dyn Fn(&Hypothesis) -> bool| {
@@ -188,8 +188,8 @@ fn truths(recovery: &Recovery, makes: Truths, level: usize, seed: u64, null: &Mo
     let all: Vec<(&'static str, f64)> = recovery.effects.iter().flat_map(|spec| of_spec(spec.id)).collect();
     let one = |(id, strength): (&'static str, f64)| {
         let plan = makes.one(id, seed, strength, level)?;
-        let apart = Seen::of(&exact(&plan)?, null, 1.0)?.apart.norm_squared();
-        Some(Hypothesis { id, strength, plan, apart })
+        let noncentrality = Seen::of(&exact(&plan)?, null, 1.0)?.residual.norm_squared();
+        Some(Hypothesis { id, strength, plan, noncentrality })
     };
     all.into_par_iter().filter_map(one).collect()
 }

@@ -1,7 +1,7 @@
 //! What comes out of a row of hidden effects: the diagnosis beside its truth.
 
 use super::ceiling::Share;
-use super::noise_free::{catalogue, clean, noncentrality, told_the_covariance, waves};
+use super::noise_free::{catalogue, clean, noncentrality, ranked_with_known_covariance, waves};
 use super::setting::{Case, Recovery};
 use super::truth::{Truth, Truths};
 use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
@@ -28,7 +28,7 @@ pub enum Asks {
     /// The ideal observer's share.
     Ceiling,
     /// The ranking with the generator's covariance.
-    Told,
+    KnownCovariance,
 }
 
 /// A parameter of the truth beside its estimate: the truth, the estimate and its 95 % interval.
@@ -46,7 +46,7 @@ pub(super) struct Findings<'a> {
     /// What the best set leaves that is not the truth.
     pub left_rival: Option<f64>,
     pub ceiling: Option<Share>,
-    pub told: Option<&'static str>,
+    pub with_known_covariance: Option<&'static str>,
 }
 
 /// The drops of a case; or why there are none.
@@ -92,7 +92,9 @@ impl<'a> Findings<'a> {
             left_alone,
             left_rival,
             ceiling: None,
-            told: (is_one && asks(Asks::Told)).then(|| told_the_covariance(&plan, &recovery.base)).flatten(),
+            with_known_covariance: (is_one && asks(Asks::KnownCovariance))
+                .then(|| ranked_with_known_covariance(&plan, &recovery.base))
+                .flatten(),
             diagnosis,
         })
     }
@@ -137,12 +139,12 @@ fn diagnosed(recovery: &Recovery, plan: &Plan) -> Result<Diagnosis, String> {
 fn held_out_g(plan: &Plan, diagnosis: &Diagnosis) -> [Option<f64>; 2] {
     let expected = Expected::plain(1e-3, 31);
     let truth = expected.mean_over_phases(&clean(plan, HELD_OUT_M));
-    let apart = |model: &Model| {
+    let held_out_distance = |model: &Model| {
         let predicted = expected.window(&expected.system(model), HELD_OUT_M)?;
         let squares: f64 = truth.iter().zip(&predicted).map(|(a, b)| (a - b) * (a - b)).sum();
         Some((squares / truth.len() as f64).sqrt())
     };
-    [apart(diagnosis.base.model()), apart(diagnosis.chosen.model())]
+    [held_out_distance(diagnosis.base.model()), held_out_distance(diagnosis.chosen.model())]
 }
 
 /// The truth's parameters, with their estimates where the diagnosis has the truth's effects and no other.

@@ -47,7 +47,7 @@ impl RecoveryMeasure {
 
     /// Whether every study has it that does not say what it asks for: those that are not take a multiple of the time.
     pub(super) fn is_usual(&self) -> bool {
-        !matches!(self.asks, Asks::Ceiling | Asks::Told)
+        !matches!(self.asks, Asks::Ceiling | Asks::KnownCovariance)
     }
 
     /// Its figure of a row; none where the row has no such thing.
@@ -118,7 +118,7 @@ pub static RECOVERY_MEASURES: [RecoveryMeasure; 43] = [
     RecoveryMeasure::number("ceiling.first", "", Asks::Ceiling, |row| row.ceiling.map(|share| share.first)),
     RecoveryMeasure::number("ceiling.detectable", "", Asks::Ceiling, |row| row.ceiling?.detectable),
     RecoveryMeasure::number("ceiling.single_records", "", Asks::Ceiling, |row| row.ceiling.map(|share| share.in_covariance)),
-    RecoveryMeasure::effect("told.first", Asks::Told, |row| place_of(row.told)),
+    RecoveryMeasure::effect("known_covariance.first", Asks::KnownCovariance, |row| place_of(row.with_known_covariance)),
 ];
 
 #[cfg(test)]

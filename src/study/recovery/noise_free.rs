@@ -65,7 +65,7 @@ pub(super) fn catalogue(plan: &Plan, base: &Model) -> Option<Search> {
 
 /// The single effect with the best score under the generator's own covariance: what is lost by having to
 /// estimate it. No bound: the score is the diagnosis' own, not the best there could be.
-pub(super) fn told_the_covariance(plan: &Plan, base: &Model) -> Option<&'static str> {
+pub(super) fn ranked_with_known_covariance(plan: &Plan, base: &Model) -> Option<&'static str> {
     let few = waves(plan)?;
     let whitening = noise_free(plan)?.whitening;
     let prepared = PreparedDrops::of(&few, base)?;

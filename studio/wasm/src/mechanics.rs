@@ -1,7 +1,7 @@
 //! What the frame's own mechanics say: pressed down, and dropped.
 
 use flexframe::checks;
-use flexframe::export::{File, bent_glb};
+use flexframe::export::{File, deformed_glb};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;
 use flexframe::mechanics::result::deformed::{Bound, DeformedBody};
@@ -89,9 +89,9 @@ fn bent(open: &OpenFrame, whole: &FrameModel, quarter: &FrameModel, impact: &Imp
     let count = shapes.len();
     let only = |shape: Option<usize>| (0..count).map(|at| if Some(at) == shape { 1.0 } else { 0.0 }).collect::<Vec<f64>>();
     let moments = states.iter().enumerate().map(|(at, (t_ms, _))| (t_ms * 1e-3 * SLOWER, only(Some(at))));
-    let keys: Vec<bent_glb::Key> = std::iter::once((0.0, only(None))).chain(moments).collect();
+    let keys: Vec<deformed_glb::Key> = std::iter::once((0.0, only(None))).chain(moments).collect();
     let rest = bound.deformed(&whole.system.rest());
-    let bytes = bent_glb::bent(&open.design, "a drop, slowed down", &rest, &shapes, &keys).map_err(Refused::plain)?;
+    let bytes = deformed_glb::deformed(&open.design, "a drop, slowed down", &rest, &shapes, &keys).map_err(Refused::plain)?;
     Ok(File::new("impact.glb", bytes))
 }
 

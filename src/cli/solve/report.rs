@@ -6,7 +6,7 @@ use crate::variant::{Chosen, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, PE
 /// What was found beside what there was; the frame that the search began at need not be one that can be built.
 pub(super) fn formatted(chosen: &Chosen, before: &str, begun: Option<&Evaluation>) -> String {
     let Chosen { names, solution } = chosen;
-    let mut text = format!("{}\n\n{:<34} {:>10} {:>10}\n", searching::told(solution.looked_at, solution.ended), "", before, "solved");
+    let mut text = format!("{}\n\n{:<34} {:>10} {:>10}\n", searching::summary(solution.looked_at, solution.ended), "", before, "solved");
     for (key, name) in names {
         text += &format!("{key:<34} {:>10} {name}\n", "");
     }

@@ -20,7 +20,13 @@ pub type Key = (f64, Vec<f64>);
 ///
 /// # Errors
 /// When the header cannot be written as JSON.
-pub fn bent(design: &Design, title: &str, rest: &[DeformedBody], shapes: &[Vec<DeformedBody>], keys: &[Key]) -> Result<Vec<u8>, GlbError> {
+pub fn deformed(
+    design: &Design,
+    title: &str,
+    rest: &[DeformedBody],
+    shapes: &[Vec<DeformedBody>],
+    keys: &[Key],
+) -> Result<Vec<u8>, GlbError> {
     let mut file = GlbFile::new();
     file.describe(&json!({
         "frame": design.frame.name,
