@@ -3,6 +3,7 @@
 //! [`Task`]s say what there is to do, [`Rules`] from the geometry what may be done when, [`FoldSequence`] has the steps.
 //! [`Linkage`] follows the triangle of arms, strut and leg while it closes, [`Module`] says where every body is.
 
+mod depth;
 mod flat;
 mod hinge;
 mod linkage;
@@ -15,14 +16,15 @@ mod sweep;
 mod task;
 mod timeline;
 
+pub use depth::{Depth, depth};
 pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
 pub use hinge::{HingeLoad, necks, web, web_strain_percent};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
 pub use piece::mesh_at;
 pub use posture::{Module, Posture, bent_by};
-pub use rules::{Broken, Done, Rules};
-pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step, inputs as fold_inputs};
+pub use rules::{Broken, Done, Rules, TOP_BENT};
+pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, NEXT_MODULE, Step, inputs as fold_inputs};
 pub use sweep::{Meeting, Sweep, sweeps};
 pub use task::{FoldMotion, Task};
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};
