@@ -61,7 +61,8 @@ pub struct Instead {
 
 /// All that can be compared of a material and a printer.
 pub fn heats(material: &Material, printer: &Printer) -> Vec<Heat> {
-    let [nozzle, bed] = [(material.nozzle_c, printer.most_nozzle_c), (material.bed_c, printer.most_bed_c)].map(|(wanted, has)| wanted.zip(has));
+    let [nozzle, bed] =
+        [(material.nozzle_c, printer.most_nozzle_c), (material.bed_c, printer.most_bed_c)].map(|(wanted, has)| wanted.zip(has));
     let least = material.least_nozzle_c.or(material.nozzle_c);
     let nozzle = nozzle.map(|(wanted, has)| Heat { of: Heater::Nozzle, wanted, has, too_cold: least.is_some_and(|least| least > has) });
     let bed = bed.map(|(wanted, has)| Heat { of: Heater::Bed, wanted, has, too_cold: false });

@@ -193,9 +193,7 @@ impl Task {
             Self::PlugHub => {
                 "Lay the four modules as a cross around the hub and push their plugs in by half, until each rod of the bottom ring stands before the next module's bottom corner."
             }
-            Self::CloseRing => {
-                "Go round in small steps: plugs and the four rods of the bottom ring slide home together."
-            }
+            Self::CloseRing => "Go round in small steps: plugs and the four rods of the bottom ring slide home together.",
             Self::CloseTop => {
                 "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
             }

@@ -8,8 +8,9 @@ use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design};
-use crate::frame::mounting::MountStep;
+use crate::frame::mounting::{Fixing, MountStep};
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [960, 640];
@@ -31,6 +32,7 @@ impl Held {
     /// How it is held for what comes from somewhere.
     pub fn of(step: &MountStep) -> Self {
         match step.from {
+            None if step.fixing == Fixing::Solder => Self::TurnedOver,
             Some([_, _, z]) if z < -0.5 => Self::TurnedOver,
             Some([_, y, _]) if y < -0.5 => Self::TurnedAround,
             _ => Self::Upright,
@@ -80,6 +82,11 @@ pub fn mount(design: &Design, step: &MountStep) -> Picture {
             let place = |i: usize| ARROW[0] + (ARROW[1] - ARROW[0]) * i as f64 / ARROW_PLACES as f64;
             arrows.push((Arrow { way: (0..=ARROW_PLACES).map(|i| at(place(i))).collect() }, String::new()));
         }
+    }
+    if step.fixing == Fixing::Solder {
+        let turned = Isometry3::from_parts(Translation3::identity(), held);
+        let laid = wires(design).into_iter().filter(|wire| wire.role == "motor_wire");
+        all.extend(laid.map(|wire| Shown { mesh: wire.mesh().into(), pose: turned, colour: COLOURS[0] }));
     }
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&all)), SIZE);
     draw(&all, &arrows, &camera, SIZE)
