@@ -42,6 +42,11 @@ pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
     found
 }
 
+/// Whether a finding says that a printer lacks heat for a material, as a violation or as a warning.
+pub fn is_too_cold(finding: &Finding) -> bool {
+    finding.rule == RULE.id && finding.margin < 0.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

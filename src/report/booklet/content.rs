@@ -12,6 +12,7 @@ use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
 use crate::report::picture::propeller_scene;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Instructions to be printed.
 pub struct Booklet {
@@ -21,6 +22,8 @@ pub struct Booklet {
     pub preface: Vec<String>,
     /// The frame taken apart.
     pub apart: Picture,
+    /// What is taken in hand, by its name in the bill; screws are drawn as large as they are instead.
+    pub alone: BTreeMap<String, Picture>,
     /// How many, what, of what.
     pub parts: Vec<[String; 3]>,
     /// A line a stock length: what to cut from it.
@@ -88,6 +91,7 @@ impl Booklet {
             frame: design.frame.name.clone(),
             preface: preface(&mounting, fold.steps.len(), minutes, &forgotten(design, masses, &mounting)),
             apart: fold_scene::apart(design, fold),
+            alone: alone(design, &mounting),
             parts: parts(masses),
             cuts: cuts(design),
             before: panels(&mounting.before, 0),
@@ -95,6 +99,14 @@ impl Booklet {
             after,
         }
     }
+}
+
+/// A picture of each thing that a step takes in hand.
+fn alone(design: &Design, mounting: &Mounting) -> BTreeMap<String, Picture> {
+    let lines: BTreeMap<&str, &PartLine> =
+        mounting.parts().filter(|line| line.screw_mm.is_none()).map(|line| (&*line.part, line)).collect();
+    let drawn = lines.par_iter().filter_map(|(name, line)| Some((name.to_string(), mount_scene::part(design, line)?)));
+    drawn.collect::<Vec<_>>().into_iter().collect()
 }
 
 fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]) -> Vec<String> {

@@ -10,7 +10,7 @@ use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
 use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design};
-use crate::frame::mounting::{Fixing, MountStep};
+use crate::frame::mounting::{Fixing, MountStep, PartLine};
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [960, 640];
@@ -55,6 +55,19 @@ impl Held {
             Self::TurnedAround => UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI),
         }
     }
+}
+
+/// Width and height of the picture of a part beside a step, pixels.
+const PART_SIZE: [u32; 2] = [320, 240];
+
+/// The part that a line of parts is about, alone; a printed one as it lies on the bed.
+pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
+    let printed = design.printed.iter().find(|part| part.name.slug() == line.part).map(|part| part.mesh.clone().into());
+    let named = || design.bodies.iter().find(|body| line.body.as_ref() == Some(&body.name));
+    let mesh = printed.or_else(|| named().map(|body| design.shape(body).mesh.clone()))?;
+    let shown = [Shown { mesh, pose: Isometry3::identity(), colour: COLOURS[1] }];
+    let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), PART_SIZE);
+    Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
 /// The picture of a mount.
