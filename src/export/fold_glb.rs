@@ -82,10 +82,13 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
         children.push(node);
     }
     let step_of = |wire: &Wire| motion.step_of(if wire.role == "motor_wire" { "wiring" } else { "bracket" });
-    let wires: Vec<(Index<Node>, usize)> = wires(design).iter().map(|wire| (file.add_wire(wire), step_of(wire))).collect();
-    file.add_frame_node(&design.frame.name, children.iter().chain(wires.iter().map(|(node, _)| node)).copied().collect());
+    let mut laid = Vec::new();
+    for wire in wires(design) {
+        laid.push((file.add_wire(&wire)?, step_of(&wire)));
+    }
+    file.add_frame_node(&design.frame.name, children.iter().chain(laid.iter().map(|(node, _)| node)).copied().collect());
     file.add_to_scene(skinned);
-    file.animate(design, fold, &actors, &Stage { motion, nodes: children, wires });
+    file.animate(design, fold, &actors, &Stage { motion, nodes: children, wires: laid });
     file.into_bytes()
 }
 

@@ -57,7 +57,9 @@ pub fn frame(design: &Design, masses: &MassTable) -> Result<Vec<u8>, GlbError> {
         file.add_shape(shape);
     }
     let mut children = design.bodies.iter().map(|body| file.add_body(design, body, masses)).collect::<Result<Vec<_>, _>>()?;
-    children.extend(wires(design).iter().map(|wire| file.add_wire(wire)));
+    for wire in wires(design) {
+        children.push(file.add_wire(&wire)?);
+    }
     file.add_frame_node(&design.frame.name, children);
     file.into_bytes()
 }
@@ -93,7 +95,7 @@ impl GlbFile {
     }
 
     /// A wire, in the frame's axes.
-    pub(super) fn add_wire(&mut self, wire: &Wire) -> Index<Node> {
+    pub(super) fn add_wire(&mut self, wire: &Wire) -> Result<Index<Node>, GlbError> {
         let silicone = Material {
             name: Some(wire.role.into()),
             pbr_metallic_roughness: PbrMetallicRoughness {
@@ -105,7 +107,8 @@ impl GlbFile {
             ..Material::default()
         };
         let mesh = self.add_coloured(&wire.name, silicone, &wire.mesh());
-        self.root.push(Node { mesh: Some(mesh), name: Some(wire.name.clone()), ..Node::default() })
+        let facts = raw(&json!({ "kind": "wire", "role": wire.role, "length_mm": rounded(wire.length_mm()) }))?;
+        Ok(self.root.push(Node { mesh: Some(mesh), name: Some(wire.name.clone()), extras: Some(facts), ..Node::default() }))
     }
 
     fn add_coloured(&mut self, name: &str, material: Material, mesh: &Mesh) -> Index<GltfMesh> {

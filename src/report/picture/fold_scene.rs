@@ -93,7 +93,10 @@ pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     let [from, to] = [stage.shown(&before), stage.shown(&after)];
     let arrows = stage.arrows();
     let between = half_way(stage.step().task).map(|(way, _)| {
-        let threaded = (stage.step().task == Task::ThreadKnee).then(|| threading(design, &before.pose(Member::Fork))).flatten();
+        let threaded = (stage.step().task == Task::ThreadKnee)
+            .then(|| threading(design, &before.pose(Member::Fork), [COLOURS[0], COLOURS[1]]))
+            .flatten();
+        let threaded = threaded.map(|all| all.map(|(mesh, pose, colour)| Shown { mesh, pose, colour }).into());
         threaded.unwrap_or_else(|| stage.shown(&stage.moment(way)))
     });
     let all = [&from, &to].into_iter().chain(&between);

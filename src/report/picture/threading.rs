@@ -7,7 +7,6 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
-use super::fold_scene::{COLOURS, Shown};
 use crate::frame::assembly::Design;
 use crate::frame::fold::Member;
 use crate::frame::parts::fork::Fork;
@@ -27,8 +26,11 @@ const REACH_MM: [f64; 2] = [26.0, 34.0];
 /// How far the handles' ends are off the middle, mm.
 const OPEN_MM: f64 = 11.0;
 
-/// Knee, fork and pliers of the first module where the fork stands; none where a design lacks them.
-pub(super) fn threading(design: &Design, place: &Isometry3<f64>) -> Option<Vec<Shown>> {
+/// A mesh, where it stands, and its linear colour.
+type Coloured = (Arc<Mesh>, Isometry3<f64>, [f32; 4]);
+
+/// Knee, fork and pliers of the first module where the fork stands, knee and fork in these colours; none where a design lacks them.
+pub(super) fn threading(design: &Design, place: &Isometry3<f64>, colours: [[f32; 4]; 2]) -> Option<[Coloured; 3]> {
     let fork = Fork::from_frame(&design.frame);
     let knee = Knee::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
     let mesh = |member: Member| {
@@ -46,11 +48,7 @@ pub(super) fn threading(design: &Design, place: &Isometry3<f64>) -> Option<Vec<S
     let node = Vector3::new(end + WINDOW_MM, leg_y - knee.window.centre_mm, 0.0);
     let knee_pose = place * Isometry3::from_parts(Translation3::from(node), turn);
     let pliers = MeshSolid::build(&pliers(end, leg_y, flat * fork.radius_mm())).mesh();
-    Some(vec![
-        Shown { mesh: mesh(Member::Knee)?, pose: knee_pose, colour: COLOURS[0] },
-        Shown { mesh: squeezed.into(), pose: *place, colour: COLOURS[1] },
-        Shown { mesh: Arc::new(pliers), pose: *place, colour: PLIERS },
-    ])
+    Some([(mesh(Member::Knee)?, knee_pose, colours[0]), (squeezed.into(), *place, colours[1]), (Arc::new(pliers), *place, PLIERS)])
 }
 
 /// A mesh whose corners are moved along y.
