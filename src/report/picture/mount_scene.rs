@@ -62,7 +62,7 @@ const PART_SIZE: [u32; 2] = [320, 240];
 
 /// The part that a line of parts is about, alone; a printed one as it lies on the bed.
 pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
-    let printed = design.printed.iter().find(|part| part.name.slug() == line.part).map(|part| part.mesh.clone().into());
+    let printed = design.printed.iter().find(|part| part.name.slug() == line.part).map(|part| part.mesh.clone());
     let named = || design.bodies.iter().find(|body| line.body.as_ref() == Some(&body.name));
     let mesh = printed.or_else(|| named().map(|body| design.shape(body).mesh.clone()))?;
     let shown = [Shown { mesh, pose: Isometry3::identity(), colour: COLOURS[1] }];
