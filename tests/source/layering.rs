@@ -27,7 +27,7 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 35] = [
+const LAYERS: [(&str, &[&str]); 36] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),

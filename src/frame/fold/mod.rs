@@ -14,6 +14,7 @@ mod rules;
 mod sequence;
 mod sweep;
 mod task;
+mod threading;
 mod timeline;
 
 pub use depth::{Depth, depth};
@@ -27,4 +28,5 @@ pub use rules::{Broken, Done, Rules, TOP_BENT};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, NEXT_MODULE, Step, inputs as fold_inputs};
 pub use sweep::{Meeting, Sweep, sweeps};
 pub use task::{FoldMotion, Task};
+pub use threading::threading;
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};

@@ -12,10 +12,9 @@ use super::camera::{Camera, View};
 use super::labels::Labels;
 use super::lettering::Lettering;
 use super::raster;
-use super::threading::threading;
 use crate::frame::assembly::{Design, Kind};
 use crate::frame::fold::{Done, FREE_WAY, FoldBend, FoldSequence, Member, Moment, NEXT_MODULE, Step, TOP_BENT, Task};
-use crate::frame::fold::{bent_by, depth, exploded, mesh_at, moment};
+use crate::frame::fold::{bent_by, depth, exploded, mesh_at, moment, threading};
 use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
 use crate::solid::{Feature, Mesh, MeshSolid};
@@ -40,6 +39,9 @@ const MARK_MM: [f64; 2] = [1.6, 0.25];
 const MARKS: [[f32; 4]; 2] = [[1.0, 1.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 /// Room between layers of the centre when it is taken apart, mm.
 const LAYER_MM: f64 = 45.0;
+
+/// Linear colour of a tool.
+const PLIERS: [f32; 4] = [0.2, 0.2, 0.2, 1.0];
 
 /// A picture: red, green, blue bytes, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,10 +95,10 @@ pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     let [from, to] = [stage.shown(&before), stage.shown(&after)];
     let arrows = stage.arrows();
     let between = half_way(stage.step().task).map(|(way, _)| {
-        let threaded = (stage.step().task == Task::ThreadKnee)
-            .then(|| threading(design, &before.pose(Member::Fork), [COLOURS[0], COLOURS[1]]))
-            .flatten();
-        let threaded = threaded.map(|all| all.map(|(mesh, pose, colour)| Shown { mesh, pose, colour }).into());
+        let threaded = (stage.step().task == Task::ThreadKnee).then(|| threading(design, &before.pose(Member::Fork))).flatten();
+        let colours = [COLOURS[0], COLOURS[1], PLIERS];
+        let threaded =
+            threaded.map(|all| all.into_iter().zip(colours).map(|((mesh, pose), colour)| Shown { mesh, pose, colour }).collect());
         threaded.unwrap_or_else(|| stage.shown(&stage.moment(way)))
     });
     let all = [&from, &to].into_iter().chain(&between);

@@ -16,4 +16,3 @@ pub(in crate::report) mod raster;
 pub mod scene;
 pub mod side_by_side;
 pub(in crate::report) mod surface;
-mod threading;

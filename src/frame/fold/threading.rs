@@ -7,8 +7,8 @@ use std::sync::Arc;
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
+use super::member::Member;
 use crate::frame::assembly::Design;
-use crate::frame::fold::Member;
 use crate::frame::parts::fork::Fork;
 use crate::frame::parts::knee::Knee;
 use crate::solid::{Feature, Mesh, MeshSolid};
@@ -17,8 +17,6 @@ use crate::solid::{Feature, Mesh, MeshSolid};
 const WINDOW_MM: f64 = 4.5;
 /// Room that the squeezed leg leaves in the window, mm.
 const ROOM_MM: f64 = 0.3;
-/// Linear colour of the pliers.
-const PLIERS: [f32; 4] = [0.2, 0.2, 0.2, 1.0];
 /// Half thickness and half height of a jaw at its tip and at the pivot, mm.
 const JAW_MM: [[f64; 2]; 2] = [[0.8, 1.5], [3.0, 4.0]];
 /// From the jaws' tips back to the pivot, and on to the ends of the handles that are drawn, mm.
@@ -26,11 +24,11 @@ const REACH_MM: [f64; 2] = [26.0, 34.0];
 /// How far the handles' ends are off the middle, mm.
 const OPEN_MM: f64 = 11.0;
 
-/// A mesh, where it stands, and its linear colour.
-type Coloured = (Arc<Mesh>, Isometry3<f64>, [f32; 4]);
+/// A mesh, and where it stands.
+type Standing = (Arc<Mesh>, Isometry3<f64>);
 
-/// Knee, fork and pliers of the first module where the fork stands, knee and fork in these colours; none where a design lacks them.
-pub(super) fn threading(design: &Design, place: &Isometry3<f64>, colours: [[f32; 4]; 2]) -> Option<[Coloured; 3]> {
+/// Knee, fork and pliers of the first module where the fork stands; none where a design lacks them.
+pub fn threading(design: &Design, place: &Isometry3<f64>) -> Option<[Standing; 3]> {
     let fork = Fork::from_frame(&design.frame);
     let knee = Knee::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
     let mesh = |member: Member| {
@@ -48,7 +46,7 @@ pub(super) fn threading(design: &Design, place: &Isometry3<f64>, colours: [[f32;
     let node = Vector3::new(end + WINDOW_MM, leg_y - knee.window.centre_mm, 0.0);
     let knee_pose = place * Isometry3::from_parts(Translation3::from(node), turn);
     let pliers = MeshSolid::build(&pliers(end, leg_y, flat * fork.radius_mm())).mesh();
-    Some([(mesh(Member::Knee)?, knee_pose, colours[0]), (squeezed.into(), *place, colours[1]), (Arc::new(pliers), *place, PLIERS)])
+    Some([(mesh(Member::Knee)?, knee_pose), (squeezed.into(), *place), (Arc::new(pliers), *place)])
 }
 
 /// A mesh whose corners are moved along y.
