@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::finding::Finding;
 use super::ground::{self, GroundClearance};
-use super::printing::{bed, bridge, footing, gap, island, layer_direction, overhang, wall};
+use super::printing::{bed, bridge, footing, gap, heat, island, layer_direction, overhang, wall};
 use super::rule::{Cost, Found, Pass, Rule};
 use super::scene::Scene;
 use super::{
@@ -18,7 +18,7 @@ use crate::frame::assembly::mass::MassTable;
 use crate::memo::{Progress, Step};
 
 /// Every rule, in the order of the report: the only list.
-pub static CATALOGUE: [&Rule; 21] = [
+pub static CATALOGUE: [&Rule; 22] = [
     &envelope::RULE,
     &mass_budget::RULE,
     &centre_of_mass::RULE,
@@ -34,6 +34,7 @@ pub static CATALOGUE: [&Rule; 21] = [
     &gap::RULE,
     &cartridge::RULE,
     &bed::RULE,
+    &heat::RULE,
     &layer_direction::RULE,
     &overhang::RULE,
     &island::RULE,

@@ -37,6 +37,7 @@ pub use interference::SharedVolume;
 pub use mass_budget::TakeOffMass;
 pub use printing::bed::BedUse;
 pub use printing::footing::standing;
+pub use printing::heat::is_too_cold;
 pub use printing::wall::ThinnestWall;
 pub use propeller::PropellerClearance;
 pub use rule::{Blame, Cost, InSearch, Levers, Limit, Rule};

@@ -123,6 +123,9 @@ fn analytic_the_page_of_the_gate_has_every_rule() {
     }
 }
 
+/// Rules of which presets have no finding: one is asked for, and no preset names a printer whose heat is known.
+const UNMET: [&str; 2] = ["design_drop", "printer_heat"];
+
 #[test]
 fn regress_every_finding_of_every_preset_is_by_the_record_of_its_rule() {
     let mut met: BTreeSet<&str> = BTreeSet::new();
@@ -136,6 +139,6 @@ fn regress_every_finding_of_every_preset_is_by_the_record_of_its_rule() {
             met.insert(rule.id);
         }
     }
-    let missing: Vec<&str> = CATALOGUE.iter().map(|rule| rule.id).filter(|id| !met.contains(id) && *id != "design_drop").collect();
+    let missing: Vec<&str> = CATALOGUE.iter().map(|rule| rule.id).filter(|id| !met.contains(id) && !UNMET.contains(id)).collect();
     assert!(missing.is_empty(), "no preset has a finding of {missing:?}");
 }

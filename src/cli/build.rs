@@ -11,7 +11,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::checks::{self, Verdict};
+use crate::checks::{self, Verdict, is_too_cold};
 use crate::export::File;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::MassTable;
@@ -63,7 +63,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let files = written(frame_folder::files(&design, &masses, &findings, choice)?);
     drop(working);
     let place = output::write_folder(&args.output, &design.frame.name, &files)?;
-    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated) {
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated || is_too_cold(finding)) {
         terminal::tell(&format!("warning: {}", finding.message));
     }
     if common.json {

@@ -124,6 +124,7 @@ fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, V
             files.push((booklet_html::picture_name(index + 1, at, page.pictures.len()), picture.png()));
         }
     }
+    files.extend(booklet.alone.iter().map(|(part, picture)| (booklet_html::part_name(part), picture.png())));
     for (panels, after) in [(&booklet.before, false), (&booklet.after, true)] {
         let named = panels.iter().enumerate().map(|(at, panel)| (booklet_html::panel_name(at, after), panel.picture.png()));
         files.extend(named);

@@ -18,6 +18,7 @@ use serde_json::json;
 use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
 use super::mount_motion::MountMotion;
+use crate::frame::assembly::wires::{Wire, wires};
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
 use crate::frame::skeleton::ModulePlaces;
@@ -42,6 +43,8 @@ struct Actor {
 struct Stage {
     motion: MountMotion,
     nodes: Vec<Index<Node>>,
+    /// The wires, each with the step that lays it.
+    wires: Vec<(Index<Node>, usize)>,
 }
 
 /// The fold of a design, with what is mounted before and after it.
@@ -78,9 +81,14 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
         }));
         children.push(node);
     }
-    file.add_frame_node(&design.frame.name, children.clone());
+    let step_of = |wire: &Wire| motion.step_of(if wire.role == "motor_wire" { "wiring" } else { "bracket" });
+    let mut laid = Vec::new();
+    for wire in wires(design) {
+        laid.push((file.add_wire(&wire)?, step_of(&wire)));
+    }
+    file.add_frame_node(&design.frame.name, children.iter().chain(laid.iter().map(|(node, _)| node)).copied().collect());
     file.add_to_scene(skinned);
-    file.animate(design, fold, &actors, &Stage { motion, nodes: children });
+    file.animate(design, fold, &actors, &Stage { motion, nodes: children, wires: laid });
     file.into_bytes()
 }
 
@@ -259,13 +267,20 @@ impl GlbFile {
                 let places: Vec<Vec<f32>> = steps.iter().map(at).collect();
                 self.add_track(animation, input, *node, Property::Translation, &places);
             }
-            let appears = stage.motion.first[index];
-            if appears > first {
-                let last = steps.len() - 1;
-                let size = |(at, step): (usize, &usize)| vec![if at == last && last == 1 || *step < appears { 0.0 } else { 1.0 }; 3];
-                let sizes: Vec<Vec<f32>> = steps.iter().enumerate().map(size).collect();
-                self.add_track(animation, input, *node, Property::Scale, &sizes);
-            }
+            self.add_appearing(animation, input, (*node, stage.motion.first[index]), &steps);
+        }
+        for wire in &stage.wires {
+            self.add_appearing(animation, input, *wire, &steps);
+        }
+    }
+
+    /// What is hidden before the step in which it appears.
+    fn add_appearing(&mut self, animation: &mut Animation, input: Index<Accessor>, (node, appears): (Index<Node>, usize), steps: &[usize]) {
+        if appears > steps[0] {
+            let last = steps.len() - 1;
+            let size = |(at, step): (usize, &usize)| vec![if at == last && last == 1 || *step < appears { 0.0 } else { 1.0 }; 3];
+            let sizes: Vec<Vec<f32>> = steps.iter().enumerate().map(size).collect();
+            self.add_track(animation, input, node, Property::Scale, &sizes);
         }
     }
 

@@ -19,6 +19,7 @@ pub fn fold_json(design: &Design, fold: &FoldSequence, sweeps: &[Sweep]) -> Resu
     let steps = steps(fold, sweeps, &mounting)?;
     let [arm_hub, arm_fork] = fold.module.linkage.arm_holds_mm.map(|hold| hold * fold.entry.pulled);
     let [strut_knee, strut_corner] = fold.module.linkage.strut_out_mm(fold.entry.pulled);
+    let [off_hub_mm, started_mm] = fold.off_hub_mm;
     let mut value = json!({
         "schema_version": SCHEMA_VERSION,
         "frame": design.frame.name,
@@ -37,7 +38,8 @@ pub fn fold_json(design: &Design, fold: &FoldSequence, sweeps: &[Sweep]) -> Resu
                 "strut_in_corner": strut_corner,
             },
         },
-        "module_stands_off_hub_mm": fold.off_hub_mm,
+        "module_stands_off_hub_mm": off_hub_mm,
+        "plugs_started_off_hub_mm": started_mm,
         "minutes": fold.steps.iter().map(|step| step.minutes).chain(mounting.steps().map(|step| step.minutes)).sum::<f64>(),
         "flat": flat(design),
         "steps": steps,
@@ -73,7 +75,7 @@ fn mounted(step: &MountStep) -> Result<Value, serde_json::Error> {
     let mut value = serde_json::to_value(step)?;
     value["repeats"] = json!(1);
     value["bends"] = json!([]);
-    let join = |body: &String| json!({ "body": body, "onto": step.onto, "from": step.from, "left_out_mm": 0.0 });
+    let join = |body: &String| json!({ "body": body, "onto": step.onto, "from": step.from, "left_out_mm": 0.0, "depth_mm": null });
     value["joins"] = step.brings.iter().map(join).collect();
     Ok(value)
 }

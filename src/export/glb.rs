@@ -14,6 +14,7 @@ use serde_json::{json, value::RawValue};
 
 use super::format::{ExportError, Exported, File, Format};
 use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::wires::{Wire, wires};
 use crate::frame::assembly::{Body, Design, Kind, Shape};
 use crate::solid::Mesh;
 
@@ -55,7 +56,10 @@ pub fn frame(design: &Design, masses: &MassTable) -> Result<Vec<u8>, GlbError> {
     for shape in &design.shapes {
         file.add_shape(shape);
     }
-    let children = design.bodies.iter().map(|body| file.add_body(design, body, masses)).collect::<Result<Vec<_>, _>>()?;
+    let mut children = design.bodies.iter().map(|body| file.add_body(design, body, masses)).collect::<Result<Vec<_>, _>>()?;
+    for wire in wires(design) {
+        children.push(file.add_wire(&wire)?);
+    }
     file.add_frame_node(&design.frame.name, children);
     file.into_bytes()
 }
@@ -87,7 +91,27 @@ impl GlbFile {
 
     /// The same with another mesh.
     pub(super) fn add_mesh(&mut self, shape: &Shape, mesh: &Mesh) -> Index<GltfMesh> {
-        let material = material(shape);
+        self.add_coloured(&shape.name, material(shape), mesh)
+    }
+
+    /// A wire, in the frame's axes.
+    pub(super) fn add_wire(&mut self, wire: &Wire) -> Result<Index<Node>, GlbError> {
+        let silicone = Material {
+            name: Some(wire.role.into()),
+            pbr_metallic_roughness: PbrMetallicRoughness {
+                base_color_factor: PbrBaseColorFactor(wire.colour),
+                metallic_factor: StrengthFactor(0.0),
+                roughness_factor: StrengthFactor(0.8),
+                ..PbrMetallicRoughness::default()
+            },
+            ..Material::default()
+        };
+        let mesh = self.add_coloured(&wire.name, silicone, &wire.mesh());
+        let facts = raw(&json!({ "kind": "wire", "role": wire.role, "length_mm": rounded(wire.length_mm()) }))?;
+        Ok(self.root.push(Node { mesh: Some(mesh), name: Some(wire.name.clone()), extras: Some(facts), ..Node::default() }))
+    }
+
+    fn add_coloured(&mut self, name: &str, material: Material, mesh: &Mesh) -> Index<GltfMesh> {
         let material = self.root.push(material);
         let positions = self.positions(mesh);
         let indices = self.indices(mesh);
@@ -100,7 +124,7 @@ impl GlbFile {
             mode: Checked::Valid(Mode::Triangles),
             targets: None,
         };
-        let name = Some(shape.name.clone());
+        let name = Some(name.into());
         self.root.push(GltfMesh { extensions: None, extras: None, name, primitives: vec![primitive], weights: None })
     }
 

@@ -30,6 +30,13 @@ impl MountMotion {
         mounts(&self.mounting.before).into_iter().chain(folds).chain(mounts(&self.mounting.after)).collect()
     }
 
+    /// The step, from 0, of a mount; 0 of one that there is not.
+    pub(super) fn step_of(&self, mount: &str) -> usize {
+        let at = |steps: &[MountStep]| steps.iter().position(|step| step.mount == mount);
+        let after = || at(&self.mounting.after).map(|at| self.before + self.folds + at);
+        at(&self.mounting.before).or_else(after).unwrap_or(0)
+    }
+
     /// How far a body of the centre is off its place when so many steps are done, mm.
     pub(super) fn off_mm(&self, body: &str, done: usize) -> Vector3<f64> {
         let mounts = self.mounting.before.iter().enumerate();

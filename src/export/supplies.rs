@@ -1,13 +1,14 @@
 //! What the instructions use up and no catalogue has: filament, glue, tape, solder, wires and cables, and the receiver.
 //!
-//! **Wires have no bodies.** A motor's wires go as the instructions lead them: along its arm to the middle and down or up to
-//! the controller. A cable goes straight from the middle of one body to that of the other. To this way come a share of it,
+//! **Wires.** Those of motors and battery run as [`wires`](crate::frame::assembly::wires) draws them. Of the others no way is drawn: a
+//! cable goes straight from the middle of one body to that of the other. To this way come a share of it,
 //! for bends and so that bundles stay slack at the plugs, and a fixed length for two ends to solder or plug. Both are a
 //! choice, so a length here is good for buying, not for cutting: measure before you cut.
 
 use nalgebra::Point3;
 
 use crate::frame::assembly::Design;
+use crate::frame::assembly::wires::{Wire, wires as drawn_wires};
 use crate::frame::mounting::{Fixing, mounts_of};
 use crate::params::frame::NamedMaterial;
 
@@ -118,32 +119,33 @@ fn fixings(design: &Design) -> Vec<Supply> {
 
 fn wires(design: &Design) -> Vec<Supply> {
     let middle = |name: &str| middle_mm(design, name);
-    let controller = middle("motor_controller").or_else(|| middle("flight_controller"));
+    let drawn = drawn_wires(design);
+    let longest = |role: &str| drawn.iter().filter(|wire| wire.role == role).map(Wire::length_mm).reduce(f64::max);
     let mut all = Vec::new();
-    if let (Some(motor), Some(controller)) = (middle("motor_FR"), controller) {
+    if let Some(way_mm) = longest("motor_wire") {
         let quantity = PHASES * design.frame.bought.get("motor").map_or(4, |item| item.quantity);
-        let (flat, rise) = (libm::hypot(motor.x - controller.x, motor.y - controller.y), (motor.z - controller.z).abs());
-        let length_mm = with_slack(flat + rise);
+        let length_mm = with_slack(way_mm);
         all.push(Supply {
             role: "motor_wire".into(),
             quantity,
             length_mm: Some(length_mm),
             search: format!("silicone stranded wire {:.1} m", (1e-2 * f64::from(quantity) * length_mm).ceil() / 10.0),
             note: format!(
-                "motor to controller along the arm {flat:.0} mm and {rise:.0} mm in height; {}; as thick as the motor's own, and none where those reach",
+                "motor to controller along the arm {way_mm:.0} mm, as drawn in frame.glb; {}; as thick as the motor's own, and none where those reach",
                 slack_words()
             ),
         });
     }
+    if let Some(way_mm) = longest("battery_wire") {
+        all.push(Supply {
+            role: "battery_wire".into(),
+            quantity: 2,
+            length_mm: Some(with_slack(way_mm)),
+            search: "silicone stranded wire as thick as the connector's".into(),
+            note: format!("power connector to controller {way_mm:.0} mm, as drawn in frame.glb; {}", slack_words()),
+        });
+    }
     let leads = [
-        (
-            "battery_wire",
-            "connector_bracket",
-            "motor_controller",
-            2,
-            "silicone stranded wire as thick as the connector's",
-            "power connector",
-        ),
         ("board_cable", "flight_controller", "motor_controller", 1, "cable between flight controller and ESC", "flight controller"),
         ("sensor_cable", "flow_sensor", "flight_controller", 1, "cable for the flow sensor", "flow sensor"),
         ("camera_cable", "camera", "computer", 1, "camera ribbon cable for the computer", "camera"),

@@ -53,8 +53,16 @@ pub struct Material {
     pub speed_mm_s: Option<f64>,
     /// Heat of the nozzle, °C.
     pub nozzle_c: Option<f64>,
+    /// Least heat of the nozzle at which it prints, °C.
+    pub least_nozzle_c: Option<f64>,
     /// Heat of the bed, °C.
     pub bed_c: Option<f64>,
+    /// Whether it wants warm air around it while it is printed.
+    pub wants_enclosure: Option<bool>,
+    /// Where a printed part softens, °C.
+    pub softens_c: Option<f64>,
+    /// Where the three come from.
+    pub heat_source: Option<String>,
     /// Most of the fan, %.
     pub fan_percent: Option<f64>,
     /// Brim around a part, mm; 0 for none.
@@ -277,6 +285,14 @@ pub struct Printer {
     pub least_tip_deg: Option<f64>,
     /// Greatest height over the width of the first layer.
     pub most_slender: Option<f64>,
+    /// Highest heat of the hot end, °C.
+    pub most_nozzle_c: Option<f64>,
+    /// Highest heat of the bed, °C.
+    pub most_bed_c: Option<f64>,
+    /// Whether the printer is closed around the bed.
+    pub enclosed: Option<bool>,
+    /// Where the three come from.
+    pub heat_source: Option<String>,
     /// Where the figures come from.
     pub source: String,
 }

@@ -24,7 +24,7 @@ const fn figure(key: &'static str, [min, max]: [f64; 2], unit: &'static str) -> 
 
 impl Material {
     /// Its figures.
-    pub const FIGURES: [Figure; 19] = [
+    pub const FIGURES: [Figure; 21] = [
         figure("density_g_cm3", [0.05, 25.0], "g/cm³"),
         figure("print_factor", [0.05, 3.0], ""),
         figure("colour", [0.0, 1.0], ""),
@@ -37,7 +37,9 @@ impl Material {
         figure("perimeters", [1.0, 50.0], ""),
         figure("speed_mm_s", [1.0, 1000.0], "mm/s"),
         figure("nozzle_c", [20.0, 600.0], "°C"),
+        figure("least_nozzle_c", [20.0, 600.0], "°C"),
         figure("bed_c", [0.0, 300.0], "°C"),
+        figure("softens_c", [20.0, 600.0], "°C"),
         figure("fan_percent", [0.0, 100.0], "%"),
         figure("brim_mm", [0.0, 20.0], "mm"),
         figure("overhang_deg", [1.0, 89.0], "°"),
@@ -80,7 +82,7 @@ impl BoughtPart {
 
 impl Printer {
     /// Its figures. A hole that is off by more than a millimetre is no matter of compensation.
-    pub const FIGURES: [Figure; 9] = [
+    pub const FIGURES: [Figure; 11] = [
         figure("size_mm", [20.0, 2000.0], "mm"),
         figure("height_mm", [10.0, 2000.0], "mm"),
         figure("nozzle_mm", [0.1, 2.0], "mm"),
@@ -90,6 +92,8 @@ impl Printer {
         figure("least_contact_mm2", [0.01, 1e4], "mm²"),
         figure("least_tip_deg", [0.1, 90.0], "°"),
         figure("most_slender", [0.1, 100.0], ""),
+        figure("most_nozzle_c", [20.0, 600.0], "°C"),
+        figure("most_bed_c", [0.0, 300.0], "°C"),
     ];
 }
 

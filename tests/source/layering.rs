@@ -27,7 +27,7 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 35] = [
+const LAYERS: [(&str, &[&str]); 36] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
@@ -41,6 +41,7 @@ const LAYERS: [(&str, &[&str]); 35] = [
     ("frame/mounting", &["solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/print_time", &["params", "solid"]),
+    ("printing/heat", &["params", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time"]),
     ("printing/weighing", &["units", "params", "frame/assembly"]),
     ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/fold"]),
@@ -59,6 +60,7 @@ const LAYERS: [(&str, &[&str]); 35] = [
             "frame/fold",
             "frame/mounting",
             "printing/printability",
+            "printing/heat",
             "mechanics",
         ],
     ),
@@ -133,6 +135,7 @@ const LAYERS: [(&str, &[&str]); 35] = [
             "frame/fold",
             "frame/mounting",
             "printing/printability",
+            "printing/heat",
             "printing/plates",
             "printing/weighing",
             "printing/coupon",

@@ -4,6 +4,7 @@ pub(in crate::checks) mod bed;
 pub(in crate::checks) mod bridge;
 pub(in crate::checks) mod footing;
 pub(in crate::checks) mod gap;
+pub(in crate::checks) mod heat;
 pub(in crate::checks) mod hung;
 pub(in crate::checks) mod island;
 pub(in crate::checks) mod layer_direction;

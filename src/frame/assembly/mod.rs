@@ -14,6 +14,7 @@ pub mod press_fit;
 mod printed;
 mod refusal;
 pub mod screw_solids;
+pub mod wires;
 
 pub use body::{Body, Kind, Shape};
 pub use bought_solids::BoughtPart;

@@ -4,6 +4,7 @@
 //! [`FoldSequence`] contains the steps. [`Linkage`] computes the triangle of arms, strut and leg while it closes. [`Module`] gives the pose
 //! of every body.
 
+mod depth;
 mod flat;
 mod hinge;
 mod linkage;
@@ -14,16 +15,19 @@ mod rules;
 mod sequence;
 mod sweep;
 mod task;
+mod threading;
 mod timeline;
 
+pub use depth::{Depth, depth};
 pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
 pub use hinge::{HingeLoad, necks, web, web_strain_percent};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
 pub use piece::mesh_at;
 pub use posture::{Module, Posture, bent_by};
-pub use rules::{Broken, Done, Rules};
-pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, Step, inputs as fold_inputs};
+pub use rules::{Broken, Done, Rules, TOP_BENT};
+pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, NEXT_MODULE, Step, inputs as fold_inputs};
 pub use sweep::{Meeting, Sweep, sweeps};
 pub use task::{FoldMotion, Task};
+pub use threading::threading;
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};

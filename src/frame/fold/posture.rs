@@ -21,6 +21,8 @@ pub struct Posture {
     pub foot_deg: f64,
     /// Fold of the top corner's strut hinge, degrees.
     pub top_deg: f64,
+    /// How far the top corner is above its place, along the upper strut, mm.
+    pub top_lift_mm: f64,
     /// Share of their hold by which the triangle's rods stand out.
     pub pulled: f64,
     /// How far the module stands off the hub, mm.
@@ -106,7 +108,8 @@ impl Module {
     /// The assembled posture.
     pub fn closed(&self) -> Posture {
         let s = self.linkage.closed();
-        Posture { hub_deg: s.hub_deg, strut_deg: s.strut_deg, foot_deg: s.foot_deg, top_deg: s.strut_deg, pulled: 0.0, off_hub_mm: 0.0 }
+        let [hub_deg, strut_deg, foot_deg] = [s.hub_deg, s.strut_deg, s.foot_deg];
+        Posture { hub_deg, strut_deg, foot_deg, top_deg: strut_deg, top_lift_mm: 0.0, pulled: 0.0, off_hub_mm: 0.0 }
     }
 
     /// Folds of a member's hinges in a posture, degrees.
@@ -133,9 +136,11 @@ impl Module {
             Member::Fork | Member::Knee => out(knee_out) * place,
             Member::Leg => about(self.hub_pivot, left(), posture.hub_deg - self.closed().hub_deg) * place,
             Member::Strut(up) => out(knee_out) * Translation3::from(self.strut_up[usize::from(up)] * strut_out) * place,
-            Member::Corner(up) => {
-                let off = Translation3::from(self.strut_up[usize::from(up)] * (strut_out + corner_out));
-                out(knee_out) * off * place * self.refold(member, posture)
+            // Its ring stays level: the strut's socket is what turns.
+            Member::Corner(true) => Translation3::from(self.strut_up[1] * posture.top_lift_mm) * place,
+            Member::Corner(false) => {
+                let off = Translation3::from(self.strut_up[0] * (strut_out + corner_out));
+                out(knee_out) * off * place * self.refold(posture)
             }
             Member::Cage(up) => {
                 let corner = Member::Corner(up);
@@ -150,11 +155,10 @@ impl Module {
         self.pose(corner, &Posture { off_hub_mm: 0.0, ..*posture })
     }
 
-    /// The strut's socket stays, so the corner turns back by what is not yet folded.
-    fn refold(&self, corner: Member, posture: &Posture) -> Isometry3<f64> {
-        let Some(bend) = self.bends(corner).first() else { return Isometry3::identity() };
-        let fold = if corner == Member::Corner(true) { posture.top_deg } else { posture.strut_deg };
-        bend.motion() * bent_by(bend, fold).motion().inverse()
+    /// The strut's socket stays, so the bottom corner turns back by what is not yet folded.
+    fn refold(&self, posture: &Posture) -> Isometry3<f64> {
+        let Some(bend) = self.bends(Member::Corner(false)).first() else { return Isometry3::identity() };
+        bend.motion() * bent_by(bend, posture.strut_deg).motion().inverse()
     }
 
     /// Where one side of a member's hinges stands.

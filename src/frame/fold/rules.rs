@@ -116,8 +116,10 @@ pub struct Rules<'a> {
     pub module: &'a Module,
     /// The stance before the leg enters the foot.
     pub entry: Stance,
-    /// How far a module stands off the hub before it is pressed in, mm.
-    pub off_hub_mm: f64,
+    /// How far a module stands off the hub before its plugs enter, and when the bottom ring's rods stand before their bores, mm.
+    pub off_hub_mm: [f64; 2],
+    /// How far the top ring is held over its place, along the struts, while its corners bend, mm.
+    pub top_lift_mm: f64,
     solids: Vec<(Member, Vec<Capsule>)>,
     far_sockets: Vec<(Member, Member)>,
 }
@@ -133,7 +135,10 @@ impl<'a> Rules<'a> {
     /// The rules of a frame.
     pub fn new(frame: &Frame, skeleton: &Skeleton, module: &'a Module, entry: Stance) -> Self {
         let solids = Member::ALL.iter().map(|m| (*m, capsules(*m, frame, skeleton))).collect();
-        Self { module, entry, off_hub_mm: frame.hub_joint.plug_length_mm + OFF_HUB_MM, solids, far_sockets: far_sockets(skeleton) }
+        let plug_mm = frame.hub_joint.plug_length_mm;
+        let off_hub_mm = [plug_mm + OFF_HUB_MM, 0.5 * (plug_mm + rods_enter_mm(frame))];
+        let top_lift_mm = frame.corner.corner_socket_depth_mm + OVER_STRUT_MM;
+        Self { module, entry, off_hub_mm, top_lift_mm, solids, far_sockets: far_sockets(skeleton) }
     }
 
     /// The posture after some tasks, in the middle of one.
@@ -147,24 +152,25 @@ impl<'a> Rules<'a> {
         let closed = self.module.closed();
         let closing = way(Task::CloseTriangle);
         let stance = self.module.linkage.closing(&self.entry, closing).unwrap_or(self.entry);
+        let [far, started] = self.off_hub_mm;
         let hub_deg = if closing > FREE_WAY { stance.hub_deg } else { self.entry.hub_deg * way(Task::BendLeg) };
         Posture {
             hub_deg,
             strut_deg: stance.strut_deg,
             foot_deg: stance.foot_deg,
-            top_deg: closed.top_deg * way(Task::BendTop),
+            top_deg: closed.top_deg * (way(Task::CloseTop) / TOP_BENT).min(1.0),
+            top_lift_mm: self.top_lift_mm * ((1.0 - way(Task::CloseTop)) / (1.0 - TOP_BENT)).min(1.0),
             pulled: stance.pulled,
-            off_hub_mm: self.off_hub_mm * (1.0 - way(Task::CloseRing)),
+            off_hub_mm: far + (started - far) * way(Task::PlugHub) - started * way(Task::CloseRing),
         }
     }
 
     /// Everything that is joined to a member.
     pub fn component(&self, of: Member, done: &Done) -> BTreeSet<Member> {
         let mut contacts: Vec<(Member, Member)> = done.iter().flat_map(|task| task.contacts()).collect();
-        if done.contains(&Task::CloseRing) {
-            // The neighbours' cage rods hold this module's corners.
-            contacts.extend([true, false].map(|up| (Member::Corner(up), Member::Hub)));
-        }
+        // The neighbours' cage rods hold this module's corners.
+        let rings = [(Task::CloseTop, true), (Task::CloseRing, false)].into_iter().filter(|(task, _)| done.contains(task));
+        contacts.extend(rings.map(|(_, up)| (Member::Corner(up), Member::Hub)));
         let mut found = BTreeSet::from([of]);
         loop {
             let before = found.len();
@@ -184,8 +190,12 @@ impl<'a> Rules<'a> {
         match task.motion() {
             FoldMotion::Push | FoldMotion::Slide => self.broken_push(done, task),
             FoldMotion::Bend => self.broken_bend(done, task),
-            FoldMotion::Close if task == Task::CloseTriangle => self.broken_triangle(done),
-            FoldMotion::Close => self.broken_ring(done),
+            FoldMotion::Close => match task {
+                Task::CloseTriangle => self.broken_triangle(done),
+                Task::PlugHub => self.broken_plug(done),
+                Task::CloseRing => self.broken_ring(done),
+                _ => self.broken_top(done),
+            },
         }
     }
 
@@ -260,8 +270,9 @@ impl<'a> Rules<'a> {
     /// The part with the bore for a rod's other end, when it stays where it is while the rod is pushed in here.
     fn shut_far_end(&self, rod: Member, onto: Member, held: &BTreeSet<Member>, done: &Done) -> Option<String> {
         if let Member::Cage(up) = rod {
-            // The other corner is the next module's, held by the hub.
-            return done.contains(&Task::CloseRing).then(|| Member::Corner(up).body(1));
+            // The other corner is the next module's: that of the bottom ring is held by the hub, that of the top by the ring.
+            let closes = if up { Task::CloseTop } else { Task::PlugHub };
+            return done.contains(&closes).then(|| Member::Corner(up).body(1));
         }
         let far = self.far_sockets.iter().find(|(member, part)| *member == rod && *part != onto);
         far.filter(|(_, part)| held.contains(part)).map(|(_, part)| name(*part))
@@ -293,8 +304,7 @@ impl<'a> Rules<'a> {
         if !self.component(part, done).contains(&lever) {
             return Some(Broken::NoLever { part: name(part), lever: name(lever) });
         }
-        let closes = if task == Task::BendLeg { Task::CloseTriangle } else { Task::CloseRing };
-        if done.contains(&closes) {
+        if done.contains(&Task::CloseTriangle) {
             return Some(Broken::Rigid { part: name(part) });
         }
         self.swept_bend(done, task, &self.component(part, done))
@@ -308,7 +318,7 @@ impl<'a> Rules<'a> {
             let missing = chain.into_iter().find(|m| !reached.contains(m)).unwrap_or(foot);
             return Some(Broken::LoopOpen { missing: name(missing) });
         }
-        if done.contains(&Task::CloseRing) {
+        if done.contains(&Task::PlugHub) {
             return Some(Broken::Rigid { part: name(foot) });
         }
         let before = self.posture(done, Some((Task::CloseTriangle, FREE_WAY)));
@@ -326,21 +336,39 @@ impl<'a> Rules<'a> {
         linkage.gap(&stance).norm()
     }
 
+    /// The plugs lead the modules while the bottom ring closes, so its rods have to be there by then.
+    fn broken_plug(&self, done: &Done) -> Option<Broken> {
+        let rod = || self.without(done, Member::HubJoint, Member::Cage(false));
+        shut_by(done, &[Task::CloseRing, Task::CloseTop]).or_else(rod).or_else(|| self.not_facing(done))
+    }
+
     fn broken_ring(&self, done: &Done) -> Option<Broken> {
-        let reached = self.component(Member::HubJoint, done);
-        let rods = [Member::Cage(false), Member::Cage(true)];
-        if let Some(missing) = rods.into_iter().find(|m| !reached.contains(m)) {
-            return Some(Broken::LoopOpen { missing: name(missing) });
+        let missing = [Member::Hub, Member::Cage(false)].into_iter().find_map(|member| self.without(done, Member::HubJoint, member));
+        shut_by(done, &[Task::CloseTop]).or(missing).or_else(|| self.not_facing(done))
+    }
+
+    /// What a closing lacks that has to hang on a member.
+    fn without(&self, done: &Done, of: Member, member: Member) -> Option<Broken> {
+        (!self.component(of, done).contains(&member)).then(|| Broken::LoopOpen { missing: name(member) })
+    }
+
+    fn not_facing(&self, done: &Done) -> Option<Broken> {
+        let foot = Member::Corner(false);
+        let stands = |posture: &Posture| self.module.pose(foot, posture).rotation;
+        let turned = stands(&self.posture(done, None)).angle_to(&stands(&self.module.closed()));
+        let off_deg = Angle::rad(turned).to_deg();
+        (off_deg > FACING_DEG).then(|| Broken::NotFacing { part: name(foot), off_deg })
+    }
+
+    /// The top ring goes onto struts that stand where they will be: on modules that are home.
+    fn broken_top(&self, done: &Done) -> Option<Broken> {
+        let top = Member::Corner(true);
+        if !done.contains(&Task::CloseRing) {
+            return Some(Broken::LoopOpen { missing: name(Member::Corner(false)) });
         }
-        let (now, closed) = (self.posture(done, None), self.module.closed());
-        for corner in [Member::Corner(false), Member::Corner(true)] {
-            let turned = self.module.pose(corner, &now).rotation.angle_to(&self.module.pose(corner, &closed).rotation);
-            let off_deg = Angle::rad(turned).to_deg();
-            if off_deg > FACING_DEG {
-                return Some(Broken::NotFacing { part: name(corner), off_deg });
-            }
-        }
-        None
+        let missing = self.without(done, Member::Hub, Member::Strut(true)).or_else(|| self.without(done, top, Member::Cage(true)));
+        let within: BTreeSet<Member> = [Member::Hub, top].into_iter().flat_map(|member| self.component(member, done)).collect();
+        missing.or_else(|| self.swept_bend(done, Task::CloseTop, &within))
     }
 
     fn swept_bend(&self, done: &Done, task: Task, within: &BTreeSet<Member>) -> Option<Broken> {
@@ -385,6 +413,22 @@ const WAY_MM: f64 = 70.0;
 
 /// What a module stands off the hub beyond its plugs, mm.
 const OFF_HUB_MM: f64 = 30.0;
+/// What the top corners' sockets are held over the ends of the struts while they bend, mm.
+const OVER_STRUT_MM: f64 = 3.0;
+/// Share of the way of the top ring at which its corners are bent; then it comes down.
+pub const TOP_BENT: f64 = 0.5;
+
+/// The modules are pressed in along their diagonals: each rod of the bottom ring enters the next corner when both stand off by its hold
+/// over √2.
+pub fn rods_enter_mm(frame: &Frame) -> f64 {
+    frame.corner.corner_socket_depth_mm * std::f64::consts::FRAC_1_SQRT_2
+}
+
+/// What keeps modules from being pressed in: a ring that is closed already.
+fn shut_by(done: &Done, rings: &[Task]) -> Option<Broken> {
+    let shut = rings.iter().any(|ring| done.contains(ring));
+    shut.then(|| Broken::LoopShut { mover: name(Member::HubJoint), onto: name(Member::Hub) })
+}
 
 /// For each rod the parts at its ends, as members.
 fn far_sockets(skeleton: &Skeleton) -> Vec<(Member, Member)> {

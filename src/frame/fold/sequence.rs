@@ -4,17 +4,21 @@ use std::borrow::Cow;
 
 use serde::Serialize;
 
+use super::depth::depth;
 use super::hinge::{self, HingeLoad};
 use super::linkage::{FREE_WAY, Linkage, LinkageError, Stance};
 use super::member::Member;
 use super::posture::{Module, Posture};
-use super::rules::{Broken, Done, Rules};
+use super::rules::{Broken, Done, Rules, rods_enter_mm};
 use super::task::{FoldMotion, Task};
 use crate::frame::skeleton::{Centre, MODULE_NAMES, MODULE_WORDS, ModulePlaces, RodRole, Skeleton};
 use crate::memo::Key;
 use crate::params::Frame;
 use crate::solid::Bend;
 use crate::units::Angle;
+
+/// The module whose corners take the ends of the first one's cage rods.
+pub const NEXT_MODULE: usize = 1;
 
 /// Why a frame cannot be folded.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -89,6 +93,8 @@ pub struct Join {
     pub from: [f64; 3],
     /// How far a rod stays out of the bottom of its bore until the triangle is closed, mm.
     pub left_out_mm: f64,
+    /// How deep a rod is in its bore when it is at the bottom, mm; none without a rod.
+    pub depth_mm: Option<f64>,
 }
 
 /// A step.
@@ -128,8 +134,8 @@ pub struct FoldSequence {
     pub module: Module,
     /// Stance before the leg enters the foot.
     pub entry: Stance,
-    /// How far a module stands off the hub until the rings are closed, mm.
-    pub off_hub_mm: f64,
+    /// How far a module stands off the hub before its plugs enter, and before the bottom ring is closed, mm.
+    pub off_hub_mm: [f64; 2],
     /// The steps.
     pub steps: Vec<Step>,
 }
@@ -170,10 +176,9 @@ impl FoldSequence {
     }
 }
 
-/// The modules are pressed in along their diagonals: each cage rod enters the next corner when both stand off by its hold
-/// over √2. The plugs have to be in the hub by then.
+/// The plugs have to be in the hub before the bottom ring's rods enter.
 fn ring_can_close(frame: &Frame) -> Result<(), FoldError> {
-    let needed_mm = frame.corner.corner_socket_depth_mm * std::f64::consts::FRAC_1_SQRT_2;
+    let needed_mm = rods_enter_mm(frame);
     let plug_mm = frame.hub_joint.plug_length_mm;
     if needed_mm > plug_mm { Err(FoldError::PlugTooShort { needed_mm, plug_mm }) } else { Ok(()) }
 }
@@ -196,7 +201,7 @@ fn text(task: Task, skeleton: &Skeleton) -> Cow<'static, str> {
 fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: usize) -> Step {
     let task = order[at];
     let done: Done = order[..at].iter().copied().collect();
-    let repeats = if task == Task::CloseRing { 1 } else { MODULE_NAMES.len() };
+    let repeats = if task == Task::PlugHub || task.closes_ring().is_some() { 1 } else { MODULE_NAMES.len() };
     let (after, before) = dependences(rules, order, at, &done);
     Step {
         number: at + 1,
@@ -207,7 +212,7 @@ fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: u
         caution: task.caution(),
         repeats,
         minutes: task.minutes() * repeats as f64,
-        joins: task.contacts().into_iter().map(|(mover, onto)| join(rules, task, mover, onto)).collect(),
+        joins: joins(rules, skeleton, task),
         bends: bends(rules, frame, task, &done),
         loop_error_mm: (task == Task::CloseTriangle).then(|| loop_error_mm(rules, skeleton, &done)),
         after,
@@ -229,6 +234,20 @@ fn dependences(rules: &Rules, order: &[Task], at: usize, done: &Done) -> (Vec<De
     (after.collect(), before.collect())
 }
 
+fn joins(rules: &Rules, skeleton: &Skeleton, task: Task) -> Vec<Join> {
+    let depth_of = |a: Member, b: Member, module: usize| depth(skeleton, a, (b, module)).map(|depth| depth.mm);
+    let own = task.contacts().into_iter().map(|(mover, onto)| {
+        let depth_mm = depth_of(mover, onto, 0).or_else(|| depth_of(onto, mover, 0));
+        Join { depth_mm, ..join(rules, task, mover, onto) }
+    });
+    let ring = task.closes_ring().map(|up| {
+        let (rod, corner) = (Member::Cage(up), Member::Corner(up));
+        let next = NEXT_MODULE;
+        Join { body: rod.body(0), onto: corner.body(next), from: [0.0; 3], left_out_mm: 0.0, depth_mm: depth_of(rod, corner, next) }
+    });
+    own.chain(ring).collect()
+}
+
 fn join(rules: &Rules, task: Task, mover: Member, onto: Member) -> Join {
     let linkage = &rules.module.linkage;
     let [arm_hub, arm_fork] = linkage.arm_holds_mm.map(|hold| hold * rules.entry.pulled);
@@ -237,11 +256,11 @@ fn join(rules: &Rules, task: Task, mover: Member, onto: Member) -> Join {
         Task::PushArms => arm_hub,
         Task::PushFork => arm_fork,
         Task::PushStruts => strut,
-        Task::PushFoot | Task::PushTop => corner,
+        Task::PushFoot => corner,
         _ => 0.0,
     };
     let from = if task.motion() == FoldMotion::Close { nalgebra::Vector3::zeros() } else { rules.along(task, mover) };
-    Join { body: mover.body(0), onto: onto.body(0), from: from.into(), left_out_mm }
+    Join { body: mover.body(0), onto: onto.body(0), from: from.into(), left_out_mm, depth_mm: None }
 }
 
 fn bends(rules: &Rules, frame: &Frame, task: Task, done: &Done) -> Vec<FoldBend> {

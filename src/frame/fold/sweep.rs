@@ -123,12 +123,19 @@ impl Sweeper<'_> {
         module.is_some_and(|module| self.fold.module.modules.representatives().contains(&module))
     }
 
-    /// The pieces that are joined to something, or are now.
+    /// The pieces that are joined to something, or are now; beside the hub those that hang on it, as the rest lies apart.
     fn there(&self) -> Vec<&Piece> {
         let done = &self.order[..=self.at];
         let members: BTreeSet<Member> =
             done.iter().flat_map(|t| t.contacts().into_iter().chain(t.lever())).flat_map(|(a, b)| [a, b]).collect();
         let whole = members.contains(&Member::Hub);
+        let members: BTreeSet<Member> = if whole {
+            let rules = self.fold.rules(&self.design.frame, &self.design.skeleton);
+            let on_hub = rules.component(Member::Hub, &done.iter().copied().collect());
+            members.intersection(&on_hub).copied().collect()
+        } else {
+            members
+        };
         let is_there = |p: &&Piece| match p.module {
             Some(_) => (whole || self.is_representative(p.module)) && p.member.is_some_and(|m| members.contains(&m)),
             None => whole,

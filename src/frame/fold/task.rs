@@ -27,16 +27,16 @@ pub enum Task {
     PushFoot,
     /// The foot's bend closes arms, strut and leg.
     CloseTriangle,
-    /// The top corner onto the upper strut.
-    PushTop,
-    /// The top corner's strut hinge bends.
-    BendTop,
     /// The bottom ring's rod into this module's corner.
     PushBottomCage,
     /// The top ring's rod into this module's corner.
     PushTopCage,
-    /// Four modules into the hub, each cage rod into the next module's corner.
+    /// The plugs of four modules into the hub, so far that the bottom ring's rods stand before the next corners.
+    PlugHub,
+    /// Four modules home, each rod of the bottom ring into the next module's corner.
     CloseRing,
+    /// The top ring over the upper struts: its corners bend, and strut and cage rods slide home.
+    CloseTop,
     /// Motor and propeller onto the mount.
     SeatMotor,
 }
@@ -66,11 +66,11 @@ impl Task {
         Self::PushStruts,
         Self::PushFoot,
         Self::CloseTriangle,
-        Self::PushTop,
-        Self::BendTop,
         Self::PushBottomCage,
         Self::PushTopCage,
+        Self::PlugHub,
         Self::CloseRing,
+        Self::CloseTop,
         Self::SeatMotor,
     ];
 
@@ -78,8 +78,8 @@ impl Task {
     pub fn motion(self) -> FoldMotion {
         match self {
             Self::ThreadKnee | Self::SlideMount => FoldMotion::Slide,
-            Self::BendLeg | Self::BendTop => FoldMotion::Bend,
-            Self::CloseTriangle | Self::CloseRing => FoldMotion::Close,
+            Self::BendLeg => FoldMotion::Bend,
+            Self::CloseTriangle | Self::PlugHub | Self::CloseRing | Self::CloseTop => FoldMotion::Close,
             _ => FoldMotion::Push,
         }
     }
@@ -96,12 +96,13 @@ impl Task {
             Self::PushStruts => vec![(Strut(true), Knee), (Strut(false), Knee)],
             Self::PushFoot => vec![(Corner(false), Strut(false))],
             Self::CloseTriangle => vec![(Corner(false), Leg)],
-            Self::PushTop => vec![(Corner(true), Strut(true))],
             Self::PushBottomCage => vec![(Cage(false), Corner(false))],
             Self::PushTopCage => vec![(Cage(true), Corner(true))],
-            Self::CloseRing => vec![(HubJoint, Hub)],
+            Self::PlugHub => vec![(HubJoint, Hub)],
+            Self::CloseTop => vec![(Corner(true), Strut(true))],
             Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor), (MotorScrews, Motor)],
-            Self::BendLeg | Self::BendTop => Vec::new(),
+            // The bottom ring's rods enter corners of other modules.
+            Self::BendLeg | Self::CloseRing => Vec::new(),
         }
     }
 
@@ -110,11 +111,19 @@ impl Task {
         if self.motion() == FoldMotion::Close { Vec::new() } else { self.contacts().into_iter().map(|(moving, _)| moving).collect() }
     }
 
+    /// The ring that it closes with the rods of each module in the next one's corner: the top one, or the bottom one.
+    pub fn closes_ring(self) -> Option<bool> {
+        match self {
+            Self::CloseRing => Some(false),
+            Self::CloseTop => Some(true),
+            _ => None,
+        }
+    }
+
     /// What has to be there for a bend: the member whose hinge it is and what is held to turn it.
     pub fn lever(self) -> Option<(Member, Member)> {
         match self {
             Self::BendLeg => Some((Member::HubJoint, Member::Leg)),
-            Self::BendTop => Some((Member::Corner(true), Member::Strut(true))),
             _ => None,
         }
     }
@@ -134,7 +143,7 @@ impl Task {
     pub fn comes_along(self, mover: Member, strut_up: impl Fn(bool) -> Vector3<f64>) -> Vector3<f64> {
         match (self, mover) {
             (Self::ThreadKnee, _) => left(),
-            (Self::PushStruts, Member::Strut(up)) | (Self::PushFoot | Self::PushTop, Member::Corner(up)) => strut_up(up),
+            (Self::PushStruts, Member::Strut(up)) | (Self::PushFoot, Member::Corner(up)) => strut_up(up),
             (Self::PushBottomCage | Self::PushTopCage, _) => -Vector3::x(),
             (Self::SeatMotor, Member::MotorScrews) => -Vector3::z(),
             (Self::SeatMotor, _) => Vector3::z(),
@@ -154,11 +163,11 @@ impl Task {
             Self::PushStruts => "Struts into the knee",
             Self::PushFoot => "Bottom corner onto the lower strut",
             Self::CloseTriangle => "Bend the foot and close the triangle",
-            Self::PushTop => "Top corner onto the upper strut",
-            Self::BendTop => "Bend the top corner",
             Self::PushBottomCage => "Bottom cage rod into its corner",
             Self::PushTopCage => "Top cage rod into its corner",
-            Self::CloseRing => "Four modules into the hub, rods into the rings",
+            Self::PlugHub => "Plugs of four modules into the hub",
+            Self::CloseRing => "Bottom ring: four modules home",
+            Self::CloseTop => "Top ring onto the struts",
             Self::SeatMotor => "Motor and propeller",
         }
     }
@@ -179,12 +188,14 @@ impl Task {
             Self::CloseTriangle => {
                 "Bend the foot at both its notches until the leg stands before the long bore, then go on bending and push the fork home: leg and arms slide to the bottom of their bores together."
             }
-            Self::PushTop => "Push the top corner straight onto the upper strut.",
-            Self::BendTop => "Bend the top corner inwards until its bores lie level.",
             Self::PushBottomCage => "Push a cage rod into the bottom corner, towards the next module.",
-            Self::PushTopCage => "Push a cage rod into the top corner, towards the next module.",
-            Self::CloseRing => {
-                "Lay the four modules as a cross around the hub and start all plugs. Go round in small steps: plugs and cage rods slide home together."
+            Self::PushTopCage => "Push a cage rod into the top corner, by the bore that will look to the next module. Lay it aside.",
+            Self::PlugHub => {
+                "Lay the four modules as a cross around the hub and push their plugs in by half, until each rod of the bottom ring stands before the next module's bottom corner."
+            }
+            Self::CloseRing => "Go round in small steps: plugs and the four rods of the bottom ring slide home together.",
+            Self::CloseTop => {
+                "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
             }
             Self::SeatMotor => "Screw the motor onto its mount, then put on the propeller.",
         }
@@ -205,7 +216,7 @@ impl Task {
             Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => Some(
                 "Ends of cut carbon rods splinter: wear gloves and a dust mask, wipe the ends before pushing. Glue only a rod that is loose.",
             ),
-            Self::CloseRing => Some("Never glue the plugs to the hub: they are what lets go in a crash."),
+            Self::PlugHub => Some("Never glue the plugs to the hub: they are what lets go in a crash."),
             _ => None,
         }
     }
@@ -214,7 +225,8 @@ impl Task {
     pub fn minutes(self) -> f64 {
         match self {
             Self::ThreadKnee | Self::CloseTriangle | Self::SeatMotor => 3.0,
-            Self::CloseRing => 4.0,
+            Self::PlugHub | Self::CloseRing => 4.0,
+            Self::CloseTop => 6.0,
             _ => 1.0,
         }
     }

@@ -36,6 +36,9 @@ impl Moment {
     }
 }
 
+/// How far the top ring is over its place when all is taken apart, mm.
+const APART_MM: f64 = 45.0;
+
 /// How far from its place a member waits, mm: rods and what comes onto them lie beyond each other.
 fn waits_mm(member: Member) -> f64 {
     match member {
@@ -71,7 +74,7 @@ pub fn moment(rules: &Rules, order: &[Task], done: &Done, (task, way): (Task, f6
 
 /// Where each member stands when all is folded and nothing is joined yet: off what it will be joined to, by what it waits.
 pub fn exploded(rules: &Rules, order: &[Task]) -> Vec<(Member, Isometry3<f64>)> {
-    let posture = Posture { off_hub_mm: rules.off_hub_mm, ..rules.module.closed() };
+    let posture = Posture { off_hub_mm: rules.off_hub_mm[0], top_lift_mm: APART_MM, ..rules.module.closed() };
     let nothing = (Task::SeatMotor, 0.0);
     Member::ALL.iter().map(|m| (*m, waiting(rules, order, *m, &Done::new(), nothing, &posture))).collect()
 }

@@ -46,12 +46,12 @@ impl TopCorner {
     pub fn feature(&self) -> Feature {
         let s = &self.sockets;
         let (r, end) = (s.radius_mm(), s.mouth_mm());
-        let body = Feature::union([s.cage_x(), swapped(s.cage_x()), s.body(strut_direction(), end), self.web()]);
-        let mut body = s.opened(body, end + r, vec![self.cage_kept(), swapped(self.cage_kept())]);
+        let mut body = vec![s.cage_x(), swapped(s.cage_x()), s.body(strut_direction(), end), self.web()];
         if self.web_fillet_mm > 0.0 {
-            body = Feature::union([body, self.fillets()]);
+            // Before the notch is cut: its faces end the fillets.
+            body.push(self.fillets());
         }
-        body.minus(s.bores())
+        s.opened(Feature::union(body), end + r, vec![self.cage_kept(), swapped(self.cage_kept())]).minus(s.bores())
     }
 
     /// The turn that lays the part on the bed: it lies there as modelled.
@@ -114,7 +114,7 @@ fn fillet_outline(socket_mm: f64, fillet_mm: f64) -> Contour {
 mod tests {
     use super::*;
     use crate::frame::parts::corner::tests::{assert_socket, web_mm};
-    use crate::frame::parts::measure::{assert_close, assert_like, printed, v8};
+    use crate::frame::parts::measure::{assert_close, assert_like, hits, printed, v8};
     use crate::solid::{MeshSolid, gate};
 
     fn part() -> TopCorner {
@@ -129,6 +129,17 @@ mod tests {
             assert_socket(&mesh, direction, 5.0);
         }
         assert_close("web", web_mm(&mesh, strut_direction(), 1.2), 2.9);
+    }
+
+    /// The fillets' inner ends stood up in the notch's root as two horns.
+    #[test]
+    fn regress_nothing_stands_up_in_the_root_of_the_notch() {
+        let mesh = printed(&part().feature(), 0);
+        let top = |x: f64, y: f64| hits(&mesh, [x + 0.0013, y + 0.0007, -9.0], Vector3::z()).last().map_or(0.0, |above| above - 9.0);
+        for (x, y, real_mm) in [(2.5, 3.0, 0.21), (2.75, 3.5, 0.62), (3.0, 3.0, 0.07), (3.25, 2.75, 0.38), (5.0, 3.25, 0.15)] {
+            let [one, other] = [top(x, y), top(y, x)];
+            assert!((one - real_mm).abs() < 0.03 && (other - real_mm).abs() < 0.05, "({x}, {y}): {one} {other}, real {real_mm}");
+        }
     }
 
     #[test]

@@ -17,12 +17,15 @@ const SMALL: f32 = 8.2;
 /// Distance of lines over the size of letters.
 const LEADING: f32 = 1.35;
 /// Width of a step's pictures and of the one on the title page, points.
-const WIDTHS: [f32; 2] = [420.0, 270.0];
+const WIDTHS: [f32; 2] = [385.0, 270.0];
 
 /// Mounts on a sheet, the width of a mount's picture, and where the column of its parts begins, points.
 const PANELS: usize = 2;
 const PANEL_PICTURE: f32 = 335.0;
 const PANEL_PARTS: f32 = 345.0;
+/// Width and height of the picture of a part, and width of its cell below a step of the fold, points.
+const PART: [f32; 2] = [68.0, 51.0];
+const PART_CELL: f32 = 120.0;
 /// Points in a millimetre.
 const MM: f32 = 72.0 / 25.4;
 
@@ -46,8 +49,8 @@ pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
         let mut sheet = Sheet { document: &mut document, page, lettering: &lettering, y: MARGIN, left: MARGIN, width };
         match content {
             Content::Title => sheet.title(&title, booklet),
-            Content::Panels(panels) => sheet.panels(panels),
-            Content::Step(step) => sheet.step(step),
+            Content::Panels(panels) => sheet.panels(panels, booklet),
+            Content::Step(step) => sheet.step(step, booklet),
         }
         sheet.foot(&format!("{}, page {} of {}", booklet.frame, number + 1, pages.len()));
         let page = sheet.page;
@@ -138,14 +141,14 @@ impl Sheet<'_, '_> {
         (self.left, self.width) = (left, width);
     }
 
-    fn panels(&mut self, panels: &[Panel]) {
+    fn panels(&mut self, panels: &[Panel], booklet: &Booklet) {
         for (at, panel) in panels.iter().enumerate() {
             self.y = MARGIN + at as f32 * 0.5 * (PAPER[1] - 2.0 * MARGIN);
-            self.panel(panel);
+            self.panel(panel, booklet);
         }
     }
 
-    fn panel(&mut self, panel: &Panel) {
+    fn panel(&mut self, panel: &Panel, booklet: &Booklet) {
         self.words(&panel.heading, HEADING - 4.0);
         self.words(&panel.facts, TEXT - 1.0);
         self.gap(4.0);
@@ -155,7 +158,7 @@ impl Sheet<'_, '_> {
         self.words(panel.held, SMALL);
         let below = self.y;
         (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
-        panel.parts.iter().for_each(|line| self.part(line));
+        panel.parts.iter().for_each(|line| self.part(line, booklet));
         (self.y, self.left, self.width) = (below + 2.0, left, width);
         self.words(&panel.text, TEXT - 1.0);
         if let Some(caution) = &panel.caution {
@@ -164,9 +167,13 @@ impl Sheet<'_, '_> {
         }
     }
 
-    /// A line of parts; of a screw its outline, as large as it is.
-    fn part(&mut self, line: &PartLine) {
+    /// A line of parts with a picture; of a screw its outline, as large as it is.
+    fn part(&mut self, line: &PartLine, booklet: &Booklet) {
         self.words(&part_words(line), TEXT - 1.0);
+        if let Some(picture) = booklet.alone.get(&line.part) {
+            self.document.picture(&mut self.page, picture, [self.left, self.y], PART);
+            self.y += PART[1];
+        }
         let (Some([thread, length]), Some([wide, high])) = (line.screw_mm, line.head_mm) else { return };
         let [thread, length, wide, high] = [thread, length, wide, high].map(|mm| mm as f32 * MM);
         self.gap(5.0);
@@ -177,7 +184,19 @@ impl Sheet<'_, '_> {
         self.words("1:1", SMALL);
     }
 
-    fn step(&mut self, step: &Page) {
+    /// Parts side by side.
+    fn parts(&mut self, lines: &[PartLine], booklet: &Booklet) {
+        let (left, width, top) = (self.left, self.width, self.y);
+        let mut below = top;
+        for (at, line) in lines.iter().enumerate() {
+            (self.left, self.width, self.y) = (left + at as f32 * PART_CELL, PART_CELL, top);
+            self.part(line, booklet);
+            below = below.max(self.y);
+        }
+        (self.left, self.width, self.y) = (left, width, below);
+    }
+
+    fn step(&mut self, step: &Page, booklet: &Booklet) {
         self.words(&step.heading, HEADING);
         self.words(&step.facts, TEXT);
         self.gap(5.0);
@@ -188,10 +207,8 @@ impl Sheet<'_, '_> {
             self.gap(3.0);
         }
         self.words(&step.text, TEXT);
-        for line in &step.parts {
-            self.gap(2.0);
-            self.part(line);
-        }
+        self.gap(2.0);
+        self.parts(&step.parts, booklet);
         for line in &step.measures {
             self.gap(2.0);
             self.words(line, TEXT - 1.0);

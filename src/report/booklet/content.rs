@@ -4,7 +4,7 @@ use crate::export::bill::bill;
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::fold::{FoldBend, FoldSequence, Step};
+use crate::frame::fold::{FoldBend, FoldSequence, Join, Step};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, without_a_step};
 use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
 use crate::report::picture::fold_scene;
@@ -12,6 +12,7 @@ use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
 use crate::report::picture::propeller_scene;
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// Instructions to be printed.
 pub struct Booklet {
@@ -21,6 +22,8 @@ pub struct Booklet {
     pub preface: Vec<String>,
     /// The frame taken apart.
     pub apart: Picture,
+    /// What is taken in hand, by its name in the bill; screws are drawn as large as they are instead.
+    pub alone: BTreeMap<String, Picture>,
     /// How many, what, of what.
     pub parts: Vec<[String; 3]>,
     /// A line a stock length: what to cut from it.
@@ -65,7 +68,9 @@ pub struct Page {
     pub caution: Option<String>,
     /// What is taken in hand for the first time.
     pub parts: Vec<PartLine>,
-    /// Before, with arrows, half done where a loop is closed, and after.
+    /// What the picture between the first and the last shows, where there is one.
+    pub half_done: Option<&'static str>,
+    /// Before, with arrows, half done where that helps, and after.
     pub pictures: Vec<Picture>,
 }
 
@@ -86,6 +91,7 @@ impl Booklet {
             frame: design.frame.name.clone(),
             preface: preface(&mounting, fold.steps.len(), minutes, &forgotten(design, masses, &mounting)),
             apart: fold_scene::apart(design, fold),
+            alone: alone(design, &mounting),
             parts: parts(masses),
             cuts: cuts(design),
             before: panels(&mounting.before, 0),
@@ -93,6 +99,14 @@ impl Booklet {
             after,
         }
     }
+}
+
+/// A picture of each thing that a step takes in hand.
+fn alone(design: &Design, mounting: &Mounting) -> BTreeMap<String, Picture> {
+    let lines: BTreeMap<&str, &PartLine> =
+        mounting.parts().filter(|line| line.screw_mm.is_none()).map(|line| (&*line.part, line)).collect();
+    let drawn = lines.par_iter().filter_map(|(name, line)| Some((name.to_string(), mount_scene::part(design, line)?)));
+    drawn.collect::<Vec<_>>().into_iter().collect()
 }
 
 fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]) -> Vec<String> {
@@ -207,14 +221,15 @@ fn cuts(design: &Design) -> Vec<String> {
 
 impl Page {
     /// A word for each picture.
-    pub fn captions(&self) -> &'static [&'static str] {
-        if self.pictures.len() == 2 { &["Before", "After"] } else { &["Before", "Half done: rods and bores meet", "After"] }
+    pub fn captions(&self) -> Vec<&'static str> {
+        ["Before"].into_iter().chain(self.half_done).chain(["After"]).collect()
     }
 
     fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
         let each = step.minutes / step.repeats as f64;
         let often = if step.repeats == 1 { "once".into() } else { format!("{} x", step.repeats) };
         let mut measures: Vec<String> = step.bends.iter().map(bend).collect();
+        measures.extend(depths(step));
         measures.extend(left_out(step));
         Self {
             heading: format!("{}. {}", first + at + 1, step.title),
@@ -223,6 +238,7 @@ impl Page {
             measures,
             caution: step.caution.map(Into::into),
             parts: parts.cloned().unwrap_or_default(),
+            half_done: fold_scene::half_way(step.task).map(|(_, words)| words),
             pictures: fold_scene::step(design, fold, at),
         }
     }
@@ -234,6 +250,14 @@ fn bend(bend: &FoldBend) -> String {
     let preload =
         if bend.preload_deg > 0.0 { format!("; its notch is closed at {:.0}°", bend.to_deg - bend.preload_deg) } else { String::new() };
     format!("{part}, {}: from {:.0}° to {:.0}°{preload}{moment}.", bend.hinge, bend.from_deg, bend.to_deg)
+}
+
+/// How deep the rods go: the rings that the pictures show on them.
+fn depths(step: &Step) -> Vec<String> {
+    let line = |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it goes: {mm:.1} mm."));
+    let mut lines: Vec<String> = step.joins.iter().filter_map(line).collect();
+    lines.dedup();
+    lines
 }
 
 /// What stays open until the triangle is closed, once for both of two rods.

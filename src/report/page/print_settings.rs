@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::frame::assembly::Design;
 use crate::markdown::inert;
 use crate::params::catalogue::{Bed, Material, Printer};
+use crate::printing::heat::{heats, sentence, unknown};
 use crate::printing::plates::{Plate, PrintSetting, PrintSettings, SlicerFamily};
 
 /// Section of a filament of 1.75 mm, mm².
@@ -29,6 +30,7 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
         printer.nozzle_mm
     );
     compensation(&mut text, printer);
+    heat(&mut text, design);
     let mut seen: Vec<&str> = Vec::new();
     for plate in plates {
         let name = plate.material.name.as_str();
@@ -54,6 +56,23 @@ fn compensation(text: &mut String, printer: &Printer) {
             text,
             "\nTheir first layer is drawn in by {foot_mm} mm: leave the slicer's own elephant foot compensation off; the plates tell the slicer so.\n"
         );
+    }
+}
+
+/// What the printer lacks of a material's heat, and what its entry does not say.
+fn heat(text: &mut String, design: &Design) {
+    let (frame, mut open) = (&design.frame, Vec::new());
+    for material in [&frame.flexible, &frame.rigid] {
+        let lacking = heats(&material.material, &frame.printer).into_iter().filter(|heat| heat.wanted > heat.has);
+        for heat in lacking {
+            let head = if heat.too_cold { "**This printer cannot print it**" } else { "**Watch out**" };
+            // Writing to a string does not fail.
+            let _ = write!(text, "\n{head}: {}.\n", inert(&sentence(design, material, &heat)));
+        }
+        open.extend(unknown(&material.material, &frame.printer).into_iter().map(|of| format!("{} of {}", of.words(), material.name)));
+    }
+    if !open.is_empty() {
+        let _ = write!(text, "\nNot compared with the printer, because an entry does not say: {}.\n", inert(&open.join(", ")));
     }
 }
 

@@ -13,10 +13,11 @@ use super::labels::Labels;
 use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::{Design, Kind};
-use crate::frame::fold::{Done, FREE_WAY, FoldMotion, FoldSequence, Member, Moment, Step, Task, exploded, mesh_at, moment};
+use crate::frame::fold::{Done, FREE_WAY, FoldBend, FoldSequence, Member, Moment, NEXT_MODULE, Step, TOP_BENT, Task};
+use crate::frame::fold::{bent_by, depth, exploded, mesh_at, moment, threading};
 use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS};
 use crate::report::picture::image::{Item, corners, encoded, fills_of};
-use crate::solid::Mesh;
+use crate::solid::{Feature, Mesh, MeshSolid};
 
 /// Width and height of a step's picture, pixels.
 pub const STEP_SIZE: [u32; 2] = [960, 600];
@@ -30,10 +31,17 @@ const NAMES: [f64; 2] = [21.0, 30.0];
 pub(super) const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
 /// Places along an arrow.
 pub(super) const ARROW_PLACES: usize = 16;
-/// Share of the way of the modules at which the closing of the rings is shown: plugs and cage rods have entered.
-const RING_MEETS: f64 = 0.88;
+/// Share of the way at which the closing of the bottom ring is shown half done: its rods have entered.
+const RING_MEETS: f64 = 0.6;
+/// Length of a mark on a rod and how far it stands out of it, mm.
+const MARK_MM: [f64; 2] = [1.6, 0.25];
+/// Linear colours of a mark on a dark rod and on a pale one.
+const MARKS: [[f32; 4]; 2] = [[1.0, 1.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]];
 /// Room between layers of the centre when it is taken apart, mm.
 const LAYER_MM: f64 = 45.0;
+
+/// Linear colour of a tool.
+const PLIERS: [f32; 4] = [0.2, 0.2, 0.2, 1.0];
 
 /// A picture: red, green, blue bytes, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,21 +77,36 @@ struct Stage<'a> {
     at: usize,
 }
 
-/// A step before and after; with arrows in the first. Between the two, of a step that closes a loop, where rods and bores meet.
+/// What is shown of a task between its beginning and its end, as a share of its way, and in words.
+pub fn half_way(task: Task) -> Option<(f64, &'static str)> {
+    match task {
+        Task::ThreadKnee => Some((0.5, "Half done: the leg squeezed flat, the window over it")),
+        Task::CloseTriangle => Some((FREE_WAY, "Half done: the leg stands before its bore")),
+        Task::CloseRing => Some((RING_MEETS, "Half done: the rods have entered")),
+        Task::CloseTop => Some((TOP_BENT, "Half done: the sockets stand over the struts")),
+        _ => None,
+    }
+}
+
+/// A step before and after; with arrows in the first. Between the two, of a step that needs it, half done.
 pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     let stage = Stage { design, fold, order: fold.order(), at };
     let [before, after] = [stage.moment(0.0), stage.moment(1.0)];
     let [from, to] = [stage.shown(&before), stage.shown(&after)];
     let arrows = stage.arrows();
-    let mut points: Vec<Point3<f64>> = [&from, &to].into_iter().flat_map(|shown| corners(&items(shown))).collect();
+    let between = half_way(stage.step().task).map(|(way, _)| {
+        let threaded = (stage.step().task == Task::ThreadKnee).then(|| threading(design, &before.pose(Member::Fork))).flatten();
+        let colours = [COLOURS[0], COLOURS[1], PLIERS];
+        let threaded =
+            threaded.map(|all| all.into_iter().zip(colours).map(|((mesh, pose), colour)| Shown { mesh, pose, colour }).collect());
+        threaded.unwrap_or_else(|| stage.shown(&stage.moment(way)))
+    });
+    let all = [&from, &to].into_iter().chain(&between);
+    let mut points: Vec<Point3<f64>> = all.flat_map(|shown| corners(&items(shown))).collect();
     points.extend(arrows.iter().flat_map(|(arrow, _)| &arrow.way));
     let camera = Camera::fit(View::Perspective, false, &points, STEP_SIZE);
     let mut pictures = vec![draw(&from, &arrows, &camera, STEP_SIZE)];
-    let task = stage.step().task;
-    if task.motion() == FoldMotion::Close {
-        let meets = if task == Task::CloseTriangle { FREE_WAY } else { RING_MEETS };
-        pictures.push(draw(&stage.shown(&stage.moment(meets)), &[], &camera, STEP_SIZE));
-    }
+    pictures.extend(between.iter().map(|shown| draw(shown, &[], &camera, STEP_SIZE)));
     pictures.push(draw(&to, &[], &camera, STEP_SIZE));
     pictures
 }
@@ -187,7 +210,7 @@ impl Stage<'_> {
 
     /// Whether the step is about the whole frame.
     fn is_whole(&self) -> bool {
-        self.order[..=self.at].contains(&Task::CloseRing)
+        self.order[..=self.at].contains(&Task::PlugHub)
     }
 
     /// What moves, and what it meets.
@@ -199,8 +222,14 @@ impl Stage<'_> {
             moving.push(part);
             meets.push(lever);
         }
-        if task == Task::CloseRing {
-            moving.extend([Member::Cage(true), Member::Cage(false)]);
+        match task {
+            Task::PlugHub => moving.push(Member::Cage(false)),
+            Task::CloseRing => {
+                moving.extend([Member::HubJoint, Member::Cage(false)]);
+                meets.extend([Member::Hub, Member::Corner(false)]);
+            }
+            Task::CloseTop => moving.push(Member::Cage(true)),
+            _ => {}
         }
         [moving, meets]
     }
@@ -230,6 +259,13 @@ impl Stage<'_> {
                 let pose = self.fold.module.modules.pose(module, &moment.pose(member));
                 Shown { mesh: mesh.unwrap_or_else(|| first.clone()), pose, colour }
             }));
+            for at in self.marks(member) {
+                let mark = Arc::new(mark(0.5 * self.design.frame.rods.rod_diameter_mm).mesh());
+                shown.extend((0..modules).map(|module| {
+                    let pose = self.fold.module.modules.pose(module, &moment.pose(member)) * Isometry3::translation(0.0, 0.0, at);
+                    Shown { mesh: mark.clone(), pose, colour: MARKS[usize::from(!moving.contains(&member))] }
+                }));
+            }
         }
         for body in self.design.bodies.iter().filter(|body| self.is_whole() && body.module.is_none()) {
             let colour = COLOURS[if meets.contains(&Member::Hub) && body.name == Member::Hub.body(0) { 1 } else { 2 }];
@@ -238,40 +274,69 @@ impl Stage<'_> {
         shown
     }
 
-    /// Arrows of the step's moves, with the angles of its bends.
-    fn arrows(&self) -> Vec<(Arrow, String)> {
-        let task = self.step().task;
-        let tracers: Vec<(Member, Point3<f64>)> = match (task, task.lever()) {
-            (Task::BendLeg, _) => vec![(Member::Leg, Point3::new(0.0, 0.0, 0.6 * self.rod_mm(Member::Leg)))],
-            (_, Some((part, _))) => vec![(part, corner_tip())],
-            (Task::CloseTriangle, _) => vec![(Member::Corner(false), corner_tip()), (Member::Fork, Point3::origin())],
-            _ => self.actors()[0]
-                .iter()
-                .filter(|m| task != Task::CloseRing || **m == Member::HubJoint)
-                .map(|m| (*m, self.middle(*m)))
-                .collect(),
-        };
-        let modules = if self.is_whole() { MODULE_NAMES.len() } else { 1 };
-        let mut arrows = Vec::new();
-        for (member, point) in tracers {
-            let way: Vec<Point3<f64>> =
-                (0..=ARROW_PLACES).map(|i| self.moment(i as f64 / ARROW_PLACES as f64).pose(member) * point).collect();
-            let way = if task.motion() == FoldMotion::Bend || matches!(member, Member::Corner(_)) { way } else { along(&way) };
-            let label = self.label(member);
-            for module in 0..modules {
-                let there = self.fold.module.modules.pose(module, &Isometry3::identity());
-                arrows.push((Arrow { way: way.iter().map(|p| there * p).collect() }, label.clone()));
-            }
-        }
-        arrows
+    /// Places along a rod of the first module, from its start, at which the mouths of the bores are that it is pushed into, mm.
+    fn marks(&self, member: Member) -> Vec<f64> {
+        let (task, skeleton) = (self.step().task, &self.design.skeleton);
+        let own = task.contacts().into_iter().filter_map(|(a, b)| if a == member { Some(b) } else { (b == member).then_some(a) });
+        let next = task.closes_ring().filter(|up| member == Member::Cage(*up)).map(|up| (Member::Corner(up), NEXT_MODULE));
+        let all = own.map(|part| (part, 0)).chain(next);
+        all.filter_map(|(part, module)| depth(skeleton, member, (part, module))).map(|depth| depth.along_mm).collect()
     }
 
-    /// The angles of all bends of a member that turns.
-    fn label(&self, member: Member) -> String {
-        let turned = if member == Member::Leg { Member::HubJoint } else { member };
-        let bends = self.step().bends.iter().filter(|bend| bend.body == turned.body(0));
-        let angles: Vec<String> = bends.map(|bend| format!("{:.0}°", bend.to_deg - bend.from_deg)).collect();
-        angles.join(" + ")
+    /// Arrows of the step's moves, with the angles of its bends.
+    fn arrows(&self) -> Vec<(Arrow, String)> {
+        let straight = |member: Member| (along(&self.traced(member, self.middle(member))), String::new());
+        let ways = match self.step().task {
+            Task::BendLeg => {
+                let leg = Point3::new(0.0, 0.0, 0.6 * self.rod_mm(Member::Leg));
+                vec![(self.traced(Member::Leg, leg), self.angle(Member::HubJoint, 0))]
+            }
+            Task::CloseTriangle => {
+                let foot = Member::Corner(false);
+                vec![
+                    (self.traced(foot, cage_tip()), self.angle(foot, 0)),
+                    (self.bent(foot, 1), self.angle(foot, 1)),
+                    (along(&self.traced(Member::Fork, Point3::origin())), String::new()),
+                ]
+            }
+            Task::CloseTop => {
+                let top = Member::Corner(true);
+                vec![(self.bent(top, 0), self.angle(top, 0)), straight(top)]
+            }
+            Task::PlugHub | Task::CloseRing => vec![straight(Member::HubJoint)],
+            _ => self.actors()[0].iter().map(|member| straight(*member)).collect(),
+        };
+        let modules = if self.is_whole() { MODULE_NAMES.len() } else { 1 };
+        let in_module = |module: usize, way: &[Point3<f64>]| {
+            let there = self.fold.module.modules.pose(module, &Isometry3::identity());
+            Arrow { way: way.iter().map(|p| there * p).collect() }
+        };
+        let all = ways.iter().flat_map(|(way, label)| (0..modules).map(move |module| (in_module(module, way), label.clone())));
+        all.collect()
+    }
+
+    /// The way of a point of a member.
+    fn traced(&self, member: Member, point: Point3<f64>) -> Vec<Point3<f64>> {
+        (0..=ARROW_PLACES).map(|i| self.moment(i as f64 / ARROW_PLACES as f64).pose(member) * point).collect()
+    }
+
+    /// The way of a socket beyond a hinge while that alone is bent.
+    fn bent(&self, member: Member, index: usize) -> Vec<Point3<f64>> {
+        let (pose, module) = (self.moment(0.0).pose(member), &self.fold.module);
+        let (Some(bend), Some(fold)) = (module.bends(member).get(index), self.fold_of(member, index)) else { return Vec::new() };
+        let tip = if index == 0 { -SOCKET_TIP_MM } else { SOCKET_TIP_MM };
+        let deg = |i: usize| fold.from_deg + (fold.to_deg - fold.from_deg) * i as f64 / ARROW_PLACES as f64;
+        (0..=ARROW_PLACES).map(|i| pose * bent_by(bend, deg(i)).motion() * Point3::new(tip, tip, 0.0)).collect()
+    }
+
+    /// What the step does to a member's hinge.
+    fn fold_of(&self, member: Member, index: usize) -> Option<&FoldBend> {
+        self.step().bends.iter().filter(|bend| bend.body == member.body(0)).nth(index)
+    }
+
+    /// By how much the step bends a member's hinge, in words.
+    fn angle(&self, member: Member, index: usize) -> String {
+        self.fold_of(member, index).map_or(String::new(), |bend| format!("{:.0}°", bend.to_deg - bend.from_deg))
     }
 
     fn rod_mm(&self, member: Member) -> f64 {
@@ -285,9 +350,18 @@ impl Stage<'_> {
     }
 }
 
-/// A place of a corner that shows how it turns.
-fn corner_tip() -> Point3<f64> {
-    Point3::new(20.0, 20.0, 0.0)
+/// Along both axes of a corner: the end of the socket of its strut (negative) and of its leg, mm.
+const SOCKET_TIP_MM: f64 = 20.0;
+
+/// A place of a corner that shows how it turns: beyond a cage socket.
+fn cage_tip() -> Point3<f64> {
+    Point3::new(0.0, 24.0, 0.0)
+}
+
+/// A ring around a rod.
+fn mark(radius_mm: f64) -> MeshSolid {
+    let [length, out] = MARK_MM;
+    MeshSolid::build(&Feature::cylinder(radius_mm + out, length).at(0.0, 0.0, -0.5 * length))
 }
 
 /// Shortest arrow, mm.

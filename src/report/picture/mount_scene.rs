@@ -8,8 +8,9 @@ use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design};
-use crate::frame::mounting::MountStep;
+use crate::frame::mounting::{Fixing, MountStep, PartLine};
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [960, 640];
@@ -31,6 +32,7 @@ impl Held {
     /// How it is held for what comes from somewhere.
     pub fn of(step: &MountStep) -> Self {
         match step.from {
+            None if step.fixing == Fixing::Solder => Self::TurnedOver,
             Some([_, _, z]) if z < -0.5 => Self::TurnedOver,
             Some([_, y, _]) if y < -0.5 => Self::TurnedAround,
             _ => Self::Upright,
@@ -53,6 +55,19 @@ impl Held {
             Self::TurnedAround => UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI),
         }
     }
+}
+
+/// Width and height of the picture of a part beside a step, pixels.
+const PART_SIZE: [u32; 2] = [320, 240];
+
+/// The part that a line of parts is about, alone; a printed one as it lies on the bed.
+pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
+    let printed = design.printed.iter().find(|part| part.name.slug() == line.part).map(|part| part.mesh.clone());
+    let named = || design.bodies.iter().find(|body| line.body.as_ref() == Some(&body.name));
+    let mesh = printed.or_else(|| named().map(|body| design.shape(body).mesh.clone()))?;
+    let shown = [Shown { mesh, pose: Isometry3::identity(), colour: COLOURS[1] }];
+    let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), PART_SIZE);
+    Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
 /// The picture of a mount.
@@ -80,6 +95,11 @@ pub fn mount(design: &Design, step: &MountStep) -> Picture {
             let place = |i: usize| ARROW[0] + (ARROW[1] - ARROW[0]) * i as f64 / ARROW_PLACES as f64;
             arrows.push((Arrow { way: (0..=ARROW_PLACES).map(|i| at(place(i))).collect() }, String::new()));
         }
+    }
+    if step.fixing == Fixing::Solder {
+        let turned = Isometry3::from_parts(Translation3::identity(), held);
+        let laid = wires(design).into_iter().filter(|wire| wire.role == "motor_wire");
+        all.extend(laid.map(|wire| Shown { mesh: wire.mesh().into(), pose: turned, colour: COLOURS[0] }));
     }
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&all)), SIZE);
     draw(&all, &arrows, &camera, SIZE)

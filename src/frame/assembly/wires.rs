@@ -1,0 +1,154 @@
+//! Where the motors' and the battery's wires run: the same way is drawn as a tube and measured for the bill.
+//!
+//! A wire is soft, so its tube is no [`Body`](super::Body): no rule asks what it touches, and its mass is in the frame's `wiring`. The way is
+//! the one of the instructions: a motor's three wires run along one arm, under hub joint and hub, and in between the bracket's uprights to
+//! the controller; the battery's two from the connector to the controller's rear edge.
+
+use nalgebra::{Point3, Vector3};
+
+use super::body::Body;
+use super::design::Design;
+use crate::frame::skeleton::MODULE_NAMES;
+use crate::solid::{Feature, Mesh, MeshSolid};
+
+/// Radius of the bundle of a motor's wires and of one of the battery's, mm: about 20 and 16 AWG in silicone.
+const RADII_MM: [f64; 2] = [1.6, 1.5];
+/// Linear colours of the motors' wires and of the battery's two.
+const COLOURS: [[f32; 4]; 3] = [[0.02, 0.02, 0.02, 1.0], [0.6, 0.01, 0.01, 1.0], [0.01, 0.01, 0.01, 1.0]];
+
+/// A wire, or the wires of a motor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wire {
+    /// Its name in files.
+    pub name: String,
+    /// Its line in the bill.
+    pub role: &'static str,
+    /// Along its middle, frame axes, mm.
+    pub way: Vec<Point3<f64>>,
+    /// Radius of the tube, mm.
+    pub radius_mm: f64,
+    /// Linear red, green, blue, alpha.
+    pub colour: [f32; 4],
+}
+
+impl Wire {
+    /// Length of its way, mm.
+    pub fn length_mm(&self) -> f64 {
+        self.way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
+    }
+
+    /// A tube along the way.
+    pub fn mesh(&self) -> Mesh {
+        let tube = |pair: &[Point3<f64>]| Feature::cylinder_between(pair[0], pair[1], self.radius_mm);
+        let bend = |at: &Point3<f64>| Feature::sphere(self.radius_mm).at(at.x, at.y, at.z);
+        let inner = self.way.iter().skip(1).take(self.way.len().saturating_sub(2));
+        MeshSolid::build(&Feature::union(self.way.windows(2).map(tube).chain(inner.map(bend)))).mesh()
+    }
+}
+
+/// The wires of a design; without what it lacks.
+pub fn wires(design: &Design) -> Vec<Wire> {
+    let motors = (0..MODULE_NAMES.len()).filter_map(|module| motor(design, module));
+    motors.chain(battery(design)).collect()
+}
+
+fn body<'a>(design: &'a Design, name: &str) -> Option<&'a Body> {
+    design.bodies.iter().find(|body| body.name == name)
+}
+
+/// Lowest and highest corner of a body's box in frame axes, mm.
+fn bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]> {
+    let body = body(design, name)?;
+    let [low, high] = design.shape(body).solid.bounds_in_mm(&body.pose);
+    Some([low.into(), high.into()])
+}
+
+/// The board that the motors' wires end at.
+fn controller(design: &Design) -> Option<[Point3<f64>; 2]> {
+    bounds_mm(design, "motor_controller").or_else(|| bounds_mm(design, "flight_controller"))
+}
+
+fn motor(design: &Design, module: usize) -> Option<Wire> {
+    let name = MODULE_NAMES[module];
+    let seat = Point3::from(body(design, &format!("motor_{name}"))?.pose.translation.vector);
+    let arm = design.skeleton.rods.iter().find(|rod| rod.name == format!("arm_{name}_left"))?;
+    let ([board_low, board_high], [hub_low, _]) = (controller(design)?, bounds_mm(design, "hub")?);
+    let (frame, radius_mm) = (&design.frame, RADII_MM[0]);
+    // From the hub outwards.
+    let out = (arm.end - arm.start).normalize();
+    let at_motor = arm.start + out * out.dot(&(seat - arm.start));
+    let under = |at: Point3<f64>, z: f64| Point3::new(at.x, at.y, z - radius_mm);
+    let rod_z = arm.start.z - 0.5 * frame.rods.rod_diameter_mm;
+    let low_z = (arm.start.z - 0.5 * frame.hub_joint.hub_joint_diameter_mm).min(hub_low.z);
+    let clear_mm = 0.5 * frame.motor_mount.motor_ring_width_mm + 2.0 * radius_mm;
+    let mouth = arm.start + out * frame.hub_joint.hub_arm_socket_depth_mm;
+    let inside = arm.start - out * frame.hub_joint.plug_length_mm;
+    let board = nalgebra::center(&board_low, &board_high);
+    let half = 0.5 * (board_high - board_low);
+    let towards = Vector3::new((inside.x - board.x).signum() * half.x, (inside.y - board.y).signum() * half.y, 0.0);
+    let way = vec![
+        seat,
+        under(at_motor - out * clear_mm, rod_z),
+        under(mouth + out * 4.0, rod_z),
+        under(mouth - out * 2.0, low_z),
+        under(inside, low_z),
+        board + towards * 0.8,
+    ];
+    Some(Wire { name: format!("motor_wires_{name}"), role: "motor_wire", way, radius_mm, colour: COLOURS[0] })
+}
+
+fn battery(design: &Design) -> Vec<Wire> {
+    let (Some([low, high]), Some([board_low, board_high])) = (bounds_mm(design, "connector_bracket"), controller(design)) else {
+        return Vec::new();
+    };
+    let (from, to) = (nalgebra::center(&low, &high), nalgebra::center(&board_low, &board_high));
+    let (radius_mm, before) = (RADII_MM[1], 2.0 * RADII_MM[1]);
+    let wire = |(name, side, colour): (&str, f64, [f32; 4])| {
+        let x = side * 1.2 * radius_mm;
+        let way = vec![
+            Point3::new(from.x + x, high.y, from.z),
+            Point3::new(from.x + x, high.y + before, from.z),
+            Point3::new(to.x + x, board_low.y + before, to.z),
+        ];
+        Wire { name: name.into(), role: "battery_wire", way, radius_mm, colour }
+    };
+    [("battery_wire_plus", 1.0, COLOURS[1]), ("battery_wire_minus", -1.0, COLOURS[2])].into_iter().map(wire).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::assembly::mass;
+    use crate::params::Frame;
+    use crate::solid::gate;
+
+    #[test]
+    fn analytic_wires_run_from_motor_and_connector_to_the_controller() {
+        let design = Design::new(Frame::load("cognifly").expect("a preset").0).expect("designs");
+        let all = wires(&design);
+        assert_eq!(all.iter().filter(|wire| wire.role == "motor_wire").count(), 4);
+        assert_eq!(all.iter().filter(|wire| wire.role == "battery_wire").count(), 2);
+        let lengths: Vec<f64> = all.iter().map(Wire::length_mm).collect();
+        assert!(lengths[..4].iter().all(|mm| (mm - lengths[0]).abs() < 1.5), "{lengths:?}");
+        let [low, high] = controller(&design).expect("has one").map(|corner| corner.coords);
+        for wire in &all {
+            let mesh = wire.mesh();
+            gate::pass(&mesh).expect("one closed tube");
+            let end = wire.way.last().expect("has an end").coords;
+            assert!((0..2).all(|axis| (low[axis]..=high[axis]).contains(&end[axis])), "{}: {end}", wire.name);
+            assert!(design.bodies.iter().all(|body| body.name != wire.name), "{} is weighed", wire.name);
+        }
+        assert!(mass::table(&design).lines.iter().all(|line| !line.name.contains("wire_")));
+    }
+
+    #[test]
+    fn planted_without_a_controller_there_are_none() {
+        let mut frame = Frame::load("cognifly").expect("a preset").0;
+        frame.bought.remove("motor_controller");
+        frame.bought.remove("flight_controller");
+        frame.bought.remove("damper");
+        if let Ok(design) = Design::new(frame) {
+            assert_eq!(wires(&design), []);
+        }
+    }
+}
