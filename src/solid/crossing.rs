@@ -19,7 +19,7 @@ pub(super) fn surely_apart(mesh: &Mesh) -> bool {
     let Some(corners) = mesh.vertices.iter().map(on_grid).collect::<Option<Vec<Corner>>>() else { return false };
     let facets: Vec<Facet> = mesh.triangles.iter().map(|triangle| Facet::of(&corners, *triangle)).collect();
     let tree = Tree::of(&facets);
-    tree.all_pairs(&mut |a, b| facets[a].is_off(&facets[b]) || apart(&facets[a], &facets[b]))
+    tree.all_pairs(&|a, b| apart(&facets[a], &facets[b]))
 }
 
 fn on_grid(corner: &[f32; 3]) -> Option<Corner> {
@@ -31,8 +31,6 @@ fn on_grid(corner: &[f32; 3]) -> Option<Corner> {
 struct Facet {
     corners: [u32; 3],
     at: [Corner; 3],
-    low: Corner,
-    high: Corner,
     /// Twice its area, along its normal.
     normal: Corner,
 }
@@ -40,23 +38,14 @@ struct Facet {
 impl Facet {
     fn of(all: &[Corner], corners: [u32; 3]) -> Self {
         let at = corners.map(|corner| all[corner as usize]);
-        let ends = |pick: fn(i64, i64) -> i64| [0, 1, 2].map(|axis| pick(pick(at[0][axis], at[1][axis]), at[2][axis]));
-        Self { corners, at, low: ends(i64::min), high: ends(i64::max), normal: cross(&less(&at[1], &at[0]), &less(&at[2], &at[0])) }
-    }
-
-    /// Whether the boxes around the two are apart.
-    fn is_off(&self, other: &Self) -> bool {
-        (0..3).any(|axis| self.low[axis] > other.high[axis] || other.low[axis] > self.high[axis])
+        Self { corners, at, normal: cross(&less(&at[1], &at[0]), &less(&at[2], &at[0])) }
     }
 
     /// Twice its area times the height of a point above its plane.
     fn height(&self, point: &Corner) -> i128 {
-        let way = less(point, &self.at[0]);
-        (0..3).map(|axis| i128::from(self.normal[axis]) * i128::from(way[axis])).sum()
-    }
-
-    fn heights<const N: usize>(&self, points: [&Corner; N]) -> [i128; N] {
-        points.map(|point| self.height(point))
+        let ([x, y, z], [way_x, way_y, way_z]) = (self.normal, less(point, &self.at[0]));
+        let product = |normal: i64, way: i64| i128::from(normal) * i128::from(way);
+        product(x, way_x) + product(y, way_y) + product(z, way_z)
     }
 
     /// The axis along which its plane is looked at from the front.
@@ -117,11 +106,11 @@ fn hinge_apart(a: &Facet, b: &Facet) -> bool {
 fn fan_apart(a: &Facet, b: &Facet) -> bool {
     let (mut mine, mut its) = (own(a, b), own(b, a));
     let (Some(a1), Some(a2), Some(b1), Some(b2)) = (mine.next(), mine.next(), its.next(), its.next()) else { return false };
-    let of_b = a.heights([b1, b2]);
+    let of_b = [a.height(b1), a.height(b2)];
     if one_sided(&of_b) {
         return true;
     }
-    let of_a = b.heights([a1, a2]);
+    let of_a = [b.height(a1), b.height(a2)];
     if one_sided(&of_a) {
         return true;
     }
@@ -145,11 +134,11 @@ fn fan_apart(a: &Facet, b: &Facet) -> bool {
 
 /// Two facets with nothing in common.
 fn strangers_apart(a: &Facet, b: &Facet) -> bool {
-    let of_b = a.heights([&b.at[0], &b.at[1], &b.at[2]]);
+    let of_b = [a.height(&b.at[0]), a.height(&b.at[1]), a.height(&b.at[2])];
     if one_sided(&of_b) {
         return true;
     }
-    let of_a = b.heights([&a.at[0], &a.at[1], &a.at[2]]);
+    let of_a = [b.height(&a.at[0]), b.height(&a.at[1]), b.height(&a.at[2])];
     if one_sided(&of_a) {
         return true;
     }
@@ -192,15 +181,39 @@ fn separated(a: &Facet, b: &Facet) -> bool {
     of_a.iter().chain(&of_b).any(|edge| gap(cross(&normal, edge))) || of_a.iter().any(|p| of_b.iter().any(|q| gap(cross(p, q))))
 }
 
+/// A box along the axes: its lowest corner and its highest, in parts of the grid.
+#[derive(Clone, Copy)]
+struct Bounds([i32; 3], [i32; 3]);
+
+impl Bounds {
+    const NOTHING: Self = Self([i32::MAX; 3], [i32::MIN; 3]);
+
+    /// Around corners, which lie on the grid within [`FARTHEST`].
+    fn of(corners: &[Corner; 3]) -> Self {
+        corners.iter().map(|corner| corner.map(|part| part as i32)).fold(Self::NOTHING, |all, corner| all.with(&Self(corner, corner)))
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        let axes = [0, 1, 2];
+        Self(axes.map(|axis| self.0[axis].min(other.0[axis])), axes.map(|axis| self.1[axis].max(other.1[axis])))
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        // Without branches: which axis tells two boxes apart is anybody's guess.
+        let along = |axis: usize| (self.0[axis] <= other.1[axis]) & (other.0[axis] <= self.1[axis]);
+        along(0) & along(1) & along(2)
+    }
+}
+
 /// Boxes around facets, each around two smaller ones.
 struct Tree {
-    order: Vec<u32>,
     nodes: Vec<Node>,
+    /// The facets, those of a leaf side by side, and the box around each.
+    order: Vec<(Bounds, u32)>,
 }
 
 struct Node {
-    low: Corner,
-    high: Corner,
+    bounds: Bounds,
     /// Two smaller boxes; none in a leaf.
     below: Option<[usize; 2]>,
     /// Its facets in the order.
@@ -209,49 +222,45 @@ struct Node {
 
 impl Tree {
     fn of(facets: &[Facet]) -> Self {
-        let mut tree = Self { order: (0..facets.len() as u32).collect(), nodes: Vec::new() };
-        tree.add(facets, [0, facets.len()]);
+        let order = facets.iter().enumerate().map(|(at, facet)| (Bounds::of(&facet.at), at as u32)).collect();
+        let mut tree = Self { nodes: Vec::new(), order };
+        tree.add([0, facets.len()]);
         tree
     }
 
-    fn add(&mut self, facets: &[Facet], range: [usize; 2]) -> usize {
-        let (mut low, mut high) = ([i64::MAX; 3], [i64::MIN; 3]);
-        for facet in self.order[range[0]..range[1]].iter().map(|at| &facets[*at as usize]) {
-            for axis in 0..3 {
-                low[axis] = low[axis].min(facet.low[axis]);
-                high[axis] = high[axis].max(facet.high[axis]);
-            }
-        }
+    fn add(&mut self, range: [usize; 2]) -> usize {
+        let facets = &mut self.order[range[0]..range[1]];
+        let bounds = facets.iter().fold(Bounds::NOTHING, |all, (bounds, _)| all.with(bounds));
         let at = self.nodes.len();
-        self.nodes.push(Node { low, high, below: None, range });
-        let count = range[1] - range[0];
-        if count > LEAF {
-            let axis = (0..3).max_by_key(|axis| high[*axis] - low[*axis]).unwrap_or(0);
-            let middle = |at: &u32| facets[*at as usize].low[axis] + facets[*at as usize].high[axis];
-            self.order[range[0]..range[1]].select_nth_unstable_by_key(count / 2, middle);
-            let half = range[0] + count / 2;
-            self.nodes[at].below = Some([self.add(facets, [range[0], half]), self.add(facets, [half, range[1]])]);
+        self.nodes.push(Node { bounds, below: None, range });
+        if facets.len() > LEAF {
+            let axis = (0..3).max_by_key(|axis| bounds.1[*axis] - bounds.0[*axis]).unwrap_or(0);
+            let half = facets.len() / 2;
+            facets.select_nth_unstable_by_key(half, |(bounds, _)| bounds.0[axis] + bounds.1[axis]);
+            let middle = range[0] + half;
+            self.nodes[at].below = Some([self.add([range[0], middle]), self.add([middle, range[1]])]);
         }
         at
     }
 
-    /// Whether something holds of all pairs of facets whose smallest boxes meet.
-    fn all_pairs(&self, holds: &mut impl FnMut(usize, usize) -> bool) -> bool {
+    /// Whether something holds of all pairs of facets whose boxes meet.
+    fn all_pairs(&self, holds: &impl Fn(usize, usize) -> bool) -> bool {
         let mut open = vec![[0, 0]];
         while let Some([i, j]) = open.pop() {
             let (a, b) = (&self.nodes[i], &self.nodes[j]);
-            if i != j && (0..3).any(|axis| a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis]) {
-                continue;
-            }
             match (a.below, b.below) {
-                (Some([l, r]), Some(_)) if i == j => open.extend([[l, l], [r, r], [l, r]]),
-                (Some([l, r]), its) if its.is_none() || a.range[1] - a.range[0] >= b.range[1] - b.range[0] => open.extend([[l, j], [r, j]]),
+                (Some([l, r]), _) if i == j => open.extend([[l, l], [r, r], [l, r]]),
+                _ if !a.bounds.meets(&b.bounds) => {}
+                (Some([l, r]), below) if below.is_none() || a.range[1] - a.range[0] >= b.range[1] - b.range[0] => {
+                    open.extend([[l, j], [r, j]]);
+                }
                 (_, Some([l, r])) => open.extend([[i, l], [i, r]]),
                 _ => {
-                    let same = i == j;
-                    for (k, p) in self.order[a.range[0]..a.range[1]].iter().enumerate() {
-                        let from = if same { b.range[0] + k + 1 } else { b.range[0] };
-                        if !self.order[from..b.range[1]].iter().all(|q| holds(*p as usize, *q as usize)) {
+                    for at in a.range[0]..a.range[1] {
+                        let (bounds, facet) = &self.order[at];
+                        let others = if i == j { at + 1 } else { b.range[0] }..b.range[1];
+                        let near = self.order[others].iter().filter(|(other, _)| bounds.meets(other));
+                        if !near.map(|(_, other)| *other).all(|other| holds(*facet as usize, other as usize)) {
                             return false;
                         }
                     }
