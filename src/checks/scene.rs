@@ -53,7 +53,8 @@ impl<'a> Placed<'a> {
             return 0.0;
         }
         let pair = Pair::of(self, other);
-        *self.memo.get("shared volume", &pair.name(), &pair.key(), || pair.near(0.0).map_or(0.0, |[a, b]| a.shared_mm3(&b, &pair.pose)))
+        let shared_mm3 = || if pair.is_apart() { 0.0 } else { pair.near(0.0).map_or(0.0, |[a, b]| a.shared_mm3(&b, &pair.pose)) };
+        *self.memo.get("shared volume", &pair.name(), &pair.key(), shared_mm3)
     }
 
     /// Whose axes two bodies are compared in: the smaller's.
@@ -90,6 +91,14 @@ impl<'a> Pair<'a> {
     fn of(a: &'a Placed<'a>, b: &'a Placed<'a>) -> Self {
         let [still, other] = if b.rank() < a.rank() { [b, a] } else { [a, b] };
         Self { still, other, pose: rounded_pose(&(still.body.pose.inverse() * other.body.pose)) }
+    }
+
+    /// Whether the two surely share nothing: boxes around their facets are apart, and neither can lie within the other.
+    fn is_apart(&self) -> bool {
+        let [still, other] = [self.still, self.other].map(|placed| placed.shape.solid.boxes());
+        let within = |a: &Bounds, b: &Bounds| (0..3).all(|axis| b.low[axis] <= a.low[axis] && a.high[axis] <= b.high[axis]);
+        let nested = within(&self.still.bounds, &self.other.bounds) || within(&self.other.bounds, &self.still.bounds);
+        !nested && still.apart_mm(other, &self.pose) > 0.0
     }
 
     fn name(&self) -> String {

@@ -53,6 +53,36 @@ impl Facets {
         *self.key.get_or_init(|| Key::of_bytes([corners().as_slice(), triangles().as_slice()]))
     }
 
+    /// The corners of each separate body.
+    pub fn bodies(&self) -> Vec<Vec<Point3<f64>>> {
+        let of = self.body_of_corners();
+        let mut bodies: Vec<Vec<Point3<f64>>> = vec![Vec::new(); self.corners.len()];
+        for (corner, body) in self.corners.iter().zip(of) {
+            bodies[body as usize].push(Point3::from(*corner));
+        }
+        bodies.retain(|corners| !corners.is_empty());
+        bodies
+    }
+
+    /// For each corner the same number as for the others of its body.
+    fn body_of_corners(&self) -> Vec<u32> {
+        fn root(above: &mut [u32], mut at: u32) -> u32 {
+            while above[at as usize] != at {
+                above[at as usize] = above[above[at as usize] as usize];
+                at = above[at as usize];
+            }
+            at
+        }
+        let mut above: Vec<u32> = (0..self.corners.len() as u32).collect();
+        for [a, b, c] in &self.triangles {
+            for other in [b, c] {
+                let (one, two) = (root(&mut above, *a), root(&mut above, *other));
+                above[one.max(two) as usize] = one.min(two);
+            }
+        }
+        (0..above.len() as u32).map(|corner| root(&mut above, corner)).collect()
+    }
+
     /// Lowest and highest corner of the bounding box in a pose, mm.
     pub fn bounds_in_mm(&self, pose: &Isometry3<f64>) -> [[f64; 3]; 2] {
         let turn = pose.rotation.to_rotation_matrix();

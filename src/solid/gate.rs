@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::crossing;
 use super::mesh::Mesh;
 use super::mesh_solid::MeshSolid;
 
@@ -108,7 +109,7 @@ pub fn pass(mesh: &Mesh) -> Result<Topology, GateError> {
     if bodies != 1 {
         return Err(GateError::Bodies { found: bodies, expected: 1 });
     }
-    if MeshSolid::from_mesh(mesh).is_none_or(|solid| solid.has_self_intersections()) {
+    if !crossing::surely_apart(mesh) && MeshSolid::from_mesh(mesh).is_none_or(|solid| solid.has_self_intersections()) {
         return Err(GateError::SelfIntersecting);
     }
     let (v, f) = (mesh.vertices.len() as i64, mesh.triangles.len() as i64);

@@ -106,10 +106,12 @@ fn signed_volume(corners: &[Point3<f64>; 3]) -> f64 {
     corners[0].coords.dot(&corners[1].coords.cross(&corners[2].coords)) / 6.0
 }
 
-/// To f32, on a grid of 2^-16 mm (15 nm) so that a coordinate means the same wherever it was computed; no negative zero.
+/// Parts of a millimetre on whose grid written corners lie: 15 nm.
+pub(super) const GRID_PER_MM: f64 = 65536.0;
+
+/// To f32, on the grid so that a coordinate means the same wherever it was computed; no negative zero.
 fn clean(value: f64) -> f32 {
-    const GRID: f64 = 65536.0;
-    let rounded = (value * GRID).round() / GRID;
+    let rounded = (value * GRID_PER_MM).round() / GRID_PER_MM;
     if rounded == 0.0 { 0.0 } else { rounded as f32 }
 }
 

@@ -181,15 +181,25 @@ impl MeshSolid {
         Self::of(self.kernel().trim_by_plane(vec3(&normal), offset_mm))
     }
 
-    /// What of it is in a box along its axes or no farther from it than that, mm; all of it where the box holds it.
-    pub fn near_box_mm(&self, around: &OrientedBox, beside_mm: f64) -> Self {
-        let [low, high] = around.bounds_mm();
-        let [low, high] = [low.map(|mm| mm - beside_mm), high.map(|mm| mm + beside_mm)];
-        let [mine_low, mine_high] = self.bounds_mm();
-        if (0..3).all(|axis| low[axis] <= mine_low[axis] && mine_high[axis] <= high[axis]) {
+    /// What of it is in boxes along its axes that are apart; all of it where one of them holds it.
+    pub fn in_boxes(&self, boxes: &[OrientedBox]) -> Self {
+        let [low, high] = self.bounds_mm();
+        let holds = |[from, to]: [[f64; 3]; 2]| (0..3).all(|axis| from[axis] <= low[axis] && high[axis] <= to[axis]);
+        if boxes.iter().any(|around| holds(around.bounds_mm())) {
             return self.clone();
         }
-        self.intersection(&Self::build(&Feature::cuboid_between(low, high)))
+        let cuboids = boxes.iter().map(OrientedBox::bounds_mm).map(|[from, to]| Feature::cuboid_between(from, to));
+        self.intersection(&Self::build(&Feature::union(cuboids)))
+    }
+
+    /// How many facets it has.
+    pub fn facet_count(&self) -> usize {
+        self.facets_held().triangles.len()
+    }
+
+    /// Boxes along its axes around each of its separate bodies.
+    pub fn body_boxes(&self) -> Vec<OrientedBox> {
+        self.facets_held().bodies().iter().map(|corners| OrientedBox::around(corners.iter())).collect()
     }
 
     /// Its largest body alone: what is left when a cut has grazed a surface.

@@ -6,6 +6,7 @@ mod bend;
 mod boundary;
 mod box_tree;
 mod brep;
+mod crossing;
 mod facets;
 mod feature;
 pub mod gate;

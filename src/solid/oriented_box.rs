@@ -37,6 +37,17 @@ impl OrientedBox {
         [(self.middle - self.half).into(), (self.middle + self.half).into()]
     }
 
+    /// The same with its faces moved out, mm.
+    pub fn grown(&self, by_mm: f64) -> Self {
+        Self { middle: self.middle, half: self.half.add_scalar(by_mm) }
+    }
+
+    /// Whether it and another along the same axes have a point in common.
+    pub fn touches(&self, other: &Self) -> bool {
+        let apart = (self.middle - other.middle).abs() - self.half - other.half;
+        apart.max() <= 0.0
+    }
+
     /// The axis along which it is longest.
     pub fn longest(&self) -> usize {
         self.half.imax()

@@ -211,7 +211,7 @@ fn travelled_mm(piece: &Piece, way: &[Isometry3<f64>], seen_from: Option<&[Isome
     let mut travelled = vec![0.0];
     for k in 1..way.len() {
         let here = at(k);
-        sum += before.iter().zip(&here).map(|(p, q)| (q - p).norm()).fold(0.0, f64::max);
+        sum += before.iter().zip(&here).map(|(p, q)| (q - p).norm_squared()).fold(0.0, f64::max).sqrt();
         travelled.push(sum);
         before = here;
     }

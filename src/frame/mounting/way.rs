@@ -20,6 +20,9 @@ const STEP_MM: f64 = 1.0;
 /// What is cut off a body that the other does not reach is farther from it than this, mm.
 const BESIDE_MM: f64 = 0.5;
 
+/// Bodies of fewer facets are compared whole: to cut them takes longer than it saves.
+const WORTH_CUTTING: usize = 500;
+
 /// What was found of a pair of bodies.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Compared {
@@ -140,15 +143,27 @@ impl<'a> Ways<'a> {
     }
 
     /// What of two bodies the other's box comes near to between two places of a straight way; each in its own axes. The places
-    /// are the second's, in the axes of the first.
+    /// are the second's, in the axes of the first. A body of few facets stays whole.
     fn reached(&self, [a, b]: [&Body; 2], places: [Isometry3<f64>; 2]) -> [MeshSolid; 2] {
-        let solid = |body: &Body, other: &Body, poses: [Isometry3<f64>; 2]| {
-            let corners = self.boxes(other).bounds().map_or([Point3::origin(); 8], OrientedBox::corners);
-            let swept = poses.iter().flat_map(|pose| corners.map(|corner| pose * corner)).collect::<Vec<_>>();
-            self.design.shape(body).solid.near_box_mm(&OrientedBox::around(swept.iter()), BESIDE_MM)
+        let [one, two] = [a, b].map(|body| &self.design.shape(body).solid);
+        let solid = |solid: &MeshSolid, other: &MeshSolid, poses: [Isometry3<f64>; 2]| {
+            if solid.facet_count() < WORTH_CUTTING { solid.clone() } else { solid.in_boxes(&swept(other, poses)) }
         };
-        [solid(a, b, places), solid(b, a, places.map(|pose| pose.inverse()))]
+        [solid(one, two, places), solid(two, one, places.map(|pose| pose.inverse()))]
     }
+}
+
+/// Boxes around what a solid comes near to between two poses: one around each of its bodies (screws of one size are one solid) where these
+/// are apart, else one around all.
+fn swept(solid: &MeshSolid, poses: [Isometry3<f64>; 2]) -> Vec<OrientedBox> {
+    let way = |corners: Vec<Point3<f64>>| {
+        let corners = poses.iter().flat_map(|pose| corners.iter().map(move |corner| pose * corner)).collect::<Vec<_>>();
+        OrientedBox::around(corners.iter()).grown(BESIDE_MM)
+    };
+    let bodies = solid.body_boxes();
+    let each: Vec<OrientedBox> = bodies.iter().map(|body| way(body.corners().into())).collect();
+    let apart = (1..each.len()).all(|at| each[..at].iter().all(|other| !each[at].touches(other)));
+    if apart { each } else { vec![way(bodies.iter().flat_map(OrientedBox::corners).collect())] }
 }
 
 /// Rubber that is squeezed through what it is put into.

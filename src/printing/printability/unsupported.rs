@@ -118,6 +118,11 @@ fn over_air(below: &Region, cut: &Region, sizes: Sizes) -> Vec<[Region; 2]> {
 
 impl Open {
     fn closed(self, layers: &Layers, sizes: Sizes) -> Option<Hanging> {
+        // What is narrower than a line along an axis is so after its gaps are closed, too.
+        let [low, high] = self.plan.bounds_mm();
+        if (0..2).any(|axis| high[axis] - low[axis] < sizes.line_mm - TOUCH_MM) {
+            return None;
+        }
         let plan = self.plan.grown(sizes.step_mm).grown(-sizes.step_mm);
         // A strip that is narrower than a line is laid on what is beside it.
         if plan.grown(-0.5 * sizes.line_mm).is_empty() {

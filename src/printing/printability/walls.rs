@@ -146,16 +146,16 @@ impl Cut {
     fn opposite_mm(&self, piece: &Piece, from: [f64; 2], towards: [f64; 2]) -> Option<f64> {
         let mut first: Option<(f64, &Piece)> = None;
         let to = [0, 1].map(|axis| from[axis] + self.reach_mm * towards[axis]);
-        for other in self.grid.near(from, to).map(|at| &self.pieces[at as usize]) {
-            // Both ends along and across the ray.
-            let [p, q] = other.ends.map(|end| {
-                let d = [end[0] - from[0], end[1] - from[1]];
-                [d[0] * towards[0] + d[1] * towards[1], d[1] * towards[0] - d[0] * towards[1]]
-            });
-            if (p[1] > 0.0) == (q[1] > 0.0) {
+        for other in self.grid.touched(from, to).flat_map(|cell| &self.grid.cells[cell]).map(|at| &self.pieces[*at as usize]) {
+            // Most pieces are to one side of the ray.
+            let [[ax, ay], [bx, by]] = other.ends;
+            let [ax, ay, bx, by] = [ax - from[0], ay - from[1], bx - from[0], by - from[1]];
+            let (a_across, b_across) = (ay * towards[0] - ax * towards[1], by * towards[0] - bx * towards[1]);
+            if (a_across > 0.0) == (b_across > 0.0) {
                 continue;
             }
-            let t = p[0] + (q[0] - p[0]) * p[1] / (p[1] - q[1]);
+            let (a_along, b_along) = (ax * towards[0] + ay * towards[1], bx * towards[0] + by * towards[1]);
+            let t = a_along + (b_along - a_along) * a_across / (a_across - b_across);
             if t > OFF_MM && t < first.map_or(self.reach_mm, |(first, _)| first) {
                 first = Some((t, other));
             }
@@ -188,14 +188,10 @@ impl Grid {
     }
 
     /// The squares that the box around two points touches.
-    fn touched(&self, a: [f64; 2], b: [f64; 2]) -> Vec<usize> {
+    fn touched(&self, a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = usize> + use<> {
         let number = |axis: usize, x: f64| (((x - self.low[axis]) / self.cell_mm).max(0.0) as usize).min(self.count[axis] - 1);
         let [x, y] = [0, 1].map(|axis| number(axis, a[axis].min(b[axis]))..=number(axis, a[axis].max(b[axis])));
-        y.flat_map(|y| x.clone().map(move |x| y * self.count[0] + x)).collect()
-    }
-
-    /// Pieces that a straight line may meet; some of them twice.
-    fn near(&self, a: [f64; 2], b: [f64; 2]) -> impl Iterator<Item = u32> + '_ {
-        self.touched(a, b).into_iter().flat_map(|cell| self.cells[cell].iter().copied())
+        let across = self.count[0];
+        y.flat_map(move |y| x.clone().map(move |x| y * across + x))
     }
 }
