@@ -1,6 +1,6 @@
 //! Where the motors' and the battery's wires run: the same way is drawn as a tube and measured for the bill.
 //!
-//! A wire is soft, so its tube is no [`Body`](super::Body): no rule asks what it touches, and its mass is in the frame's `wiring`. The way is
+//! A wire is soft, so its tube is no [`Body`]: no rule asks what it touches, and its mass is in the frame's `wiring`. The way is
 //! the one of the instructions: a motor's three wires run along one arm, under hub joint and hub, and in between the bracket's uprights to
 //! the controller; the battery's two from the connector to the controller's rear edge.
 
