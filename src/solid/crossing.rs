@@ -297,8 +297,8 @@ mod tests {
             for (at, way) in (0..mesh.vertices.len()).step_by(3).zip([0.25_f32, -0.5, 1.5, -4.0, 8.0].into_iter().cycle()) {
                 let mut moved = mesh.clone();
                 let other = moved.vertices[(at * 7 + 5) % mesh.vertices.len()];
-                for axis in 0..3 {
-                    moved.vertices[at][axis] += ((other[axis] - moved.vertices[at][axis]) * way / 8.0 * 1024.0).round() / 1024.0;
+                for (part, towards) in moved.vertices[at].iter_mut().zip(other) {
+                    *part += ((towards - *part) * way / 8.0 * 1024.0).round() / 1024.0;
                 }
                 let crosses = MeshSolid::from_mesh(&moved).is_none_or(|solid| solid.has_self_intersections());
                 assert!(!(crosses && surely_apart(&moved)), "corner {at} moved by {way} eighths of the way to another");
