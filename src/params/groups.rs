@@ -9,7 +9,7 @@ parameters! {
         /// Length of the eight rods of the top and bottom ring; of those in front and behind where the sides are longer.
         cage_rod_length_mm: 60.0..=320.0 => [Knee],
         /// Length of a ring's left and right rods over that of the front and rear ones: a long X where it is more than 1.
-        cage_side_ratio: 1.0..=1.25 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, BatteryLid, AccessoryPlate],
+        cage_side_ratio: 1.0..=1.25 => [Hub, PiCarrier, BatteryBracket, BatterySleeve, AccessoryPlate],
         /// Length of the eight rods between hub and fork.
         arm_rod_length_mm: 40.0..=180.0 => [Knee],
         /// Length of the eight rods between knee and ring; with the arm it fixes the strut tilt and the height.

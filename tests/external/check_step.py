@@ -86,7 +86,8 @@ def glb_bodies(path):
     header = json.loads(data[20 : 20 + length])
     bodies = {}
     for node in header["nodes"]:
-        if "mesh" not in node:
+        # Wires are drawn and are no bodies.
+        if "mesh" not in node or node.get("extras", {}).get("kind") == "wire":
             continue
         x, y, z, w = node.get("rotation", [0, 0, 0, 1])
         turn = [

@@ -82,10 +82,10 @@ impl AccessoryPlate<'_> {
         outline
     }
 
-    /// Half the width and the front end of the tongue.
+    /// Half the width and the front end of the tongue; it ends no earlier than the plate's front corner, whose tie hole it has to hold.
     fn tongue_mm(&self) -> Option<[f64; 2]> {
         let outer = self.cheek_mm()?[1] + AROUND_CHEEKS_MM;
-        Some([outer.max(self.seats.ring_mm), self.seats.camera_mm[0] + CHEEK_FOOT_MM + AROUND_CHEEKS_MM])
+        Some([outer.max(self.seats.ring_mm), (self.seats.camera_mm[0] + CHEEK_FOOT_MM + AROUND_CHEEKS_MM).max(self.seats.corner_mm[1])])
     }
 
     /// From the middle to a cheek's inner and outer side.
