@@ -51,7 +51,8 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
             stl::binary(&piece.mesh).map_err(|error| Failure::Machine { what: format!("cannot make {}.stl", piece.name), error })?;
         files.push((format!("{}.stl", piece.name), bytes));
         let material = &piece.material.material;
-        let settings = PrintSettings::of_part(false, material, &frame.printer).ini() + &PrintSettings::of_filament(material).ini();
+        let settings =
+            PrintSettings::of_part(false, material, &frame.printer).ini() + &PrintSettings::of_filament(material, &frame.printer).ini();
         files.push((format!("{}.ini", piece.name), settings.into_bytes()));
     }
     for plate in coupon.plates(&frame.printer) {

@@ -100,7 +100,7 @@ impl Task {
             Self::PushTopCage => vec![(Cage(true), Corner(true))],
             Self::PlugHub => vec![(HubJoint, Hub)],
             Self::CloseTop => vec![(Corner(true), Strut(true))],
-            Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor), (MotorScrews, Motor)],
+            Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor), (MotorScrews, Mount)],
             // The bottom ring's rods enter corners of other modules.
             Self::BendLeg | Self::CloseRing => Vec::new(),
         }
@@ -197,7 +197,9 @@ impl Task {
             Self::CloseTop => {
                 "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
             }
-            Self::SeatMotor => "Screw the motor onto its mount, then put on the propeller.",
+            Self::SeatMotor => {
+                "Put the motor onto its mount and turn its screws in from below. Put the propeller on last: leave it off until the directions of the motors have been tried."
+            }
         }
     }
 

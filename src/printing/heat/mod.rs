@@ -121,13 +121,13 @@ pub fn sentence(design: &Design, material: &NamedMaterial, heat: &Heat) -> Strin
     let (name, printer) = (&material.name, &design.frame.printer.name);
     let lacks = match heat.of {
         Heater::Enclosure => format!("{name} wants an enclosure, {printer} has {}", if heat.has > 0.0 { "one" } else { "none" }),
-        of => format!("{name} is printed with a {} of {:.0} °C, {printer} has {:.0} °C at the most", of.words(), heat.wanted, heat.has),
+        of => format!("{name} is usually printed with a {} of {:.0} °C, {printer} reaches {:.0} °C", of.words(), heat.wanted, heat.has),
     };
     if heat.wanted <= heat.has {
         return lacks;
     }
     let least = material.material.least_nozzle_c.filter(|_| heat.of == Heater::Nozzle);
-    let least = least.map_or(String::new(), |least| format!(", and from {least:.0} °C it prints"));
+    let least = least.map_or(String::new(), |least| format!(", and {name} needs {least:.0} °C at least"));
     let others: Vec<String> = instead(design).iter().map(Instead::words).collect();
     let rigid = *name == design.frame.rigid.name && !others.is_empty();
     let offer = if rigid { format!("; rigid parts of {}", others.join(" or ")) } else { String::new() };

@@ -102,15 +102,19 @@ impl PrintSettings {
         all
     }
 
-    /// Of the spool: heat, flow, fan and price.
-    pub fn of_filament(material: &Material) -> Self {
+    /// Of the spool: heat as far as the printer has it, flow, fan and price.
+    pub fn of_filament(material: &Material, printer: &Printer) -> Self {
+        let within =
+            |wanted_c: Option<f64>, most_c: Option<f64>| wanted_c.map(|wanted_c| most_c.map_or(wanted_c, |most_c| wanted_c.min(most_c)));
+        let nozzle_c = within(material.nozzle_c, printer.most_nozzle_c);
+        let bed_c = within(material.bed_c, printer.most_bed_c);
         let mut all = Self::default();
         all.put_some(&known::DENSITY, Some(material.density_g_cm3));
         all.put_some(&known::FLOW, Some(1.0));
-        all.put_some(&known::NOZZLE, material.nozzle_c);
-        all.put_some(&known::FIRST_NOZZLE, material.nozzle_c);
-        all.put_some(&known::BED, material.bed_c);
-        all.put_some(&known::FIRST_BED, material.bed_c);
+        all.put_some(&known::NOZZLE, nozzle_c);
+        all.put_some(&known::FIRST_NOZZLE, nozzle_c);
+        all.put_some(&known::BED, bed_c);
+        all.put_some(&known::FIRST_BED, bed_c);
         all.put_some(&known::MOST_FLOW, material.most_flow_mm3_s);
         all.put_some(&known::FAN, material.fan_percent);
         all.put_some(&known::COST, material.price_per_kg);
@@ -159,8 +163,22 @@ mod tests {
         let mut frame = Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves");
         frame.printer.elephant_foot_mm = Some(0.1);
         frame.flexible.material.price_per_kg = Some(30.0);
-        let of = |material: &Material| [PrintSettings::of_part(true, material, &frame.printer), PrintSettings::of_filament(material)];
+        let of = |material: &Material| {
+            [PrintSettings::of_part(true, material, &frame.printer), PrintSettings::of_filament(material, &frame.printer)]
+        };
         [&frame.flexible.material, &frame.rigid.material].into_iter().flat_map(of).collect()
+    }
+
+    #[test]
+    fn planted_a_printer_gets_no_more_heat_than_it_has() {
+        let frame = Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves");
+        let wanted_c = frame.rigid.material.nozzle_c.expect("has one");
+        let nozzle_c = |most_c: Option<f64>| {
+            let printer = Printer { most_nozzle_c: most_c, ..frame.printer.clone() };
+            let all = PrintSettings::of_filament(&frame.rigid.material, &printer);
+            all.of(SlicerFamily::Prusa).find(|(key, _)| *key == "temperature").and_then(|(_, value)| value.parse::<f64>().ok())
+        };
+        assert_eq!([None, Some(wanted_c - 15.0), Some(wanted_c + 15.0)].map(nozzle_c), [wanted_c, wanted_c - 15.0, wanted_c].map(Some));
     }
 
     #[test]

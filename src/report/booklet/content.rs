@@ -227,13 +227,13 @@ impl Page {
 
     fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
         let each = step.minutes / step.repeats as f64;
-        let often = if step.repeats == 1 { "once".into() } else { format!("{} x", step.repeats) };
+        let often = if step.repeats == 1 { format!("once, {each:.0} min") } else { format!("{} x, {each:.0} min each", step.repeats) };
         let mut measures: Vec<String> = step.bends.iter().map(bend).collect();
         measures.extend(depths(step));
         measures.extend(left_out(step));
         Self {
             heading: format!("{}. {}", first + at + 1, step.title),
-            facts: format!("{often}, {each:.0} min each; {}", step.tool),
+            facts: format!("{often}; {}", step.tool),
             text: step.text.to_string(),
             measures,
             caution: step.caution.map(Into::into),
@@ -263,5 +263,5 @@ fn depths(step: &Step) -> Vec<String> {
 /// What stays open until the triangle is closed, once for both of two rods.
 fn left_out(step: &Step) -> Option<String> {
     let join = step.joins.iter().find(|join| join.left_out_mm > 0.05)?;
-    Some(format!("Leave {:.1} mm open: they are closed when the foot is bent.", join.left_out_mm))
+    Some(format!("Leave a gap of {:.1} mm between ring and bore: bending the foot closes it.", join.left_out_mm))
 }

@@ -106,7 +106,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     if name == design.frame.flexible.name {
         flow(text, all_g);
     }
-    table(text, "of the spool", &PrintSettings::of_filament(material).0);
+    table(text, "of the spool", &PrintSettings::of_filament(material, &design.frame.printer).0);
     table(text, "of the object", &common.0);
     plate_of_cura(text, material);
     for (plate, part) in own.iter().flat_map(|plate| plate.quantities().into_iter().map(move |(part, _)| (plate, part))) {
