@@ -55,7 +55,8 @@ test("the picture follows the steps: it differs between them, and the part that 
   for (const [step, title] of [
     [22, "Bottom corner onto the lower strut"],
     [23, "Bend the foot and close the triangle"],
-    [28, "Four modules into the hub, rods into the rings"],
+    [26, "Plugs of four modules into the hub"],
+    [28, "Top ring onto the struts"],
   ] as const) {
     const before = await at((step - 1) * perStep + 0.02);
     await expect(page.locator(".fold h3")).toHaveText(title);
