@@ -9,7 +9,8 @@ use nalgebra::{Point3, Vector3};
 use super::body::Body;
 use super::design::Design;
 use crate::frame::skeleton::MODULE_NAMES;
-use crate::solid::{Feature, Mesh, MeshSolid};
+use crate::solid::Mesh;
+use crate::units::Angle;
 
 /// Radius of the bundle of a motor's wires and of one of the battery's, mm: about 20 and 16 AWG in silicone.
 const RADII_MM: [f64; 2] = [1.6, 1.5];
@@ -37,13 +38,61 @@ impl Wire {
         self.way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
     }
 
-    /// A tube along the way.
+    /// A tube along the way, mitred where it turns. Made without the kernel, whose unions of tubes took longer than all else that a small change
+    /// remakes.
     pub fn mesh(&self) -> Mesh {
-        let tube = |pair: &[Point3<f64>]| Feature::cylinder_between(pair[0], pair[1], self.radius_mm);
-        let bend = |at: &Point3<f64>| Feature::sphere(self.radius_mm).at(at.x, at.y, at.z);
-        let inner = self.way.iter().skip(1).take(self.way.len().saturating_sub(2));
-        MeshSolid::build(&Feature::union(self.way.windows(2).map(tube).chain(inner.map(bend)))).mesh()
+        let mut way = self.way.clone();
+        way.dedup_by(|next, last| (*next - *last).norm() < SHORTEST_MM);
+        let along: Vec<Vector3<f64>> = way.windows(2).map(|pair| (pair[1] - pair[0]).normalize()).collect();
+        let (Some(first), Some(last)) = (along.first(), along.last()) else { return Mesh::default() };
+        let mut rings = vec![ring(way[0], first, self.radius_mm)];
+        for (at, way_mm) in along.iter().enumerate() {
+            // The plane between a segment and the next one; at the end of the wire straight across.
+            let across = (way_mm + along.get(at + 1).unwrap_or(last)).normalize();
+            let end = way[at + 1];
+            let drawn = rings[at].iter().map(|p| p + way_mm * ((end - p).dot(&across) / way_mm.dot(&across).max(LEAST_COSINE))).collect();
+            rings.push(drawn);
+        }
+        tube(&rings)
     }
+}
+
+/// Segments that are shorter are none, mm.
+const SHORTEST_MM: f64 = 1e-3;
+/// Corners of a tube's section.
+const CORNERS: u32 = 16;
+/// Of half the angle of a turn: a mitre is no longer than this allows.
+const LEAST_COSINE: f64 = 0.4;
+
+/// The section at the start of a segment, counter-clockwise seen against it.
+fn ring(at: Point3<f64>, along: &Vector3<f64>, radius_mm: f64) -> Vec<Point3<f64>> {
+    let aside = if along.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };
+    let u = along.cross(&aside).normalize();
+    let v = along.cross(&u);
+    let corner = |k: u32| {
+        let angle = Angle::deg(360.0 * f64::from(k) / f64::from(CORNERS));
+        at + (u * angle.cos() + v * angle.sin()) * radius_mm
+    };
+    (0..CORNERS).map(corner).collect()
+}
+
+/// Rings joined to a closed mesh.
+fn tube(rings: &[Vec<Point3<f64>>]) -> Mesh {
+    let vertices = rings.iter().flatten().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+    let mut triangles = Vec::new();
+    let segments = rings.len() as u32 - 1;
+    for k in 0..CORNERS {
+        let next = (k + 1) % CORNERS;
+        for segment in 0..segments {
+            let [a, b] = [segment * CORNERS, (segment + 1) * CORNERS];
+            triangles.extend([[a + k, a + next, b + k], [a + next, b + next, b + k]]);
+        }
+        if k > 0 && next > 0 {
+            let end = segments * CORNERS;
+            triangles.extend([[0, next, k], [end, end + k, end + next]]);
+        }
+    }
+    Mesh { vertices, triangles }
 }
 
 /// The wires of a design; without what it lacks.
