@@ -240,6 +240,7 @@ rust_of_debian() {
     { sed -n 's/^rust-version = "\(.*\)"$/\1/p' Cargo.toml && /usr/bin/rustc --version | cut -d' ' -f2; } | sort -VC
 }
 
+# Not while anything else runs the program: maturin moves it away while it packs it.
 # A wheel is installed in an empty environment; the list of a build's files with their hashes is then that of the program.
 wheel_gives_the_same_bytes() {
     heading "a wheel in an empty environment"
@@ -585,13 +586,13 @@ in_lanes() {
     wait "$rust" || failed "the lane of the Rust tests" "exit code $?"
     cat "$work/rust.log"
     random_frames_are_sound
+    wheel_gives_the_same_bytes
     # Alone, as a browser waits for what it shows.
     page_works_in_a_browser
 }
 
 # What was built, read by other programs.
 by_other_programs() {
-    wheel_gives_the_same_bytes
     releases_are_made
     libraries_are_allowed
     admesh_reads_stls

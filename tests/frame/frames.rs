@@ -92,12 +92,12 @@ fn findings(findings: &[Finding]) -> String {
 
 /// Every stage that a frame reaches, or what is wrong: said by the test's own thread, as the words of another are lost.
 fn stages(folder: &Path) -> Result<Stages, String> {
+    let wrong = |what: String| format!("{}: {what}", folder.display());
     let check = Command::new(cargo_bin("flexframe")).args(["check", "-q", "frame.toml"]).env("NO_COLOR", "1").current_dir(folder).output();
-    let check = check.expect("the program starts");
+    let check = check.map_err(|error| wrong(format!("the program does not start: {error}")))?;
     if check.status.code() == Some(2) {
         return Ok(vec![("refusal", String::from_utf8(check.stderr).expect("UTF-8"))]);
     }
-    let wrong = |what: String| format!("{}: {what}", folder.display());
     let frame = Frame::load(&folder.join("frame.toml").display().to_string()).map_err(|error| wrong(error.to_string()))?.0;
     let design = Design::with(frame, common::memo()).map_err(|error| wrong(error.to_string()))?;
     let table = mass::table(&design);
