@@ -46,6 +46,8 @@ page() {
         touch node_modules/.package-lock.json
     fi
     rm -rf ../dist/assets
+    # Results of another engine are of no use.
+    if [[ ! ../dist/engine/prepared.bin -nt ../dist/engine/engine.wasm ]]; then node ../prepare.mjs ../dist/engine; fi
     npm run --silent build
     cd ..
 }

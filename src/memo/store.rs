@@ -17,6 +17,10 @@ const CHANGES: u64 = 4;
 pub trait Storage: Send + Sync {
     /// What was written under a key, as it was.
     fn read(&self, key: &Key) -> Option<Vec<u8>>;
+    /// Whether it takes anything in.
+    fn writes(&self) -> bool {
+        true
+    }
     /// Writes something under a key.
     fn write(&self, key: &Key, bytes: &[u8]);
 }
@@ -112,7 +116,7 @@ impl Memo {
             return Ok(self.lock().keep(key, value));
         }
         let value = make()?;
-        if let Some(storage) = &self.storage
+        if let Some(storage) = self.storage.as_ref().filter(|storage| storage.writes())
             && let Ok(bytes) = postcard::to_allocvec(&value)
         {
             storage.write(&key, &bytes);

@@ -4,7 +4,8 @@ import { resolve } from "node:path";
 import type { Plugin } from "vite";
 import { defineConfig } from "vite";
 
-const ENGINE = "engine/engine.wasm";
+/** The engine, and the results that were computed ahead for it. */
+const ENGINE = ["engine/engine.wasm", "engine/prepared.bin"];
 
 /** Writes sw.js with the list of all files of the build, and a version that changes when one of them does. */
 function serviceWorker(): Plugin {
@@ -14,16 +15,16 @@ function serviceWorker(): Plugin {
     enforce: "post",
     generateBundle(_, bundle) {
       const own = Object.values(bundle);
-      const engine = resolve("../dist", ENGINE);
       const hash = createHash("sha256");
       for (const file of own) hash.update(file.fileName).update(file.type === "asset" ? file.source : file.code);
-      if (existsSync(engine)) hash.update(readFileSync(engine));
+      const engine = ENGINE.filter((name) => existsSync(resolve("../dist", name)));
+      for (const name of engine) hash.update(readFileSync(resolve("../dist", name)));
       const files = [
         "./",
         ...own.map(({ fileName }) => fileName).filter((name) => name !== "index.html"),
         "icon.svg",
         "manifest.webmanifest",
-        ENGINE,
+        ...engine,
       ];
       const source = readFileSync("src/service_worker.js", "utf8")
         .replace('VERSION"}', `${hash.digest("hex").slice(0, 16)}"}`)

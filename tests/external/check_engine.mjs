@@ -15,6 +15,8 @@ const { randomTexts } = await import("./random_texts.mjs");
 
 /** Largest module over the wire, bytes. */
 const MOST_BYTES = 2_500_000;
+/** Largest file of results that are computed ahead, bytes. */
+const MOST_AHEAD_BYTES = 500_000;
 /** Random texts that must not stop the engine. */
 const TEXTS = 2000;
 
@@ -58,6 +60,22 @@ function answered(engine, request, files) {
   return reply;
 }
 
+/** Results that are computed ahead, as the page is built: an engine of the same build takes them, and no other. */
+function prepared() {
+  execFileSync("node", ["studio/prepare.mjs", folder]);
+  return new Uint8Array(readFileSync(join(folder, "prepared.bin")));
+}
+
+function results(engine, bytes) {
+  const { results } = answered(engine, { do: "use-results" }, { "prepared.bin": bytes }).answer;
+  tell(`${results} results computed ahead, ${bytes.length} bytes`, results > 1000 && bytes.length < MOST_AHEAD_BYTES ? null : "too few, or too many bytes");
+  const other = bytes.slice();
+  other[5] ^= 1;
+  const { refused } = engine.ask({ do: "use-results" }, { "prepared.bin": other });
+  tell("results of another build", refused?.message.includes("this build") ? null : "are taken");
+}
+
+/** With results computed ahead by an engine that had none: the program finds the same. */
 function presets(engine) {
   for (const { name } of answered(engine, { do: "presets" }).answer.frames) {
     const { handle } = answered(engine, { do: "open", frame: name }).answer;
@@ -149,7 +167,11 @@ if (isMainThread) {
   const other = new Worker(new URL(import.meta.url), { argv: process.argv.slice(2) });
   const ended = new Promise((resolve) => other.on("exit", resolve).on("error", (error) => tell("random texts", error.message)));
   await run("size", size);
-  await run("presets", async () => presets(await start()));
+  await run("presets", async () => {
+    const engine = await start();
+    results(engine, prepared());
+    presets(engine);
+  });
   await run("default frame", async () => defaultFrame(await start()));
   await run("diagnosis", diagnosis);
   await run("refusals", async () => refusals(await start()));

@@ -10,7 +10,7 @@ use flexframe::checks::{self, Cost};
 use flexframe::export::bill;
 use flexframe::frame::assembly::Design;
 use flexframe::frame::assembly::mass::MassTable;
-use flexframe::memo::{Made, Step, Unwatched};
+use flexframe::memo::{Made, Memo, Step, Unwatched};
 use flexframe::params::files::Files;
 use flexframe::params::frame_file::Value as Typed;
 use flexframe::params::roles::ROLES;
@@ -35,13 +35,12 @@ pub struct OpenFrame {
 }
 
 impl OpenFrame {
-    /// Reads and designs a frame: a preset's name, or a file among these.
+    /// Reads and designs a frame: a preset's name, or a file among these. `memo` is this frame's own.
     ///
     /// # Errors
     /// What the command line refuses.
-    pub fn new(asked: &str, files: &dyn Files) -> Result<Self, Refused> {
-        // Each frame has a memo of its own: changes of one do not push out what the other needs again.
-        let mut workspace = Workspace::new(FrameFile::load_from(asked, files)?, Arc::default())?;
+    pub fn new(asked: &str, files: &dyn Files, memo: Arc<Memo>) -> Result<Self, Refused> {
+        let mut workspace = Workspace::new(FrameFile::load_from(asked, files)?, memo)?;
         let (design, masses, made) = designed(&mut workspace)?;
         Ok(Self { asked: asked.into(), workspace, design, masses, made })
     }

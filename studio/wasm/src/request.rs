@@ -19,6 +19,10 @@ pub enum Wanted {
     Presets,
     /// What a frame file may say and choose, and the rules.
     Catalogue,
+    /// Checks every preset, and gives the small results of doing so as a file that `use-results` takes: for whoever publishes the engine.
+    CollectResults,
+    /// Takes such files of this build of the engine: frames that are checked use them instead of computing the same again.
+    UseResults,
     /// The text of a frame file with other values; nothing is resolved.
     Edit {
         /// The text.

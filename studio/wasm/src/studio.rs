@@ -1,8 +1,11 @@
 //! The state: frames that are open, and the parts made for them.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
+use flexframe::memo::{Memo, Prepared};
 use flexframe::params::amend::{Amendment, amended};
+use flexframe::params::files::Memory;
 use flexframe::params::frame_file::Value as Typed;
 use flexframe::params::{Frame, FrameFile, ImpactFile, preset};
 use serde_json::{Value, json};
@@ -21,6 +24,8 @@ const MOST_OPEN: usize = 32;
 pub struct Studio {
     frames: BTreeMap<Handle, OpenFrame>,
     last: Handle,
+    /// Results that were computed ahead.
+    prepared: Prepared,
 }
 
 impl Studio {
@@ -32,6 +37,11 @@ impl Studio {
         match &request.wanted {
             Wanted::Presets => Ok(Answer::data(presets())),
             Wanted::Catalogue => Ok(Answer::data(catalogue::catalogue())),
+            Wanted::CollectResults => collected(),
+            Wanted::UseResults => {
+                let used = request.attached.iter().map(|(_, bytes)| self.prepared.add(bytes).map_err(Refused::plain));
+                Ok(Answer::data(json!({ "results": used.collect::<Result<Vec<usize>, Refused>>()? })))
+            }
             Wanted::Edit { text, set } => Ok(Answer::data(json!({ "text": edited(text, set)? }))),
             Wanted::Read { frame } => {
                 let file = FrameFile::load_from(frame, &request.disk())?;
@@ -41,7 +51,7 @@ impl Studio {
                 if self.frames.len() >= MOST_OPEN {
                     return Err(Refused::plain(format!("{MOST_OPEN} frames are open: close one")));
                 }
-                let open = OpenFrame::new(frame, &request.disk())?;
+                let open = OpenFrame::new(frame, &request.disk(), memo(&self.prepared))?;
                 self.last += 1;
                 self.frames.insert(self.last, open);
                 self.facts(self.last)
@@ -96,6 +106,21 @@ impl Studio {
 
 fn not_open(handle: Handle) -> Refused {
     Refused::plain(format!("no frame is open under {handle}"))
+}
+
+/// Each frame has a memo of its own: changes of one do not push out what the other needs again.
+fn memo(prepared: &Prepared) -> Arc<Memo> {
+    Arc::new(Memo::on(Box::new(prepared.clone())))
+}
+
+/// The small results of all checks of every preset.
+fn collected() -> Result<Answer, Refused> {
+    let collecting = Prepared::collecting();
+    for name in preset::names() {
+        OpenFrame::new(name, &Memory::default(), memo(&collecting))?.findings(false, false)?;
+    }
+    let bytes = collecting.written().map_err(Refused::plain)?;
+    Ok(Answer { json: Value::Null, files: vec![("prepared.bin".into(), bytes)] })
 }
 
 /// A text with other values.

@@ -1,7 +1,7 @@
 // An engine as the page sees it: questions in, promises out. An engine that stopped is replaced by a new one, and says so.
 import { signal } from "@preact/signals";
 import type { Attached, EngineFile, Message, Question, Refusal, Stage, Start } from "./messages.ts";
-import { engineModule } from "./module.ts";
+import { engineModule, preparedResults } from "./module.ts";
 
 /** The engine refused: the words of the command line. */
 export class Refused extends Error {
@@ -20,6 +20,9 @@ type Waiting = {
   reject: (error: Error) => void;
   onStage?: ((stage: Stage) => void) | undefined;
 };
+
+/** Of a question whose answer nobody waits for. */
+const UNASKED = 0;
 
 export class EngineClient {
   /** How many questions have no answer yet. */
@@ -74,6 +77,10 @@ export class EngineClient {
       (module) => worker.postMessage({ module } satisfies Start),
       () => undefined,
     );
+    void preparedResults().then((bytes) => {
+      if (!bytes) return;
+      worker.postMessage({ id: UNASKED, request: { do: "use-results" }, files: { "prepared.bin": bytes } } satisfies Question);
+    });
     return worker;
   }
 

@@ -1,4 +1,5 @@
-// The engine's module, compiled once: all workers share its code, so a second engine, or one that replaces another, starts at once.
+// The engine's module and what was computed ahead for it. The module is compiled once: all workers share its code, so a second engine, or
+// one that replaces another, starts at once.
 
 let compiled: Promise<WebAssembly.Module> | undefined;
 
@@ -9,6 +10,19 @@ export function engineModule(): Promise<WebAssembly.Module> {
     compiled.catch(() => (compiled = undefined));
   }
   return compiled;
+}
+
+let ahead: Promise<Uint8Array | undefined> | undefined;
+
+/**
+ * Results that were computed ahead for this module. Asked for after it, as a frame can be made without them; a page that was published
+ * without them has none.
+ */
+export function preparedResults(): Promise<Uint8Array | undefined> {
+  return (ahead ??= engineModule()
+    .then(() => answered("./engine/prepared.bin", 1))
+    .then(async (response) => (response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined))
+    .catch(() => undefined));
 }
 
 /** A server that says nothing for this long is asked again, ms: a connection can be taken and never be answered. */

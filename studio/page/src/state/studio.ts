@@ -167,6 +167,8 @@ async function show(now: Wanted): Promise<void> {
   });
   performance.measure("change", { start: now.begun, end: performance.now() });
   if (wanted) return;
+  // The second engine has nothing of the first frame yet: it makes it while nothing is changed.
+  if (!findings.value) current.opened(next).catch(() => undefined);
   const { answer } = await shower.ask<Checked>({ do: "findings", handle: opened.handle, quick: true });
   const known = findings.value;
   const found = answer.frames[0]?.findings ?? [];
