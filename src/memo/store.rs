@@ -79,7 +79,19 @@ impl Memo {
         inputs: &impl Debug,
         make: impl FnOnce() -> T,
     ) -> Arc<T> {
-        match self.try_get(step, subject, inputs, || Ok::<T, std::convert::Infallible>(make())) {
+        self.get_worth(step, subject, inputs, make, |_| true)
+    }
+
+    /// The same of a step of which many a result is sooner made again than read: only those that are worth it go to the storage.
+    pub fn get_worth<T: Serialize + DeserializeOwned + Send + Sync + 'static>(
+        &self,
+        step: &'static str,
+        subject: &str,
+        inputs: &impl Debug,
+        make: impl FnOnce() -> T,
+        is_worth: impl FnOnce(&T) -> bool,
+    ) -> Arc<T> {
+        match self.obtained(step, subject, inputs, || Ok::<T, std::convert::Infallible>(make()), is_worth) {
             Ok(value) => value,
             Err(never) => match never {},
         }
@@ -107,6 +119,17 @@ impl Memo {
         inputs: &impl Debug,
         make: impl FnOnce() -> Result<T, E>,
     ) -> Result<Arc<T>, E> {
+        self.obtained(step, subject, inputs, make, |_| true)
+    }
+
+    fn obtained<T: Serialize + DeserializeOwned + Send + Sync + 'static, E>(
+        &self,
+        step: &'static str,
+        subject: &str,
+        inputs: &impl Debug,
+        make: impl FnOnce() -> Result<T, E>,
+        is_worth: impl FnOnce(&T) -> bool,
+    ) -> Result<Arc<T>, E> {
         let key = Key::of(step, inputs);
         if let Some(value) = self.lock().used(&key).and_then(|value| value.downcast::<T>().ok()) {
             return Ok(value);
@@ -116,7 +139,7 @@ impl Memo {
             return Ok(self.lock().keep(key, value));
         }
         let value = make()?;
-        if let Some(storage) = self.storage.as_ref().filter(|storage| storage.writes())
+        if let Some(storage) = self.storage.as_ref().filter(|storage| storage.writes() && is_worth(&value))
             && let Ok(bytes) = postcard::to_allocvec(&value)
         {
             storage.write(&key, &bytes);
@@ -219,6 +242,16 @@ mod tests {
         assert_eq!(count(&memo), 0);
         assert_eq!(memo.try_get("root", "number", &1, || Err::<f64, _>("none")).err(), Some("none"));
         assert_eq!(memo.try_get("root", "number", &1, || Ok::<_, &str>(1.0)).map(|value| *value), Ok(1.0));
+    }
+
+    #[test]
+    fn analytic_results_that_are_worth_it_go_to_the_storage() {
+        let storage = InMemory::default();
+        let memo = Memo::on(Box::new(storage.clone()));
+        let squared = |number: f64| *memo.get_worth("square", "number", &number, || number * number, |square| *square > 10.0);
+        assert_eq!([3.0, 4.0, 3.0].map(squared), [9.0, 16.0, 9.0]);
+        // In memory each was kept.
+        assert_eq!((count(&memo), storage.0.lock().expect("no thread ended").len()), (2, 1));
     }
 
     #[test]

@@ -161,7 +161,8 @@ impl Sweeper<'_> {
     fn kept(&self, task: Task, [a, b]: [&Piece; 2], ways: [&Vec<Isometry3<f64>>; 2]) -> Option<Found> {
         let read = (self.inputs, &self.order[..=self.at], ways[0].len(), a.inputs(), b.inputs());
         let name = || format!("{}: {} and {}", task.title(), a.name, b.name);
-        Option::clone(&self.design.memo.get("pair of pieces", &name(), &read, || self.pair(task, [a, b], ways)))
+        let is_worth = |found: &Option<Found>| found.as_ref().is_some_and(|found| found.comparisons > 0);
+        Option::clone(&self.design.memo.get_worth("pair of pieces", &name(), &read, || self.pair(task, [a, b], ways), is_worth))
     }
 
     /// How two pieces get along; none when they do not move to each other.

@@ -97,7 +97,8 @@ impl<'a> Ways<'a> {
         };
         let read = (mount.from, self.key(a), self.key(b));
         let name = || format!("{}: {} and {}", mount.title, a.name, b.name);
-        Compared::clone(&self.design.memo.get(step, &name(), &read, || way(self, Vector3::from(from), [a, b])))
+        let make = || way(self, Vector3::from(from), [a, b]);
+        Compared::clone(&self.design.memo.get_worth(step, &name(), &read, make, |found| found.comparisons > 0))
     }
 
     fn up_to_a_bar(&self, from: Vector3<f64>, bodies: [&Body; 2]) -> Compared {
