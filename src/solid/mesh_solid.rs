@@ -58,7 +58,7 @@ impl MeshSolid {
         Self(Arc::new(Held { kernel: kernel.into(), facets: OnceLock::new(), boxes: OnceLock::new() }))
     }
 
-    fn of_facets(facets: Facets) -> Self {
+    pub(super) fn of_facets(facets: Facets) -> Self {
         Self(Arc::new(Held { kernel: OnceLock::new(), facets: facets.into(), boxes: OnceLock::new() }))
     }
 
@@ -66,7 +66,7 @@ impl MeshSolid {
         self.0.kernel.get_or_init(|| self.0.facets.get().map_or_else(Manifold::empty, Facets::kernel))
     }
 
-    fn facets_held(&self) -> &Facets {
+    pub(super) fn facets_held(&self) -> &Facets {
         self.0.facets.get_or_init(|| Facets::of(self.kernel()))
     }
 
@@ -95,6 +95,11 @@ impl MeshSolid {
     /// The same without detail below a size, mm.
     pub fn without_detail(&self, below_mm: f64) -> Self {
         Self::of(self.kernel().as_original().simplify(below_mm))
+    }
+
+    /// The same with corners within a distance, mm, made one; empty where that leaves no closed surface.
+    pub fn welded(&self, within_mm: f64) -> Self {
+        Self::of_facets(self.facets_held().welded(within_mm))
     }
 
     /// The mesh of the simplified solid.

@@ -103,15 +103,13 @@ impl Printed {
 impl Flat {
     fn of(feature: &Feature, turn: &UnitQuaternion<f64>, memo: &Memo) -> Result<Self, GateError> {
         let raw = MeshSolid::build_from(feature, memo);
-        let made = |below_mm: f64| {
-            let solid = raw.without_detail(below_mm).reimported();
+        let made = |solid: MeshSolid| {
+            let solid = solid.reimported();
             let (printed, pose) = laid(&solid, turn)?;
             let mesh = printed.mesh();
             gate::pass(&mesh).map(|topology| (solid, pose, mesh, topology))
         };
-        // As after a bend: where taking away detail makes facets cross or vanish, less is taken away.
-        let [most, less @ ..] = DETAILS_MM;
-        let (solid, pose, mesh, topology) = less.iter().fold(made(most), |made_so_far, below| made_so_far.or_else(|_| made(*below)))?;
+        let (solid, pose, mesh, topology) = first_good(&raw, &DETAILS_MM, made)?;
         let exact_volume_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
         exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
         let print_pose = (pose.rotation.coords.into(), pose.translation.vector.into());
@@ -137,17 +135,30 @@ pub(super) fn laid(flat: &MeshSolid, print_turn: &UnitQuaternion<f64>) -> Result
     Ok((turned.placed(&lift), lift * turn))
 }
 
-/// The mesh of a solid, with the first of these amounts of detail, mm, simplified away that lets it pass the gate.
+/// The solid without detail, and its mesh, which passes the gate; the amounts of detail, mm, in the order in which they are tried.
 ///
 /// # Errors
-/// What the gate says to the last.
+/// What the gate says to the last attempt.
 pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSolid, Mesh), GateError> {
-    let mut refused = GateError::Empty;
-    for below_mm in details_mm {
-        let solid = raw.without_detail(*below_mm);
+    first_good(raw, details_mm, |solid| {
+        if solid.is_empty() {
+            return Err(GateError::Empty);
+        }
         let mesh = solid.mesh();
-        match gate::pass(&mesh) {
-            Ok(_) => return Ok((solid, mesh)),
+        gate::pass(&mesh).map(|_| (solid, mesh))
+    })
+}
+
+/// What is made of a solid: of the first of its simplifications of which it can be made. Taking away detail can make facets cross or
+/// vanish, in one part of a hundred; then less is taken away. Corners nearer to each other than the numbers of a written mesh are apart are
+/// rounded past each other, in one part of some thousands; then they become one.
+fn first_good<T>(raw: &MeshSolid, details_mm: &[f64], make: impl Fn(MeshSolid) -> Result<T, GateError>) -> Result<T, GateError> {
+    let simpler = details_mm.iter().map(|below_mm| raw.without_detail(*below_mm));
+    let welded = WELDS_MM.into_iter().map(|within_mm| raw.without_detail(within_mm).welded(within_mm));
+    let mut refused = GateError::Empty;
+    for solid in simpler.chain(welded) {
+        match make(solid) {
+            Ok(made) => return Ok(made),
             Err(error) => refused = error,
         }
     }
@@ -157,11 +168,13 @@ pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSol
 /// Detail that is simplified away, mm, in the order in which it is tried: less first, then more, all of it far below what a printer places.
 const DETAILS_MM: [f64; 7] = [0.001, 0.0005, 0.0002, 0.0001, 0.00002, 0.002, 0.004];
 
+/// Corners within this of each other become one, mm, in the order in which it is tried.
+const WELDS_MM: [f64; 2] = [0.0003, 0.001];
+
 /// How far a hinge is moved out, mm, in the order in which it is tried.
 const OFF_CORNER_MM: [f64; 4] = [0.0, 0.01, 0.004, 0.015];
 
-/// The folded solid. Taking away detail where the swept web all but touches the sides can make facets cross, in one
-/// part of a hundred; then less is taken away. A hinge lies where two sockets' mitres end in one point: in another part of a
+/// The folded solid. A hinge lies where two sockets' mitres end in one point: in one part of a
 /// hundred the cut grazes that point, and then the hinge is moved off it.
 fn bent(flat: &MeshSolid, bends: &[Bend], part: &str, memo: &Memo) -> Result<MeshSolid, GateError> {
     let mut refused = GateError::Empty;
