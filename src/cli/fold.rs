@@ -75,7 +75,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 /// All steps in their order: how often, and what.
 fn titles(design: &Design, sequence: &FoldSequence) -> Vec<(usize, &'static str)> {
     let mounting = Mounting::new(design, sequence);
-    let mounts = |steps: &[MountStep]| steps.iter().map(|step| (1, step.title)).collect::<Vec<_>>();
+    let mounts = |steps: &[MountStep]| steps.iter().map(|step| (step.repeats, step.title)).collect::<Vec<_>>();
     let folds = sequence.steps.iter().map(|step| (step.repeats, step.title));
     mounts(&mounting.before).into_iter().chain(folds).chain(mounts(&mounting.after)).collect()
 }

@@ -22,6 +22,8 @@ pub enum Fixing {
     MagnetAndPlug,
     /// Solder.
     Solder,
+    /// The motor's shaft or its screws, as the motor is sold.
+    Shaft,
 }
 
 /// Whether something is mounted before the fold or after it.
@@ -41,7 +43,7 @@ pub struct Mount {
     pub id: &'static str,
     /// The bodies that it brings; those that the design lacks are left out.
     pub brings: &'static [&'static str],
-    /// The body that they are put onto.
+    /// The body that they are put onto; where each module has one, that of the first module.
     pub onto: &'static str,
     /// Where they come from, along a straight line in the frame's axes; none when they are threaded or soldered.
     pub from: Option<[f64; 3]>,
@@ -87,7 +89,7 @@ const GLUED: Mount = Mount {
 };
 
 /// All of them, in the order in which they are tried.
-pub static MOUNTS: [Mount; 24] = [
+pub static MOUNTS: [Mount; 25] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
@@ -307,7 +309,7 @@ pub static MOUNTS: [Mount; 24] = [
         fixing: Fixing::Solder,
         stage: Stage::AfterFold,
         title: "Motor wires",
-        text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Solder them to the motor controller. A motor that turns the wrong way has two of its wires changed over.",
+        text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Solder them to the motor controller.",
         tool: "soldering iron",
         caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
         minutes: 20.0,
@@ -359,9 +361,27 @@ pub static MOUNTS: [Mount; 24] = [
         ],
         stage: Stage::AfterFold,
         title: "Battery in",
-        text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in.",
+        text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Then take battery and lid out again.",
         tool: "hands",
-        caution: Some("Propellers off until the directions of the motors have been tried. With the battery in, the motors can start."),
+        caution: Some("First power without propellers. With the battery in, the motors can start."),
+        minutes: 10.0,
+        ..GLUED
+    },
+    Mount {
+        id: "propellers",
+        brings: &["propeller_FR", "propeller_FL", "propeller_BL", "propeller_BR"],
+        onto: "motor_FR",
+        from: ABOVE,
+        fixing: Fixing::Shaft,
+        needs: &[
+            ("wiring", "the directions of the motors are tried without propellers"),
+            ("cartridge", "the first power is without propellers"),
+        ],
+        stage: Stage::AfterFold,
+        title: "Propellers",
+        text: "Of the four propellers two turn each way, as the arrows show; the raised edge of a blade goes first. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        tool: "screwdriver or hands",
+        caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),
         ..GLUED
     },
 ];

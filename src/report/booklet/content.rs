@@ -10,7 +10,6 @@ use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
-use crate::report::picture::propeller_scene;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -32,7 +31,7 @@ pub struct Booklet {
     pub before: Vec<Panel>,
     /// The steps of the fold, each on a sheet.
     pub pages: Vec<Page>,
-    /// What is mounted after it, two on a sheet, behind the directions of the propellers.
+    /// What is mounted after it, two on a sheet; the propellers last.
     pub after: Vec<Panel>,
 }
 
@@ -85,8 +84,6 @@ impl Booklet {
             steps.par_iter().enumerate().map(|(at, step)| Panel::new(design, step, from + at)).collect()
         };
         let page = |(at, step): (usize, &Step)| Page::new(design, fold, step, (at, first), mounting.fold_parts.get(at));
-        let mut after = vec![propellers(design)];
-        after.extend(panels(&mounting.after, first + fold.steps.len()));
         Self {
             frame: design.frame.name.clone(),
             preface: preface(&mounting, fold.steps.len(), minutes, &forgotten(design, masses, &mounting)),
@@ -96,7 +93,7 @@ impl Booklet {
             cuts: cuts(design),
             before: panels(&mounting.before, 0),
             pages: fold.steps.par_iter().enumerate().map(page).collect(),
-            after,
+            after: panels(&mounting.after, first + fold.steps.len()),
         }
     }
 }
@@ -141,42 +138,35 @@ fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<St
     without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts())
 }
 
-/// Which way the propellers turn.
-fn propellers(design: &Design) -> Panel {
+/// Which way each propeller turns.
+fn rotations() -> String {
     let mut motors: Vec<(u32, String)> = MODULE_WORDS
         .iter()
         .enumerate()
-        .map(|(module, place)| (ROTORS[module].number, format!("{place}, {}", ROTORS[module].spin.words())))
+        .map(|(module, place)| (ROTORS[module].number, format!("motor {}, {place}: {}", ROTORS[module].number, ROTORS[module].spin.words())))
         .collect();
     motors.sort();
-    let motors: Vec<String> = motors.into_iter().map(|(number, words)| format!("motor {number} {words}")).collect();
-    Panel {
-        heading: "Which way the propellers turn".into(),
-        facts: "Seen from above, the front up".into(),
-        text: format!(
-            "Of the four propellers two turn each way: {}. The raised edge of a blade goes first. This is the usual numbering of flight \
-             controllers, \"props in\".",
-            motors.join("; ")
-        ),
-        caution: Some("Try the motors without propellers first.".into()),
-        parts: Vec::new(),
-        picture: propeller_scene::rotations(design),
-        held: "The front is up.",
-    }
+    let motors: Vec<String> = motors.into_iter().map(|(_, words)| words).collect();
+    format!("Seen from above: {}. This is the usual numbering of flight controllers, \"props in\".", motors.join("; "))
 }
 
 impl Panel {
     fn new(design: &Design, step: &MountStep, at: usize) -> Self {
         Self {
             heading: format!("{}. {}", at + 1, step.title),
-            facts: format!("once, {:.0} min; {}; {}", step.minutes, step.tool, fixed(step.fixing)),
-            text: step.text.to_string(),
+            facts: format!("{}; {}; {}", often(step.repeats, step.minutes), step.tool, fixed(step.fixing)),
+            text: if step.fixing == Fixing::Shaft { format!("{} {}", step.text, rotations()) } else { step.text.into() },
             caution: step.caution.map(Into::into),
             parts: step.parts.clone(),
             picture: mount_scene::mount(design, step),
             held: Held::of(step).words(),
         }
     }
+}
+
+/// How often, and how long it takes.
+fn often(repeats: usize, minutes: f64) -> String {
+    if repeats == 1 { format!("once, {minutes:.0} min") } else { format!("{repeats} x, {:.0} min each", minutes / repeats as f64) }
 }
 
 fn fixed(fixing: Fixing) -> String {
@@ -189,6 +179,7 @@ fn fixed(fixing: Fixing) -> String {
         Fixing::Squeezed => "squeezed in".into(),
         Fixing::MagnetAndPlug => "held by magnet and plug".into(),
         Fixing::Solder => "soldered".into(),
+        Fixing::Shaft => "on the motor's shaft".into(),
     }
 }
 
@@ -226,14 +217,12 @@ impl Page {
     }
 
     fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
-        let each = step.minutes / step.repeats as f64;
-        let often = if step.repeats == 1 { format!("once, {each:.0} min") } else { format!("{} x, {each:.0} min each", step.repeats) };
         let mut measures: Vec<String> = step.bends.iter().map(bend).collect();
         measures.extend(depths(step));
         measures.extend(left_out(step));
         Self {
             heading: format!("{}. {}", first + at + 1, step.title),
-            facts: format!("{often}; {}", step.tool),
+            facts: format!("{}; {}", often(step.repeats, step.minutes), step.tool),
             text: step.text.to_string(),
             measures,
             caution: step.caution.map(Into::into),

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 
 use super::arrow::Arrow;
 use super::camera::{Camera, View};
@@ -129,6 +129,7 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
         let member = Member::ALL.into_iter().find(|m| body.module.is_some_and(|module| m.body(module) == body.name));
         let pose = match (member.and_then(|m| places.iter().find(|(p, _)| *p == m)), body.module) {
             (Some((_, pose)), Some(module)) => fold.module.modules.pose(module, pose),
+            (None, Some(module)) => over_motor(fold, &places, module) * body.pose,
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
         named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module, pose * middle_of(&shape.mesh)));
@@ -154,6 +155,17 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
         }
     }
     picture
+}
+
+/// Room between a motor and what is put onto its shaft when all is taken apart, mm.
+const OVER_MOTOR_MM: f64 = 25.0;
+
+/// How far what is put onto a motor is off its place when all is taken apart.
+fn over_motor(fold: &FoldSequence, places: &[(Member, Isometry3<f64>)], module: usize) -> Isometry3<f64> {
+    let home = fold.module.modules.pose(module, &fold.module.place(Member::Motor));
+    let apart = places.iter().find(|(member, _)| *member == Member::Motor).map(|(_, pose)| fold.module.modules.pose(module, pose));
+    let off = apart.map_or_else(Vector3::zeros, |apart| apart.translation.vector - home.translation.vector);
+    Translation3::from(off + Vector3::z() * OVER_MOTOR_MM).into()
 }
 
 /// A body's name as words: without its module, and without the number of one among several; a rod is called one.

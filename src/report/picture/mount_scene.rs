@@ -8,6 +8,7 @@ use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
+use super::propeller_scene;
 use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design};
 use crate::frame::mounting::{Fixing, MountStep, PartLine};
@@ -26,6 +27,8 @@ pub enum Held {
     TurnedOver,
     /// Seen from the rear.
     TurnedAround,
+    /// Seen from above, the front up.
+    FromAbove,
 }
 
 impl Held {
@@ -33,6 +36,7 @@ impl Held {
     pub fn of(step: &MountStep) -> Self {
         match step.from {
             None if step.fixing == Fixing::Solder => Self::TurnedOver,
+            _ if step.fixing == Fixing::Shaft => Self::FromAbove,
             Some([_, _, z]) if z < -0.5 => Self::TurnedOver,
             Some([_, y, _]) if y < -0.5 => Self::TurnedAround,
             _ => Self::Upright,
@@ -45,12 +49,13 @@ impl Held {
             Self::Upright => "Seen from the front and above.",
             Self::TurnedOver => "Turned over: the underside is up.",
             Self::TurnedAround => "Seen from the rear.",
+            Self::FromAbove => "Seen from above: the front is up.",
         }
     }
 
     fn turn(self) -> UnitQuaternion<f64> {
         match self {
-            Self::Upright => UnitQuaternion::identity(),
+            Self::Upright | Self::FromAbove => UnitQuaternion::identity(),
             Self::TurnedOver => UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::PI),
             Self::TurnedAround => UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI),
         }
@@ -70,8 +75,11 @@ pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
-/// The picture of a mount.
+/// The picture of a mount; of the propellers it says which way each turns.
 pub fn mount(design: &Design, step: &MountStep) -> Picture {
+    if step.fixing == Fixing::Shaft {
+        return propeller_scene::rotations(design);
+    }
     let (held, off) = (Held::of(step).turn(), step.shown_off_mm());
     let pose = |body: &Body, off: Vector3<f64>| Isometry3::from_parts(Translation3::identity(), held) * Translation3::from(off) * body.pose;
     let named = |name: &String| design.bodies.iter().find(|body| body.name == *name);
