@@ -11,7 +11,6 @@ use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{FoldSequence, Meeting, Sweep};
-use crate::frame::skeleton::MODULE_NAMES;
 
 /// A mount that has to come first, or later.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -79,9 +78,6 @@ pub struct Mounting {
 /// Least and most that a part is shown off its place, mm.
 const SHOWN_MM: [f64; 2] = [25.0, 140.0];
 
-/// How the bodies of the first module end.
-const FIRST_MODULE: &str = "_FR";
-
 impl MountStep {
     /// How far off its place what moves is shown, in frame axes, mm.
     pub fn shown_off_mm(&self) -> Vector3<f64> {
@@ -91,11 +87,7 @@ impl MountStep {
 
     /// What one of its bodies is put onto: that of the body's own module where each has one.
     pub fn onto_of(&self, body: &str) -> String {
-        let of_module = |module: &&&str| body.ends_with(&format!("_{module}"));
-        match self.onto.strip_suffix(FIRST_MODULE).zip(MODULE_NAMES.iter().find(of_module)) {
-            Some((onto, module)) => format!("{onto}_{module}"),
-            None => self.onto.into(),
-        }
+        Mount::onto_of(self.onto, body)
     }
 }
 
@@ -200,7 +192,7 @@ impl Planning<'_> {
     /// What moves in a mount, and what stays.
     fn sides(&self, done: &Done, mount: &'static Mount) -> [Vec<&Body>; 2] {
         let moving: BTreeSet<&'static str> = mount.brings.iter().flat_map(|name| self.component(name, done)).collect();
-        let onto = if mount.onto.ends_with(FIRST_MODULE) { "hub" } else { mount.onto };
+        let onto = if mount.is_in_each_module() { "hub" } else { mount.onto };
         let still: BTreeSet<&'static str> = self.component(onto, done).difference(&moving).copied().collect();
         let mut there = self.ways.bodies(still.iter().copied());
         if mount.stage == Stage::AfterFold && still.contains("hub") {
@@ -256,7 +248,7 @@ impl Planning<'_> {
             let with: Done = done.iter().copied().chain([other.id]).collect();
             self.broken(&with, mount).map(|because| depends(other, because))
         });
-        let repeats = if mount.onto.ends_with(FIRST_MODULE) { MODULE_NAMES.len() } else { 1 };
+        let repeats = mount.repeats();
         MountStep {
             mount: mount.id,
             stage: mount.stage,

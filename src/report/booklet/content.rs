@@ -1,12 +1,14 @@
-//! The instructions as a value: title page, half a page a mount, one page a step of the fold. Two files are written from it.
+//! The instructions as a value: title page, a page a sub-assembly, half a page a mount, one page a step of the fold. Two files are written
+//! from it. A step has one number, on its page, in the names of its pictures, in `fold.json` and on the command line.
 
 use crate::export::bill::bill;
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::fold::{FoldBend, FoldSequence, Join, Step};
+use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Task};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, without_a_step};
-use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
+use crate::frame::skeleton::{MODULE_WORDS, ROTORS, RodRole};
+use crate::report::booklet::sub_assembly::{SubAssembly, sub_assemblies};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
@@ -27,6 +29,8 @@ pub struct Booklet {
     pub parts: Vec<[String; 3]>,
     /// A line a stock length: what to cut from it.
     pub cuts: Vec<String>,
+    /// Centre, module and cartridge: each before the steps that make it.
+    pub assemblies: [SubAssembly; 3],
     /// What is mounted before the fold, two on a sheet.
     pub before: Vec<Panel>,
     /// The steps of the fold, each on a sheet.
@@ -37,6 +41,8 @@ pub struct Booklet {
 
 /// Half a sheet: one picture, the parts beside it.
 pub struct Panel {
+    /// From 1, among all steps.
+    pub number: usize,
     /// Number and title.
     pub heading: String,
     /// How long, with what, what keeps it.
@@ -55,6 +61,8 @@ pub struct Panel {
 
 /// A step on paper.
 pub struct Page {
+    /// From 1, among all steps.
+    pub number: usize,
     /// Number and title.
     pub heading: String,
     /// How often, how long, with what.
@@ -73,6 +81,75 @@ pub struct Page {
     pub pictures: Vec<Picture>,
 }
 
+/// One step of the instructions.
+pub enum OneStep {
+    /// Of a mount.
+    Mount(Panel),
+    /// Of the fold.
+    Fold(Page),
+}
+
+/// Every step, with what it takes to write about it.
+pub struct AllSteps<'a> {
+    /// The frame.
+    pub design: &'a Design,
+    /// Its fold.
+    pub fold: &'a FoldSequence,
+    mounting: Mounting,
+}
+
+impl<'a> AllSteps<'a> {
+    /// Those of a frame.
+    pub fn new(design: &'a Design, fold: &'a FoldSequence) -> Self {
+        Self { design, fold, mounting: Mounting::new(design, fold) }
+    }
+
+    /// How often each step is done, and what it is called.
+    pub fn titles(&self) -> Vec<(usize, &'static str)> {
+        let mounts = |steps: &[MountStep]| steps.iter().map(|step| (step.repeats, step.title)).collect::<Vec<_>>();
+        let folds = self.fold.steps.iter().map(|step| (step.repeats, step.title));
+        mounts(&self.mounting.before).into_iter().chain(folds).chain(mounts(&self.mounting.after)).collect()
+    }
+
+    /// The step of a number from 1; none beyond the last.
+    pub fn one(&self, number: usize) -> Option<OneStep> {
+        let (at, before, folds) = (number.checked_sub(1)?, self.mounting.before.len(), self.fold.steps.len());
+        if let Some(step) = at.checked_sub(before).and_then(|at| self.fold.steps.get(at)) {
+            let at = at - before;
+            return Some(OneStep::Fold(Page::new(self.design, self.fold, step, (at, before), self.mounting.fold_parts.get(at))));
+        }
+        let step = if at < before { self.mounting.before.get(at) } else { self.mounting.after.get(at - before - folds) };
+        step.map(|step| OneStep::Mount(Panel::new(self.design, step, at)))
+    }
+}
+
+impl OneStep {
+    /// What its page says, a paragraph a line.
+    pub fn paragraphs(&self) -> Vec<String> {
+        let (heading, facts, parts, text, measures, caution) = match self {
+            Self::Mount(panel) => (&panel.heading, &panel.facts, &panel.parts, &panel.text, &[][..], &panel.caution),
+            Self::Fold(page) => (&page.heading, &page.facts, &page.parts, &page.text, &page.measures[..], &page.caution),
+        };
+        let takes: Vec<String> = parts.iter().map(PartLine::words).collect();
+        let mut lines = vec![heading.clone(), facts.clone()];
+        if !takes.is_empty() {
+            lines.push(format!("Takes {}.", takes.join(", ")));
+        }
+        lines.push(text.clone());
+        lines.extend(measures.iter().cloned());
+        lines.extend(caution.iter().map(|caution| format!("Caution. {caution}")));
+        lines
+    }
+
+    /// Its pictures by their names.
+    pub fn pictures(&self) -> Vec<(String, &Picture)> {
+        match self {
+            Self::Mount(panel) => vec![(panel.picture_name(), &panel.picture)],
+            Self::Fold(page) => page.picture_names().into_iter().zip(&page.pictures).collect(),
+        }
+    }
+}
+
 impl Booklet {
     /// The instructions of a frame.
     pub fn new(design: &Design, masses: &MassTable, fold: &FoldSequence) -> Self {
@@ -86,11 +163,12 @@ impl Booklet {
         let page = |(at, step): (usize, &Step)| Page::new(design, fold, step, (at, first), mounting.fold_parts.get(at));
         Self {
             frame: design.frame.name.clone(),
-            preface: preface(&mounting, fold.steps.len(), minutes, &forgotten(design, masses, &mounting)),
+            preface: preface(&mounting, fold, minutes, &forgotten(design, masses, &mounting)),
             apart: fold_scene::apart(design, fold),
             alone: alone(design, &mounting),
             parts: parts(masses),
             cuts: cuts(design),
+            assemblies: sub_assemblies(design, fold, &mounting),
             before: panels(&mounting.before, 0),
             pages: fold.steps.par_iter().enumerate().map(page).collect(),
             after: panels(&mounting.after, first + fold.steps.len()),
@@ -106,8 +184,10 @@ fn alone(design: &Design, mounting: &Mounting) -> BTreeMap<String, Picture> {
     drawn.collect::<Vec<_>>().into_iter().collect()
 }
 
-fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]) -> Vec<String> {
+fn preface(mounting: &Mounting, fold: &FoldSequence, minutes: f64, forgotten: &[String]) -> Vec<String> {
     let (before, after) = (mounting.before.len(), mounting.after.len());
+    let whole = whole_modules(fold, before).join(" and ");
+    let folds = fold.steps.len();
     let mut lines = vec![
         format!(
             "{} steps, about {minutes:.0} minutes: {before} put hub and electronics together, {folds} fold the frame, {after} finish it. \
@@ -118,14 +198,23 @@ fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]
         "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. Of the \
          rods only one that is loose in its bore is glued. Never glue a hinge, nor the plugs in the hub: they let go in a crash."
             .into(),
-        "In the pictures what moves is dark, what it is joined to is less dark, and the rest is pale. Those of the fold show one module; a \
-         step that says 4 x is done at each of the four."
-            .into(),
+        format!(
+            "In the pictures what a step brings or bends is dark, what that is joined to is less dark, and the rest is pale. In the steps \
+             {whole} whole modules move: there only the ends that go into something are dark. The steps of the fold show the module of the \
+             front right; one that says 4 x is done at each of the four."
+        ),
+        "First power is without propellers: they are the last step.".into(),
     ];
     if !forgotten.is_empty() {
         lines.push(format!("Of the bill no step says where these go: {}.", forgotten.join(", ").replace('_', " ")));
     }
     lines
+}
+
+/// Numbers of the steps in which whole modules move.
+fn whole_modules(fold: &FoldSequence, before: usize) -> Vec<String> {
+    let whole = |step: &Step| matches!(step.task, Task::PlugHub | Task::CloseRing);
+    fold.steps.iter().enumerate().filter(|(_, step)| whole(step)).map(|(at, _)| (before + at + 1).to_string()).collect()
 }
 
 /// Lines of the bill that are in no step.
@@ -151,8 +240,14 @@ fn rotations() -> String {
 }
 
 impl Panel {
+    /// Name of its picture, beside the page.
+    pub fn picture_name(&self) -> String {
+        format!("steps/{:02}.png", self.number)
+    }
+
     fn new(design: &Design, step: &MountStep, at: usize) -> Self {
         Self {
+            number: at + 1,
             heading: format!("{}. {}", at + 1, step.title),
             facts: format!("{}; {}; {}", often(step.repeats, step.minutes), step.tool, fixed(step.fixing)),
             text: if step.fixing == Fixing::Shaft { format!("{} {}", step.text, rotations()) } else { step.text.into() },
@@ -176,6 +271,8 @@ fn fixed(fixing: Fixing) -> String {
         Fixing::Glue => "glued".into(),
         Fixing::Ties(role) => format!("held by {}s", role.replace('_', " ")),
         Fixing::Tape => "taped".into(),
+        Fixing::SmallScrews => "held by small screws".into(),
+        Fixing::SmallTies => "held by small ties".into(),
         Fixing::Squeezed => "squeezed in".into(),
         Fixing::MagnetAndPlug => "held by magnet and plug".into(),
         Fixing::Solder => "soldered".into(),
@@ -183,16 +280,20 @@ fn fixed(fixing: Fixing) -> String {
     }
 }
 
-/// How many of what, with a screw's size.
-pub fn part_words(line: &PartLine) -> String {
-    let count = if line.count.fract() == 0.0 { format!("{:.0}", line.count) } else { "half a".into() };
-    let size = line.screw_mm.map_or(String::new(), |[thread, length]| format!(", M{thread} x {length}"));
-    format!("{count} x {}{size}", line.part.replace('_', " ")).replace("half a x", "half a")
-}
-
 fn parts(masses: &MassTable) -> Vec<[String; 3]> {
     let row = |name: &str| name.replace('_', " ");
     masses.lines.iter().map(|line| [format!("{} x", line.quantity), row(&line.name), row(&line.material)]).collect()
+}
+
+fn words(role: RodRole) -> String {
+    role.slug().replace('_', " ")
+}
+
+/// Which cage rod goes where, of a frame in which they have two lengths.
+fn two_lengths(design: &Design) -> Option<String> {
+    let [across, side] = [RodRole::Cage, RodRole::CageSide].map(words);
+    let line = format!("A {across} rod lies across the frame, in front or at the rear; a {side} rod along its left or right side.");
+    design.skeleton.closure.places.are_apart().then_some(line)
 }
 
 fn cuts(design: &Design) -> Vec<String> {
@@ -202,18 +303,26 @@ fn cuts(design: &Design) -> Vec<String> {
             .iter()
             .enumerate()
             .map(|(index, stock)| {
-                let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", role.slug())).collect();
+                let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", words(*role))).collect();
                 format!("{}. of {stock_mm:.0} mm: {}; rest {:.1}", index + 1, pieces.join(", "), stock.rest_mm)
             })
+            .chain(two_lengths(design))
             .collect(),
         Err(error) => vec![error.to_string()],
     }
 }
 
 impl Page {
-    /// A word for each picture.
-    pub fn captions(&self) -> Vec<&'static str> {
-        ["Before"].into_iter().chain(self.half_done).chain(["After"]).collect()
+    /// Words for each picture.
+    pub fn captions(&self) -> Vec<String> {
+        let words = ["Before"].into_iter().chain(self.half_done).chain(["After"]);
+        words.map(|words| format!("{words}. {}", Held::Upright.words())).collect()
+    }
+
+    /// Names of its pictures, beside the page.
+    pub fn picture_names(&self) -> Vec<String> {
+        let words = ["before"].into_iter().chain(self.half_done.map(|_| "between")).chain(["after"]);
+        words.map(|word| format!("steps/{:02}_{word}.png", self.number)).collect()
     }
 
     fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
@@ -221,6 +330,7 @@ impl Page {
         measures.extend(depths(step));
         measures.extend(left_out(step));
         Self {
+            number: first + at + 1,
             heading: format!("{}. {}", first + at + 1, step.title),
             facts: format!("{}; {}", often(step.repeats, step.minutes), step.tool),
             text: step.text.to_string(),
@@ -243,7 +353,7 @@ fn bend(bend: &FoldBend) -> String {
 
 /// How deep the rods go: the rings that the pictures show on them.
 fn depths(step: &Step) -> Vec<String> {
-    let line = |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it goes: {mm:.1} mm."));
+    let line = |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it is in its bore in the end: {mm:.1} mm."));
     let mut lines: Vec<String> = step.joins.iter().filter_map(line).collect();
     lines.dedup();
     lines
@@ -252,5 +362,5 @@ fn depths(step: &Step) -> Vec<String> {
 /// What stays open until the triangle is closed, once for both of two rods.
 fn left_out(step: &Step) -> Option<String> {
     let join = step.joins.iter().find(|join| join.left_out_mm > 0.05)?;
-    Some(format!("Leave a gap of {:.1} mm between ring and bore: bending the foot closes it.", join.left_out_mm))
+    Some(format!("For now leave a gap of {:.1} mm between the ring and the mouth of the bore: bending the foot closes it later.", join.left_out_mm))
 }
