@@ -76,7 +76,7 @@ fn planted_typing_error_in_a_key_names_the_nearest_one() {
 #[test]
 fn planted_wrong_types() {
     let number = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = \"long\"\n");
-    assert_says(&number, &["`rods.cage_rod_length_mm` is a string, it must be a number in mm", "frame.toml:3"]);
+    assert_says(&number, &["`rods.cage_rod_length_mm` is a text, it must be a number in mm", "frame.toml:3"]);
     let name = refused("base = \"cognifly\"\nprinter = 3\n");
     assert_says(&name, &["`printer` is a number, it must be a text in quotes", "frame.toml:2"]);
     let date = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 2026-01-01\n");

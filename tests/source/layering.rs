@@ -154,7 +154,7 @@ const LAYERS: [(&str, &[&str]); 36] = [
             "study",
         ],
     ),
-    ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "report"]),
+    ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "variant", "report"]),
     (
         "cli",
         &[
