@@ -142,7 +142,9 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
             continue;
         }
         let middle = responses.get(1).and_then(of);
-        let same = |response: &Response| of(response).zip(middle).is_some_and(|(a, b)| decimals(a - b, measure.places()) == decimals(0.0, measure.places()));
+        let same = |response: &Response| {
+            of(response).zip(middle).is_some_and(|(a, b)| decimals(a - b, measure.places()) == decimals(0.0, measure.places()))
+        };
         if responses.iter().all(same) {
             still.push(measure.name);
             continue;

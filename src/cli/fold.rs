@@ -74,7 +74,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 /// Tells one step, as its page does, and writes its pictures where they are asked for.
 fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working: Progress) -> Result<ExitCode, Failure> {
     let last = all.titles().len();
-    let step = all.one(number).ok_or_else(|| Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") })?;
+    let step =
+        all.one(number).ok_or_else(|| Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") })?;
     let files: Vec<(String, Vec<u8>)> =
         if args.png { step.pictures().into_iter().map(|(name, picture)| (beside(&name), picture.png())).collect() } else { Vec::new() };
     drop(working);

@@ -66,8 +66,9 @@ pub(super) fn brief(findings: &[Finding], strict: bool) -> String {
 
 /// A violation or a warning, with how many more like it there are.
 fn told(finding: &Finding, more: usize, colour: bool) -> String {
-    let (word, paint) = if finding.warns() { ("WARNING", PAINT[2]) } else { ("VIOLATED", PAINT[0]) };
-    let mend = if finding.levers.is_empty() || finding.warns() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
+    let (word, paint) = if finding.warns() { ("WARNING ", PAINT[2]) } else { ("VIOLATED", PAINT[0]) };
+    let mend =
+        if finding.levers.is_empty() || finding.warns() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
     let more = if more > 0 { format!("; {more} more like it") } else { String::new() };
     let message = format!("{word} {}: {}{mend}{more}", finding.rule, one_line(&finding.message));
     let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n") + "\n";

@@ -5,7 +5,10 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 /// What is no option of a command, and where it is chosen instead.
 const ELSEWHERE: [(&str, &str); 4] = [
     ("--printer", "the frame file chooses the printer: printer = \"NAME\"; `flexframe list printers` names them"),
-    ("--material", "--rigid MATERIAL chooses that of the rigid parts, where a command has it; else the frame file: materials.rigid = \"NAME\""),
+    (
+        "--material",
+        "--rigid MATERIAL chooses that of the rigid parts, where a command has it; else the frame file: materials.rigid = \"NAME\"",
+    ),
     ("--battery", "the frame file chooses bought parts: bought.battery = \"NAME\"; `flexframe new` writes one"),
     ("--propeller", "the frame file chooses bought parts: bought.propeller = \"NAME\"; `flexframe new` writes one"),
 ];

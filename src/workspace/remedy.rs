@@ -176,7 +176,8 @@ impl<'a> Bench<'a> {
     fn margin(&self, finding: &Finding, rule: &Rule, key: &str, value: &Value) -> Option<f64> {
         let design = self.design(key, value)?;
         let found = checks::check_one(rule, &design, &mass::table(&design));
-        let of_kind = |f: &&Finding| alike(f, finding) || finding.verdict == Verdict::Note && f.rule == finding.rule && f.levers == finding.levers;
+        let of_kind =
+            |f: &&Finding| alike(f, finding) || finding.verdict == Verdict::Note && f.rule == finding.rule && f.levers == finding.levers;
         let counts = |f: &&Finding| f.verdict != Verdict::Note || finding.verdict == Verdict::Note;
         if matches!(value, Value::Text(_)) && !found.iter().any(|f| of_kind(&f)) {
             return None;
@@ -193,7 +194,8 @@ impl<'a> Bench<'a> {
         let mut found = of(&self.chosen(&levers));
         // A bought part that is in the way is replaced, not built around.
         let bought = levers.iter().any(|lever| lever.starts_with("bought."));
-        if !bought && finding.verdict == Verdict::Violated && found.iter().all(|remedy| remedy.breaks.is_some() || self.takes_back(remedy)) {
+        if !bought && finding.verdict == Verdict::Violated && found.iter().all(|remedy| remedy.breaks.is_some() || self.takes_back(remedy))
+        {
             found.extend(of(&self.effective(finding, rule, &levers)));
         }
         if found.iter().any(|remedy| remedy.breaks.is_none()) {

@@ -82,8 +82,11 @@ impl<'a> Wishes<'a> {
         if creation.moved.is_empty() || creation.moved.iter().any(|moved| wishes.iter().any(|(key, _)| **key == moved.key)) {
             return None;
         }
-        let moves: Vec<String> =
-            creation.moved.iter().map(|moved| format!("{} {} -> {}", moved.key, decimals(moved.before, 2), decimals(moved.after, 3))).collect();
+        let moves: Vec<String> = creation
+            .moved
+            .iter()
+            .map(|moved| format!("{} {} -> {}", moved.key, decimals(moved.before, 2), decimals(moved.after, 3)))
+            .collect();
         Some(format!("{} together keep every limit ({} g)", moves.join(", "), decimals(creation.evaluation.masses.total_g, 1)))
     }
 }

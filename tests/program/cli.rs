@@ -545,7 +545,10 @@ fn regress_fold_draws_one_step() {
     // Without --png it is told, under the number that pages, pictures and JSON have for it.
     let output = bench.run("fold", &["--step", "35"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert_says(&text(&output.stdout), &["35. Propellers", "Takes 4 x propeller.", "motor 1, rear right: clockwise", "Caution. The battery is out"]);
+    assert_says(
+        &text(&output.stdout),
+        &["35. Propellers", "Takes 4 x propeller.", "motor 1, rear right: clockwise", "Caution. The battery is out"],
+    );
     assert!(text(&output.stdout).lines().all(|line| line.chars().count() <= 80));
     let told: serde_json::Value = serde_json::from_slice(&bench.run("fold", &["--step", "34", "--json"]).stdout).expect("JSON");
     assert_eq!((&told["number"], &told["mount"]), (&34.into(), &"cartridge".into()));

@@ -164,7 +164,6 @@ const LAYERS: [(&str, &[&str]); 36] = [
             "params",
             "frame/assembly",
             "frame/fold",
-            "frame/mounting",
             "printing/plates",
             "printing/weighing",
             "printing/coupon",

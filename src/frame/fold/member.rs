@@ -99,14 +99,9 @@ impl Member {
             Self::Leg => RodRole::Leg,
             Self::Strut(_) => RodRole::Strut,
             Self::Cage(_) => RodRole::Cage,
-            Self::HubJoint
-            | Self::Mount
-            | Self::Fork
-            | Self::Knee
-            | Self::Corner(_)
-            | Self::Motor
-            | Self::MotorScrews
-            | Self::Hub => return None,
+            Self::HubJoint | Self::Mount | Self::Fork | Self::Knee | Self::Corner(_) | Self::Motor | Self::MotorScrews | Self::Hub => {
+                return None;
+            }
         })
     }
 }
@@ -194,13 +189,7 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
         }
         Member::Corner(up) => corner(up, frame, skeleton.closure.corner_radius_mm),
         // Rods are above; what stands for no capsule is met by no other while a sequence is looked for.
-        Member::Arm(_)
-        | Member::Leg
-        | Member::Strut(_)
-        | Member::Cage(_)
-        | Member::Motor
-        | Member::MotorScrews
-        | Member::Hub => Vec::new(),
+        Member::Arm(_) | Member::Leg | Member::Strut(_) | Member::Cage(_) | Member::Motor | Member::MotorScrews | Member::Hub => Vec::new(),
     }
 }
 

@@ -178,7 +178,9 @@ impl Task {
             Self::ThreadKnee => {
                 "Squeeze one leg of the fork flat with thin pliers, pull it through the knee's window and on until the bar sits in it."
             }
-            Self::PushArms => "Push two arm rods to the bottom of the outer bores of the hub joint, then draw each out again by the gap that is stated below.",
+            Self::PushArms => {
+                "Push two arm rods to the bottom of the outer bores of the hub joint, then draw each out again by the gap that is stated below."
+            }
             Self::PushLeg => "Push the leg rod to the bottom of the middle bore.",
             Self::BendLeg => "Bend the leg down out of the way of what comes onto the arms; the two necks twist.",
             Self::SlideMount => "Slide the motor mount from the outer ends onto both arms, its flat face up.",

@@ -397,7 +397,6 @@ pub static MOUNTS: [Mount; 25] = [
         tool: "hands",
         caution: Some("First power without propellers. With the battery in, the motors can start."),
         minutes: 10.0,
-        ..GLUED
     },
     Mount {
         id: "propellers",
@@ -415,6 +414,5 @@ pub static MOUNTS: [Mount; 25] = [
         tool: "screwdriver or hands",
         caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),
         minutes: 1.0,
-        ..GLUED
     },
 ];

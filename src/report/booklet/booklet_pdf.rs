@@ -30,6 +30,8 @@ const PART: [f32; 2] = [68.0, 51.0];
 const PART_CELL: f32 = 120.0;
 /// Parts beside each other on the page of a sub-assembly.
 const PART_COLUMNS: usize = 4;
+/// Between a picture and its caption, points.
+const CAPTION_GAP: f32 = 1.5;
 /// Points in a millimetre.
 const MM: f32 = 72.0 / 25.4;
 
@@ -157,6 +159,7 @@ impl Sheet<'_, '_> {
         let (top, left, width) = (self.y, self.left, self.width);
         self.width = PANEL_PICTURE;
         self.picture(&of.picture, PANEL_PICTURE);
+        self.gap(CAPTION_GAP);
         self.words(Held::Upright.words(), SMALL);
         let below = self.y;
         (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
@@ -184,6 +187,7 @@ impl Sheet<'_, '_> {
         let (top, left, width) = (self.y, self.left, self.width);
         self.width = PANEL_PICTURE;
         self.picture(&panel.picture, PANEL_PICTURE);
+        self.gap(CAPTION_GAP);
         self.words(panel.held, SMALL);
         let below = self.y;
         (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
@@ -232,6 +236,7 @@ impl Sheet<'_, '_> {
         let width = WIDTHS[0] * 2.0 / step.pictures.len().max(2) as f32;
         for (picture, caption) in step.pictures.iter().zip(step.captions()) {
             self.picture(picture, width);
+            self.gap(CAPTION_GAP);
             self.words(&caption, SMALL);
             self.gap(3.0);
         }

@@ -232,7 +232,9 @@ fn rotations() -> String {
     let mut motors: Vec<(u32, String)> = MODULE_WORDS
         .iter()
         .enumerate()
-        .map(|(module, place)| (ROTORS[module].number, format!("motor {}, {place}: {}", ROTORS[module].number, ROTORS[module].spin.words())))
+        .map(|(module, place)| {
+            (ROTORS[module].number, format!("motor {}, {place}: {}", ROTORS[module].number, ROTORS[module].spin.words()))
+        })
         .collect();
     motors.sort();
     let motors: Vec<String> = motors.into_iter().map(|(_, words)| words).collect();
@@ -353,7 +355,8 @@ fn bend(bend: &FoldBend) -> String {
 
 /// How deep the rods go: the rings that the pictures show on them.
 fn depths(step: &Step) -> Vec<String> {
-    let line = |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it is in its bore in the end: {mm:.1} mm."));
+    let line =
+        |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it is in its bore in the end: {mm:.1} mm."));
     let mut lines: Vec<String> = step.joins.iter().filter_map(line).collect();
     lines.dedup();
     lines
@@ -362,5 +365,8 @@ fn depths(step: &Step) -> Vec<String> {
 /// What stays open until the triangle is closed, once for both of two rods.
 fn left_out(step: &Step) -> Option<String> {
     let join = step.joins.iter().find(|join| join.left_out_mm > 0.05)?;
-    Some(format!("For now leave a gap of {:.1} mm between the ring and the mouth of the bore: bending the foot closes it later.", join.left_out_mm))
+    Some(format!(
+        "For now leave a gap of {:.1} mm between the ring and the mouth of the bore: bending the foot closes it later.",
+        join.left_out_mm
+    ))
 }

@@ -59,7 +59,8 @@ fn module(design: &Design, fold: &FoldSequence, mounting: &Mounting) -> SubAssem
     let first = mounting.before.len() + 1;
     let all = added(own().flat_map(|(_, (_, parts))| parts));
     // Where cage rods have two lengths, each is in two of the modules.
-    let is_half = |line: &PartLine| line.part.starts_with(CAGE) && all.iter().any(|other| other.part != line.part && other.part.starts_with(CAGE));
+    let is_half =
+        |line: &PartLine| line.part.starts_with(CAGE) && all.iter().any(|other| other.part != line.part && other.part.starts_with(CAGE));
     let part = |line: &PartLine| {
         let (share, note) = if is_half(line) { (0.5, ", in two of the modules") } else { (1.0, "") };
         let each = PartLine { count: line.count / (share * MODULE_NAMES.len() as f64), ..line.clone() };
