@@ -73,6 +73,11 @@ pub fn tightest(findings: &[Finding]) -> Vec<Tightest<'_>> {
 }
 
 impl Finding {
+    /// Whether it is a warning: a note beyond its figure.
+    pub fn warns(&self) -> bool {
+        self.verdict == Verdict::Note && self.margin < 0.0
+    }
+
     /// Value, limit and margin for a table: two decimals, more where a limit is broken by less than shows.
     pub fn figures(&self) -> [String; 3] {
         if self.verdict != Verdict::Violated {

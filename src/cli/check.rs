@@ -239,6 +239,11 @@ fn frame_text(args: &Args, held: &CheckedFrame) -> String {
     let (frame, mass_g, count) = (&held.frame, held.masses.total_g, findings.len());
     let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };
     let how = if args.strict { "violate a limit or warn" } else { "violate a limit" };
+    let warn = match held.count(Standing::Warning) {
+        0 => String::new(),
+        1 => ", 1 warns".into(),
+        warnings => format!(", {warnings} warn"),
+    };
     let drop = if args.mechanics.strength { "" } else { "the drop was not simulated; --strength does it, in a second or two\n" };
-    format!("{table}{frame}: {mass_g:.1} g; {fails} of {count} findings {how}{known}\n{drop}")
+    format!("{table}{frame}: {mass_g:.1} g; {fails} of {count} findings {how}{known}{warn}\n{drop}")
 }

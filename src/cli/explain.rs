@@ -9,6 +9,7 @@ use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
 use super::session;
 use super::terminal;
+use crate::figures::decimals;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::Place;
 use crate::params::{Frame, FrameFile, follows};
@@ -134,12 +135,21 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
     text += &format!("\n{:<20} {:<4}", "value", p.unit());
     responses.iter().for_each(|response| text += &format!(" {:>12}", round(response.value)));
     text.push('\n');
+    let (mut still, mut moves) = (Vec::new(), false);
     for (at, measure) in MEASURES.iter().enumerate() {
         let of = |response: &Response| response.measures.as_ref().ok().and_then(|measures| measures[at]);
         if measure.is_mechanics() && responses.iter().all(|response| of(response).is_none()) {
             continue;
         }
         let middle = responses.get(1).and_then(of);
+        let same = |response: &Response| {
+            of(response).zip(middle).is_some_and(|(a, b)| decimals(a - b, measure.places()) == decimals(0.0, measure.places()))
+        };
+        if responses.iter().all(same) {
+            still.push(measure.name);
+            continue;
+        }
+        moves = true;
         text += &format!("{:<20} {:<4}", measure.name, measure.unit);
         for (column, response) in responses.iter().enumerate() {
             let formatted = match (of(response), middle) {
@@ -150,7 +160,11 @@ fn table(p: &Parameter, responses: &[Response]) -> String {
         }
         text.push('\n');
     }
-    if responses.get(1).is_some_and(|own| own.measures.is_ok()) {
+    if !still.is_empty() {
+        let line = format!("without effect on: {}", still.join(", "));
+        text += &(textwrap::fill(&line, textwrap::Options::new(80).subsequent_indent("  ")) + "\n");
+    }
+    if moves && responses.get(1).is_some_and(|own| own.measures.is_ok()) {
         text += "left and right of the middle stands the change against the frame as it is\n";
     }
     for response in responses {
@@ -167,7 +181,7 @@ fn round(value: f64) -> f64 {
 }
 
 fn signed(change: f64, places: usize) -> String {
-    let formatted = crate::figures::decimals(change, places);
+    let formatted = decimals(change, places);
     if change > 0.0 && formatted.chars().any(|c| ('1'..='9').contains(&c)) { format!("+{formatted}") } else { formatted }
 }
 

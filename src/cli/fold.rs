@@ -1,7 +1,10 @@
 //! `flexframe fold`: how a frame is put together, as data, as motion, and on paper.
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 use std::process::ExitCode;
+
+use serde_json::Value;
 
 use super::bounded::count;
 use super::failure::Failure;
@@ -13,22 +16,20 @@ use super::terminal;
 use crate::export::{fold_glb, fold_json};
 use crate::frame::assembly::{Design, mass};
 use crate::frame::fold::{FoldSequence, sweeps};
-use crate::frame::mounting::{MountStep, Mounting};
-use crate::report::booklet::content::Booklet;
+use crate::report::booklet::content::{AllSteps, Booklet};
 use crate::report::booklet::{booklet_html, booklet_pdf};
-use crate::report::picture::{fold_scene, mount_scene};
 
 /// Write the assembly of a frame: steps, animation, instructions; exits 1 when it cannot be assembled.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 9 --png")]
+#[command(after_help = "Examples:\n  flexframe fold cognifly-v8 -o folds\n  flexframe fold --step 15\n  flexframe fold --step 15 --png")]
 pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Draw one step only, before and after, into `FRAME-step-N`.
-    #[arg(long, value_name = "N", requires = "png", value_parser = count([1, 1000]))]
+    /// Tell one step only: what to take, what to do, what to take care of.
+    #[arg(long, value_name = "N", value_parser = count([1, 1000]))]
     pub step: Option<usize>,
-    /// With --step: write the pictures.
+    /// With --step: write its pictures, too, into `FRAME-step-N`.
     #[arg(long, requires = "step")]
     pub png: bool,
     /// Folder in which to write the folder `FRAME-fold`.
@@ -36,10 +37,13 @@ pub(super) struct Args {
     pub output: PathBuf,
 }
 
+/// Width of what is printed.
+const COLUMNS: usize = 80;
+
 /// The file with the steps.
 const STEPS: &str = "fold.json";
 
-/// Writes `FRAME-fold`: the steps, the animation and the instructions; or the pictures of one step.
+/// Writes `FRAME-fold`: the steps, the animation and the instructions; or tells one step.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("folding", common);
     let design = session::design(&args.frame, common)?;
@@ -50,34 +54,52 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             return Ok(ExitCode::from(1));
         }
     };
-    let name = &design.frame.name;
-    let (folder, files) = match args.step {
-        Some(number) => (format!("{name}-step-{number}"), step_pictures(&design, &sequence, number)?),
-        None => (format!("{name}-fold"), everything(&design, &sequence)?),
-    };
+    if let Some(number) = args.step {
+        return one_step(args, common, &AllSteps::new(&design, &sequence), number, working);
+    }
+    let files = everything(&design, &sequence)?;
     drop(working);
-    let place = output::write_folder(&args.output, &folder, &files)?;
+    let place = output::write_folder(&args.output, &format!("{}-fold", design.frame.name), &files)?;
     if common.json {
-        let steps = match files.iter().find(|(path, _)| path == STEPS) {
-            Some((_, steps)) => steps.clone(),
-            None => steps_as_json(&design, &sequence)?,
-        };
-        terminal::print(&String::from_utf8_lossy(&steps))?;
+        let steps = files.iter().find(|(path, _)| path == STEPS).map_or_else(Cow::default, |(_, steps)| String::from_utf8_lossy(steps));
+        terminal::print(&steps)?;
     } else if !common.quiet {
-        let all = titles(&design, &sequence).into_iter().enumerate().map(|(at, title)| (at + 1, title));
-        let lines = all.filter(|(at, _)| args.step.is_none_or(|number| number == *at));
-        let lines = lines.map(|(number, (repeats, title))| format!("{number:>2}  {repeats} x  {title}\n"));
+        let all = AllSteps::new(&design, &sequence).titles().into_iter().enumerate();
+        let lines = all.map(|(at, (repeats, title))| format!("{:>2}  {repeats} x  {title}\n", at + 1));
         terminal::print(&format!("{}{}: {} files\n", lines.collect::<String>(), place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// All steps in their order: how often, and what.
-fn titles(design: &Design, sequence: &FoldSequence) -> Vec<(usize, &'static str)> {
-    let mounting = Mounting::new(design, sequence);
-    let mounts = |steps: &[MountStep]| steps.iter().map(|step| (1, step.title)).collect::<Vec<_>>();
-    let folds = sequence.steps.iter().map(|step| (step.repeats, step.title));
-    mounts(&mounting.before).into_iter().chain(folds).chain(mounts(&mounting.after)).collect()
+/// Tells one step, as its page does, and writes its pictures where they are asked for.
+fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working: Progress) -> Result<ExitCode, Failure> {
+    let last = all.titles().len();
+    let step =
+        all.one(number).ok_or_else(|| Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") })?;
+    let files: Vec<(String, Vec<u8>)> =
+        if args.png { step.pictures().into_iter().map(|(name, picture)| (beside(&name), picture.png())).collect() } else { Vec::new() };
+    drop(working);
+    let mut told: String = if common.json {
+        let steps: Value = serde_json::from_slice(&steps_as_json(all.design, all.fold)?).map_err(|error| failed(error.into()))?;
+        format!("{:#}\n", steps["steps"][number - 1])
+    } else if common.quiet {
+        String::new()
+    } else {
+        step.paragraphs().iter().map(|line| textwrap::fill(line, COLUMNS) + "\n").collect()
+    };
+    if args.png {
+        let place = output::write_folder(&args.output, &format!("{}-step-{number}", all.design.frame.name), &files)?;
+        if !common.quiet && !common.json {
+            told += &format!("{}: {} files\n", place.display(), files.len());
+        }
+    }
+    terminal::print(&told)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The name of a step's picture without the folder that it has among the others.
+fn beside(name: &str) -> String {
+    name.rsplit('/').next().unwrap_or(name).into()
 }
 
 fn failed(error: std::io::Error) -> Failure {
@@ -86,25 +108,6 @@ fn failed(error: std::io::Error) -> Failure {
 
 fn steps_as_json(design: &Design, sequence: &FoldSequence) -> Result<Vec<u8>, Failure> {
     fold_json::fold_json(design, sequence, &sweeps(design, sequence)).map_err(|error| failed(error.into()))
-}
-
-/// Before and after of one step; of a mount the one picture there is.
-fn step_pictures(design: &Design, sequence: &FoldSequence, number: usize) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let mounting = Mounting::new(design, sequence);
-    let (before, folds) = (mounting.before.len(), sequence.steps.len());
-    let mount = |step: &MountStep| vec![("mount.png".to_string(), mount_scene::mount(design, step).png())];
-    let last = before + folds + mounting.after.len();
-    match number.checked_sub(1) {
-        Some(at) if at < before => Ok(mount(&mounting.before[at])),
-        Some(at) if at < before + folds => {
-            let pictures = fold_scene::step(design, sequence, at - before);
-            let names: &[&str] =
-                if pictures.len() == 2 { &["before.png", "after.png"] } else { &["before.png", "between.png", "after.png"] };
-            Ok(names.iter().zip(&pictures).map(|(name, picture)| ((*name).to_string(), picture.png())).collect())
-        }
-        Some(at) if at < last => Ok(mount(&mounting.after[at - before - folds])),
-        _ => Err(Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") }),
-    }
 }
 
 fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
@@ -119,15 +122,11 @@ fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, V
         ("instructions.pdf".into(), paper),
         ("exploded.png".into(), booklet.apart.png()),
     ];
-    for (index, page) in booklet.pages.iter().enumerate() {
-        for (at, picture) in page.pictures.iter().enumerate() {
-            files.push((booklet_html::picture_name(index + 1, at, page.pictures.len()), picture.png()));
-        }
+    for page in &booklet.pages {
+        files.extend(page.picture_names().into_iter().zip(&page.pictures).map(|(name, picture)| (name, picture.png())));
     }
     files.extend(booklet.alone.iter().map(|(part, picture)| (booklet_html::part_name(part), picture.png())));
-    for (panels, after) in [(&booklet.before, false), (&booklet.after, true)] {
-        let named = panels.iter().enumerate().map(|(at, panel)| (booklet_html::panel_name(at, after), panel.picture.png()));
-        files.extend(named);
-    }
+    files.extend(booklet.assemblies.iter().map(|of| (booklet_html::assembly_name(of.name), of.picture.png())));
+    files.extend(booklet.before.iter().chain(&booklet.after).map(|panel| (panel.picture_name(), panel.picture.png())));
     Ok(files)
 }

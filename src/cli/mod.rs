@@ -47,6 +47,7 @@ mod table;
 mod terminal;
 #[cfg(test)]
 mod tests;
+mod tip;
 mod watch;
 mod weigh;
 
@@ -143,7 +144,7 @@ pub fn run() -> ExitCode {
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
             // A closed pipe while printing help is nobody's failure.
-            let _ = error.print();
+            let _ = tip::mended(error).print();
             return ExitCode::from(code);
         }
     };

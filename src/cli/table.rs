@@ -27,58 +27,98 @@ pub(super) fn findings(findings: &[Tightest]) -> String {
             let mend = if finding.levers.is_empty() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
             text += &format!("          {}{mend}\n", one_line(&finding.message));
         }
-        if finding.verdict == Verdict::Note && finding.margin < 0.0 {
+        if finding.warns() {
             text += &format!("          {}\n", one_line(&finding.message));
         }
     }
     text
 }
 
-/// Columns of the brief table: what a terminal has at least.
+/// Columns of the brief table: what a terminal has at least. The rule's name and its finding's subject have so many of them.
 const COLUMNS: usize = 80;
-/// Of these the rule's name and its finding's subject have so many.
 const RULE: usize = 19;
 const SUBJECT: usize = 28;
+/// Lines of a terminal: a frame without violations fits. Its last lines are the program's.
+const ROWS: usize = 24;
+const LAST_ROWS: usize = 4;
+/// Rules that hold are told of at least so many, where there are so many warnings that all else would go.
+const LEAST_RULES: usize = 4;
 
-/// What a person has to read of a frame: every violation with its remedies, then the tightest finding of each rule that holds, a
-/// line each, and how many notes there are. No line is longer than [`COLUMNS`].
+/// What a person has to read of a frame: every violation with its remedies, then the warnings, of those of one rule and unit the first, then
+/// the tightest finding of each rule that holds, a line each; the rules with the most room are left out where a screen has no more
+/// room. No line is longer than [`COLUMNS`].
 ///
-/// With `strict` a note that exceeds its limit fails, so it is reported, too.
+/// With `strict` a note that exceeds its limit fails, so each is reported, and before what holds.
 pub(super) fn brief(findings: &[Finding], strict: bool) -> String {
     let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let mut text = String::new();
-    let warns = |finding: &Finding| strict && finding.verdict == Verdict::Note && finding.margin < 0.0;
-    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Violated || warns(finding)) {
-        let word = if warns(finding) { "WARNING " } else { "VIOLATED" };
-        let mend = if finding.levers.is_empty() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
-        let message = format!("{word} {}: {}{mend}", finding.rule, one_line(&finding.message));
-        let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n");
-        let painted = format!("{}{word}{}", PAINT[if warns(finding) { 2 } else { 0 }], PAINT[3]);
-        text += &if colour { lines.replacen(word, &painted, 1) } else { lines };
-        text.push('\n');
-    }
-    let mut told: Vec<&str> = Vec::new();
-    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Holds) {
-        if !told.contains(&&*finding.rule) {
-            told.push(&finding.rule);
-            text += &tightest_of(&finding.rule, findings);
+    let mut text: String = findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| told(f, 0, colour)).collect();
+    let mut groups: Vec<(&Finding, usize)> = Vec::new();
+    for finding in findings.iter().filter(|f| f.warns()) {
+        match groups.iter_mut().find(|(first, _)| !strict && (&first.rule, &first.unit) == (&finding.rule, &finding.unit)) {
+            Some((_, more)) => *more += 1,
+            None => groups.push((finding, 0)),
         }
     }
-    if strict { text } else { text + &notes(findings) }
+    text.extend(groups.into_iter().map(|(finding, more)| told(finding, more, colour)));
+    let room = ROWS.saturating_sub(LAST_ROWS + text.lines().count());
+    text + &holding(findings, room)
 }
 
-/// The tightest finding of a rule that holds, by its margin as a share of the limit, as a line.
-fn tightest_of(rule: &str, findings: &[Finding]) -> String {
-    // What is held to zero has no share; it comes after what has one, by its margin.
-    let share = |f: &Finding| if f.limit == 0.0 { 1e6 + f.margin } else { f.margin / f.limit.abs() };
+/// A violation or a warning, with how many more like it there are.
+fn told(finding: &Finding, more: usize, colour: bool) -> String {
+    let (word, paint) = if finding.warns() { ("WARNING ", PAINT[2]) } else { ("VIOLATED", PAINT[0]) };
+    let mend =
+        if finding.levers.is_empty() || finding.warns() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
+    let more = if more > 0 { format!("; {more} more like it") } else { String::new() };
+    let message = format!("{word} {}: {}{mend}{more}", finding.rule, one_line(&finding.message));
+    let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n") + "\n";
+    if colour { lines.replacen(word, &format!("{paint}{word}{}", PAINT[3]), 1) } else { lines }
+}
+
+/// The tightest finding of each rule that holds, as far as there is room for so many lines.
+fn holding(findings: &[Finding], room: usize) -> String {
+    let mut rules: Vec<&str> = Vec::new();
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Holds) {
+        if !rules.contains(&&*finding.rule) {
+            rules.push(&finding.rule);
+        }
+    }
+    let tightest: Vec<&Finding> = rules.iter().filter_map(|rule| tightest_of(rule, findings)).collect();
+    let mut by_room: Vec<&Finding> = tightest.clone();
+    by_room.sort_by(|a, b| share(a).total_cmp(&share(b)));
+    let (mut shown, mut lines): (Vec<&str>, usize) = (Vec::new(), 0);
+    for finding in by_room {
+        lines += row(finding).lines().count();
+        if lines <= room || shown.len() < LEAST_RULES {
+            shown.push(&finding.rule);
+        }
+    }
+    let rows: String = tightest.iter().filter(|finding| shown.contains(&&*finding.rule)).map(|finding| row(finding)).collect();
+    let left = tightest.len() - shown.len();
+    if left > 0 { format!("{rows}{left} more rules hold with more room; --all tells every finding\n") } else { rows }
+}
+
+/// How much room a finding leaves: its margin as a share of the limit. What is held to zero has no share; it comes after what has one, by
+/// its margin.
+fn share(finding: &Finding) -> f64 {
+    if finding.limit == 0.0 { 1e6 + finding.margin } else { finding.margin / finding.limit.abs() }
+}
+
+/// The tightest finding of a rule that holds.
+fn tightest_of<'f>(rule: &str, findings: &'f [Finding]) -> Option<&'f Finding> {
     let of_rule = findings.iter().filter(|f| f.rule == rule && f.verdict == Verdict::Holds);
-    let Some(f) = of_rule.min_by(|a, b| share(a).total_cmp(&share(b))) else { return String::new() };
+    of_rule.min_by(|a, b| share(a).total_cmp(&share(b)))
+}
+
+/// A finding that holds as a line.
+fn row(f: &Finding) -> String {
     let [value, limit, _] = f.figures();
     // A long subject goes on below, in its column.
     let subject = one_line(&f.subject);
     let mut pieces = textwrap::wrap(&subject, SUBJECT).into_iter();
     let first = pieces.next().unwrap_or_default();
-    let mut text = format!("{rule:<RULE$} {first:<SUBJECT$} {value:>7} {:<8} {limit:>7} {}", side(f), f.unit).trim_end().to_string() + "\n";
+    let line = format!("{:<RULE$} {first:<SUBJECT$} {value:>7} {:<8} {limit:>7} {}", f.rule, side(f), f.unit);
+    let mut text = line.trim_end().to_string() + "\n";
     for piece in pieces {
         text += &format!("{:RULE$} {piece}\n", "");
     }
@@ -93,22 +133,6 @@ fn side(finding: &Finding) -> &'static str {
         Some(false) => "at most",
         None => "limit",
     }
-}
-
-/// How many notes there are, by rule.
-fn notes(findings: &[Finding]) -> String {
-    let mut rules: Vec<(&str, usize)> = Vec::new();
-    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Note && finding.margin < 0.0) {
-        match rules.iter_mut().find(|(rule, _)| *rule == finding.rule) {
-            Some((_, count)) => *count += 1,
-            None => rules.push((&finding.rule, 1)),
-        }
-    }
-    if rules.is_empty() {
-        return String::new();
-    }
-    let counts = rules.iter().map(|(rule, count)| format!("{count} of {rule}")).collect::<Vec<_>>().join(", ");
-    textwrap::fill(&format!("notes: {counts}; --all tells them"), COLUMNS) + "\n"
 }
 
 /// A text without line breaks: what begins a line of a log may be a command to whoever reads the log.

@@ -256,13 +256,13 @@ impl GlbFile {
         }
     }
 
-    /// The motion of the centre's bodies from one step to another; what no step has taken in hand yet is hidden.
+    /// The motion of what is mounted from one step to another; what no step has taken in hand yet is hidden.
     fn add_stage(&mut self, animation: &mut Animation, design: &Design, stage: &Stage, [first, last]: [usize; 2]) {
         let steps: Vec<usize> = (first..=last).collect();
         let times: Vec<f64> = steps.iter().map(|step| STEP_S * (step - first) as f64).collect();
         let input = self.add_times(&times);
         for ((index, body), node) in design.bodies.iter().enumerate().zip(&stage.nodes) {
-            if body.module.is_none() {
+            if member_of(body).is_none() {
                 let at = |step: &usize| metres(&(body.pose.translation.vector + stage.motion.off_mm(&body.name, *step))).to_vec();
                 let places: Vec<Vec<f32>> = steps.iter().map(at).collect();
                 self.add_track(animation, input, *node, Property::Translation, &places);

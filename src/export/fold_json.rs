@@ -25,7 +25,7 @@ pub fn fold_json(design: &Design, fold: &FoldSequence, sweeps: &[Sweep]) -> Resu
         "frame": design.frame.name,
         "units": "mm, degrees from flat, N mm, minutes, seconds",
         "axes": "bodies are those of module FR in frame axes: X right, Y front, Z up; the other modules are the same, turned",
-        "stages": "before_fold: hub and electronics; fold: the modules, four of each; after_fold: wires, lid and battery",
+        "stages": "before_fold: hub and electronics; fold: the modules, four of each; after_fold: wires, lid, battery and, last, propellers",
         "propellers": propellers(),
         "step_shown_s": STEP_S,
         "triangle": {
@@ -73,9 +73,8 @@ fn steps(fold: &FoldSequence, sweeps: &[Sweep], mounting: &Mounting) -> Result<V
 /// A mount, with the keys that every step has.
 fn mounted(step: &MountStep) -> Result<Value, serde_json::Error> {
     let mut value = serde_json::to_value(step)?;
-    value["repeats"] = json!(1);
     value["bends"] = json!([]);
-    let join = |body: &String| json!({ "body": body, "onto": step.onto, "from": step.from, "left_out_mm": 0.0, "depth_mm": null });
+    let join = |body: &String| json!({ "body": body, "onto": step.onto_of(body), "from": step.from, "left_out_mm": 0.0, "depth_mm": null });
     value["joins"] = step.brings.iter().map(join).collect();
     Ok(value)
 }

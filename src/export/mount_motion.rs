@@ -37,7 +37,7 @@ impl MountMotion {
         at(&self.mounting.before).or_else(after).unwrap_or(0)
     }
 
-    /// How far a body of the centre is off its place when so many steps are done, mm.
+    /// How far a mounted body is off its place when so many steps are done, mm.
     pub(super) fn off_mm(&self, body: &str, done: usize) -> Vector3<f64> {
         let mounts = self.mounting.before.iter().enumerate();
         let later = self.mounting.after.iter().enumerate().map(|(at, step)| (self.before + self.folds + at, step));

@@ -101,13 +101,15 @@ fn words(title: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// Tape and solder, as the instructions fix with them.
+/// Tape, small screws and ties, and solder, as the instructions fix with them.
 fn fixings(design: &Design) -> Vec<Supply> {
     let used = |fixing: Fixing| -> Vec<String> {
         mounts_of(design).iter().filter(|mount| mount.fixing == fixing).map(|mount| words(mount.title)).collect()
     };
     let kinds = [
         (Fixing::Tape, "tape", "thin double sided adhesive tape"),
+        (Fixing::SmallScrews, "small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts"),
+        (Fixing::SmallTies, "small_tie", "cable tie 2 mm wide"),
         (Fixing::Solder, "solder", "solder wire for electronics and heat shrink tube"),
     ];
     let line = |(fixing, role, search): (Fixing, &str, &str)| {

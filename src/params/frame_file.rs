@@ -60,7 +60,7 @@ pub enum LoadError {
 pub enum Value {
     /// A number.
     Number(f64),
-    /// A string.
+    /// A text.
     Text(String),
     /// Anything else, in TOML's own form.
     Other(toml::Value),
@@ -95,7 +95,7 @@ impl Value {
     pub fn kind(&self) -> &'static str {
         match self {
             Self::Number(_) => "a number",
-            Self::Text(_) => "a string",
+            Self::Text(_) => "a text",
             Self::Other(toml::Value::Boolean(_)) => "true or false",
             Self::Other(toml::Value::Array(_)) => "an array",
             Self::Other(toml::Value::Table(_)) => "a table",

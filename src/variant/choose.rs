@@ -82,7 +82,9 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
             best.solution.looked_at = looked_at;
             Ok(best)
         }
-        (None, Some(SolveError::Infeasible { ended, missed, .. })) => Err(SolveError::Infeasible { looked_at, ended, missed }),
+        (None, Some(SolveError::Infeasible { ended, nearest, missed, .. })) => {
+            Err(SolveError::Infeasible { looked_at, ended, nearest, missed })
+        }
         (None, Some(error)) => Err(error),
         (None, None) => Err(SolveError::Problem("--choose: the frame refuses every combination".into())),
     }

@@ -67,7 +67,7 @@ pub fn front(problem: &SearchProblem, goals: &[&'static Measure]) -> Result<Fron
     let (points, missed) = verified(&search, goals);
     let (looked_at, ended) = (search.looked_at(), ended(&search));
     if points.is_empty() {
-        return Err(SolveError::Infeasible { looked_at, ended, missed });
+        return Err(SolveError::Infeasible { looked_at, ended, nearest: "the one that misses least".into(), missed });
     }
     Ok(Front { goals: goals.to_vec(), vary: problem.vary.clone(), points, looked_at, ended })
 }

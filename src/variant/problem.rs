@@ -160,12 +160,14 @@ pub enum SolveError {
     #[error("{0}")]
     Problem(String),
     /// No frame that was looked at keeps all limits; there may be one.
-    #[error("{} {looked_at} frames, none of which keeps every limit; the nearest misses these: {}", .ended.words(), .missed.join("; "))]
+    #[error("{} {looked_at} frames, none of which keeps every limit; the nearest, {nearest}, misses these: {}", .ended.words(), .missed.join("; "))]
     Infeasible {
         /// How many were looked at.
         looked_at: usize,
         /// Why it ended.
         ended: Ended,
+        /// Which is the nearest one, in words.
+        nearest: String,
         /// What the nearest one misses.
         missed: Vec<String>,
     },

@@ -93,7 +93,7 @@ pub(super) fn ended(search: &Search) -> Ended {
 fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
     let (ranked, ended) = (ranked(search), ended(search));
     let looked_at = ranked.len();
-    let mut missed = Vec::new();
+    let (mut missed, mut nearest) = (Vec::new(), String::from("which could not be designed"));
     for best in ranked.iter().take(VERIFIED) {
         let Ok(evaluation) = search.evaluated(best, Cost::Slow) else { continue };
         let broken = broken(&evaluation, &search.problem().goals);
@@ -106,9 +106,17 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
         }
         if missed.is_empty() {
             missed = broken;
+            nearest = moved_words(search, own, best);
         }
     }
-    Err(SolveError::Infeasible { looked_at, ended, missed })
+    Err(SolveError::Infeasible { looked_at, ended, nearest, missed })
+}
+
+/// Which frame a point is, beside the one that the search began with.
+fn moved_words(search: &Search, own: &[f64], point: &[f64]) -> String {
+    let all = search.problem().vary.iter().zip(own.iter().zip(point));
+    let moved: Vec<String> = all.filter(|(_, (a, b))| a != b).map(|(vary, (_, b))| format!("{} {b}", vary.key())).collect();
+    if moved.is_empty() { "the frame that it began with".into() } else { format!("with {}", moved.join(", ")) }
 }
 
 /// What is wrong with the nearest frames that would be better, or of which nothing is known but that there is none.

@@ -7,6 +7,7 @@ mod answer;
 mod remedy;
 #[cfg(test)]
 mod tests;
+mod wishes;
 
 use std::sync::Arc;
 

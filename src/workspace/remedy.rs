@@ -3,13 +3,18 @@
 //! The levers of a violated rule are moved, each alone and step by step up to its bounds, until the rule holds; then the step is made as
 //! small as it can be, and every rule but the fold's is asked about the frame with it. Where no lever helps, and none of them chooses a bought
 //! part, the rods and what else drives the parts that the violation names are tried. This takes seconds: it is for a person who reads a report, not for a search.
+//!
+//! A change that takes back what the user's file asks for comes last, and is called so; before it stands what follows from the wish (`wishes`). Of
+//! warnings those are looked at that another choice of material or printer clears.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
+use super::wishes::Wishes;
 use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
@@ -64,18 +69,18 @@ impl fmt::Display for Remedy {
 
 /// What a person reads of the remedies for each finding, in their order: empty for what is not violated, or was not looked at.
 pub fn advice(file: &FrameFile, findings: &[Finding], memo: &Arc<Memo>) -> Vec<String> {
-    let Some(bench) = Bench::new(file, memo).filter(|_| findings.iter().any(|f| f.verdict == Verdict::Violated)) else {
+    let Some(bench) = Bench::new(file, memo).filter(|_| findings.iter().any(asks)) else {
         return vec![String::new(); findings.len()];
     };
     let (mut groups, mut told): (Vec<(&Finding, String)>, Vec<String>) = (Vec::new(), Vec::new());
     for finding in findings {
         let known = groups.iter().find(|(known, _)| alike(known, finding)).map(|(_, text)| text.clone());
         told.push(match known {
-            _ if finding.verdict != Verdict::Violated || !bench.sees(finding) => String::new(),
+            _ if !asks(finding) || !bench.sees(finding) => String::new(),
             Some(text) => text,
             None if groups.len() >= GROUPS => String::new(),
             None => {
-                let text = sentence(&bench.remedies(finding));
+                let text = bench.sentence(finding);
                 groups.push((finding, text.clone()));
                 text
             }
@@ -86,14 +91,19 @@ pub fn advice(file: &FrameFile, findings: &[Finding], memo: &Arc<Memo>) -> Vec<S
 
 /// Whether one remedy is to clear both.
 fn alike(a: &Finding, b: &Finding) -> bool {
-    a.rule == b.rule && a.levers == b.levers && a.unit == b.unit
+    let both_warn = [a, b].iter().all(|f| f.verdict == Verdict::Note);
+    a.rule == b.rule && a.levers == b.levers && (a.unit == b.unit || both_warn)
 }
 
-fn sentence(remedies: &[Remedy]) -> String {
-    match remedies {
-        [] => "no single key was found that clears it".into(),
-        some => some.iter().map(Remedy::to_string).collect::<Vec<_>>().join("; or "),
-    }
+/// Whether remedies are looked for: of a violation, and of a warning that another choice may clear.
+fn asks(finding: &Finding) -> bool {
+    let is_choice = |lever: &Cow<str>| !preset::names_for(lever).is_empty();
+    let is_chosen = !finding.levers.is_empty() && finding.levers.iter().all(is_choice);
+    finding.verdict == Verdict::Violated || finding.warns() && is_chosen
+}
+
+fn joined(remedies: &[Remedy]) -> String {
+    remedies.iter().map(Remedy::to_string).collect::<Vec<_>>().join("; or ")
 }
 
 /// The frame on which changes are tried.
@@ -103,6 +113,9 @@ struct Bench<'a> {
     memo: &'a Arc<Memo>,
     mass_g: f64,
     found: Vec<Finding>,
+    wishes: Wishes<'a>,
+    /// What keeps the wishes, looked for once.
+    kept_by: OnceLock<Option<String>>,
 }
 
 impl<'a> Bench<'a> {
@@ -112,12 +125,43 @@ impl<'a> Bench<'a> {
         let design = Design::with(frame.clone(), memo).ok()?;
         let masses = mass::table(&design);
         let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
-        Some(Self { file, frame, memo, mass_g: masses.total_g, found })
+        let (wishes, kept_by) = (Wishes::of(file), OnceLock::new());
+        Some(Self { file, frame, memo, mass_g: masses.total_g, found, wishes, kept_by })
     }
 
     /// Whether it is found again: only then its end can be seen.
     fn sees(&self, finding: &Finding) -> bool {
-        self.found.iter().any(|f| f.rule == finding.rule && f.subject == finding.subject && f.verdict == Verdict::Violated)
+        self.found.iter().any(|f| f.rule == finding.rule && f.subject == finding.subject && asks(f))
+    }
+
+    /// What a person reads of the remedies of a finding.
+    fn sentence(&self, finding: &Finding) -> String {
+        let (back, mut other): (Vec<Remedy>, Vec<Remedy>) = self.remedies(finding).into_iter().partition(|remedy| self.takes_back(remedy));
+        if finding.verdict == Verdict::Note {
+            other.extend(back.iter().cloned());
+        }
+        if other.iter().any(|remedy| remedy.breaks.is_none()) || (back.is_empty() && !other.is_empty() && !self.has_wishes(finding)) {
+            return joined(&other);
+        }
+        let kept = self.kept_by.get_or_init(|| self.wishes.kept_by(self.memo, &all_but_the_fold()));
+        match (kept, &back[..], &other[..]) {
+            (Some(kept), ..) if finding.verdict == Verdict::Violated => kept.clone(),
+            // What warns says itself what is done about it.
+            (_, [], []) if finding.warns() => String::new(),
+            (_, [], []) => "no single key was found that clears it".into(),
+            (_, _, [_, ..]) => joined(&other),
+            _ => format!("all that was found takes back what the file asks for: {}", joined(&back)),
+        }
+    }
+
+    /// Whether a remedy takes back a wish.
+    fn takes_back(&self, remedy: &Remedy) -> bool {
+        self.wishes.takes_back(&remedy.key, [&remedy.from, &remedy.to].map(|value| value.parse().ok()))
+    }
+
+    /// Whether a key that drives a finding is a wish.
+    fn has_wishes(&self, finding: &Finding) -> bool {
+        finding.levers.iter().any(|lever| self.wishes.has(lever))
     }
 
     /// The frame with a key changed; none where that is refused.
@@ -127,11 +171,18 @@ impl<'a> Bench<'a> {
         Design::with(Frame::resolve(&file).ok()?, self.memo).ok()
     }
 
-    /// The least margin of the findings that are like this one, with a key changed; none where there is no such frame.
+    /// The least margin of the findings that are like this one, with a key changed; none where there is no such frame. A choice after which the
+    /// rule says nothing of its kind is not known to clear it.
     fn margin(&self, finding: &Finding, rule: &Rule, key: &str, value: &Value) -> Option<f64> {
         let design = self.design(key, value)?;
         let found = checks::check_one(rule, &design, &mass::table(&design));
-        let same = found.iter().filter(|f| f.verdict != Verdict::Note && (alike(f, finding) || f.subject == finding.subject));
+        let of_kind =
+            |f: &&Finding| alike(f, finding) || finding.verdict == Verdict::Note && f.rule == finding.rule && f.levers == finding.levers;
+        let counts = |f: &&Finding| f.verdict != Verdict::Note || finding.verdict == Verdict::Note;
+        if matches!(value, Value::Text(_)) && !found.iter().any(|f| of_kind(&f)) {
+            return None;
+        }
+        let same = found.iter().filter(counts).filter(|f| of_kind(f) || f.subject == finding.subject);
         Some(same.map(|f| f.margin).fold(f64::INFINITY, f64::min))
     }
 
@@ -143,12 +194,14 @@ impl<'a> Bench<'a> {
         let mut found = of(&self.chosen(&levers));
         // A bought part that is in the way is replaced, not built around.
         let bought = levers.iter().any(|lever| lever.starts_with("bought."));
-        if !bought && found.iter().all(|remedy| remedy.breaks.is_some()) {
+        if !bought && finding.verdict == Verdict::Violated && found.iter().all(|remedy| remedy.breaks.is_some() || self.takes_back(remedy))
+        {
             found.extend(of(&self.effective(finding, rule, &levers)));
         }
         if found.iter().any(|remedy| remedy.breaks.is_none()) {
             found.retain(|remedy| remedy.breaks.is_none());
         }
+        found.sort_by_key(|remedy| self.takes_back(remedy));
         found.truncate(NAMED);
         found
     }
@@ -314,6 +367,33 @@ mod tests {
         let narrow = "base = \"cognifly\"\nbought.rod = \"rod-carbon-4\"\n[fork]\nfork_bar_height_mm = 5.6\nfork_cheek_gap_mm = 6.13\n";
         let found = keys(narrow, "interference");
         assert!(found.contains(&"fork.fork_cheek_gap_mm".to_string()), "{found:?}");
+    }
+
+    /// What a person reads of the remedies of the first violation of a rule.
+    fn told(text: &str, rule: &str) -> String {
+        let file = FrameFile::parse("own.toml", text).expect("reads");
+        let memo = Arc::default();
+        let bench = Bench::new(&file, &memo).expect("can be designed");
+        let found = bench.found.clone();
+        advice(&file, &found, &memo).into_iter().zip(found).find(|(_, f)| f.rule == rule && asks(f)).expect("is found").0
+    }
+
+    #[test]
+    fn planted_a_wish_is_kept_by_another_base_or_by_what_moves_with_it() {
+        let propeller = told("base = \"cognifly\"\nbought.propeller = \"propeller-4-inch\"\n", "propeller_clearance");
+        assert!(propeller.starts_with("to keep what the file asks for: base = \"cognifly-1106\" keeps every limit"), "{propeller}");
+        assert!(!propeller.contains("propeller-3-inch"), "{propeller}");
+        let long = told("base = \"cognifly\"\nrods.cage_side_ratio = 1.15\n", "envelope");
+        assert!(long.contains("rods.cage_rod_length_mm 192") && long.contains("together keep every limit"), "{long}");
+        assert!(!long.contains("cage_side_ratio"), "{long}");
+    }
+
+    #[test]
+    fn planted_a_warning_of_heat_names_another_material_and_another_printer() {
+        let heat = told("base = \"cognifly\"\nprinter = \"ender-3\"\n", "printer_heat");
+        assert!(heat.starts_with("materials.rigid abs -> pla clears it (+5.5 g)") && heat.contains("; or printer ender-3 -> "), "{heat}");
+        // A printer that states no heat is not known to be hot enough.
+        assert!(!heat.contains("generic"), "{heat}");
     }
 
     /// The diameter is that of the propeller which is bought, unless the file states its own.

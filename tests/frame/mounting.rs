@@ -79,6 +79,21 @@ fn analytic_precedence_has_no_circle_and_the_order_keeps_it() {
 }
 
 #[test]
+fn analytic_propellers_come_last_and_the_first_power_is_without_them() {
+    for design in [designed("cognifly"), without(&["computer", "camera"])] {
+        let mounting = mounted(&design);
+        let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+        let [.., power, last] = &mounting.after[..] else { panic!("{:?}", mounting.after) };
+        assert_eq!((power.mount, last.mount, last.brings.len(), last.repeats), ("cartridge", "propellers", 4, 4));
+        assert!(power.text.contains("first power, without propellers") && last.after.iter().any(|other| other.mount == "cartridge"));
+        assert_eq!(last.onto_of("propeller_BL"), "motor_BL");
+        let turning = |body: &&flexframe::frame::assembly::Body| body.name.starts_with("propeller_");
+        let all = mounting.before.len() + fold.steps.len() + mounting.after.len();
+        assert!(design.bodies.iter().filter(turning).all(|body| mounting.first_step(&fold, &body.name) == Some(all - 1)));
+    }
+}
+
+#[test]
 fn planted_an_order_in_which_something_is_in_the_way() {
     let design = designed("cognifly");
     let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");

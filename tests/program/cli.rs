@@ -76,7 +76,7 @@ fn planted_typing_error_in_a_key_names_the_nearest_one() {
 #[test]
 fn planted_wrong_types() {
     let number = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = \"long\"\n");
-    assert_says(&number, &["`rods.cage_rod_length_mm` is a string, it must be a number in mm", "frame.toml:3"]);
+    assert_says(&number, &["`rods.cage_rod_length_mm` is a text, it must be a number in mm", "frame.toml:3"]);
     let name = refused("base = \"cognifly\"\nprinter = 3\n");
     assert_says(&name, &["`printer` is a number, it must be a text in quotes", "frame.toml:2"]);
     let date = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 2026-01-01\n");
@@ -536,12 +536,23 @@ fn regress_fold_draws_one_step() {
     let output = bench.run("fold", &["--step", "18", "--png", "-q"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let folder = Path::new(&bench.path("out")).join("frame-step-18");
-    for name in ["before.png", "after.png"] {
+    for name in ["18_before.png", "18_after.png"] {
         assert!(fs::read(folder.join(name)).expect("is written").starts_with(b"\x89PNG"), "{name}");
     }
-    let output = bench.run("fold", &["--step", "35", "--png"]);
+    let output = bench.run("fold", &["--step", "36", "--png"]);
     assert_eq!(output.status.code(), Some(2));
-    assert_says(&text(&output.stderr), &["there is no step 35", "1 to 34"]);
+    assert_says(&text(&output.stderr), &["there is no step 36", "1 to 35"]);
+    // Without --png it is told, under the number that pages, pictures and JSON have for it.
+    let output = bench.run("fold", &["--step", "35"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_says(
+        &text(&output.stdout),
+        &["35. Propellers", "Takes 4 x propeller.", "motor 1, rear right: clockwise", "Caution. The battery is out"],
+    );
+    assert!(text(&output.stdout).lines().all(|line| line.chars().count() <= 80));
+    let told: serde_json::Value = serde_json::from_slice(&bench.run("fold", &["--step", "34", "--json"]).stdout).expect("JSON");
+    assert_eq!((&told["number"], &told["mount"]), (&34.into(), &"cartridge".into()));
+    assert!(told["text"].as_str().expect("a text").contains("without propellers"));
 }
 
 #[test]

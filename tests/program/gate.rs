@@ -143,6 +143,18 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
 }
 
 #[test]
+fn analytic_a_passing_frame_fits_a_screen_and_its_warnings_come_first() {
+    let bench = Bench::new(&[("good.toml", GOOD)]);
+    let (code, out, err) = bench.check(&["good.toml"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.lines().count() <= 24 && out.lines().all(|line| line.chars().count() <= 80), "{out}");
+    let [warned, holds] = ["WARNING  overhang: ", "envelope  "].map(|words| out.find(words).unwrap_or_else(|| panic!("{words}: {out}")));
+    assert!(warned < holds && out.contains("; 2 more like") && out.contains("violate a limit, 5 warn"), "{out}");
+    let (code, _, err) = bench.check(&["good.toml", "--printer", "ender-3"]);
+    assert!(code == 2 && err.contains("the frame file chooses the printer") && !err.contains("-- --printer"), "{err}");
+}
+
+#[test]
 fn planted_strict_makes_warnings_fail() {
     let bench = Bench::new(&[("good.toml", GOOD)]);
     assert_eq!(bench.check(&["good.toml"]).0, 0);

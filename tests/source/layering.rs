@@ -154,7 +154,7 @@ const LAYERS: [(&str, &[&str]); 36] = [
             "study",
         ],
     ),
-    ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "report"]),
+    ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "variant", "report"]),
     (
         "cli",
         &[
@@ -164,7 +164,6 @@ const LAYERS: [(&str, &[&str]); 36] = [
             "params",
             "frame/assembly",
             "frame/fold",
-            "frame/mounting",
             "printing/plates",
             "printing/weighing",
             "printing/coupon",

@@ -146,6 +146,11 @@ fn motor(design: &Design, module: usize) -> Option<Wire> {
     Some(Wire { name: format!("motor_wires_{name}"), role: "motor_wire", way, radius_mm, colour: COLOURS[0] })
 }
 
+/// Both leads of the battery: the side of the connector on which each is, and its colour.
+const LEADS: [(&str, f64, [f32; 4]); 2] = [("plus", 1.0, COLOURS[1]), ("minus", -1.0, COLOURS[2])];
+/// Each lead's distance from the connector's middle over its radius.
+const LEADS_APART: f64 = 1.2;
+
 fn battery(design: &Design) -> Vec<Wire> {
     let (Some([low, high]), Some([board_low, board_high])) = (bounds_mm(design, "connector_bracket"), controller(design)) else {
         return Vec::new();
@@ -153,15 +158,32 @@ fn battery(design: &Design) -> Vec<Wire> {
     let (from, to) = (nalgebra::center(&low, &high), nalgebra::center(&board_low, &board_high));
     let (radius_mm, before) = (RADII_MM[1], 2.0 * RADII_MM[1]);
     let wire = |(name, side, colour): (&str, f64, [f32; 4])| {
-        let x = side * 1.2 * radius_mm;
+        let x = side * LEADS_APART * radius_mm;
         let way = vec![
             Point3::new(from.x + x, high.y, from.z),
             Point3::new(from.x + x, high.y + before, from.z),
             Point3::new(to.x + x, board_low.y + before, to.z),
         ];
-        Wire { name: name.into(), role: "battery_wire", way, radius_mm, colour }
+        Wire { name: format!("battery_wire_{name}"), role: "battery_wire", way, radius_mm, colour }
     };
-    [("battery_wire_plus", 1.0, COLOURS[1]), ("battery_wire_minus", -1.0, COLOURS[2])].into_iter().map(wire).collect()
+    LEADS.into_iter().map(wire).collect()
+}
+
+/// How much of a lead is shown beside a connector, mm.
+const LEAD_MM: f64 = 22.0;
+
+/// The first piece of both leads of a half of the power connector: the bracket's leave it to the front, the lid's to the rear. Where the lid's
+/// go on to is the battery's own affair.
+pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
+    let Some([low, high]) = bounds_mm(design, connector) else { return Vec::new() };
+    let (middle, is_lid) = (nalgebra::center(&low, &high), connector == "connector_lid");
+    let [from_y, to_y] = if is_lid { [low.y, low.y - LEAD_MM] } else { [high.y, high.y + LEAD_MM] };
+    let lead = |(name, side, colour): (&str, f64, [f32; 4])| {
+        let x = middle.x + side * LEADS_APART * RADII_MM[1];
+        let way = [from_y, to_y].map(|y| Point3::new(x, y, middle.z)).into();
+        Wire { name: format!("{connector}_{name}"), role: "battery_wire", way, radius_mm: RADII_MM[1], colour }
+    };
+    LEADS.into_iter().map(lead).collect()
 }
 
 #[cfg(test)]

@@ -29,8 +29,6 @@ pub enum Member {
     Cage(bool),
     /// Motor.
     Motor,
-    /// Propeller.
-    Propeller,
     /// The motor's four screws.
     MotorScrews,
     /// The plate in the middle.
@@ -39,7 +37,7 @@ pub enum Member {
 
 impl Member {
     /// Every member.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 16] = [
         Self::HubJoint,
         Self::Arm(true),
         Self::Arm(false),
@@ -54,7 +52,6 @@ impl Member {
         Self::Cage(true),
         Self::Cage(false),
         Self::Motor,
-        Self::Propeller,
         Self::MotorScrews,
         Self::Hub,
     ];
@@ -74,7 +71,6 @@ impl Member {
             Self::Corner(up) => format!("{}_corner_{m}", side(up)),
             Self::Cage(up) => format!("cage_{m}_{}", side(up)),
             Self::Motor => format!("motor_{m}"),
-            Self::Propeller => format!("propeller_{m}"),
             Self::MotorScrews => format!("motor_screw_{m}"),
             Self::Hub => "hub".into(),
         }
@@ -90,7 +86,7 @@ impl Member {
             Self::Corner(true) => PartName::TopCorner,
             Self::Corner(false) => PartName::BottomCorner,
             Self::Hub => PartName::Hub,
-            Self::Arm(_) | Self::Leg | Self::Strut(_) | Self::Cage(_) | Self::Motor | Self::Propeller | Self::MotorScrews => {
+            Self::Arm(_) | Self::Leg | Self::Strut(_) | Self::Cage(_) | Self::Motor | Self::MotorScrews => {
                 return None;
             }
         })
@@ -103,15 +99,9 @@ impl Member {
             Self::Leg => RodRole::Leg,
             Self::Strut(_) => RodRole::Strut,
             Self::Cage(_) => RodRole::Cage,
-            Self::HubJoint
-            | Self::Mount
-            | Self::Fork
-            | Self::Knee
-            | Self::Corner(_)
-            | Self::Motor
-            | Self::Propeller
-            | Self::MotorScrews
-            | Self::Hub => return None,
+            Self::HubJoint | Self::Mount | Self::Fork | Self::Knee | Self::Corner(_) | Self::Motor | Self::MotorScrews | Self::Hub => {
+                return None;
+            }
         })
     }
 }
@@ -199,14 +189,7 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
         }
         Member::Corner(up) => corner(up, frame, skeleton.closure.corner_radius_mm),
         // Rods are above; what stands for no capsule is met by no other while a sequence is looked for.
-        Member::Arm(_)
-        | Member::Leg
-        | Member::Strut(_)
-        | Member::Cage(_)
-        | Member::Motor
-        | Member::Propeller
-        | Member::MotorScrews
-        | Member::Hub => Vec::new(),
+        Member::Arm(_) | Member::Leg | Member::Strut(_) | Member::Cage(_) | Member::Motor | Member::MotorScrews | Member::Hub => Vec::new(),
     }
 }
 

@@ -72,11 +72,8 @@ impl Module {
         let place = |member: Member| {
             let rod = |name: &str| skeleton.rods.iter().find(|r| r.name == name).map(|r| rod_pose(r.start, r.end));
             let part = |name: PartName| record(name).poses(frame, c, &centre).first().map(|(_, pose)| *pose);
-            let motor = |above: f64| Some(Isometry3::translation(seat.x, seat.y, seat.z + above));
-            let height = frame.bought.get("propeller").map_or(0.0, |p| p.part.hub_mm());
             match (member, member.part()) {
-                (Member::Motor, _) => motor(0.0),
-                (Member::Propeller, _) => motor(frame.motor_mount.propeller_height_mm - 0.5 * height),
+                (Member::Motor, _) => Some(Isometry3::translation(seat.x, seat.y, seat.z)),
                 (Member::MotorScrews, _) => part(PartName::MotorMount),
                 (_, Some(name)) => part(name),
                 _ => rod(&member.body(0)),
@@ -130,7 +127,7 @@ impl Module {
         let [strut_out, corner_out] = self.linkage.strut_out_mm(posture.pulled);
         let place = self.place(member);
         let moved = match member {
-            Member::HubJoint | Member::Mount | Member::Motor | Member::Propeller | Member::MotorScrews => place,
+            Member::HubJoint | Member::Mount | Member::Motor | Member::MotorScrews => place,
             Member::Hub => return place,
             Member::Arm(_) => out(arm_out) * place,
             Member::Fork | Member::Knee => out(knee_out) * place,

@@ -143,8 +143,7 @@ pub struct FoldSequence {
 /// All that a frame's fold follows from, and what its motions follow from.
 pub fn inputs(frame: &Frame, skeleton: &Skeleton) -> Key {
     let parts = (&frame.corner, &frame.hub, &frame.hub_joint, &frame.fork, &frame.knee, &frame.motor_mount);
-    let propeller = frame.bought.get("propeller");
-    let all = (parts, &frame.rods, &frame.fit, &frame.flexible, frame.limits.hinge_strain_factor, propeller, Centre::new(frame), skeleton);
+    let all = (parts, &frame.rods, &frame.fit, &frame.flexible, frame.limits.hinge_strain_factor, Centre::new(frame), skeleton);
     Key::of("fold", &all)
 }
 

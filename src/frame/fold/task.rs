@@ -37,7 +37,7 @@ pub enum Task {
     CloseRing,
     /// The top ring over the upper struts: its corners bend, and strut and cage rods slide home.
     CloseTop,
-    /// Motor and propeller onto the mount.
+    /// Motor onto the mount.
     SeatMotor,
 }
 
@@ -100,7 +100,7 @@ impl Task {
             Self::PushTopCage => vec![(Cage(true), Corner(true))],
             Self::PlugHub => vec![(HubJoint, Hub)],
             Self::CloseTop => vec![(Corner(true), Strut(true))],
-            Self::SeatMotor => vec![(Motor, Mount), (Propeller, Motor), (MotorScrews, Mount)],
+            Self::SeatMotor => vec![(Motor, Mount), (MotorScrews, Mount)],
             // The bottom ring's rods enter corners of other modules.
             Self::BendLeg | Self::CloseRing => Vec::new(),
         }
@@ -168,7 +168,7 @@ impl Task {
             Self::PlugHub => "Plugs of four modules into the hub",
             Self::CloseRing => "Bottom ring: four modules home",
             Self::CloseTop => "Top ring onto the struts",
-            Self::SeatMotor => "Motor and propeller",
+            Self::SeatMotor => "Motor onto its mount",
         }
     }
 
@@ -178,11 +178,13 @@ impl Task {
             Self::ThreadKnee => {
                 "Squeeze one leg of the fork flat with thin pliers, pull it through the knee's window and on until the bar sits in it."
             }
-            Self::PushArms => "Push two arm rods to the bottom of the outer bores of the hub joint, then draw them out by the stated way.",
+            Self::PushArms => {
+                "Push two arm rods to the bottom of the outer bores of the hub joint, then draw each out again by the gap that is stated below."
+            }
             Self::PushLeg => "Push the leg rod to the bottom of the middle bore.",
             Self::BendLeg => "Bend the leg down out of the way of what comes onto the arms; the two necks twist.",
             Self::SlideMount => "Slide the motor mount from the outer ends onto both arms, its flat face up.",
-            Self::PushFork => "Push the fork with its knee onto both arm rods; leave the stated way open.",
+            Self::PushFork => "Push the fork with its knee onto both arm rods, and stop at the gap that is stated below.",
             Self::PushStruts => "Push a strut rod into each bore of the knee.",
             Self::PushFoot => "Push the bottom corner straight onto the lower strut, by the bore opposite the long one.",
             Self::CloseTriangle => {
@@ -198,7 +200,7 @@ impl Task {
                 "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
             }
             Self::SeatMotor => {
-                "Put the motor onto its mount and turn its screws in from below. Put the propeller on last: leave it off until the directions of the motors have been tried."
+                "Put the motor onto its mount, its wires towards the hub, and turn its screws in from below. The propellers are a step of their own, the last one."
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The fork's way through the knee's window half done: one leg squeezed flat, the knee turned over it, pliers at its end.
+//! The fork's way through the knee's window half done: one leg squeezed flat and pulled through, pliers at its end.
 //!
 //! The rest of the fold moves rigid pieces; a leg is wider than the window, so here its mesh is squeezed. It shows what a hand does and is
 //! compared with nothing.
@@ -12,22 +12,26 @@ use crate::frame::assembly::Design;
 use crate::frame::parts::fork::Fork;
 use crate::frame::parts::knee::Knee;
 use crate::solid::{Feature, Mesh, MeshSolid};
+use crate::units::Angle;
 
 /// From the leg's end to the middle of the window, mm.
-const WINDOW_MM: f64 = 4.5;
+const WINDOW_MM: f64 = 10.0;
 /// Room that the squeezed leg leaves in the window, mm.
 const ROOM_MM: f64 = 0.3;
 /// Half thickness and half height of a jaw at its tip and at the pivot, mm.
 const JAW_MM: [[f64; 2]; 2] = [[0.8, 1.5], [3.0, 4.0]];
 /// From the jaws' tips back to the pivot, and on to the ends of the handles that are drawn, mm.
-const REACH_MM: [f64; 2] = [26.0, 34.0];
+const REACH_MM: [f64; 2] = [24.0, 20.0];
 /// How far the handles' ends are off the middle, mm.
 const OPEN_MM: f64 = 11.0;
+/// How far the pliers' handles hang down, so that they hide neither leg nor window.
+const HANG_DEG: f64 = 65.0;
 
 /// A mesh, and where it stands.
 type Standing = (Arc<Mesh>, Isometry3<f64>);
 
-/// Knee, fork and pliers of the first module where the fork stands; none where a design lacks them.
+/// Knee, fork and pliers of the first module; none where a design lacks them. The knee stands as it does before and after, with its window to
+/// the viewer; the fork is turned, as its leg runs through the window.
 pub fn threading(design: &Design, place: &Isometry3<f64>) -> Option<[Standing; 3]> {
     let fork = Fork::from_frame(&design.frame);
     let knee = Knee::from_frame(&design.frame, design.skeleton.closure.strut_tilt);
@@ -44,9 +48,12 @@ pub fn threading(design: &Design, place: &Isometry3<f64>) -> Option<[Standing; 3
     });
     let turn = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::FRAC_PI_2);
     let node = Vector3::new(end + WINDOW_MM, leg_y - knee.window.centre_mm, 0.0);
-    let knee_pose = place * Isometry3::from_parts(Translation3::from(node), turn);
+    let fork_pose = place * Isometry3::from_parts(Translation3::from(node), turn).inverse();
+    let grip = Vector3::new(end, leg_y, 0.0);
+    let hang = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -Angle::deg(HANG_DEG).to_rad());
+    let pliers_pose = fork_pose * Translation3::from(grip) * hang * Translation3::from(-grip);
     let pliers = MeshSolid::build(&pliers(end, leg_y, flat * fork.radius_mm())).mesh();
-    Some([(mesh(Member::Knee)?, knee_pose), (squeezed.into(), *place), (Arc::new(pliers), *place)])
+    Some([(mesh(Member::Knee)?, *place), (squeezed.into(), fork_pose), (Arc::new(pliers), pliers_pose)])
 }
 
 /// A mesh whose corners are moved along y.

@@ -47,7 +47,7 @@ fn waits_mm(member: Member) -> f64 {
         Member::Mount => 140.0,
         Member::Fork => 180.0,
         Member::Cage(_) => 25.0,
-        Member::Propeller | Member::MotorScrews => 25.0,
+        Member::MotorScrews => 25.0,
         _ => 40.0,
     }
 }

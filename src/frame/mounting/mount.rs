@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::frame::skeleton::MODULE_NAMES;
+
 /// What keeps a part where it was put.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "by", content = "part")]
@@ -14,14 +16,20 @@ pub enum Fixing {
     Glue,
     /// Ties, by their role.
     Ties(&'static str),
-    /// Double-sided tape, or screws of the part's own that no bill has.
+    /// Tape: double-sided under a board, around a battery.
     Tape,
+    /// Small screws through holes of the part; they are a supply of the bill.
+    SmallScrews,
+    /// Small ties; they are a supply of the bill.
+    SmallTies,
     /// It is squeezed into its hole.
     Squeezed,
     /// Magnet and plug.
     MagnetAndPlug,
     /// Solder.
     Solder,
+    /// The motor's shaft or its screws, as the motor is sold.
+    Shaft,
 }
 
 /// Whether something is mounted before the fold or after it.
@@ -41,7 +49,7 @@ pub struct Mount {
     pub id: &'static str,
     /// The bodies that it brings; those that the design lacks are left out.
     pub brings: &'static [&'static str],
-    /// The body that they are put onto.
+    /// The body that they are put onto; where each module has one, that of the first module.
     pub onto: &'static str,
     /// Where they come from, along a straight line in the frame's axes; none when they are threaded or soldered.
     pub from: Option<[f64; 3]>,
@@ -59,8 +67,32 @@ pub struct Mount {
     pub tool: &'static str,
     /// What to take care of.
     pub caution: Option<&'static str>,
-    /// Time, minutes: an estimate of ours.
+    /// Time of one, minutes: an estimate of ours.
     pub minutes: f64,
+}
+
+/// How the bodies of the first module end.
+const FIRST_MODULE: &str = "_FR";
+
+impl Mount {
+    /// Whether each module has what it is put onto.
+    pub fn is_in_each_module(&self) -> bool {
+        self.onto.ends_with(FIRST_MODULE)
+    }
+
+    /// What a body is put onto, where that of the first module is known: that of the body's own module where each has one.
+    pub(super) fn onto_of(onto: &str, body: &str) -> String {
+        let of_module = |module: &&&str| body.ends_with(&format!("_{module}"));
+        match onto.strip_suffix(FIRST_MODULE).zip(MODULE_NAMES.iter().find(of_module)) {
+            Some((onto, module)) => format!("{onto}_{module}"),
+            None => onto.into(),
+        }
+    }
+
+    /// How often it is done: once, or once a module.
+    pub fn repeats(&self) -> usize {
+        if self.is_in_each_module() { MODULE_NAMES.len() } else { 1 }
+    }
 }
 
 const ABOVE: Option<[f64; 3]> = Some([0.0, 0.0, 1.0]);
@@ -87,7 +119,7 @@ const GLUED: Mount = Mount {
 };
 
 /// All of them, in the order in which they are tried.
-pub static MOUNTS: [Mount; 24] = [
+pub static MOUNTS: [Mount; 25] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
@@ -100,7 +132,7 @@ pub static MOUNTS: [Mount; 24] = [
         id: "connector_in_bracket",
         brings: &["connector_bracket"],
         title: "Power connector into the bracket",
-        text: "Push the half with the pins into the bracket's channel, its mouth to the rear, its two cut corners where the channel has them, and glue it. Its wires leave it to the front, into the bay.",
+        text: "Push the half with the pins into the bracket's channel, its mouth to the rear, its two cut corners where the channel has them, and glue it. Its two leads are soldered to it before, as the picture shows: they leave it to the front, into the bay.",
         caution: Some(
             "Plus and minus: the cut corners are the connector's minus side. Solder and insulate its wires before it is glued in.",
         ),
@@ -121,8 +153,8 @@ pub static MOUNTS: [Mount; 24] = [
         from: BELOW,
         fixing: Fixing::Tape,
         title: "Flow sensor under the tray",
-        text: "Hold the sensor under the tray, its lens down, its holes under the tray's. Fix it with thin double-sided tape, or with the screws that it is sold with.",
-        tool: "hands",
+        text: "Hold the sensor under the tray, its lens down, its holes under the tray's. Fix it with thin double-sided tape.",
+        tool: "double-sided tape",
         ..GLUED
     },
     Mount {
@@ -176,10 +208,10 @@ pub static MOUNTS: [Mount; 24] = [
         brings: &["computer"],
         onto: "pi_carrier",
         from: ABOVE,
-        fixing: Fixing::Tape,
+        fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
-        text: "Lay the computer on the carrier, hole over hole, its camera socket to the front. The front holes take the camera's connectors; fix the rear ones with screws of the board's own.",
-        tool: "hands",
+        text: "Lay the computer on the carrier, hole over hole, its camera socket to the front. Fix it with two small screws through its rear holes. The front holes stay free: the camera's connectors go onto them.",
+        tool: "screwdriver",
         ..GLUED
     },
     Mount {
@@ -189,7 +221,7 @@ pub static MOUNTS: [Mount; 24] = [
         from: ABOVE,
         fixing: Fixing::Glue,
         title: "Camera connectors onto the computer",
-        text: "Put both connectors onto the board's front holes, their posts to the front and outwards.",
+        text: "Put a drop of glue under the foot of each connector and set both onto the board's front holes, their posts to the front and outwards.",
         ..GLUED
     },
     Mount {
@@ -197,10 +229,10 @@ pub static MOUNTS: [Mount; 24] = [
         brings: &["camera"],
         onto: "camera_connector_left",
         from: FRONT,
-        fixing: Fixing::Tape,
+        fixing: Fixing::SmallScrews,
         title: "Camera onto its connectors",
-        text: "Push its ribbon into the computer's socket, close the latch, and put the camera with its back onto the connectors' posts, lens to the front.",
-        tool: "hands",
+        text: "Push its ribbon into the computer's socket and close the latch. Set the camera with its back against the connectors' posts, hole over hole, lens to the front, and fix it with small screws.",
+        tool: "screwdriver",
         caution: Some("Open and close the latch of the ribbon with a finger nail, never by force."),
         ..GLUED
     },
@@ -233,8 +265,8 @@ pub static MOUNTS: [Mount; 24] = [
         from: LEFT,
         fixing: Fixing::Tape,
         title: "Receiver onto the plate",
-        text: "Lay the receiver on the left of the plate, a strip of foam tape under it. Lead a small tie through the two slots beside it. Its antenna goes to the rear, away from rods of carbon.",
-        tool: "hands",
+        text: "Lay the receiver on the left of the plate, a strip of foam tape under it. A small tie through the two slots beside it holds it in a crash, too. Its antenna goes to the rear, away from rods of carbon.",
+        tool: "foam tape",
         ..GLUED
     },
     Mount {
@@ -242,10 +274,10 @@ pub static MOUNTS: [Mount; 24] = [
         brings: &["buzzer"],
         onto: "accessory_plate",
         from: RIGHT,
-        fixing: Fixing::Tape,
+        fixing: Fixing::SmallTies,
         title: "Buzzer onto the plate",
-        text: "Lay the buzzer on the right of the plate and lead a small tie through the two slots beside it. Its hole stays free.",
-        tool: "hands",
+        text: "Lay the buzzer on the right of the plate, lead a small tie through the two slots beside it and pull it tight. Its hole stays free.",
+        tool: "side cutter",
         ..GLUED
     },
     Mount {
@@ -256,7 +288,7 @@ pub static MOUNTS: [Mount; 24] = [
         fixing: Fixing::Tape,
         title: "Satellite receiver (GPS) onto its mast",
         text: "Stick the GPS onto the mast's shelf with foam tape, its antenna up, its arrow to the front. Tape its cable to the mast.",
-        tool: "hands",
+        tool: "foam tape",
         ..GLUED
     },
     Mount {
@@ -264,7 +296,7 @@ pub static MOUNTS: [Mount; 24] = [
         brings: &["fpv_camera"],
         onto: "accessory_plate",
         from: ABOVE,
-        fixing: Fixing::Tape,
+        fixing: Fixing::SmallScrews,
         title: "Camera between the cheeks",
         text: "Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up to the tilt that the picture shows before you tighten them.",
         tool: "screwdriver",
@@ -277,7 +309,7 @@ pub static MOUNTS: [Mount; 24] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "Solder the connector's wires to the motor controller's battery pads. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front. The bay stays open to the left and to the right: the motor wires come in there.",
+        text: "Solder the connector's leads to the motor controller's battery pads at its rear, red to plus, black to minus, as the picture shows. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front. The bay stays open to the left and to the right: the motor wires come in there.",
         tool: "soldering iron",
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 10.0,
@@ -307,7 +339,7 @@ pub static MOUNTS: [Mount; 24] = [
         fixing: Fixing::Solder,
         stage: Stage::AfterFold,
         title: "Motor wires",
-        text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Solder them to the motor controller. A motor that turns the wrong way has two of its wires changed over.",
+        text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Solder them to the motor controller.",
         tool: "soldering iron",
         caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
         minutes: 20.0,
@@ -319,8 +351,10 @@ pub static MOUNTS: [Mount; 24] = [
         onto: "battery_lid",
         stage: Stage::AfterFold,
         title: "Power connector into the lid",
-        text: "Push the half with the sockets through the lid's block from the rear, its cut corners where the hole has them, and glue it.",
-        caution: Some("Its wires are the battery's: never let the two touch. Solder them one after the other."),
+        text: "Solder the battery's two leads to the half with the sockets, red to plus, black to minus at the cut corners, each in shrink tube. Push it through the lid's block from the rear, its cut corners where the hole has them, and glue it. Its leads leave it to the rear.",
+        tool: "soldering iron, glue for rigid plastics",
+        caution: Some("The leads are the battery's: never let the two touch. Cut and solder one after the other."),
+        minutes: 8.0,
         ..GLUED
     },
     Mount {
@@ -359,9 +393,26 @@ pub static MOUNTS: [Mount; 24] = [
         ],
         stage: Stage::AfterFold,
         title: "Battery in",
-        text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in.",
+        text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Then take battery and lid out again.",
         tool: "hands",
-        caution: Some("Propellers off until the directions of the motors have been tried. With the battery in, the motors can start."),
-        ..GLUED
+        caution: Some("First power without propellers. With the battery in, the motors can start."),
+        minutes: 10.0,
+    },
+    Mount {
+        id: "propellers",
+        brings: &["propeller_FR", "propeller_FL", "propeller_BL", "propeller_BR"],
+        onto: "motor_FR",
+        from: ABOVE,
+        fixing: Fixing::Shaft,
+        needs: &[
+            ("wiring", "the directions of the motors are tried without propellers"),
+            ("cartridge", "the first power is without propellers"),
+        ],
+        stage: Stage::AfterFold,
+        title: "Propellers",
+        text: "Of the four propellers two turn each way, as the arrows show; the raised edge of a blade goes first. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        tool: "screwdriver or hands",
+        caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),
+        minutes: 1.0,
     },
 ];

@@ -36,7 +36,9 @@ pub struct MountStep {
     pub tool: &'static str,
     /// What to take care of.
     pub caution: Option<&'static str>,
-    /// Time, minutes; an estimate.
+    /// How often: once, or once a module.
+    pub repeats: usize,
+    /// All repeats together, minutes; an estimate.
     pub minutes: f64,
     /// What keeps the parts.
     pub fixing: Fixing,
@@ -44,7 +46,7 @@ pub struct MountStep {
     pub brings: Vec<String>,
     /// Everything that moves: what they carry already comes with them.
     pub moves: Vec<String>,
-    /// What they are put onto.
+    /// What they are put onto; where each module has one, that of the first module.
     pub onto: &'static str,
     /// What is joined to that already.
     pub there: Vec<String>,
@@ -81,6 +83,11 @@ impl MountStep {
     pub fn shown_off_mm(&self) -> Vector3<f64> {
         let along = self.from.map_or_else(Vector3::zeros, Vector3::from);
         along * self.travel_mm.clamp(SHOWN_MM[0], SHOWN_MM[1])
+    }
+
+    /// What one of its bodies is put onto: that of the body's own module where each has one.
+    pub fn onto_of(&self, body: &str) -> String {
+        Mount::onto_of(self.onto, body)
     }
 }
 
@@ -185,7 +192,8 @@ impl Planning<'_> {
     /// What moves in a mount, and what stays.
     fn sides(&self, done: &Done, mount: &'static Mount) -> [Vec<&Body>; 2] {
         let moving: BTreeSet<&'static str> = mount.brings.iter().flat_map(|name| self.component(name, done)).collect();
-        let still: BTreeSet<&'static str> = self.component(mount.onto, done).difference(&moving).copied().collect();
+        let onto = if mount.is_in_each_module() { "hub" } else { mount.onto };
+        let still: BTreeSet<&'static str> = self.component(onto, done).difference(&moving).copied().collect();
         let mut there = self.ways.bodies(still.iter().copied());
         if mount.stage == Stage::AfterFold && still.contains("hub") {
             there.extend(self.ways.modules());
@@ -240,6 +248,7 @@ impl Planning<'_> {
             let with: Done = done.iter().copied().chain([other.id]).collect();
             self.broken(&with, mount).map(|because| depends(other, because))
         });
+        let repeats = mount.repeats();
         MountStep {
             mount: mount.id,
             stage: mount.stage,
@@ -247,7 +256,8 @@ impl Planning<'_> {
             text: mount.text,
             tool: mount.tool,
             caution: mount.caution,
-            minutes: mount.minutes,
+            repeats,
+            minutes: mount.minutes * repeats as f64,
             fixing: mount.fixing,
             brings: names(&self.ways.bodies(mount.brings.iter().copied())),
             moves: names(&moving),

@@ -24,6 +24,15 @@ pub struct PartLine {
     pub body: Option<String>,
 }
 
+impl PartLine {
+    /// How many of what, with a screw's size.
+    pub fn words(&self) -> String {
+        let count = if self.count.fract() == 0.0 { format!("{:.0}", self.count) } else { "half a".into() };
+        let size = self.screw_mm.map_or(String::new(), |[thread, length]| format!(", M{thread} x {length}"));
+        format!("{count} x {}{size}", self.part.replace('_', " ")).replace("half a x", "half a")
+    }
+}
+
 /// Bodies that were in hand already.
 pub(super) struct PartsSeen<'a> {
     design: &'a Design,

@@ -2,7 +2,8 @@
 //!
 //! A pair of bodies is compared in places [`STEP_MM`] apart, as a step of the fold is; places where boxes around their facets are apart
 //! are passed over. Two bodies may share what they share when they are home (a thread in its pilot hole), for that is judged by
-//! the interference rule, and [`TOUCH_MM3`] of rounding.
+//! the interference rule, and [`TOUCH_MM3`] of rounding. A propeller's disc is what it sweeps when it turns: on its way it is compared with
+//! nothing.
 
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -92,7 +93,8 @@ impl<'a> Ways<'a> {
         [a, b]: [&Body; 2],
         way: fn(&Self, Vector3<f64>, [&Body; 2]) -> Compared,
     ) -> Compared {
-        let Some(from) = mount.from.filter(|_| !squeezed(mount, a, b)) else {
+        let free = squeezed(mount, a, b) || self.design.shape(a).kind == Kind::Propeller;
+        let Some(from) = mount.from.filter(|_| !free) else {
             return Compared { comparisons: 0, places: 0, worst: None };
         };
         let read = (mount.from, self.key(a), self.key(b));

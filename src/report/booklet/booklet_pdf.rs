@@ -1,10 +1,12 @@
-//! The instructions as a PDF: A4, a title page, two mounts a page, and a page a step of the fold.
+//! The instructions as a PDF: A4, a title page, a page a sub-assembly, two mounts a page, and a page a step of the fold.
 
 use super::pdf_document::{PdfDocument, PdfSheet};
 use crate::frame::mounting::PartLine;
-use crate::report::booklet::content::{Booklet, Page, Panel, part_words};
+use crate::report::booklet::content::{Booklet, Page, Panel};
+use crate::report::booklet::sub_assembly::SubAssembly;
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::lettering::Lettering;
+use crate::report::picture::mount_scene::Held;
 
 /// A4, points.
 const PAPER: [f32; 2] = [595.28, 841.89];
@@ -17,7 +19,7 @@ const SMALL: f32 = 8.2;
 /// Distance of lines over the size of letters.
 const LEADING: f32 = 1.35;
 /// Width of a step's pictures and of the one on the title page, points.
-const WIDTHS: [f32; 2] = [385.0, 270.0];
+const WIDTHS: [f32; 2] = [385.0, 235.0];
 
 /// Mounts on a sheet, the width of a mount's picture, and where the column of its parts begins, points.
 const PANELS: usize = 2;
@@ -26,6 +28,10 @@ const PANEL_PARTS: f32 = 345.0;
 /// Width and height of the picture of a part, and width of its cell below a step of the fold, points.
 const PART: [f32; 2] = [68.0, 51.0];
 const PART_CELL: f32 = 120.0;
+/// Parts beside each other on the page of a sub-assembly.
+const PART_COLUMNS: usize = 4;
+/// Between a picture and its caption, points.
+const CAPTION_GAP: f32 = 1.5;
 /// Points in a millimetre.
 const MM: f32 = 72.0 / 25.4;
 
@@ -49,6 +55,7 @@ pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
         let mut sheet = Sheet { document: &mut document, page, lettering: &lettering, y: MARGIN, left: MARGIN, width };
         match content {
             Content::Title => sheet.title(&title, booklet),
+            Content::Assembly(of) => sheet.sub_assembly(of, booklet),
             Content::Panels(panels) => sheet.panels(panels, booklet),
             Content::Step(step) => sheet.step(step, booklet),
         }
@@ -62,14 +69,18 @@ pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
 /// What is on a sheet.
 enum Content<'a> {
     Title,
+    Assembly(&'a SubAssembly),
     Panels(&'a [Panel]),
     Step(&'a Page),
 }
 
 fn sheets(booklet: &Booklet) -> Vec<Content<'_>> {
-    let mut sheets = vec![Content::Title];
+    let [centre, module, cartridge] = &booklet.assemblies;
+    let mut sheets = vec![Content::Title, Content::Assembly(centre)];
     sheets.extend(booklet.before.chunks(PANELS).map(Content::Panels));
+    sheets.push(Content::Assembly(module));
     sheets.extend(booklet.pages.iter().map(Content::Step));
+    sheets.push(Content::Assembly(cartridge));
     sheets.extend(booklet.after.chunks(PANELS).map(Content::Panels));
     sheets
 }
@@ -141,6 +152,27 @@ impl Sheet<'_, '_> {
         (self.left, self.width) = (left, width);
     }
 
+    fn sub_assembly(&mut self, of: &SubAssembly, booklet: &Booklet) {
+        self.words(&of.heading, HEADING);
+        self.words(&of.text, TEXT);
+        self.gap(6.0);
+        let (top, left, width) = (self.y, self.left, self.width);
+        self.width = PANEL_PICTURE;
+        self.picture(&of.picture, PANEL_PICTURE);
+        self.gap(CAPTION_GAP);
+        self.words(Held::Upright.words(), SMALL);
+        let below = self.y;
+        (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
+        self.words("Its steps", TEXT);
+        of.steps.iter().for_each(|step| self.words(step, SMALL + 0.8));
+        (self.y, self.left, self.width) = (below.max(self.y) + 8.0, left, width);
+        self.words("Its parts", TEXT);
+        for row in of.parts.chunks(PART_COLUMNS) {
+            self.gap(4.0);
+            self.parts(row, booklet);
+        }
+    }
+
     fn panels(&mut self, panels: &[Panel], booklet: &Booklet) {
         for (at, panel) in panels.iter().enumerate() {
             self.y = MARGIN + at as f32 * 0.5 * (PAPER[1] - 2.0 * MARGIN);
@@ -155,10 +187,11 @@ impl Sheet<'_, '_> {
         let (top, left, width) = (self.y, self.left, self.width);
         self.width = PANEL_PICTURE;
         self.picture(&panel.picture, PANEL_PICTURE);
+        self.gap(CAPTION_GAP);
         self.words(panel.held, SMALL);
         let below = self.y;
         (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
-        panel.parts.iter().for_each(|line| self.part(line, booklet));
+        panel.parts.iter().for_each(|line| self.part(&line.words(), line, booklet));
         (self.y, self.left, self.width) = (below + 2.0, left, width);
         self.words(&panel.text, TEXT - 1.0);
         if let Some(caution) = &panel.caution {
@@ -168,8 +201,8 @@ impl Sheet<'_, '_> {
     }
 
     /// A line of parts with a picture; of a screw its outline, as large as it is.
-    fn part(&mut self, line: &PartLine, booklet: &Booklet) {
-        self.words(&part_words(line), TEXT - 1.0);
+    fn part(&mut self, words: &str, line: &PartLine, booklet: &Booklet) {
+        self.words(words, TEXT - 2.0);
         if let Some(picture) = booklet.alone.get(&line.part) {
             self.document.picture(&mut self.page, picture, [self.left, self.y], PART);
             self.y += PART[1];
@@ -185,12 +218,12 @@ impl Sheet<'_, '_> {
     }
 
     /// Parts side by side.
-    fn parts(&mut self, lines: &[PartLine], booklet: &Booklet) {
+    fn parts(&mut self, lines: &[(String, PartLine)], booklet: &Booklet) {
         let (left, width, top) = (self.left, self.width, self.y);
         let mut below = top;
-        for (at, line) in lines.iter().enumerate() {
+        for (at, (words, line)) in lines.iter().enumerate() {
             (self.left, self.width, self.y) = (left + at as f32 * PART_CELL, PART_CELL, top);
-            self.part(line, booklet);
+            self.part(words, line, booklet);
             below = below.max(self.y);
         }
         (self.left, self.width, self.y) = (left, width, below);
@@ -203,12 +236,14 @@ impl Sheet<'_, '_> {
         let width = WIDTHS[0] * 2.0 / step.pictures.len().max(2) as f32;
         for (picture, caption) in step.pictures.iter().zip(step.captions()) {
             self.picture(picture, width);
-            self.words(caption, SMALL);
+            self.gap(CAPTION_GAP);
+            self.words(&caption, SMALL);
             self.gap(3.0);
         }
         self.words(&step.text, TEXT);
         self.gap(2.0);
-        self.parts(&step.parts, booklet);
+        let parts: Vec<(String, PartLine)> = step.parts.iter().map(|line| (line.words(), line.clone())).collect();
+        self.parts(&parts, booklet);
         for line in &step.measures {
             self.gap(2.0);
             self.words(line, TEXT - 1.0);

@@ -1,16 +1,17 @@
-//! The instructions as a value: title page, half a page a mount, one page a step of the fold. Two files are written from it.
+//! The instructions as a value: title page, a page a sub-assembly, half a page a mount, one page a step of the fold. Two files are written
+//! from it. A step has one number, on its page, in the names of its pictures, in `fold.json` and on the command line.
 
 use crate::export::bill::bill;
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::fold::{FoldBend, FoldSequence, Join, Step};
+use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Task};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, without_a_step};
-use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
+use crate::frame::skeleton::{MODULE_WORDS, ROTORS, RodRole};
+use crate::report::booklet::sub_assembly::{SubAssembly, sub_assemblies};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
-use crate::report::picture::propeller_scene;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -28,16 +29,20 @@ pub struct Booklet {
     pub parts: Vec<[String; 3]>,
     /// A line a stock length: what to cut from it.
     pub cuts: Vec<String>,
+    /// Centre, module and cartridge: each before the steps that make it.
+    pub assemblies: [SubAssembly; 3],
     /// What is mounted before the fold, two on a sheet.
     pub before: Vec<Panel>,
     /// The steps of the fold, each on a sheet.
     pub pages: Vec<Page>,
-    /// What is mounted after it, two on a sheet, behind the directions of the propellers.
+    /// What is mounted after it, two on a sheet; the propellers last.
     pub after: Vec<Panel>,
 }
 
 /// Half a sheet: one picture, the parts beside it.
 pub struct Panel {
+    /// From 1, among all steps.
+    pub number: usize,
     /// Number and title.
     pub heading: String,
     /// How long, with what, what keeps it.
@@ -56,6 +61,8 @@ pub struct Panel {
 
 /// A step on paper.
 pub struct Page {
+    /// From 1, among all steps.
+    pub number: usize,
     /// Number and title.
     pub heading: String,
     /// How often, how long, with what.
@@ -74,6 +81,75 @@ pub struct Page {
     pub pictures: Vec<Picture>,
 }
 
+/// One step of the instructions.
+pub enum OneStep {
+    /// Of a mount.
+    Mount(Panel),
+    /// Of the fold.
+    Fold(Page),
+}
+
+/// Every step, with what it takes to write about it.
+pub struct AllSteps<'a> {
+    /// The frame.
+    pub design: &'a Design,
+    /// Its fold.
+    pub fold: &'a FoldSequence,
+    mounting: Mounting,
+}
+
+impl<'a> AllSteps<'a> {
+    /// Those of a frame.
+    pub fn new(design: &'a Design, fold: &'a FoldSequence) -> Self {
+        Self { design, fold, mounting: Mounting::new(design, fold) }
+    }
+
+    /// How often each step is done, and what it is called.
+    pub fn titles(&self) -> Vec<(usize, &'static str)> {
+        let mounts = |steps: &[MountStep]| steps.iter().map(|step| (step.repeats, step.title)).collect::<Vec<_>>();
+        let folds = self.fold.steps.iter().map(|step| (step.repeats, step.title));
+        mounts(&self.mounting.before).into_iter().chain(folds).chain(mounts(&self.mounting.after)).collect()
+    }
+
+    /// The step of a number from 1; none beyond the last.
+    pub fn one(&self, number: usize) -> Option<OneStep> {
+        let (at, before, folds) = (number.checked_sub(1)?, self.mounting.before.len(), self.fold.steps.len());
+        if let Some(step) = at.checked_sub(before).and_then(|at| self.fold.steps.get(at)) {
+            let at = at - before;
+            return Some(OneStep::Fold(Page::new(self.design, self.fold, step, (at, before), self.mounting.fold_parts.get(at))));
+        }
+        let step = if at < before { self.mounting.before.get(at) } else { self.mounting.after.get(at - before - folds) };
+        step.map(|step| OneStep::Mount(Panel::new(self.design, step, at)))
+    }
+}
+
+impl OneStep {
+    /// What its page says, a paragraph a line.
+    pub fn paragraphs(&self) -> Vec<String> {
+        let (heading, facts, parts, text, measures, caution) = match self {
+            Self::Mount(panel) => (&panel.heading, &panel.facts, &panel.parts, &panel.text, &[][..], &panel.caution),
+            Self::Fold(page) => (&page.heading, &page.facts, &page.parts, &page.text, &page.measures[..], &page.caution),
+        };
+        let takes: Vec<String> = parts.iter().map(PartLine::words).collect();
+        let mut lines = vec![heading.clone(), facts.clone()];
+        if !takes.is_empty() {
+            lines.push(format!("Takes {}.", takes.join(", ")));
+        }
+        lines.push(text.clone());
+        lines.extend(measures.iter().cloned());
+        lines.extend(caution.iter().map(|caution| format!("Caution. {caution}")));
+        lines
+    }
+
+    /// Its pictures by their names.
+    pub fn pictures(&self) -> Vec<(String, &Picture)> {
+        match self {
+            Self::Mount(panel) => vec![(panel.picture_name(), &panel.picture)],
+            Self::Fold(page) => page.picture_names().into_iter().zip(&page.pictures).collect(),
+        }
+    }
+}
+
 impl Booklet {
     /// The instructions of a frame.
     pub fn new(design: &Design, masses: &MassTable, fold: &FoldSequence) -> Self {
@@ -85,18 +161,17 @@ impl Booklet {
             steps.par_iter().enumerate().map(|(at, step)| Panel::new(design, step, from + at)).collect()
         };
         let page = |(at, step): (usize, &Step)| Page::new(design, fold, step, (at, first), mounting.fold_parts.get(at));
-        let mut after = vec![propellers(design)];
-        after.extend(panels(&mounting.after, first + fold.steps.len()));
         Self {
             frame: design.frame.name.clone(),
-            preface: preface(&mounting, fold.steps.len(), minutes, &forgotten(design, masses, &mounting)),
+            preface: preface(&mounting, fold, minutes, &forgotten(design, masses, &mounting)),
             apart: fold_scene::apart(design, fold),
             alone: alone(design, &mounting),
             parts: parts(masses),
             cuts: cuts(design),
+            assemblies: sub_assemblies(design, fold, &mounting),
             before: panels(&mounting.before, 0),
             pages: fold.steps.par_iter().enumerate().map(page).collect(),
-            after,
+            after: panels(&mounting.after, first + fold.steps.len()),
         }
     }
 }
@@ -109,8 +184,10 @@ fn alone(design: &Design, mounting: &Mounting) -> BTreeMap<String, Picture> {
     drawn.collect::<Vec<_>>().into_iter().collect()
 }
 
-fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]) -> Vec<String> {
+fn preface(mounting: &Mounting, fold: &FoldSequence, minutes: f64, forgotten: &[String]) -> Vec<String> {
     let (before, after) = (mounting.before.len(), mounting.after.len());
+    let whole = whole_modules(fold, before).join(" and ");
+    let folds = fold.steps.len();
     let mut lines = vec![
         format!(
             "{} steps, about {minutes:.0} minutes: {before} put hub and electronics together, {folds} fold the frame, {after} finish it. \
@@ -121,14 +198,23 @@ fn preface(mounting: &Mounting, folds: usize, minutes: f64, forgotten: &[String]
         "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. Of the \
          rods only one that is loose in its bore is glued. Never glue a hinge, nor the plugs in the hub: they let go in a crash."
             .into(),
-        "In the pictures what moves is dark, what it is joined to is less dark, and the rest is pale. Those of the fold show one module; a \
-         step that says 4 x is done at each of the four."
-            .into(),
+        format!(
+            "In the pictures what a step brings or bends is dark, what that is joined to is less dark, and the rest is pale. In the steps \
+             {whole} whole modules move: there only the ends that go into something are dark. The steps of the fold show the module of the \
+             front right; one that says 4 x is done at each of the four."
+        ),
+        "First power is without propellers: they are the last step.".into(),
     ];
     if !forgotten.is_empty() {
         lines.push(format!("Of the bill no step says where these go: {}.", forgotten.join(", ").replace('_', " ")));
     }
     lines
+}
+
+/// Numbers of the steps in which whole modules move.
+fn whole_modules(fold: &FoldSequence, before: usize) -> Vec<String> {
+    let whole = |step: &Step| matches!(step.task, Task::PlugHub | Task::CloseRing);
+    fold.steps.iter().enumerate().filter(|(_, step)| whole(step)).map(|(at, _)| (before + at + 1).to_string()).collect()
 }
 
 /// Lines of the bill that are in no step.
@@ -141,42 +227,43 @@ fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<St
     without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts())
 }
 
-/// Which way the propellers turn.
-fn propellers(design: &Design) -> Panel {
+/// Which way each propeller turns.
+fn rotations() -> String {
     let mut motors: Vec<(u32, String)> = MODULE_WORDS
         .iter()
         .enumerate()
-        .map(|(module, place)| (ROTORS[module].number, format!("{place}, {}", ROTORS[module].spin.words())))
+        .map(|(module, place)| {
+            (ROTORS[module].number, format!("motor {}, {place}: {}", ROTORS[module].number, ROTORS[module].spin.words()))
+        })
         .collect();
     motors.sort();
-    let motors: Vec<String> = motors.into_iter().map(|(number, words)| format!("motor {number} {words}")).collect();
-    Panel {
-        heading: "Which way the propellers turn".into(),
-        facts: "Seen from above, the front up".into(),
-        text: format!(
-            "Of the four propellers two turn each way: {}. The raised edge of a blade goes first. This is the usual numbering of flight \
-             controllers, \"props in\".",
-            motors.join("; ")
-        ),
-        caution: Some("Try the motors without propellers first.".into()),
-        parts: Vec::new(),
-        picture: propeller_scene::rotations(design),
-        held: "The front is up.",
-    }
+    let motors: Vec<String> = motors.into_iter().map(|(_, words)| words).collect();
+    format!("Seen from above: {}. This is the usual numbering of flight controllers, \"props in\".", motors.join("; "))
 }
 
 impl Panel {
+    /// Name of its picture, beside the page.
+    pub fn picture_name(&self) -> String {
+        format!("steps/{:02}.png", self.number)
+    }
+
     fn new(design: &Design, step: &MountStep, at: usize) -> Self {
         Self {
+            number: at + 1,
             heading: format!("{}. {}", at + 1, step.title),
-            facts: format!("once, {:.0} min; {}; {}", step.minutes, step.tool, fixed(step.fixing)),
-            text: step.text.to_string(),
+            facts: format!("{}; {}; {}", often(step.repeats, step.minutes), step.tool, fixed(step.fixing)),
+            text: if step.fixing == Fixing::Shaft { format!("{} {}", step.text, rotations()) } else { step.text.into() },
             caution: step.caution.map(Into::into),
             parts: step.parts.clone(),
             picture: mount_scene::mount(design, step),
             held: Held::of(step).words(),
         }
     }
+}
+
+/// How often, and how long it takes.
+fn often(repeats: usize, minutes: f64) -> String {
+    if repeats == 1 { format!("once, {minutes:.0} min") } else { format!("{repeats} x, {:.0} min each", minutes / repeats as f64) }
 }
 
 fn fixed(fixing: Fixing) -> String {
@@ -186,22 +273,29 @@ fn fixed(fixing: Fixing) -> String {
         Fixing::Glue => "glued".into(),
         Fixing::Ties(role) => format!("held by {}s", role.replace('_', " ")),
         Fixing::Tape => "taped".into(),
+        Fixing::SmallScrews => "held by small screws".into(),
+        Fixing::SmallTies => "held by small ties".into(),
         Fixing::Squeezed => "squeezed in".into(),
         Fixing::MagnetAndPlug => "held by magnet and plug".into(),
         Fixing::Solder => "soldered".into(),
+        Fixing::Shaft => "on the motor's shaft".into(),
     }
-}
-
-/// How many of what, with a screw's size.
-pub fn part_words(line: &PartLine) -> String {
-    let count = if line.count.fract() == 0.0 { format!("{:.0}", line.count) } else { "half a".into() };
-    let size = line.screw_mm.map_or(String::new(), |[thread, length]| format!(", M{thread} x {length}"));
-    format!("{count} x {}{size}", line.part.replace('_', " ")).replace("half a x", "half a")
 }
 
 fn parts(masses: &MassTable) -> Vec<[String; 3]> {
     let row = |name: &str| name.replace('_', " ");
     masses.lines.iter().map(|line| [format!("{} x", line.quantity), row(&line.name), row(&line.material)]).collect()
+}
+
+fn words(role: RodRole) -> String {
+    role.slug().replace('_', " ")
+}
+
+/// Which cage rod goes where, of a frame in which they have two lengths.
+fn two_lengths(design: &Design) -> Option<String> {
+    let [across, side] = [RodRole::Cage, RodRole::CageSide].map(words);
+    let line = format!("A {across} rod lies across the frame, in front or at the rear; a {side} rod along its left or right side.");
+    design.skeleton.closure.places.are_apart().then_some(line)
 }
 
 fn cuts(design: &Design) -> Vec<String> {
@@ -211,29 +305,36 @@ fn cuts(design: &Design) -> Vec<String> {
             .iter()
             .enumerate()
             .map(|(index, stock)| {
-                let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", role.slug())).collect();
+                let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", words(*role))).collect();
                 format!("{}. of {stock_mm:.0} mm: {}; rest {:.1}", index + 1, pieces.join(", "), stock.rest_mm)
             })
+            .chain(two_lengths(design))
             .collect(),
         Err(error) => vec![error.to_string()],
     }
 }
 
 impl Page {
-    /// A word for each picture.
-    pub fn captions(&self) -> Vec<&'static str> {
-        ["Before"].into_iter().chain(self.half_done).chain(["After"]).collect()
+    /// Words for each picture.
+    pub fn captions(&self) -> Vec<String> {
+        let words = ["Before"].into_iter().chain(self.half_done).chain(["After"]);
+        words.map(|words| format!("{words}. {}", Held::Upright.words())).collect()
+    }
+
+    /// Names of its pictures, beside the page.
+    pub fn picture_names(&self) -> Vec<String> {
+        let words = ["before"].into_iter().chain(self.half_done.map(|_| "between")).chain(["after"]);
+        words.map(|word| format!("steps/{:02}_{word}.png", self.number)).collect()
     }
 
     fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
-        let each = step.minutes / step.repeats as f64;
-        let often = if step.repeats == 1 { format!("once, {each:.0} min") } else { format!("{} x, {each:.0} min each", step.repeats) };
         let mut measures: Vec<String> = step.bends.iter().map(bend).collect();
         measures.extend(depths(step));
         measures.extend(left_out(step));
         Self {
+            number: first + at + 1,
             heading: format!("{}. {}", first + at + 1, step.title),
-            facts: format!("{often}; {}", step.tool),
+            facts: format!("{}; {}", often(step.repeats, step.minutes), step.tool),
             text: step.text.to_string(),
             measures,
             caution: step.caution.map(Into::into),
@@ -254,7 +355,8 @@ fn bend(bend: &FoldBend) -> String {
 
 /// How deep the rods go: the rings that the pictures show on them.
 fn depths(step: &Step) -> Vec<String> {
-    let line = |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it goes: {mm:.1} mm."));
+    let line =
+        |join: &Join| join.depth_mm.map(|mm| format!("The ring on the rod marks how deep it is in its bore in the end: {mm:.1} mm."));
     let mut lines: Vec<String> = step.joins.iter().filter_map(line).collect();
     lines.dedup();
     lines
@@ -263,5 +365,8 @@ fn depths(step: &Step) -> Vec<String> {
 /// What stays open until the triangle is closed, once for both of two rods.
 fn left_out(step: &Step) -> Option<String> {
     let join = step.joins.iter().find(|join| join.left_out_mm > 0.05)?;
-    Some(format!("Leave a gap of {:.1} mm between ring and bore: bending the foot closes it.", join.left_out_mm))
+    Some(format!(
+        "For now leave a gap of {:.1} mm between the ring and the mouth of the bore: bending the foot closes it later.",
+        join.left_out_mm
+    ))
 }

@@ -4,3 +4,4 @@ pub mod booklet_html;
 pub mod booklet_pdf;
 pub mod content;
 pub(in crate::report) mod pdf_document;
+pub mod sub_assembly;

@@ -91,7 +91,8 @@ fn put_together(design: &Design) -> Row {
     let Ok(fold) = FoldSequence::new(&design.frame, &design.skeleton) else {
         return ["fold it: **no order of folding was found**".into(), unknown(), unknown(), place];
     };
-    let minutes = fold.steps.iter().map(|step| step.minutes).sum::<f64>() + mounts.iter().map(|mount| mount.minutes).sum::<f64>();
+    let minutes = fold.steps.iter().map(|step| step.minutes).sum::<f64>()
+        + mounts.iter().map(|mount| mount.minutes * mount.repeats() as f64).sum::<f64>();
     let what = format!("put it together and fold it, {}", counted(fold.steps.len() + mounts.len(), "step"));
     [what, format!("{:.1} h", minutes / 60.0), unknown(), place]
 }

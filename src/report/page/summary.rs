@@ -16,7 +16,10 @@ pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], plate
     let mut page = String::new();
     let frame = &design.frame;
     // Writing to a String cannot fail.
-    let _ = writeln!(page, "# {}\n\n{}\n", inert(&frame.name), inert(&frame.description));
+    let _ = writeln!(page, "# {}\n", inert(&frame.name));
+    if !frame.description.is_empty() {
+        let _ = writeln!(page, "{}\n", inert(&frame.description));
+    }
     verdict(&mut page, findings);
     next_steps::section(&mut page, design, masses, plates);
     page.push_str("## The frame\n\n");
@@ -40,15 +43,34 @@ pub fn markdown(design: &Design, masses: &MassTable, findings: &[Finding], plate
 
 fn verdict(page: &mut String, findings: &[Finding]) {
     let broken: Vec<&Finding> = findings.iter().filter(|f| f.verdict == Verdict::Violated).collect();
+    let warnings: Vec<&Finding> = findings.iter().filter(|f| f.warns()).collect();
+    let count = match warnings.len() {
+        0 => String::new(),
+        1 => ", 1 warning".into(),
+        count => format!(", {count} warnings"),
+    };
     if broken.is_empty() {
-        let _ = writeln!(page, "Every limit holds.\n");
-        return;
+        let _ = writeln!(page, "Every limit holds{count}{}\n", if warnings.is_empty() { "." } else { ":" });
+    } else {
+        let _ = writeln!(page, "**{} limits are violated**{count}:\n", broken.len());
     }
-    let _ = writeln!(page, "**{} limits are violated:**\n", broken.len());
-    for finding in broken {
-        let _ = writeln!(page, "- {}", inert(&finding.message));
+    for finding in broken.iter().chain(&warnings) {
+        let word = if finding.warns() { "warning: " } else { "**violated:** " };
+        let _ = writeln!(page, "- {word}{}{}", inert(&finding.message), mend(finding));
     }
-    page.push('\n');
+    if !broken.is_empty() || !warnings.is_empty() {
+        page.push('\n');
+    }
+}
+
+/// What changes a finding, as the end of its sentence.
+fn mend(finding: &Finding) -> String {
+    let keys: Vec<String> = finding.levers.iter().map(|lever| format!("`{lever}`")).collect();
+    match &keys[..] {
+        [] => String::new(),
+        [key] => format!("; driven by {key}"),
+        [first @ .., last] => format!("; driven by {} or {last}", first.join(", ")),
+    }
 }
 
 fn geometry(page: &mut String, design: &Design, masses: &MassTable) {
@@ -130,6 +152,7 @@ fn limits(page: &mut String, findings: &[Finding]) {
         let verdict = match f.verdict {
             Verdict::Holds => "holds",
             Verdict::Violated => "**violated**",
+            Verdict::Note if f.warns() => "warning",
             Verdict::Note => "note",
         };
         let [value, limit, margin] = f.figures();
@@ -140,10 +163,6 @@ fn limits(page: &mut String, findings: &[Finding]) {
             inert(&f.subject),
             unit = f.unit
         );
-    }
-    page.push('\n');
-    for note in findings.iter().filter(|f| f.verdict == Verdict::Note && f.margin < 0.0) {
-        let _ = writeln!(page, "- {}", inert(&note.message));
     }
     page.push('\n');
 }

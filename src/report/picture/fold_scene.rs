@@ -5,12 +5,11 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 
 use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::labels::Labels;
-use super::lettering::Lettering;
 use super::raster;
 use crate::frame::assembly::{Design, Kind};
 use crate::frame::fold::{Done, FREE_WAY, FoldBend, FoldSequence, Member, Moment, NEXT_MODULE, Step, TOP_BENT, Task};
@@ -94,19 +93,19 @@ pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     let [before, after] = [stage.moment(0.0), stage.moment(1.0)];
     let [from, to] = [stage.shown(&before), stage.shown(&after)];
     let arrows = stage.arrows();
-    let between = half_way(stage.step().task).map(|(way, _)| {
-        let threaded = (stage.step().task == Task::ThreadKnee).then(|| threading(design, &before.pose(Member::Fork))).flatten();
-        let colours = [COLOURS[0], COLOURS[1], PLIERS];
-        let threaded =
-            threaded.map(|all| all.into_iter().zip(colours).map(|((mesh, pose), colour)| Shown { mesh, pose, colour }).collect());
-        threaded.unwrap_or_else(|| stage.shown(&stage.moment(way)))
-    });
+    let threaded = stage.threaded(&before);
+    let between = half_way(stage.step().task).map(|(way, _)| stage.shown(&stage.moment(way))).filter(|_| threaded.is_none());
     let all = [&from, &to].into_iter().chain(&between);
     let mut points: Vec<Point3<f64>> = all.flat_map(|shown| corners(&items(shown))).collect();
     points.extend(arrows.iter().flat_map(|(arrow, _)| &arrow.way));
     let camera = Camera::fit(View::Perspective, false, &points, STEP_SIZE);
     let mut pictures = vec![draw(&from, &arrows, &camera, STEP_SIZE)];
     pictures.extend(between.iter().map(|shown| draw(shown, &[], &camera, STEP_SIZE)));
+    // Pliers are larger than what they hold: the same direction, and all of them in the picture.
+    pictures.extend(threaded.iter().map(|shown| {
+        let camera = Camera::fit(View::Perspective, false, &corners(&items(shown)), STEP_SIZE);
+        draw(shown, &[], &camera, STEP_SIZE)
+    }));
     pictures.push(draw(&to, &[], &camera, STEP_SIZE));
     pictures
 }
@@ -129,6 +128,7 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
         let member = Member::ALL.into_iter().find(|m| body.module.is_some_and(|module| m.body(module) == body.name));
         let pose = match (member.and_then(|m| places.iter().find(|(p, _)| *p == m)), body.module) {
             (Some((_, pose)), Some(module)) => fold.module.modules.pose(module, pose),
+            (None, Some(module)) => over_motor(fold, &places, module) * body.pose,
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
         named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module, pose * middle_of(&shape.mesh)));
@@ -156,8 +156,19 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
     picture
 }
 
+/// Room between a motor and what is put onto its shaft when all is taken apart, mm.
+const OVER_MOTOR_MM: f64 = 25.0;
+
+/// How far what is put onto a motor is off its place when all is taken apart.
+fn over_motor(fold: &FoldSequence, places: &[(Member, Isometry3<f64>)], module: usize) -> Isometry3<f64> {
+    let home = fold.module.modules.pose(module, &fold.module.place(Member::Motor));
+    let apart = places.iter().find(|(member, _)| *member == Member::Motor).map(|(_, pose)| fold.module.modules.pose(module, pose));
+    let off = apart.map_or_else(Vector3::zeros, |apart| apart.translation.vector - home.translation.vector);
+    Translation3::from(off + Vector3::z() * OVER_MOTOR_MM).into()
+}
+
 /// A body's name as words: without its module, and without the number of one among several; a rod is called one.
-fn words_of(name: &str, module: Option<usize>, is_rod: bool) -> String {
+pub(super) fn words_of(name: &str, module: Option<usize>, is_rod: bool) -> String {
     let own = |part: &&str| module.is_none_or(|module| *part != MODULE_NAMES[module]) && part.parse::<u32>().is_err();
     let mut words: Vec<&str> = name.split('_').filter(own).collect();
     if is_rod {
@@ -166,7 +177,7 @@ fn words_of(name: &str, module: Option<usize>, is_rod: bool) -> String {
     words.join(" ")
 }
 
-fn middle_of(mesh: &Mesh) -> Point3<f64> {
+pub(super) fn middle_of(mesh: &Mesh) -> Point3<f64> {
     let [low, high] = mesh.bounds_mm();
     Point3::from((Vector3::from(low) + Vector3::from(high)) * 0.5)
 }
@@ -182,14 +193,11 @@ pub(super) fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera,
     fills.extend(arrows.iter().flat_map(|(arrow, _)| arrow.fills(camera)));
     let [width, height] = size.map(|s| s as usize);
     let mut rgb = raster::rgb(&fills, width, height);
-    let Some(lettering) = Lettering::new() else { return Picture { rgb, size } };
-    for (arrow, label) in arrows.iter().filter(|(_, label)| !label.is_empty()) {
-        let [a, b] = [0.35, 0.5].map(|share| camera.project(&arrow.way[(share * (arrow.way.len() - 1) as f64) as usize]));
-        // Beside the arrow, on its left.
-        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
-        let length = libm::hypot(dx, dy).max(1e-9);
-        let off = 16.0 + 0.5 * (lettering.width(label, LETTERS) * (dy / length).abs() + LETTERS * (dx / length).abs());
-        lettering.write(&mut rgb, width, label, LETTERS, [b[0] + dy / length * off, b[1] - dx / length * off]);
+    if let Some(mut labels) = Labels::on(&mut rgb, size[0]) {
+        for (arrow, label) in arrows.iter().filter(|(_, label)| !label.is_empty()) {
+            let [x, y, _] = camera.project(&arrow.way[(arrow.way.len() - 1) / 2]);
+            labels.put(label, LETTERS, [x, y]);
+        }
     }
     Picture { rgb, size }
 }
@@ -206,6 +214,13 @@ impl Stage<'_> {
     fn moment(&self, way: f64) -> Moment {
         let rules = self.fold.rules(&self.design.frame, &self.design.skeleton);
         moment(&rules, &self.order, &self.done(), (self.order[self.at], way))
+    }
+
+    /// The fork's leg on its way through the window, with the pliers that pull it; none of other steps.
+    fn threaded(&self, before: &Moment) -> Option<Vec<Shown>> {
+        let all = (self.step().task == Task::ThreadKnee).then(|| threading(self.design, &before.pose(Member::Fork))).flatten()?;
+        let colours = [COLOURS[0], COLOURS[1], PLIERS];
+        Some(all.into_iter().zip(colours).map(|((mesh, pose), colour)| Shown { mesh, pose, colour }).collect())
     }
 
     /// Whether the step is about the whole frame.

@@ -16,7 +16,8 @@ const GROUND_MM: f64 = 400.0;
 /// The slopes, rad, are those along the first foot's diagonal, whose foot at the front right is the lower one, and along the other
 /// diagonal. Turns about both are small and taken one after the other.
 pub fn png(design: &Design, slopes_rad: [f64; 2]) -> Vec<u8> {
-    let items = scene::assembled(design);
+    let laid = scene::laid(design);
+    let items = scene::assembled(design, &laid);
     // The foot at +x +y goes down when the frame turns about the horizontal axis across its diagonal.
     let across = |x: f64, y: f64| Unit::new_normalize(Vector3::new(x, y, 0.0));
     let turn = UnitQuaternion::from_axis_angle(&across(-1.0, 1.0), slopes_rad[0])

@@ -15,4 +15,5 @@ pub mod propeller_scene;
 pub(in crate::report) mod raster;
 pub mod scene;
 pub mod side_by_side;
+pub mod sub_assembly_scene;
 pub(in crate::report) mod surface;

@@ -8,7 +8,8 @@ use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
-use crate::frame::assembly::wires::wires;
+use super::propeller_scene;
+use crate::frame::assembly::wires::{Wire, lead_ends, wires};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::mounting::{Fixing, MountStep, PartLine};
 
@@ -20,12 +21,14 @@ const ARROW: [f64; 2] = [0.15, 0.85];
 /// How the assembly is held in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Held {
-    /// As it flies, seen from the front and above.
+    /// As it flies, seen from the front left and above.
     Upright,
     /// Upside down, its front still to the lower left.
     TurnedOver,
-    /// Seen from the rear.
+    /// Seen from the rear right and above.
     TurnedAround,
+    /// Seen from above, the front up.
+    FromAbove,
 }
 
 impl Held {
@@ -33,6 +36,7 @@ impl Held {
     pub fn of(step: &MountStep) -> Self {
         match step.from {
             None if step.fixing == Fixing::Solder => Self::TurnedOver,
+            _ if step.fixing == Fixing::Shaft => Self::FromAbove,
             Some([_, _, z]) if z < -0.5 => Self::TurnedOver,
             Some([_, y, _]) if y < -0.5 => Self::TurnedAround,
             _ => Self::Upright,
@@ -42,15 +46,16 @@ impl Held {
     /// In words.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Upright => "Seen from the front and above.",
-            Self::TurnedOver => "Turned over: the underside is up.",
-            Self::TurnedAround => "Seen from the rear.",
+            Self::Upright => "Seen from the front left and above.",
+            Self::TurnedOver => "Turned over, the underside up: seen from the front right and below.",
+            Self::TurnedAround => "Seen from the rear right and above.",
+            Self::FromAbove => "Seen from above: the front is up.",
         }
     }
 
     fn turn(self) -> UnitQuaternion<f64> {
         match self {
-            Self::Upright => UnitQuaternion::identity(),
+            Self::Upright | Self::FromAbove => UnitQuaternion::identity(),
             Self::TurnedOver => UnitQuaternion::from_axis_angle(&Vector3::y_axis(), std::f64::consts::PI),
             Self::TurnedAround => UnitQuaternion::from_axis_angle(&Vector3::z_axis(), std::f64::consts::PI),
         }
@@ -70,8 +75,28 @@ pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
-/// The picture of a mount.
+/// The wires that a step is about, as they run while its parts are off their place: those of a connector end where it is then.
+fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
+    let of = |role: &str| wires(design).into_iter().filter(|wire| wire.role == role).collect::<Vec<_>>();
+    let mut found = match step.mount {
+        "wiring" => of("motor_wire").into_iter().map(|wire| Wire { colour: COLOURS[0], ..wire }).collect(),
+        "bracket" => of("battery_wire"),
+        "connector_in_bracket" => lead_ends(design, "connector_bracket"),
+        "connector_in_lid" => lead_ends(design, "connector_lid"),
+        _ => return Vec::new(),
+    };
+    let moved = if step.mount == "bracket" { 2 } else { usize::MAX };
+    for wire in found.iter_mut().filter(|wire| wire.role == "battery_wire") {
+        wire.way.iter_mut().take(moved).for_each(|point| *point += off);
+    }
+    found
+}
+
+/// The picture of a mount; of the propellers it says which way each turns.
 pub fn mount(design: &Design, step: &MountStep) -> Picture {
+    if step.fixing == Fixing::Shaft {
+        return propeller_scene::rotations(design);
+    }
     let (held, off) = (Held::of(step).turn(), step.shown_off_mm());
     let pose = |body: &Body, off: Vector3<f64>| Isometry3::from_parts(Translation3::identity(), held) * Translation3::from(off) * body.pose;
     let named = |name: &String| design.bodies.iter().find(|body| body.name == *name);
@@ -96,11 +121,8 @@ pub fn mount(design: &Design, step: &MountStep) -> Picture {
             arrows.push((Arrow { way: (0..=ARROW_PLACES).map(|i| at(place(i))).collect() }, String::new()));
         }
     }
-    if step.fixing == Fixing::Solder {
-        let turned = Isometry3::from_parts(Translation3::identity(), held);
-        let laid = wires(design).into_iter().filter(|wire| wire.role == "motor_wire");
-        all.extend(laid.map(|wire| Shown { mesh: wire.mesh().into(), pose: turned, colour: COLOURS[0] }));
-    }
+    let turned = Isometry3::from_parts(Translation3::identity(), held);
+    all.extend(laid(design, step, off).into_iter().map(|wire| Shown { mesh: wire.mesh().into(), pose: turned, colour: wire.colour }));
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&all)), SIZE);
     draw(&all, &arrows, &camera, SIZE)
 }

@@ -6,12 +6,14 @@ use rayon::prelude::*;
 use super::labels::Labels;
 use super::lettering::Lettering;
 use super::plate_picture;
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Printed};
 use crate::frame::fold::Member;
 use crate::frame::skeleton::MODULE_WORDS;
 use crate::printing::plates::Plate;
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
+use crate::solid::Mesh;
 
 /// Width and height of the pictures of the whole frame, pixels.
 const FRAME_SIZE: [u32; 2] = [1024, 768];
@@ -70,7 +72,7 @@ impl Job<'_> {
         let kept = match self {
             Self::Assembled(_, view) => {
                 let body = |body: &Body| (design.shape(body).solid.key(), body.pose, design.shape(body).colour);
-                design.memo.get("picture", &path, &(view, design.bodies.iter().map(body).collect::<Vec<_>>()), draw)
+                design.memo.get("picture", &path, &(view, design.bodies.iter().map(body).collect::<Vec<_>>(), wires(design)), draw)
             }
             Self::Beds(plates) => {
                 let parts: Vec<_> = design.printed.iter().map(printed).collect();
@@ -87,7 +89,7 @@ impl Job<'_> {
         let [width, height] = FRAME_SIZE;
         match self {
             Self::Assembled(_, view @ (View::Perspective | View::Top)) => with_corners(design, *view),
-            Self::Assembled(_, view) => picture::png(&assembled(design), *view, width, height),
+            Self::Assembled(_, view) => picture::png(&assembled(design, &laid(design)), *view, width, height),
             Self::Beds(plates) => on_beds(design, plates),
             Self::Part(part) => {
                 let [width, height] = PART_SIZE;
@@ -102,12 +104,19 @@ fn colour(design: &Design, part: &Printed) -> [f32; 4] {
     design.material_of(part.name).material.colour
 }
 
-pub(in crate::report) fn assembled(design: &Design) -> Vec<Item<'_>> {
+/// The wires of a design as they are drawn in every picture of the assembled frame.
+pub(in crate::report) fn laid(design: &Design) -> Vec<(Mesh, [f32; 4])> {
+    wires(design).iter().map(|wire| (wire.mesh(), wire.colour)).collect()
+}
+
+/// The bodies and wires of the assembled frame.
+pub(in crate::report) fn assembled<'a>(design: &'a Design, laid: &'a [(Mesh, [f32; 4])]) -> Vec<Item<'a>> {
+    let wires = laid.iter().map(|(mesh, colour)| Item { mesh, pose: Isometry3::identity(), colour: *colour });
     let item = |body: &Body| {
         let shape = &design.shapes[body.shape];
         Item { mesh: &shape.mesh, pose: body.pose, colour: shape.colour }
     };
-    design.bodies.iter().map(item).collect()
+    design.bodies.iter().map(item).chain(wires).collect()
 }
 
 /// The frame with the names of its four corners.
@@ -123,7 +132,7 @@ fn with_corners(design: &Design, view: View) -> Vec<u8> {
     let corners: Vec<(&str, &Body)> =
         MODULE_WORDS.iter().enumerate().filter_map(|(module, words)| Some((*words, corner(module)?))).collect();
     let room: Vec<Point3<f64>> = corners.iter().map(|(_, body)| off(body)).collect();
-    let (mut rgb, camera) = picture::seen(&assembled(design), &[], &room, view, FRAME_SIZE);
+    let (mut rgb, camera) = picture::seen(&assembled(design, &laid(design)), &[], &room, view, FRAME_SIZE);
     if let Some(mut labels) = Labels::on(&mut rgb, width) {
         for (words, body) in corners {
             let [x, y, _] = camera.project(&Point3::from(body.pose.translation.vector));

@@ -15,7 +15,8 @@ const LETTERS: f64 = 22.0;
 
 /// Both frames in perspective, and from above below that, under their names; the bytes of a PNG file.
 pub fn png(designs: [&Design; 2], names: [&str; 2]) -> Vec<u8> {
-    let items = designs.map(scene::assembled);
+    let laid = designs.map(scene::laid);
+    let items = [0, 1].map(|side| scene::assembled(designs[side], &laid[side]));
     let both: Vec<Item> = items.iter().flatten().copied().collect();
     let points = corners(&both);
     let [width, height] = SIZE.map(|side| side as usize);

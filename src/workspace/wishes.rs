@@ -1,0 +1,102 @@
+//! What a frame file asks for beyond its base, and frames that keep it.
+//!
+//! A key that a file of the user's states is a wish. A remedy that takes it back is none that a person looks for: what has to follow from the
+//! wish is. Two things are tried: the presets, each with the wishes put onto it, and, as that takes longest, rods and motor positions that move
+//! together.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use crate::checks::{self, Cost, Rule, Verdict};
+use crate::figures::decimals;
+use crate::frame::assembly::{Design, mass};
+use crate::memo::Memo;
+use crate::params::frame_file::Entry;
+use crate::params::{Frame, FrameFile, preset};
+use crate::variant::{Request, create};
+
+/// Frames that the search for what has to move together looks at.
+const MOST: usize = 60;
+
+/// The wishes of a frame file.
+pub(super) struct Wishes<'a> {
+    file: &'a FrameFile,
+    /// The frame that they are put onto; none where a file of the user's is the base.
+    base: Option<Frame>,
+}
+
+impl<'a> Wishes<'a> {
+    /// Those of a file.
+    pub(super) fn of(file: &'a FrameFile) -> Self {
+        let preset = presets().find(|(_, text)| file.entries.values().any(|entry| entry.place.source.text == *text));
+        let base = preset.and_then(|(name, text)| Frame::resolve(&FrameFile::parse(name, text).ok()?).ok());
+        Self { file, base }
+    }
+
+    /// Whether a key is one.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.file.entries.get(key).is_some_and(is_own)
+    }
+
+    /// Whether another value takes a wish back: another choice than the chosen one, or a number on the way back to the base's.
+    pub(super) fn takes_back(&self, key: &str, [now, to]: [Option<f64>; 2]) -> bool {
+        let base = || key.split_once('.').and_then(|(table, key)| self.base.as_ref()?.value(table, key));
+        let back = |now: f64, to: f64| base().is_none_or(|base| (to - now) * (base - now) > 0.0);
+        self.has(key) && now.zip(to).is_none_or(|(now, to)| back(now, to))
+    }
+
+    /// Frames that have the wishes and keep every limit, in words; none where there are no wishes, or none was found.
+    pub(super) fn kept_by(&self, memo: &Arc<Memo>, rules: &[&'static Rule]) -> Option<String> {
+        let wishes: Vec<(&String, &Entry)> = self.file.entries.iter().filter(|(_, entry)| is_own(entry)).collect();
+        if wishes.is_empty() {
+            return None;
+        }
+        let found = self.on_a_preset(&wishes, memo, rules).or_else(|| self.together(&wishes))?;
+        Some(format!("to keep what the file asks for: {found}"))
+    }
+
+    /// The first preset, the lightest, that keeps its limits with the wishes put onto it.
+    fn on_a_preset(&self, wishes: &[(&String, &Entry)], memo: &Arc<Memo>, rules: &[&'static Rule]) -> Option<String> {
+        let names: Vec<(&str, &str)> = presets().collect();
+        let keeps = |(name, text): &(&'static str, &'static str)| {
+            let mut file = FrameFile::parse(name, text).ok()?;
+            wishes.iter().for_each(|(key, entry)| file.set(key, entry.value.clone()));
+            let design = Design::with(Frame::resolve(&file).ok()?, memo).ok()?;
+            let masses = mass::table(&design);
+            let found = checks::check_by(rules, Cost::Slow, &design, &masses);
+            found.iter().all(|f| f.verdict != Verdict::Violated).then_some((masses.total_g, *name))
+        };
+        let fits: Vec<(f64, &str)> = names.par_iter().filter_map(keeps).collect();
+        let (mass_g, name) = fits.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+        Some(format!("base = \"{name}\" keeps every limit of its own ({} g)", decimals(mass_g, 1)))
+    }
+
+    /// Rods and motor positions that keep every limit when they move together; none where a wish is among them.
+    fn together(&self, wishes: &[(&String, &Entry)]) -> Option<String> {
+        let from = self.base.as_ref()?;
+        let follows = |_: &_| ControlFlow::Continue(());
+        let request = Request { file: self.file, from, envelope_mm: None, most: MOST, follows: &follows };
+        let creation = create(&request).ok()?;
+        if creation.moved.is_empty() || creation.moved.iter().any(|moved| wishes.iter().any(|(key, _)| **key == moved.key)) {
+            return None;
+        }
+        let moves: Vec<String> = creation
+            .moved
+            .iter()
+            .map(|moved| format!("{} {} -> {}", moved.key, decimals(moved.before, 2), decimals(moved.after, 3)))
+            .collect();
+        Some(format!("{} together keep every limit ({} g)", moves.join(", "), decimals(creation.evaluation.masses.total_g, 1)))
+    }
+}
+
+/// Names and texts of the presets.
+fn presets() -> impl Iterator<Item = (&'static str, &'static str)> {
+    preset::names().filter_map(|name| preset::text(name).map(|text| (name, text)))
+}
+
+/// Whether an entry is a user's: it stands in no preset.
+fn is_own(entry: &Entry) -> bool {
+    presets().all(|(_, text)| entry.place.source.text != text)
+}
