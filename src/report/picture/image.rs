@@ -344,6 +344,20 @@ mod tests {
     }
 
     #[test]
+    fn analytic_what_stands_in_two_pictures_looks_the_same_in_both() {
+        let (ball, cube) = (sphere(9.0, 24), cuboid([10.0, 4.0, 2.0]));
+        let same = ball.clone();
+        let first = [at(&ball, [5.0, 0.0, 0.0], RED), at(&cube, [0.0; 3], BLUE)];
+        let second = [at(&same, [5.0, 0.0, 0.0], RED), at(&cube, [1.0, 0.0, 0.0], BLUE), at(&ball, [5.0, 0.0, 0.0], BLUE)];
+        let camera = Camera::fit(View::Perspective, false, &corners(&second), [160, 120]);
+        let mut sketches = Sketches::new(&camera);
+        for items in [&first[..], &second[..]] {
+            assert_eq!(raster::rgb(&sketches.fills_of(items), 160, 120), raster::rgb(&fills_of(items, &camera), 160, 120));
+        }
+        assert_eq!(sketches.drawn.len(), 4);
+    }
+
+    #[test]
     fn analytic_a_round_bed_covers_a_disc_of_its_square() {
         let covered = |round: bool| {
             let bed = Bed { low_mm: [10.0, -5.0], size_mm: [200.0, 200.0], round };

@@ -474,6 +474,34 @@ mod tests {
     }
 
     #[test]
+    fn analytic_a_scan_finds_what_a_walk_finds() {
+        let mut state = 1_u64;
+        let mut number = |most: f64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            // Often on the middle of a sample, where the rule of edges decides.
+            ((state >> 40) as f64 / 16_777_216.0 * most * 4.0).round() / 4.0
+        };
+        let given = [0..40, 0..40];
+        for _ in 0..5000 {
+            let corners = [0; 3].map(|_| [number(9.0), number(9.0), 0.0]);
+            let Some(shape) = Shape::new(&corners) else { continue };
+            let [columns, rows] = [shape.within(0, &given[0]), shape.within(1, &given[1])];
+            let (mut scan, mut walk) = (Scan::new(&shape, columns.start, rows.start), Walk::new(&shape, rows.start));
+            for row in rows {
+                let [scanned, walked] = [scan.next_row(&columns), walk.next_row(&columns)];
+                assert!(scanned == walked || (scanned.is_empty() && walked.is_empty()), "{corners:?} {row}");
+            }
+        }
+    }
+
+    #[test]
+    fn analytic_what_lies_between_samples_changes_nothing() {
+        let corners = [[3.26, 3.26, 0.0], [3.26, 3.7, 0.0], [3.7, 3.7, 0.0]];
+        assert!(!covers_samples(&corners) && rgb(&[translucent(corners)], 8, 8).iter().all(|b| *b == 255));
+        assert!(covers_samples(&[[3.2, 3.2, 0.0], [3.2, 3.7, 0.0], [3.7, 3.7, 0.0]]));
+    }
+
+    #[test]
     fn analytic_half_square_covers_half() {
         let half = Fill { alpha: 1.0, ..translucent([[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [0.0, 60.0, 0.0]]) };
         let dark = rgb(&[half], 60, 60).chunks(3).filter(|p| p[0] == 0).count();
