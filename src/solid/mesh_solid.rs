@@ -12,7 +12,7 @@ use super::box_tree::BoxTree;
 use super::facets::Facets;
 use super::feature::Feature;
 use super::mesh::Mesh;
-use super::oriented_box::OrientedBox;
+use super::oriented_box::{Between, OrientedBox};
 use super::profile::{Profile, circumscribed};
 use super::region::Region;
 use crate::memo::{Key, Memo};
@@ -23,6 +23,9 @@ pub const SEGMENTS_PER_TURN: u32 = 48;
 /// Detail below this size (mm) is simplified away before a mesh is written; a tenth of what a printer can place.
 const DETAIL_MM: f64 = 0.001;
 
+/// Boxes that lie in each other by less than this touch: their faces have been rounded. Faces of 100 mm by 100 mm share 0.001 mm³ then, mm.
+const ROUNDED_MM: f64 = 1e-7;
+
 /// A closed solid in the mesh kernel, mm. Copies share what they hold.
 #[derive(Clone)]
 pub struct MeshSolid(Arc<Held>);
@@ -32,6 +35,7 @@ struct Held {
     kernel: OnceLock<Manifold>,
     facets: OnceLock<Facets>,
     boxes: OnceLock<BoxTree>,
+    body_boxes: OnceLock<Vec<OrientedBox>>,
 }
 
 /// Where a line meets a surface.
@@ -55,11 +59,11 @@ impl MeshSolid {
     }
 
     fn of(kernel: Manifold) -> Self {
-        Self(Arc::new(Held { kernel: kernel.into(), facets: OnceLock::new(), boxes: OnceLock::new() }))
+        Self(Arc::new(Held { kernel: kernel.into(), facets: OnceLock::new(), boxes: OnceLock::new(), body_boxes: OnceLock::new() }))
     }
 
     pub(super) fn of_facets(facets: Facets) -> Self {
-        Self(Arc::new(Held { kernel: OnceLock::new(), facets: facets.into(), boxes: OnceLock::new() }))
+        Self(Arc::new(Held { kernel: OnceLock::new(), facets: facets.into(), boxes: OnceLock::new(), body_boxes: OnceLock::new() }))
     }
 
     fn kernel(&self) -> &Manifold {
@@ -178,6 +182,9 @@ impl MeshSolid {
 
     /// Volume in common with another, in a pose relative to this one's axes, mm³.
     pub fn shared_mm3(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
+        if self.is_parted_from(other, pose) {
+            return 0.0;
+        }
         self.intersection(&other.placed(pose)).volume_mm3()
     }
 
@@ -203,8 +210,16 @@ impl MeshSolid {
     }
 
     /// Boxes along its axes around each of its separate bodies.
-    pub fn body_boxes(&self) -> Vec<OrientedBox> {
-        self.facets_held().bodies().iter().map(|corners| OrientedBox::around(corners.iter())).collect()
+    pub fn body_boxes(&self) -> &[OrientedBox] {
+        let around = || self.facets_held().bodies().iter().map(|corners| OrientedBox::around(corners.iter())).collect();
+        self.0.body_boxes.get_or_init(around)
+    }
+
+    /// Whether boxes around the separate bodies of the two lie in each other by rounding at most, the other in a pose relative to this
+    /// one's axes. Only whole bodies tell it: facets that merely touch do not, as those of a shank under a head that lies on a face.
+    fn is_parted_from(&self, other: &Self, pose: &Isometry3<f64>) -> bool {
+        let between = Between::of(pose);
+        self.body_boxes().iter().all(|mine| other.body_boxes().iter().all(|its| mine.apart_by_edges_mm(its, &between) >= -ROUNDED_MM))
     }
 
     /// Its largest body alone: what is left when a cut has grazed a surface.
@@ -391,4 +406,37 @@ fn matrix(pose: &Isometry3<f64>) -> Mat3x4 {
     let m = pose.rotation.to_rotation_matrix();
     let column = |i: usize| Vec3::new(m[(0, i)], m[(1, i)], m[(2, i)]);
     Mat3x4::from_cols(column(0), column(1), column(2), vec3(&pose.translation.vector))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64, y: f64, z: f64) -> Isometry3<f64> {
+        Isometry3::translation(x, y, z)
+    }
+
+    #[test]
+    fn analytic_blocks_that_touch_share_nothing_and_deeper_ones_what_they_share() {
+        let [block, pair] = [Feature::cuboid([10.0, 10.0, 10.0]), Feature::cuboid([2.0, 2.0, 2.0])];
+        let block = MeshSolid::build(&block);
+        let pair = MeshSolid::build(&Feature::union([pair.clone().at(0.0, 0.0, 0.0), pair.at(20.0, 0.0, 0.0)]));
+        for deg in [0.0, 35.0] {
+            let turned = Isometry3::rotation(Vector3::z() * f64::to_radians(deg));
+            let height = block.bounds_mm()[1][2] - pair.bounds_mm()[0][2];
+            assert_eq!(block.shared_mm3(&pair, &(at(0.0, 0.0, height) * turned)), 0.0);
+            let shared = block.shared_mm3(&pair, &(at(0.0, 0.0, height - 0.01) * turned));
+            assert!((shared - 0.04).abs() < 1e-6, "{shared}");
+        }
+        // The block stands between the two of the pair: the box around both is in it, they are not.
+        assert_eq!(block.shared_mm3(&pair, &at(-10.0, 0.0, 0.0)), 0.0);
+    }
+
+    #[test]
+    fn analytic_a_shank_under_a_head_that_lies_on_a_plate_is_in_the_plate() {
+        let plate = MeshSolid::build(&Feature::cuboid_between([-9.0, -9.0, -4.0], [9.0, 9.0, 0.0]));
+        let head = Feature::cuboid_between([-2.0, -2.0, 0.0], [2.0, 2.0, 1.0]);
+        let screw = MeshSolid::build(&Feature::union([head, Feature::cuboid_between([-1.0, -1.0, -3.0], [1.0, 1.0, 0.0])]));
+        assert!((plate.shared_mm3(&screw, &Isometry3::identity()) - 12.0).abs() < 1e-9);
+    }
 }

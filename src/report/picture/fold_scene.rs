@@ -10,12 +10,12 @@ use nalgebra::{Isometry3, Point3, Translation3, Vector3};
 use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::labels::Labels;
-use super::raster;
+use super::raster::{self, Fill};
 use crate::frame::assembly::{Design, Kind};
 use crate::frame::fold::{Done, FREE_WAY, FoldBend, FoldSequence, Member, Moment, NEXT_MODULE, Step, TOP_BENT, Task};
 use crate::frame::fold::{bent_by, depth, exploded, mesh_at, moment, threading};
 use crate::frame::skeleton::{MODULE_NAMES, MODULE_WORDS};
-use crate::report::picture::image::{Item, corners, encoded, fills_of};
+use crate::report::picture::image::{Item, Sketches, corners, encoded, fills_of};
 use crate::solid::{Feature, Mesh, MeshSolid};
 
 /// Width and height of a step's picture, pixels.
@@ -99,14 +99,16 @@ pub fn step(design: &Design, fold: &FoldSequence, at: usize) -> Vec<Picture> {
     let mut points: Vec<Point3<f64>> = all.flat_map(|shown| corners(&items(shown))).collect();
     points.extend(arrows.iter().flat_map(|(arrow, _)| &arrow.way));
     let camera = Camera::fit(View::Perspective, false, &points, STEP_SIZE);
-    let mut pictures = vec![draw(&from, &arrows, &camera, STEP_SIZE)];
-    pictures.extend(between.iter().map(|shown| draw(shown, &[], &camera, STEP_SIZE)));
+    // What does not move is drawn once.
+    let mut sketches = Sketches::new(&camera);
+    let mut pictures = vec![finished(sketches.fills_of(&items(&from)), &arrows, &camera, STEP_SIZE)];
+    pictures.extend(between.iter().map(|shown| finished(sketches.fills_of(&items(shown)), &[], &camera, STEP_SIZE)));
     // Pliers are larger than what they hold: the same direction, and all of them in the picture.
     pictures.extend(threaded.iter().map(|shown| {
         let camera = Camera::fit(View::Perspective, false, &corners(&items(shown)), STEP_SIZE);
         draw(shown, &[], &camera, STEP_SIZE)
     }));
-    pictures.push(draw(&to, &[], &camera, STEP_SIZE));
+    pictures.push(finished(sketches.fills_of(&items(&to)), &[], &camera, STEP_SIZE));
     pictures
 }
 
@@ -189,7 +191,11 @@ pub(super) fn items(shown: &[Shown]) -> Vec<Item<'_>> {
 
 /// Bodies with arrows, each with a label or none.
 pub(super) fn draw(shown: &[Shown], arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
-    let mut fills = fills_of(&items(shown), camera);
+    finished(fills_of(&items(shown), camera), arrows, camera, size)
+}
+
+/// A picture of what is drawn of its bodies, with its arrows.
+fn finished(mut fills: Vec<Fill>, arrows: &[(Arrow, String)], camera: &Camera, size: [u32; 2]) -> Picture {
     fills.extend(arrows.iter().flat_map(|(arrow, _)| arrow.fills(camera)));
     let [width, height] = size.map(|s| s as usize);
     let mut rgb = raster::rgb(&fills, width, height);

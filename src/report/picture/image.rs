@@ -37,6 +37,17 @@ pub struct Item<'a> {
     pub colour: [f32; 4],
 }
 
+impl Item<'_> {
+    /// Whether the other is drawn as this one is, to the last bit.
+    fn looks_like(&self, other: &Self) -> bool {
+        let bits = |item: &Self| {
+            let Isometry3 { rotation, translation } = item.pose;
+            (rotation.coords.map(f64::to_bits), translation.vector.map(f64::to_bits), item.colour.map(f32::to_bits))
+        };
+        bits(self) == bits(other) && (std::ptr::eq(self.mesh, other.mesh) || self.mesh == other.mesh)
+    }
+}
+
 /// The bed of a printer in the plane Z = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bed {
@@ -119,17 +130,43 @@ pub(in crate::report) fn corners(items: &[Item]) -> Vec<Point3<f64>> {
 
 /// What is drawn of the items: surfaces, lines, and last what lets others shine through, the farthest first.
 pub(in crate::report) fn fills_of(items: &[Item], camera: &Camera) -> Vec<Fill> {
-    let (mut fills, mut lines, mut translucent) = (Vec::new(), Vec::new(), Vec::new());
-    for item in items {
-        let Drawn { facets, lines: own } = surface::drawn(item.mesh, &item.pose, item.colour, camera);
-        if item.colour[3] < 1.0 { &mut translucent } else { &mut fills }.extend(facets);
-        lines.extend(own);
+    Sketches::new(camera).fills_of(items)
+}
+
+/// What is drawn of items in several pictures by one camera: of those that stand in several, once.
+pub(in crate::report) struct Sketches<'a> {
+    camera: &'a Camera,
+    drawn: Vec<(Item<'a>, Drawn)>,
+}
+
+impl<'a> Sketches<'a> {
+    /// None yet.
+    pub fn new(camera: &'a Camera) -> Self {
+        Self { camera, drawn: Vec::new() }
     }
-    let nearness = |f: &Fill| f.corners[0][2] + f.corners[1][2] + f.corners[2][2];
-    translucent.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
-    fills.extend(lines);
-    fills.extend(translucent);
-    fills
+
+    /// As [`fills_of`].
+    pub fn fills_of(&mut self, items: &[Item<'a>]) -> Vec<Fill> {
+        let (mut fills, mut lines, mut translucent) = (Vec::new(), Vec::new(), Vec::new());
+        for item in items {
+            let Drawn { facets, lines: own } = self.drawn(item);
+            if item.colour[3] < 1.0 { &mut translucent } else { &mut fills }.extend_from_slice(facets);
+            lines.extend_from_slice(own);
+        }
+        let nearness = |f: &Fill| f.corners[0][2] + f.corners[1][2] + f.corners[2][2];
+        translucent.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+        fills.extend(lines);
+        fills.extend(translucent);
+        fills
+    }
+
+    fn drawn(&mut self, item: &Item<'a>) -> &Drawn {
+        let at = self.drawn.iter().position(|(other, _)| other.looks_like(item)).unwrap_or_else(|| {
+            self.drawn.push((*item, surface::drawn(item.mesh, &item.pose, item.colour, self.camera)));
+            self.drawn.len() - 1
+        });
+        &self.drawn[at].1
+    }
 }
 
 /// The beds, their grids, and the shadows on them.
@@ -304,6 +341,20 @@ mod tests {
             assert_eq!(png(&items, view, 160, 120), png(&items, view, 160, 120));
             assert_eq!(png_on_bed(&items, &bed, view, 160, 120), png_on_bed(&items, &bed, view, 160, 120));
         }
+    }
+
+    #[test]
+    fn analytic_what_stands_in_two_pictures_looks_the_same_in_both() {
+        let (ball, cube) = (sphere(9.0, 24), cuboid([10.0, 4.0, 2.0]));
+        let same = ball.clone();
+        let first = [at(&ball, [5.0, 0.0, 0.0], RED), at(&cube, [0.0; 3], BLUE)];
+        let second = [at(&same, [5.0, 0.0, 0.0], RED), at(&cube, [1.0, 0.0, 0.0], BLUE), at(&ball, [5.0, 0.0, 0.0], BLUE)];
+        let camera = Camera::fit(View::Perspective, false, &corners(&second), [160, 120]);
+        let mut sketches = Sketches::new(&camera);
+        for items in [&first[..], &second[..]] {
+            assert_eq!(raster::rgb(&sketches.fills_of(items), 160, 120), raster::rgb(&fills_of(items, &camera), 160, 120));
+        }
+        assert_eq!(sketches.drawn.len(), 4);
     }
 
     #[test]
