@@ -372,7 +372,7 @@ khronos_validates_glbs() {
     fi
 }
 
-# Every page is there: one for the title, half a one for each mount and for the propellers' directions, and one a step of the fold.
+# Every page is there: one for the title and for each of three sub-assemblies, half a one for each mount, and one a step of the fold.
 qpdf_reads_instructions() {
     heading "qpdf reads the instructions"
     if ! from_debian qpdf qpdf; then
@@ -385,7 +385,7 @@ qpdf_reads_instructions() {
         before=$(grep -c '"stage": "before_fold"' "${file%/*}/fold.json")
         folds=$(grep -c '"stage": "fold"' "${file%/*}/fold.json")
         after=$(grep -c '"stage": "after_fold"' "${file%/*}/fold.json")
-        wanted=$((1 + (before + 1) / 2 + folds + (after + 2) / 2))
+        wanted=$((4 + (before + 1) / 2 + folds + (after + 1) / 2))
         pages=$(qpdf --show-npages "$file")
         if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == "$wanted" ]]; then
             ok "qpdf $name"
