@@ -50,6 +50,16 @@ fn analytic_every_part_of_the_bill_is_in_one_step() {
 }
 
 #[test]
+fn analytic_texts_name_no_cable_of_what_the_design_lacks() {
+    let told = |design: &Design| {
+        let texts: String = mounted(design).steps().map(|step| step.text.clone()).collect();
+        ["flow sensor's cable", "between the two boards"].map(|cable| texts.contains(cable))
+    };
+    assert_eq!(told(&designed("cognifly")), [true; 2]);
+    assert_eq!(told(&without(&["flow_sensor", "flight_controller", "damper"])), [false; 2]);
+}
+
+#[test]
 fn planted_a_part_without_a_step_is_found() {
     let design = designed("cognifly");
     let mut mounting = mounted(&design);

@@ -63,6 +63,8 @@ pub struct Mount {
     pub title: &'static str,
     /// What a person does.
     pub text: &'static str,
+    /// Sentences of the text that hold only where the design has a body: the body, the sentence.
+    pub text_with: &'static [(&'static str, &'static str)],
     /// The tool.
     pub tool: &'static str,
     /// What to take care of.
@@ -113,6 +115,7 @@ const GLUED: Mount = Mount {
     stage: Stage::BeforeFold,
     title: "",
     text: "",
+    text_with: &[],
     tool: "glue for rigid plastics",
     caution: None,
     minutes: 2.0,
@@ -200,6 +203,7 @@ pub static MOUNTS: [Mount; 25] = [
         needs: &[("stack_screws", "the board hangs on the screws")],
         title: "Motor controller under it",
         text: "Plug the cable between the two boards. Push the motor controller onto the screws, its battery pads to the rear.",
+        text_with: &[("flight_controller", "Plug the cable between the two boards. ")],
         tool: "hands",
         ..GLUED
     },
@@ -310,6 +314,7 @@ pub static MOUNTS: [Mount; 25] = [
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
         text: "Solder the connector's leads to the motor controller's battery pads at its rear, red to plus, black to minus, as the picture shows. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front. The bay stays open to the left and to the right: the motor wires come in there.",
+        text_with: &[("flow_sensor", "Lead the flow sensor's cable through the holes of the front upright. ")],
         tool: "soldering iron",
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 10.0,
@@ -394,6 +399,7 @@ pub static MOUNTS: [Mount; 25] = [
         stage: Stage::AfterFold,
         title: "Battery in",
         text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Then take battery and lid out again.",
+        text_with: &[],
         tool: "hands",
         caution: Some("First power without propellers. With the battery in, the motors can start."),
         minutes: 10.0,
@@ -411,6 +417,7 @@ pub static MOUNTS: [Mount; 25] = [
         stage: Stage::AfterFold,
         title: "Propellers",
         text: "Of the four propellers two turn each way, as the arrows show; the raised edge of a blade goes first. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        text_with: &[],
         tool: "screwdriver or hands",
         caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),
         minutes: 1.0,

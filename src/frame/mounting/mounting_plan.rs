@@ -31,7 +31,7 @@ pub struct MountStep {
     /// In a few words.
     pub title: &'static str,
     /// In sentences.
-    pub text: &'static str,
+    pub text: String,
     /// What it takes.
     pub tool: &'static str,
     /// What to take care of.
@@ -234,6 +234,12 @@ impl Planning<'_> {
         bar.map(|m| format!("{} runs into {} on its way", m.bodies[0], m.bodies[1]))
     }
 
+    /// What a person does, without what is said of bodies that the design lacks.
+    fn text(&self, mount: &Mount) -> String {
+        let lacking = mount.text_with.iter().filter(|(body, _)| self.ways.bodies(std::iter::once(*body)).is_empty());
+        lacking.fold(mount.text.to_string(), |text, (_, sentence)| text.replace(sentence, ""))
+    }
+
     fn step(&self, order: &[&'static Mount], at: usize, seen: &mut PartsSeen) -> MountStep {
         let mount = order[at];
         let done: Done = order[..at].iter().map(|mount| mount.id).collect();
@@ -253,7 +259,7 @@ impl Planning<'_> {
             mount: mount.id,
             stage: mount.stage,
             title: mount.title,
-            text: mount.text,
+            text: self.text(mount),
             tool: mount.tool,
             caution: mount.caution,
             repeats,

@@ -222,7 +222,7 @@ mod tests {
         let cases = [
             (paper.replace("k = 7040.0", "k = -1.0"), "`effects.linear_spring.k` = -1 is out of bounds"),
             (paper.replace("k = 7040.0", "k = nan"), "give a finite number"),
-            (paper.replace("k = 7040.0", "k = \"stiff\""), "is a string, it must be a number in N/m"),
+            (paper.replace("k = 7040.0", "k = \"stiff\""), "is a text, it must be a number in N/m"),
             (paper.replace("k = 7040.0", ""), "`effects.linear_spring.k` is not stated"),
             (paper.replace("order = 1", "order = 1.5"), "no whole number"),
             (paper.replace("mass_kg", "mass_g"), "unknown key `mass_g`"),

@@ -252,7 +252,7 @@ impl Panel {
             number: at + 1,
             heading: format!("{}. {}", at + 1, step.title),
             facts: format!("{}; {}; {}", often(step.repeats, step.minutes), step.tool, fixed(step.fixing)),
-            text: if step.fixing == Fixing::Shaft { format!("{} {}", step.text, rotations()) } else { step.text.into() },
+            text: if step.fixing == Fixing::Shaft { format!("{} {}", step.text, rotations()) } else { step.text.clone() },
             caution: step.caution.map(Into::into),
             parts: step.parts.clone(),
             picture: mount_scene::mount(design, step),
