@@ -241,22 +241,29 @@ rust_of_debian() {
 }
 
 # Not while anything else runs the program: maturin moves it away while it packs it.
-# A wheel is installed in an empty environment; the list of a build's files with their hashes is then that of the program.
+wheel_is_packed() {
+    heading "a wheel is packed"
+    rm -rf "$work/wheel"
+    if { [[ -x $python ]] || from_pypi; } && "$python" -m pip install --quiet --disable-pip-version-check 'maturin>=1.9,<2' >>"$work/pip.log" 2>&1; then
+        "$python" -m maturin build --release --quiet --compatibility linux -o "$work/wheel" || failed "a wheel is packed" "exit code $?"
+    else
+        skipped "a wheel is packed" "maturin is not installed"
+    fi
+}
+
+# The wheel is installed in an empty environment; the list of a build's files with their hashes is then that of the program.
 wheel_gives_the_same_bytes() {
     heading "a wheel in an empty environment"
     local wheel=$work/wheel
-    rm -rf "$wheel"
-    if { [[ -x $python ]] || from_pypi; } && "$python" -m pip install --quiet --disable-pip-version-check 'maturin>=1.9,<2' >>"$work/pip.log" 2>&1; then
-        if "$python" -m maturin build --release --quiet --compatibility linux -o "$wheel" && "$python" -m venv "$wheel/env" &&
-            "$wheel/env/bin/python" -m pip install --quiet --disable-pip-version-check --no-index "$wheel"/*.whl &&
-            "$wheel/env/bin/flexframe" build --step -q --no-cache -o "$wheel/out" &&
-            cmp "$wheel/out/cognifly/manifest.json" "$work/same/once/cognifly/manifest.json"; then
-            ok "a wheel in an empty environment"
-        else
-            failed "a wheel in an empty environment" "not built, not installed, or other bytes"
-        fi
+    if ! ls "$wheel"/*.whl >/dev/null 2>&1; then
+        skipped "a wheel in an empty environment" "no wheel"
+    elif "$python" -m venv "$wheel/env" &&
+        "$wheel/env/bin/python" -m pip install --quiet --disable-pip-version-check --no-index "$wheel"/*.whl &&
+        "$wheel/env/bin/flexframe" build --step -q --no-cache -o "$wheel/out" &&
+        cmp "$wheel/out/cognifly/manifest.json" "$work/same/once/cognifly/manifest.json"; then
+        ok "a wheel in an empty environment"
     else
-        skipped "a wheel in an empty environment" "maturin is not installed"
+        failed "a wheel in an empty environment" "not installed, or other bytes"
     fi
 }
 
@@ -575,6 +582,7 @@ ci_gates() {
 # Two lanes, as hardly any of these steps keeps both cores busy: the Rust tests, and the built program.
 in_lanes() {
     rm -rf "$random_frames"
+    wheel_is_packed
     cargo_tests >"$work/rust.log" 2>&1 &
     local rust=$!
     build_presets
@@ -586,13 +594,13 @@ in_lanes() {
     wait "$rust" || failed "the lane of the Rust tests" "exit code $?"
     cat "$work/rust.log"
     random_frames_are_sound
-    wheel_gives_the_same_bytes
     # Alone, as a browser waits for what it shows.
     page_works_in_a_browser
 }
 
 # What was built, read by other programs.
 by_other_programs() {
+    wheel_gives_the_same_bytes
     releases_are_made
     libraries_are_allowed
     admesh_reads_stls
