@@ -79,7 +79,11 @@ export class EngineClient {
     );
     void preparedResults().then((bytes) => {
       if (!bytes) return;
-      worker.postMessage({ id: UNASKED, request: { do: "use-results" }, files: { "prepared.bin": bytes } } satisfies Question);
+      worker.postMessage({
+        id: UNASKED,
+        request: { do: "use-results" },
+        files: { "prepared.bin": bytes },
+      } satisfies Question);
     });
     return worker;
   }
