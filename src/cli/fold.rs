@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
+use rayon::prelude::*;
 use serde_json::Value;
 
 use super::bounded::count;
@@ -112,21 +113,20 @@ fn steps_as_json(design: &Design, sequence: &FoldSequence) -> Result<Vec<u8>, Fa
 
 fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let steps = steps_as_json(design, sequence)?;
-    let motion = fold_glb::fold(design, sequence).map_err(|error| failed(std::io::Error::other(error)))?;
-    let booklet = Booklet::new(design, &mass::table(design), sequence);
-    let paper = booklet_pdf::pdf(&booklet).map_err(|error| failed(std::io::Error::other(error)))?;
+    // The steps come first: the booklet reads what was compared for them.
+    let (motion, booklet) = rayon::join(|| fold_glb::fold(design, sequence), || Booklet::new(design, &mass::table(design), sequence));
+    let (page, paper) = rayon::join(|| booklet_html::html(&booklet), || booklet_pdf::pdf(&booklet));
     let mut files = vec![
         (STEPS.to_string(), steps),
-        ("fold.glb".into(), motion),
-        ("instructions.html".into(), booklet_html::html(&booklet).into_bytes()),
-        ("instructions.pdf".into(), paper),
-        ("exploded.png".into(), booklet.apart.png()),
+        ("fold.glb".into(), motion.map_err(|error| failed(std::io::Error::other(error)))?),
+        ("instructions.html".into(), page.into_bytes()),
+        ("instructions.pdf".into(), paper.map_err(|error| failed(std::io::Error::other(error)))?),
     ];
-    for page in &booklet.pages {
-        files.extend(page.picture_names().into_iter().zip(&page.pictures).map(|(name, picture)| (name, picture.png())));
-    }
-    files.extend(booklet.alone.iter().map(|(part, picture)| (booklet_html::part_name(part), picture.png())));
-    files.extend(booklet.assemblies.iter().map(|of| (booklet_html::assembly_name(of.name), of.picture.png())));
-    files.extend(booklet.before.iter().chain(&booklet.after).map(|panel| (panel.picture_name(), panel.picture.png())));
+    let mut pictures = vec![("exploded.png".to_string(), &booklet.apart)];
+    pictures.extend(booklet.pages.iter().flat_map(|page| page.picture_names().into_iter().zip(&page.pictures)));
+    pictures.extend(booklet.alone.iter().map(|(part, picture)| (booklet_html::part_name(part), picture)));
+    pictures.extend(booklet.assemblies.iter().map(|of| (booklet_html::assembly_name(of.name), &of.picture)));
+    pictures.extend(booklet.before.iter().chain(&booklet.after).map(|panel| (panel.picture_name(), &panel.picture)));
+    files.par_extend(pictures.into_par_iter().map(|(name, picture)| (name, picture.png())));
     Ok(files)
 }
