@@ -9,6 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
@@ -18,6 +19,9 @@ static HEARD: AtomicBool = AtomicBool::new(false);
 static ASKED: AtomicBool = AtomicBool::new(false);
 /// Hidden folders in which results are being made.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+/// How often it is tried to remove a folder into which another thread writes.
+const TRIES: usize = 50;
 
 /// Listens from now on. Where that is not possible, an interruption ends the program as it ends any other.
 pub(super) fn listen() {
@@ -81,17 +85,45 @@ fn end(signal: i32) -> ! {
     std::process::exit(128 + signal);
 }
 
-/// Another thread may be writing into the folder: it is renamed first, so that only a folder made anew, with what was being
-/// written, needs another try.
+/// Another thread may be writing into the folder: it is renamed first, so that only what was being written, or a folder made anew with it,
+/// needs another try.
 fn remove(folder: &Path) {
-    // By this name, too, another run knows it for an unfinished one, should this one be killed now.
-    let renamed = folder.with_file_name(format!("{}-0.new", folder.file_stem().unwrap_or_default().to_string_lossy()));
-    for _ in 0..10 {
-        let there = if fs::rename(folder, &renamed).is_ok() { &renamed } else { folder };
-        if !there.exists() {
+    let renamed = renamed(folder);
+    for _ in 0..TRIES {
+        let _ = fs::rename(folder, &renamed);
+        // Where one cannot be removed, the next run tries it.
+        for there in [folder, &renamed] {
+            let _ = fs::remove_dir_all(there);
+        }
+        if !folder.exists() && !renamed.exists() {
             break;
         }
-        // Where it cannot be removed, the next run tries it.
-        let _ = fs::remove_dir_all(there);
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// By this name, too, another run knows it for an unfinished one, should this one be killed now.
+fn renamed(folder: &Path) -> PathBuf {
+    folder.with_file_name(format!("{}-0.new", folder.file_stem().unwrap_or_default().to_string_lossy()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planted_what_was_written_while_it_was_removed_is_removed_too() {
+        let place = tempfile::tempdir().expect("is made");
+        let folder = place.path().join(".frame.7.new");
+        // As after a first try that a file came into: the folder has its other name, and is not empty.
+        fs::create_dir_all(renamed(&folder).join("parts")).expect("is made");
+        remove(&folder);
+        assert_eq!(fs::read_dir(place.path()).expect("is there").count(), 0);
+        // As after a file that was written anew by the first name.
+        for there in [renamed(&folder), folder.clone()] {
+            fs::create_dir_all(there.join("parts")).expect("is made");
+        }
+        remove(&folder);
+        assert_eq!(fs::read_dir(place.path()).expect("is there").count(), 0);
     }
 }
