@@ -150,8 +150,8 @@ pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSol
 }
 
 /// What is made of a solid: of the first of its simplifications of which it can be made. Taking away detail can make facets cross or
-/// vanish, in one part of a hundred; then less is taken away. Corners nearer to each other than the numbers of a written mesh are apart are
-/// rounded past each other, in one part of some thousands; then they become one.
+/// vanish, in one part of a hundred; then less is taken away. Corners within a few steps of a written mesh's grid are rounded past each
+/// other, in one part of some thousands; then they become one.
 fn first_good<T>(raw: &MeshSolid, details_mm: &[f64], make: impl Fn(MeshSolid) -> Result<T, GateError>) -> Result<T, GateError> {
     let simpler = details_mm.iter().map(|below_mm| raw.without_detail(*below_mm));
     let welded = WELDS_MM.into_iter().map(|within_mm| raw.without_detail(within_mm).welded(within_mm));
@@ -168,7 +168,8 @@ fn first_good<T>(raw: &MeshSolid, details_mm: &[f64], make: impl Fn(MeshSolid) -
 /// Detail that is simplified away, mm, in the order in which it is tried: less first, then more, all of it far below what a printer places.
 const DETAILS_MM: [f64; 7] = [0.001, 0.0005, 0.0002, 0.0001, 0.00002, 0.002, 0.004];
 
-/// Corners within this of each other become one, mm, in the order in which it is tried.
+/// Corners within this of each other become one, mm, in the order in which it is tried. Of 500 frames those that crossed lay at most 0.00013
+/// mm apart; the larger is the detail that is taken away of every part.
 const WELDS_MM: [f64; 2] = [0.0003, 0.001];
 
 /// How far a hinge is moved out, mm, in the order in which it is tried.
