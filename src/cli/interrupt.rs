@@ -8,8 +8,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
@@ -20,8 +19,8 @@ static ASKED: AtomicBool = AtomicBool::new(false);
 /// Hidden folders in which results are being made.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// How often it is tried to remove a folder into which another thread writes.
-const TRIES: usize = 50;
+/// Held for reading over each step that writes into an unfinished folder, and for writing by the end of the program.
+static STEPS: RwLock<()> = RwLock::new(());
 
 /// Listens from now on. Where that is not possible, an interruption ends the program as it ends any other.
 pub(super) fn listen() {
@@ -76,54 +75,26 @@ fn all_unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Removes what is unfinished and ends the program. Until then nothing new is begun, and a thread that fails to write into a
-/// removed folder waits in [`finished`].
+/// One step of writing a result, which an interruption waits for.
+pub(super) struct Step {
+    _held: RwLockReadGuard<'static, ()>,
+}
+
+impl Step {
+    /// Begins it; waits for the end of the program where that was asked for.
+    pub fn begin() -> Self {
+        Self { _held: STEPS.read().unwrap_or_else(PoisonError::into_inner) }
+    }
+}
+
+/// Removes what is unfinished and ends the program. The steps that have begun end first; no step and no folder begins after them.
 fn end(signal: i32) -> ! {
+    let _steps = STEPS.write().unwrap_or_else(PoisonError::into_inner);
     let folders = all_unfinished();
-    folders.iter().for_each(|folder| remove(folder));
+    for folder in folders.iter() {
+        // Where one cannot be removed, the next run tries it.
+        let _ = fs::remove_dir_all(folder);
+    }
     // What a shell expects of a program that a signal ended.
     std::process::exit(128 + signal);
-}
-
-/// Another thread may be writing into the folder: it is renamed first, so that only what was being written, or a folder made anew with it,
-/// needs another try.
-fn remove(folder: &Path) {
-    let renamed = renamed(folder);
-    for _ in 0..TRIES {
-        let _ = fs::rename(folder, &renamed);
-        // Where one cannot be removed, the next run tries it.
-        for there in [folder, &renamed] {
-            let _ = fs::remove_dir_all(there);
-        }
-        if !folder.exists() && !renamed.exists() {
-            break;
-        }
-        std::thread::sleep(Duration::from_millis(1));
-    }
-}
-
-/// By this name, too, another run knows it for an unfinished one, should this one be killed now.
-fn renamed(folder: &Path) -> PathBuf {
-    folder.with_file_name(format!("{}-0.new", folder.file_stem().unwrap_or_default().to_string_lossy()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn planted_what_was_written_while_it_was_removed_is_removed_too() {
-        let place = tempfile::tempdir().expect("is made");
-        let folder = place.path().join(".frame.7.new");
-        // As after a first try that a file came into: the folder has its other name, and is not empty.
-        fs::create_dir_all(renamed(&folder).join("parts")).expect("is made");
-        remove(&folder);
-        assert_eq!(fs::read_dir(place.path()).expect("is there").count(), 0);
-        // As after a file that was written anew by the first name.
-        for there in [renamed(&folder), folder.clone()] {
-            fs::create_dir_all(there.join("parts")).expect("is made");
-        }
-        remove(&folder);
-        assert_eq!(fs::read_dir(place.path()).expect("is there").count(), 0);
-    }
 }

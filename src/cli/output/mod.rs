@@ -19,6 +19,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::failure::Failure;
+use super::interrupt::Step;
 use super::terminal;
 pub(super) use file::{replace_file, write_new};
 use record::{MANIFEST, RECORD, Record};
@@ -64,11 +65,12 @@ fn replace_folder(place: &Path, files: &[(String, Vec<u8>)]) -> Result<Vec<Strin
         Err(error) => {
             // The new folder is of no use, and the user's files in it are in their place, too; that it cannot be removed either
             // changes nothing.
+            let _step = Step::begin();
             let _ = folder::remove(&staging.path);
             return Err(error);
         }
     };
-    if let Some((former, _lock)) = former {
+    if let Some((former, _lock, _step)) = former {
         match former::clear(&former, place, former::State::WasInPlace) {
             Ok(more) => notes.extend(more),
             Err(error) => notes.push(format!("{} is left from the former result and cannot be removed: {error}", former.display())),
@@ -77,8 +79,8 @@ fn replace_folder(place: &Path, files: &[(String, Vec<u8>)]) -> Result<Vec<Strin
     Ok(notes)
 }
 
-/// Where a former folder is now, locked; and what is said of what was kept.
-type Put = (Option<(PathBuf, Lock)>, Vec<String>);
+/// Where a former folder is now, locked and waited for by an interruption; and what is said of what was kept.
+type Put = (Option<(PathBuf, Lock, Step)>, Vec<String>);
 
 /// Puts a finished folder in its place, together with what stays of the former one.
 fn put(staging: &Staging, place: &Path, files: &[(String, Vec<u8>)]) -> Result<Put, Failure> {
@@ -96,9 +98,10 @@ fn put(staging: &Staging, place: &Path, files: &[(String, Vec<u8>)]) -> Result<P
             }
             Ok(_) => Lock::wait_for(place),
         };
+        let step = Step::begin();
         let notes = kept::keep(place, &staging.path, files).map_err(failed("replace", place))?;
         let former = staging.exchange(place).map_err(failed("replace", place))?;
-        return Ok((Some((former, lock)), notes));
+        return Ok((Some((former, lock, step)), notes));
     }
     Err(failed("replace", place)(io::Error::new(io::ErrorKind::ResourceBusy, "other runs write there")))
 }
@@ -110,6 +113,7 @@ fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure
     let (first, rest): (Vec<_>, Vec<_>) = files.iter().partition(|(path, _)| path == MANIFEST);
     for (path, bytes) in record.iter().chain(first).chain(rest) {
         let path = folder.join(path);
+        let _step = Step::begin();
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(failed("write", &path))?;
         }
