@@ -64,8 +64,10 @@ impl File {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Made {
-    /// On the planes and cylinders of the features, edges where they meet.
+    /// On the surfaces of the features, edges where they meet.
     Exact,
+    /// On the surfaces of the features where that goes, facets of the mesh elsewhere.
+    Mixed,
     /// From the mesh, coplanar facets merged.
     Faceted,
 }
@@ -84,6 +86,8 @@ pub struct SolidEntry {
     pub because: Option<String>,
     /// How many faces it has.
     pub faces: usize,
+    /// How many of them are facets of the mesh.
+    pub facets: usize,
     /// How many solids it is in the file; the four screws of a motor are one shape, and four solids.
     pub pieces: usize,
     /// Volume within its faces, mm³.

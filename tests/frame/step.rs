@@ -318,7 +318,16 @@ fn analytic_manifest_lists_every_solid_and_how_it_was_made() {
     assert_eq!(exact, EXACT);
     for solid in solids {
         let [own, mesh] = ["volume_mm3", "mesh_volume_mm3"].map(|key| solid[key].as_f64().expect("a number"));
-        let (share, name) = (if solid["made"] == "exact" { 0.005 } else { 1e-5 }, &solid["name"]);
+        let (share, name) = (if solid["made"] == "faceted" { 1e-5 } else { 0.005 }, &solid["name"]);
+        let [faces, facets] = ["faces", "facets"].map(|key| solid[key].as_u64().expect("a number"));
+        let wanted = if facets == 0 {
+            "exact"
+        } else if facets == faces {
+            "faceted"
+        } else {
+            "mixed"
+        };
+        assert_eq!(solid["made"], wanted, "{name}: {facets} of {faces}");
         assert!((own / mesh - 1.0).abs() < share, "{name}: {own} {mesh}");
         assert_eq!(solid["made"] == "exact", solid["because"].is_null(), "{name}");
         assert!(built().join(solid["file"].as_str().expect("text")).exists());

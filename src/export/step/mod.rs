@@ -1,7 +1,8 @@
 //! Parts and assembly as STEP, ISO 10303-21 by AP214: solids with names, colours and places, in mm.
 //!
-//! A solid is exact if every facet of the mesh can be assigned to a plane or cylinder of its features. Otherwise it is the mesh with
-//! coplanar facets merged. Every file states which of both it contains.
+//! A solid is exact if every facet of the mesh can be assigned to a surface of its features. Otherwise it is mixed: the faces that can
+//! be are exact, the others are facets of the mesh, by the name [`shape::FACET`]. Where no face can be exact, it is the mesh with coplanar facets
+//! merged. Every file states which it contains.
 
 mod product;
 mod shape;
@@ -56,23 +57,36 @@ fn part_of(part: &Printed, shaped: &Shaped) -> File {
     file
 }
 
-/// A mesh as a solid: the first of these meshes that fits the surfaces of the feature, else the last, faceted.
-fn made(name: &str, meshes: &[&Mesh], by: Option<(&Feature, Isometry3<f64>)>) -> Result<(Boundary, Made, Option<NotExact>), StepError> {
-    let mut refused = None;
+/// How a solid was made.
+struct Solid {
+    boundary: Boundary,
+    made: Made,
+    because: Option<String>,
+}
+
+/// A mesh as a solid: exact by the first of these meshes that fits the surfaces of the feature, else mixed by the first that does in
+/// part, else the last, faceted.
+fn solid_of(name: &str, meshes: &[&Mesh], by: Option<(&Feature, Isometry3<f64>)>) -> Result<Solid, StepError> {
+    let mut refused: Option<NotExact> = None;
     for (mesh, (feature, pose)) in meshes.iter().zip(by.iter().cycle()) {
         match Boundary::exact(mesh, feature, pose) {
-            Ok(boundary) => return Ok((boundary, Made::Exact, None)),
+            Ok(boundary) => return Ok(Solid { boundary, made: Made::Exact, because: None }),
             Err(error) => refused = refused.or(Some(error)),
         }
     }
+    let because = refused.map(|refused| refused.to_string());
+    let mixed = by.and_then(|(feature, pose)| meshes.iter().find_map(|mesh| Boundary::mixed(mesh, feature, &pose)));
+    if let Some(boundary) = mixed {
+        return Ok(Solid { boundary, made: Made::Mixed, because });
+    }
     let boundary = meshes.last().and_then(|mesh| Boundary::faceted(mesh)).ok_or_else(|| StepError { name: name.into() })?;
-    Ok((boundary, Made::Faceted, refused))
+    Ok(Solid { boundary, made: Made::Faceted, because })
 }
 
 fn printed(design: &Design, part: &Printed) -> Result<Shaped, StepError> {
     // What was simplified away can be where two surfaces touch; then a facet of the written mesh stands for both.
     let raw = part.raw().placed(&part.print_pose).mesh();
-    let (boundary, made, refused) = made(part.name.slug(), &[&raw, &part.mesh], Some((&part.feature, part.print_pose)))?;
+    let Solid { boundary, made, because } = solid_of(part.name.slug(), &[&raw, &part.mesh], Some((&part.feature, part.print_pose)))?;
     let material = design.material_of(part.name);
     Ok(Shaped {
         name: part.name.slug().into(),
@@ -80,7 +94,7 @@ fn printed(design: &Design, part: &Printed) -> Result<Shaped, StepError> {
         colour: material.material.colour,
         boundary,
         made,
-        because: refused.map(|refused| refused.to_string()),
+        because,
         mesh_volume_mm3: part.volume_mm3,
     })
 }
@@ -95,8 +109,8 @@ fn assembled(design: &Design, shape: &Shape, parts: &[Shaped]) -> Result<Shaped,
         return Ok(Shaped { name, material, colour, boundary, made: shaped.made, because: shaped.because.clone(), mesh_volume_mm3 });
     }
     let by = shape.feature.as_ref().map(|feature| (feature, Isometry3::identity()));
-    let (boundary, made, refused) = made(&name, &[&shape.mesh], by)?;
-    let because = if by.is_none() { Some("it is folded".into()) } else { refused.map(|refused| refused.to_string()) };
+    let Solid { boundary, made, because } = solid_of(&name, &[&shape.mesh], by)?;
+    let because = if by.is_none() { Some("it is folded".into()) } else { because };
     Ok(Shaped { name, material, colour, boundary, made, because, mesh_volume_mm3 })
 }
 
@@ -117,6 +131,13 @@ fn part_file(part: &Shaped) -> Vec<u8> {
 fn about(part: &Shaped) -> String {
     match part.made {
         Made::Exact => format!("{}: exact", part.name),
+        Made::Mixed => format!(
+            "{}: {} of {} faces are facets of the mesh, by the name '{}'",
+            part.name,
+            part.facets(),
+            part.boundary.faces.len(),
+            shape::FACET
+        ),
         Made::Faceted => format!("{}: faceted, curved faces are narrow plane ones", part.name),
     }
 }

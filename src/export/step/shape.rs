@@ -1,9 +1,12 @@
 //! A boundary as the entities of a manifold solid B-rep (ISO 10303-42 and -514).
 
-use nalgebra::{Unit, Vector3};
+use nalgebra::{Point3, Unit, Vector3};
 
 use super::writer::{Decimal, Id, Writer, length, list};
 use crate::solid::{Boundary, Curve, Edge, Face, Surface, square_to};
+
+/// The name of a face that lies on no surface of the features.
+pub(super) const FACET: &str = "facet";
 
 /// Writes each piece of a boundary as a solid: a closed shell of advanced faces. A shell has to be connected (ISO 10303-42), so
 /// the four screws of a motor are four solids.
@@ -18,7 +21,7 @@ pub(super) fn solids(writer: &mut Writer, name: &str, boundary: &Boundary) -> Ve
             writer.add(format_args!("EDGE_CURVE('',{},{},{curve},.T.)", vertices[edge.from], vertices[edge.to]))
         })
         .collect();
-    let faces: Vec<Id> = boundary.faces.iter().map(|face| advanced_face(writer, face, &edges)).collect();
+    let faces: Vec<Id> = boundary.faces.iter().map(|face| advanced_face(writer, boundary, face, &edges)).collect();
     let mut solid = |piece: Vec<usize>| {
         let faces: Vec<Id> = piece.into_iter().map(|at| faces[at]).collect();
         let shell = writer.add(format_args!("CLOSED_SHELL('',{})", list(&faces)));
@@ -48,7 +51,7 @@ fn curve(writer: &mut Writer, boundary: &Boundary, edge: &Edge, points: &[Id]) -
 }
 
 /// Hermite pieces as one B-spline: each inner knot stands twice, between the Bézier points beside it.
-fn spline(writer: &mut Writer, points: &[nalgebra::Point3<f64>], tangents: &[Unit<Vector3<f64>>]) -> Id {
+fn spline(writer: &mut Writer, points: &[Point3<f64>], tangents: &[Unit<Vector3<f64>>]) -> Id {
     let mut controls = vec![writer.point(&points[0])];
     let mut knots: Vec<Decimal> = vec![length(0.0)];
     let mut at = 0.0;
@@ -71,14 +74,14 @@ fn spline(writer: &mut Writer, points: &[nalgebra::Point3<f64>], tangents: &[Uni
     ))
 }
 
-fn advanced_face(writer: &mut Writer, face: &Face, edges: &[Id]) -> Id {
+fn advanced_face(writer: &mut Writer, boundary: &Boundary, face: &Face, edges: &[Id]) -> Id {
     let surface = match &face.surface {
         Surface::Plane { point, normal } => {
             let place = writer.placement(point, normal, &square_to(normal));
             writer.add(format_args!("PLANE('',{place})"))
         }
         Surface::Cylinder { point, axis, radius_mm } => {
-            let place = writer.placement(point, axis, &square_to(axis));
+            let place = writer.placement(point, axis, &seam(boundary, face, point, axis));
             writer.add(format_args!("CYLINDRICAL_SURFACE('',{place},{})", length(*radius_mm)))
         }
     };
@@ -99,5 +102,27 @@ fn advanced_face(writer: &mut Writer, face: &Face, edges: &[Id]) -> Id {
             writer.add(format_args!("FACE_{}BOUND('',{ring},.T.)", if outer { "OUTER_" } else { "" }))
         })
         .collect();
-    writer.add(format_args!("ADVANCED_FACE('',{},{surface},{})", list(&bounds), if face.outward { ".T." } else { ".F." }))
+    let (name, outward) = (if face.is_exact { "" } else { FACET }, if face.outward { ".T." } else { ".F." });
+    writer.add(format_args!("ADVANCED_FACE('{name}',{},{surface},{outward})", list(&bounds)))
+}
+
+/// The direction from an axis in which the parameters of a round face begin: where its corners leave most room. Readers cut a face there,
+/// and OCCT reads a wrong face where the cut runs through a corner.
+fn seam(boundary: &Boundary, face: &Face, point: &Point3<f64>, axis: &Unit<Vector3<f64>>) -> Unit<Vector3<f64>> {
+    let x = square_to(axis);
+    let y = axis.cross(&x);
+    let edges = || face.loops.iter().flatten().map(|side| &boundary.edges[side.edge]);
+    if edges().all(|edge| edge.from == edge.to) {
+        return x;
+    }
+    let angle = |vertex: usize| {
+        let arm = boundary.vertices[vertex] - point;
+        libm::atan2(arm.dot(&y), arm.dot(&x))
+    };
+    let mut angles: Vec<f64> = edges().flat_map(|edge| [angle(edge.from), angle(edge.to)]).collect();
+    angles.sort_by(f64::total_cmp);
+    angles.push(angles[0] + std::f64::consts::TAU);
+    let widest = angles.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+    let (sin, cos) = libm::sincos(widest.map_or(0.0, |gap| 0.5 * (gap[0] + gap[1])));
+    Unit::new_normalize(x.into_inner() * cos + y * sin)
 }

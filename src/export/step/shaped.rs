@@ -15,6 +15,11 @@ pub(super) struct Shaped {
 }
 
 impl Shaped {
+    /// How many of its faces are facets of the mesh.
+    pub fn facets(&self) -> usize {
+        self.boundary.faces.iter().filter(|face| !face.is_exact).count()
+    }
+
     /// Its entry in the manifest.
     pub fn entry(&self, file: &str) -> SolidEntry {
         let thousandth = |value: f64| (value * 1000.0).round() / 1000.0;
@@ -24,6 +29,7 @@ impl Shaped {
             made: self.made,
             because: self.because.clone(),
             faces: self.boundary.faces.len(),
+            facets: self.facets(),
             pieces: self.boundary.pieces().len(),
             volume_mm3: thousandth(self.boundary.volume_mm3()),
             mesh_volume_mm3: thousandth(self.mesh_volume_mm3),

@@ -7,8 +7,8 @@ use nalgebra::Point3;
 use super::curve::beside_mm;
 use super::half_edges::HalfEdges;
 use super::regions::Regions;
+use super::surface::Surface;
 use super::topology::{FLATNESS_MM, Face, Side};
-use crate::solid::Mesh;
 
 /// A border of two regions: corners of the mesh in a row. The first region lies on its left.
 #[derive(Clone, Debug)]
@@ -36,9 +36,9 @@ pub(super) struct Chains {
 }
 
 impl Chains {
-    /// The borders of regions; they end where more than two regions meet.
-    pub(super) fn between(mesh: &Mesh, half_edges: &HalfEdges, region: &[usize]) -> Self {
-        let mut degree = vec![0_u32; mesh.vertices.len()];
+    /// The borders of regions; they end where more than two regions meet, and in the corners that are asked for.
+    pub(super) fn between(half_edges: &HalfEdges, region: &[usize], ends: &[bool]) -> Self {
+        let mut degree = vec![0_u32; ends.len()];
         let borders: Vec<usize> = (0..half_edges.count()).filter(|h| half_edges.is_border(*h, region)).collect();
         for h in &borders {
             degree[half_edges.start(*h)] += 1;
@@ -58,7 +58,7 @@ impl Chains {
                 ring.push(next);
                 next = half_edges.next_border(next, region);
             }
-            let is_corner = |h: usize| degree[half_edges.start(h)] != 2;
+            let is_corner = |h: usize| degree[half_edges.start(h)] != 2 || ends[half_edges.start(h)];
             // Without a corner the loop begins at its lowest vertex, so that the other side begins there too.
             let first = match ring.iter().position(|h| is_corner(*h)) {
                 Some(first) => first,
@@ -87,16 +87,20 @@ impl Chains {
         Side { edge: self.edges.len() - 1, forward: true }
     }
 
-    /// The same with chains cut where they bend, and straight in between.
-    pub(super) fn straightened(self, mesh: &Mesh) -> Self {
-        let position = |corner: usize| mesh.corners(&[corner as u32; 3])[0];
+    /// The same with some chains cut where they bend, and straight in between.
+    pub(super) fn straightened(self, positions: &[Point3<f64>], is_straight: impl Fn(&Chain) -> bool) -> Self {
         let mut straight = Self { edges: Vec::new(), loops: Vec::new() };
         let mut pieces: Vec<std::ops::Range<usize>> = Vec::new();
         for chain in &self.edges {
-            let points: Vec<Point3<f64>> = chain.corners.iter().map(|corner| position(*corner)).collect();
+            let begin = straight.edges.len();
+            if !is_straight(chain) {
+                straight.edges.push(chain.clone());
+                pieces.push(begin..begin + 1);
+                continue;
+            }
+            let points: Vec<Point3<f64>> = chain.corners.iter().map(|corner| positions[*corner]).collect();
             let mut kept = vec![0];
             keep_bends(&points, 0, points.len() - 1, &mut kept);
-            let begin = straight.edges.len();
             let ends = kept.windows(2).map(|pair| vec![chain.corners[pair[0]], chain.corners[pair[1]]]);
             straight.edges.extend(ends.map(|corners| Chain { corners, regions: chain.regions }));
             pieces.push(begin..straight.edges.len());
@@ -111,10 +115,15 @@ impl Chains {
         straight
     }
 
-    /// Each region as a face.
-    pub(super) fn faces(&self, regions: &Regions) -> Vec<Face> {
-        let face = |(surface, outward): &(_, bool)| Face { surface: Clone::clone(surface), outward: *outward, loops: Vec::new() };
-        let mut faces: Vec<Face> = regions.surfaces.iter().map(face).collect();
+    /// Each region as a face; the first so many lie on surfaces of the features.
+    pub(super) fn faces(&self, regions: &Regions, exact: usize) -> Vec<Face> {
+        let face = |(at, (surface, outward)): (usize, &(Surface, bool))| Face {
+            surface: surface.clone(),
+            outward: *outward,
+            loops: Vec::new(),
+            is_exact: at < exact,
+        };
+        let mut faces: Vec<Face> = regions.surfaces.iter().enumerate().map(face).collect();
         for (region, sides) in &self.loops {
             faces[*region].loops.push(sides.clone());
         }

@@ -5,7 +5,7 @@ use nalgebra::{Point2, Point3};
 use super::curve::beside_mm;
 use super::surface::Surface;
 use super::surface::square_to;
-use super::topology::{Boundary, Edge, Face};
+use super::topology::{Boundary, Edge, Face, Side};
 
 /// Pieces of an arc that are compared.
 const PIECES: u32 = 12;
@@ -17,6 +17,16 @@ const TOUCH: f64 = 1e-9;
 const TOUCH_MM: f64 = 3e-4;
 
 impl Boundary {
+    /// The vertices through which a face's loops run more than once.
+    pub(super) fn meets_itself_in(&self, face: &Face) -> Vec<usize> {
+        let start = |side: &Side| if side.forward { self.edges[side.edge].from } else { self.edges[side.edge].to };
+        let mut corners: Vec<usize> = face.loops.iter().flatten().map(start).collect();
+        corners.sort_unstable();
+        let mut twice: Vec<usize> = corners.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]).collect();
+        twice.dedup();
+        twice
+    }
+
     /// Whether a vertex lies all but on an edge that does not end there, on a face with straight edges.
     pub(super) fn touches_itself(&self, face: &Face) -> bool {
         let edges: Vec<&Edge> = face.loops.iter().flatten().map(|side| &self.edges[side.edge]).collect();

@@ -12,18 +12,18 @@ use super::known::{self, Known};
 use super::not_exact::NotExact;
 use super::regions::{Facet, Regions};
 use super::surface::Surface;
-use super::topology::{Boundary, Edge, FLATNESS_MM};
+use super::topology::{Boundary, Edge, FLATNESS_MM, Face};
 use crate::solid::{Feature, Mesh};
 
 /// How far a corner may move from where the mesh has it, mm: a plane that sinks 0.01 mm into a cylinder ends this much elsewhere
 /// on its chords.
-const MOVED_MM: f64 = 0.3;
+pub(super) const MOVED_MM: f64 = 0.3;
 
 /// How far corners and edges may lie beside the surfaces that meet there, mm.
-const MEETS_MM: f64 = FLATNESS_MM;
+pub(super) const MEETS_MM: f64 = FLATNESS_MM;
 
 /// How far an edge may lie beside the chords that stood for it, mm.
-const BULGE_MM: f64 = 0.15;
+pub(super) const BULGE_MM: f64 = 0.15;
 
 /// How far the area of a face may be from that of its facets: a share, and a width along its border, mm.
 const AREA_SHARE: f64 = 0.01;
@@ -31,7 +31,7 @@ const AREA_BORDER_MM: f64 = 0.1;
 
 /// Least area of a face, mm². Smaller ones are what chords leave between surfaces that nearly meet: of the top corner two faces of 0.006 mm²
 /// beside its notch, with which OCCT reads no valid solid.
-const LEAST_FACE_MM2: f64 = 0.02;
+pub(super) const LEAST_FACE_MM2: f64 = 0.02;
 
 /// How far the volumes may be apart, as a share: chords take 0.3 % of a round solid.
 const VOLUME_SHARE: f64 = 0.0045;
@@ -48,10 +48,14 @@ impl Boundary {
         let facets = Facet::all(mesh);
         let known = known::surfaces(feature, pose);
         let assignment = face_assignment::of(&facets, &half_edges, &known)?;
+        let assignment: Vec<Option<usize>> = assignment.into_iter().map(Some).collect();
         let regions = connected(&facets, &half_edges, &assignment, &known);
-        let chains = Chains::between(mesh, &half_edges, &regions.of);
-        let mut boundary = Self { vertices: corners(mesh, &chains, &regions)?, edges: Vec::new(), faces: chains.faces(&regions) };
-        boundary.edges = chains.edges.iter().map(|chain| edge(mesh, chain, &regions, &boundary.vertices)).collect::<Result<_, _>>()?;
+        let positions = positions(mesh);
+        let chains = Chains::between(&half_edges, &regions.of, &vec![false; positions.len()]);
+        let mut boundary =
+            Self { vertices: corners(&positions, &chains, &regions)?, edges: Vec::new(), faces: chains.faces(&regions, usize::MAX) };
+        boundary.edges =
+            chains.edges.iter().map(|chain| edge(&positions, chain, &regions, &boundary.vertices)).collect::<Result<_, _>>()?;
         boundary.agrees(mesh, &facets, &regions)?;
         boundary.tidy();
         Ok(boundary)
@@ -64,18 +68,27 @@ impl Boundary {
             areas[*region] += facet.area_mm2;
         }
         for (face, mesh_mm2) in self.faces.iter().zip(areas) {
-            let exact_mm2 = self.area_mm2(face);
-            let border_mm: f64 = face.loops.iter().flatten().map(|side| self.length_mm(&self.edges[side.edge])).sum();
-            let off = (exact_mm2 - mesh_mm2).abs();
-            if exact_mm2 < LEAST_FACE_MM2
-                || off > AREA_SHARE * mesh_mm2 + AREA_BORDER_MM * border_mm
-                || off > 1.5 * mesh_mm2
-                || self.crosses_itself(face)
-            {
+            if !self.is_that_of_facets(face, mesh_mm2) {
                 let at = face.loops.first().and_then(|sides| sides.first()).map_or(0, |side| self.edges[side.edge].from);
-                return Err(NotExact::Face { at: self.vertices[at].into(), exact_mm2, mesh_mm2 });
+                return Err(NotExact::Face { at: self.vertices[at].into(), exact_mm2: self.area_mm2(face), mesh_mm2 });
             }
         }
+        self.has_volume_of(mesh)
+    }
+
+    /// Whether a face has the area of its facets, mm², but for chords, and a border that does not cross itself.
+    pub(super) fn is_that_of_facets(&self, face: &Face, mesh_mm2: f64) -> bool {
+        let exact_mm2 = self.area_mm2(face);
+        let border_mm: f64 = face.loops.iter().flatten().map(|side| self.length_mm(&self.edges[side.edge])).sum();
+        let off = (exact_mm2 - mesh_mm2).abs();
+        exact_mm2 >= LEAST_FACE_MM2
+            && off <= AREA_SHARE * mesh_mm2 + AREA_BORDER_MM * border_mm
+            && off <= 1.5 * mesh_mm2
+            && !self.crosses_itself(face)
+    }
+
+    /// Whether it encloses what the mesh encloses, but for chords.
+    pub(super) fn has_volume_of(&self, mesh: &Mesh) -> Result<(), NotExact> {
         let (exact_mm3, mesh_mm3) = (self.volume_mm3(), mesh.volume_mm3());
         if (exact_mm3 / mesh_mm3 - 1.0).abs() < VOLUME_SHARE { Ok(()) } else { Err(NotExact::Volume { exact_mm3, mesh_mm3 }) }
     }
@@ -85,18 +98,22 @@ impl Boundary {
     }
 }
 
-/// Neighbouring facets of one surface as regions.
-fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[usize], known: &[Known]) -> Regions {
+/// The mesh's vertices, mm.
+pub(super) fn positions(mesh: &Mesh) -> Vec<Point3<f64>> {
+    (0..mesh.vertices.len() as u32).map(|at| mesh.corners(&[at; 3])[0]).collect()
+}
+
+/// Neighbouring facets of one surface as regions; facets without a surface get none.
+pub(super) fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[Option<usize>], known: &[Known]) -> Regions {
     // Arcs of one cylinder that are cut differently are one surface.
     let first = |surface: usize| known.iter().position(|other| other.surface.is_same(&known[surface].surface)).unwrap_or(surface);
     let first: Vec<usize> = (0..known.len()).map(first).collect();
-    let mut regions = Regions { of: vec![usize::MAX; facets.len()], surfaces: Vec::new() };
+    let own = |facet: usize| assignment[facet].map(|surface| first[surface]);
+    let mut regions = Regions::none(facets.len());
     for seed in 0..facets.len() {
-        if regions.of[seed] != usize::MAX {
-            continue;
-        }
-        let (id, own) = (regions.surfaces.len(), first[assignment[seed]]);
-        let surface = &known[own].surface;
+        let Some(surface) = own(seed).filter(|_| regions.of[seed] == usize::MAX) else { continue };
+        let id = regions.surfaces.len();
+        let (own_of_seed, surface) = (Some(surface), &known[surface].surface);
         let mut outwards = 0.0;
         regions.of[seed] = id;
         let mut open = vec![seed];
@@ -105,7 +122,7 @@ fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[usize], kno
             outwards += facets[at].area_mm2 * facets[at].normal.dot(&surface.normal_at(&middle));
             for h in 3 * at..3 * at + 3 {
                 let neighbour = half_edges.twin(h) / 3;
-                if regions.of[neighbour] == usize::MAX && first[assignment[neighbour]] == own {
+                if regions.of[neighbour] == usize::MAX && own(neighbour) == own_of_seed {
                     regions.of[neighbour] = id;
                     open.push(neighbour);
                 }
@@ -117,36 +134,37 @@ fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[usize], kno
 }
 
 /// Where the surfaces around each corner meet; vertices that are no corners stay as they are.
-fn corners(mesh: &Mesh, chains: &Chains, regions: &Regions) -> Result<Vec<Point3<f64>>, NotExact> {
-    let mut around: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); mesh.vertices.len()];
+fn corners(positions: &[Point3<f64>], chains: &Chains, regions: &Regions) -> Result<Vec<Point3<f64>>, NotExact> {
+    let mut around: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); positions.len()];
     for chain in &chains.edges {
         for end in [chain.first(), chain.last()] {
             around[end].extend(chain.regions);
         }
     }
-    let position = |at: usize| mesh.corners(&[at as u32; 3])[0];
     let meet = |at: usize| {
-        let near = position(at);
+        let near = positions[at];
         if around[at].is_empty() {
             return Ok(near);
         }
         let surfaces: Vec<&Surface> = around[at].iter().map(|region| &regions.surfaces[*region].0).collect();
-        let found = curve::onto(&surfaces, &near).unwrap_or(Point3::origin());
-        let off_mm = (found - near).norm();
-        let beside = surfaces.iter().map(|surface| surface.distance_mm(&found).abs()).fold(0.0, f64::max);
-        if off_mm < MOVED_MM && beside < MEETS_MM {
-            Ok(found)
-        } else {
-            Err(NotExact::Corner { at: near.into(), off_mm: off_mm.max(beside) })
-        }
+        corner(&surfaces, &near, MOVED_MM)
     };
-    (0..mesh.vertices.len()).map(meet).collect()
+    (0..positions.len()).map(meet).collect()
+}
+
+/// Where surfaces meet, at most so far from a point, mm.
+pub(super) fn corner(surfaces: &[&Surface], near: &Point3<f64>, most_mm: f64) -> Result<Point3<f64>, NotExact> {
+    let found = curve::onto(surfaces, near).unwrap_or(Point3::origin());
+    let off_mm = (found - near).norm();
+    let beside = surfaces.iter().map(|surface| surface.distance_mm(&found).abs()).fold(0.0, f64::max);
+    let meet = off_mm < most_mm && beside < MEETS_MM;
+    if meet { Ok(found) } else { Err(NotExact::Corner { at: (*near).into(), off_mm: off_mm.max(beside) }) }
 }
 
 /// A chain as the curve in which its two surfaces cross.
-fn edge(mesh: &Mesh, chain: &Chain, regions: &Regions, vertices: &[Point3<f64>]) -> Result<Edge, NotExact> {
+pub(super) fn edge(positions: &[Point3<f64>], chain: &Chain, regions: &Regions, vertices: &[Point3<f64>]) -> Result<Edge, NotExact> {
     let (from, to) = (chain.first(), chain.last());
-    let mut points: Vec<Point3<f64>> = chain.corners.iter().map(|at| mesh.corners(&[*at as u32; 3])[0]).collect();
+    let mut points: Vec<Point3<f64>> = chain.corners.iter().map(|at| positions[*at]).collect();
     let last = points.len() - 1;
     (points[0], points[last]) = (vertices[from], vertices[to]);
     let refused = NotExact::Edge { at: points[last / 2].into() };

@@ -16,22 +16,27 @@ const SURE_MM: f64 = 3e-5;
 
 /// The surface of each facet, as an index of the known ones. Slivers go with a neighbour.
 pub(super) fn of(facets: &[Facet], half_edges: &HalfEdges, known: &[Known]) -> Result<Vec<usize>, NotExact> {
+    let assignment = where_found(facets, half_edges, known);
+    astray(facets, &assignment, &|at| facets[at].height_mm >= SLIVER_MM)?;
+    astray(facets, &assignment, &|_| true)?;
+    Ok(assignment.into_iter().flatten().collect())
+}
+
+/// The surface of each facet, as an index of the known ones; none of those that lie on none.
+pub(super) fn where_found(facets: &[Facet], half_edges: &HalfEdges, known: &[Known]) -> Vec<Option<usize>> {
     let best = |facet: &Facet| {
         let near = known.iter().enumerate().filter_map(|(at, known)| Some((at, known.beside_mm(facet)?)));
         near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at)
     };
     let wide = |facet: &&Facet| facet.height_mm >= SLIVER_MM;
     let mut assignment: Vec<Option<usize>> = facets.iter().map(|facet| Some(facet).filter(wide).and_then(best)).collect();
-    astray(facets, &assignment, &|at| facets[at].height_mm >= SLIVER_MM)?;
     for within_mm in [SURE_MM, super::known::BESIDE_MM] {
         while let Some((at, surface)) = next_sliver(facets, half_edges, known, &assignment, within_mm) {
             assignment[at] = Some(surface);
         }
     }
-    astray(facets, &assignment, &|_| true)?;
-    let mut assignment: Vec<usize> = assignment.into_iter().flatten().collect();
     absorb(facets, half_edges, known, &mut assignment);
-    Ok(assignment)
+    assignment
 }
 
 fn astray(facets: &[Facet], assignment: &[Option<usize>], counts: &dyn Fn(usize) -> bool) -> Result<(), NotExact> {
@@ -51,7 +56,7 @@ fn next_sliver(
     within_mm: f64,
 ) -> Option<(usize, usize)> {
     let mut joined: Option<(f64, usize, usize)> = None;
-    for at in (0..facets.len()).filter(|at| assignment[*at].is_none()) {
+    for at in (0..facets.len()).filter(|at| assignment[*at].is_none() && facets[*at].height_mm < SLIVER_MM) {
         for h in 3 * at..3 * at + 3 {
             let Some(surface) = assignment[half_edges.twin(h) / 3] else { continue };
             let corners = &facets[at].corners;
@@ -66,20 +71,18 @@ fn next_sliver(
 }
 
 /// A plane that shows itself only between a cylinder and its chords is part of the cylinder.
-fn absorb(facets: &[Facet], half_edges: &HalfEdges, known: &[Known], assignment: &mut [usize]) {
+fn absorb(facets: &[Facet], half_edges: &HalfEdges, known: &[Known], assignment: &mut [Option<usize>]) {
     let mut seen = vec![false; facets.len()];
     for seed in 0..facets.len() {
-        if seen[seed] || known[assignment[seed]].is_cylinder() {
-            continue;
-        }
-        let (surface, mut group, mut beside) = (assignment[seed], vec![seed], Vec::new());
+        let Some(surface) = assignment[seed].filter(|surface| !seen[seed] && !known[*surface].is_cylinder()) else { continue };
+        let (mut group, mut beside) = (vec![seed], Vec::new());
         seen[seed] = true;
         let mut at = 0;
         while at < group.len() {
             for h in 3 * group[at]..3 * group[at] + 3 {
                 let neighbour = half_edges.twin(h) / 3;
-                if assignment[neighbour] != surface {
-                    beside.push(assignment[neighbour]);
+                if assignment[neighbour] != Some(surface) {
+                    beside.extend(assignment[neighbour]);
                 } else if !seen[neighbour] {
                     seen[neighbour] = true;
                     group.push(neighbour);
@@ -96,7 +99,7 @@ fn absorb(facets: &[Facet], half_edges: &HalfEdges, known: &[Known], assignment:
         let holds = |surface: &&usize| known[**surface].is_cylinder() && corners().all(|p| known[**surface].is_near(p, SURE_MM));
         if let Some(cylinder) = beside.iter().find(holds) {
             for facet in group {
-                assignment[facet] = *cylinder;
+                assignment[facet] = Some(*cylinder);
             }
         }
     }

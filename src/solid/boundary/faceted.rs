@@ -5,8 +5,8 @@ use nalgebra::Point3;
 use super::chains::Chains;
 use super::curve::Curve;
 use super::half_edges::HalfEdges;
-use super::regions;
-use super::topology::{Boundary, Edge, Face, Side};
+use super::regions::{Facet, Regions};
+use super::topology::{Boundary, Edge, Face};
 use crate::solid::Mesh;
 
 impl Boundary {
@@ -15,12 +15,15 @@ impl Boundary {
     /// Vertices are the mesh's; those of a merged face lie on its plane within `FLATNESS_MM`.
     pub fn faceted(mesh: &Mesh) -> Option<Self> {
         let half_edges = HalfEdges::new(mesh)?;
-        let mut regions = regions::coplanar(mesh, &half_edges);
+        let facets = Facet::all(mesh);
+        let mut regions = Regions::none(facets.len());
+        regions.add_coplanar(&facets, &half_edges, &[]);
         let vertices: Vec<Point3<f64>> = (0..mesh.vertices.len() as u32).map(|i| mesh.corners(&[i; 3])[0]).collect();
+        let ends = vec![false; vertices.len()];
         loop {
-            let chains = Chains::between(mesh, &half_edges, &regions.of).straightened(mesh);
+            let chains = Chains::between(&half_edges, &regions.of, &ends).straightened(&vertices, |_| true);
             let edges = chains.edges.iter().map(|chain| Edge { from: chain.first(), to: chain.last(), curve: Curve::Line }).collect();
-            let mut boundary = Self { vertices: vertices.clone(), edges, faces: chains.faces(&regions) };
+            let mut boundary = Self { vertices: vertices.clone(), edges, faces: chains.faces(&regions, 0) };
             let torn: Vec<usize> = (0..boundary.faces.len()).filter(|at| boundary.is_torn(&boundary.faces[*at])).collect();
             if !regions.split(mesh, &torn) {
                 boundary.tidy();
@@ -30,12 +33,11 @@ impl Boundary {
     }
 
     /// Whether a face's loops do not bound one piece of its surface: they meet in a vertex, or cross.
-    fn is_torn(&self, face: &Face) -> bool {
-        let start = |side: &Side| if side.forward { self.edges[side.edge].from } else { self.edges[side.edge].to };
-        let mut corners: Vec<usize> = face.loops.iter().flatten().map(start).collect();
-        corners.sort_unstable();
-        let meets_itself = corners.windows(2).any(|pair| pair[0] == pair[1]);
+    pub(super) fn is_torn(&self, face: &Face) -> bool {
         let outer = face.loops.iter().filter(|sides| self.loop_area_mm2(face, sides) > 0.0).count();
-        meets_itself || outer != 1 || self.touches_itself(face) || face.loops.len() > 1 && self.crosses_itself(face)
+        !self.meets_itself_in(face).is_empty()
+            || outer != 1
+            || self.touches_itself(face)
+            || face.loops.len() > 1 && self.crosses_itself(face)
     }
 }

@@ -12,6 +12,7 @@ mod faceted;
 mod half_edges;
 mod known;
 mod measure;
+mod mixed;
 mod not_exact;
 mod regions;
 mod surface;

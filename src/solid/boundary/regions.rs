@@ -22,6 +22,42 @@ pub(super) struct Regions {
 }
 
 impl Regions {
+    /// No facet in any region yet.
+    pub(super) fn none(facets: usize) -> Self {
+        Self { of: vec![usize::MAX; facets], surfaces: Vec::new() }
+    }
+
+    /// The facets without a region in maximal groups of neighbours that lie on the plane of the highest of them; those that are alone
+    /// (none where the list is empty) by themselves.
+    pub(super) fn add_coplanar(&mut self, facets: &[Facet], half_edges: &HalfEdges, alone: &[bool]) {
+        let is_alone = |at: usize| alone.get(at).is_some_and(|alone| *alone);
+        let mut order: Vec<usize> = (0..facets.len()).filter(|at| self.of[*at] == usize::MAX).collect();
+        order.sort_by(|a, b| facets[*b].height_mm.total_cmp(&facets[*a].height_mm).then(a.cmp(b)));
+        for seed in order {
+            if self.of[seed] != usize::MAX {
+                continue;
+            }
+            let id = self.surfaces.len();
+            let (point, normal) = (facets[seed].corners[0], facets[seed].normal);
+            let flat = |facet: &Facet| {
+                let near = facet.corners.iter().all(|p| normal.dot(&(p - point)).abs() <= FLATNESS_MM);
+                near && (facet.height_mm < SLIVER_MM || facet.normal.dot(&normal) > SAME_WAY)
+            };
+            self.of[seed] = id;
+            let mut open = if is_alone(seed) { Vec::new() } else { vec![seed] };
+            while let Some(facet) = open.pop() {
+                for h in 3 * facet..3 * facet + 3 {
+                    let neighbour = half_edges.twin(h) / 3;
+                    if self.of[neighbour] == usize::MAX && !is_alone(neighbour) && flat(&facets[neighbour]) {
+                        self.of[neighbour] = id;
+                        open.push(neighbour);
+                    }
+                }
+            }
+            self.surfaces.push((Surface::Plane { point, normal: Unit::new_normalize(normal) }, true));
+        }
+    }
+
     /// Takes regions apart into their facets; whether there was anything to take apart.
     pub(super) fn split(&mut self, mesh: &Mesh, torn: &[usize]) -> bool {
         let mut changed = false;
@@ -69,36 +105,4 @@ impl Facet {
         let normal = twice.try_normalize(0.0).unwrap_or_else(Vector3::z);
         Self { corners, normal, area_mm2: 0.5 * twice.norm(), height_mm: twice.norm() / longest.max(f64::MIN_POSITIVE) }
     }
-}
-
-/// Maximal groups of neighbouring facets that lie on the plane of the highest of them.
-pub(super) fn coplanar(mesh: &Mesh, half_edges: &HalfEdges) -> Regions {
-    let facets = Facet::all(mesh);
-    let mut order: Vec<usize> = (0..facets.len()).collect();
-    order.sort_by(|a, b| facets[*b].height_mm.total_cmp(&facets[*a].height_mm).then(a.cmp(b)));
-    let mut regions = Regions { of: vec![usize::MAX; facets.len()], surfaces: Vec::new() };
-    for seed in order {
-        if regions.of[seed] != usize::MAX {
-            continue;
-        }
-        let id = regions.surfaces.len();
-        let (point, normal) = (facets[seed].corners[0], facets[seed].normal);
-        let flat = |facet: &Facet| {
-            let near = facet.corners.iter().all(|p| normal.dot(&(p - point)).abs() <= FLATNESS_MM);
-            near && (facet.height_mm < SLIVER_MM || facet.normal.dot(&normal) > SAME_WAY)
-        };
-        regions.of[seed] = id;
-        let mut open = vec![seed];
-        while let Some(facet) = open.pop() {
-            for h in 3 * facet..3 * facet + 3 {
-                let neighbour = half_edges.twin(h) / 3;
-                if regions.of[neighbour] == usize::MAX && flat(&facets[neighbour]) {
-                    regions.of[neighbour] = id;
-                    open.push(neighbour);
-                }
-            }
-        }
-        regions.surfaces.push((Surface::Plane { point, normal: Unit::new_normalize(normal) }, true));
-    }
-    regions
 }

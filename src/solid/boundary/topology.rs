@@ -41,6 +41,8 @@ pub struct Face {
     pub outward: bool,
     /// Its boundary, counter-clockwise seen from outside; on a plane the outer loop is the first.
     pub loops: Vec<Vec<Side>>,
+    /// Whether it lies on a surface of the features; else it is a facet of the mesh, or several.
+    pub is_exact: bool,
 }
 
 /// An edge as a loop runs along it.

@@ -1,0 +1,268 @@
+//! The mesh put back on the surfaces of its feature tree where it lies on them, and left in facets elsewhere.
+//!
+//! Facets that lie on no surface of the tree, as those of a ball or a torus, are free. So are those where surfaces do not meet as the mesh has it:
+//! what fails in one attempt is free in the next, so the last attempt is at worst the faceted solid. Vertices that a free facet shares
+//! with a surface move onto it; a cylinder meets a free facet in the arc in which the facet's plane cuts it.
+
+use std::collections::BTreeSet;
+
+use nalgebra::{Isometry3, Point3, Unit};
+
+use super::chains::{Chain, Chains};
+use super::curve::{Curve, beside_mm};
+use super::exact::{BULGE_MM, LEAST_FACE_MM2, MEETS_MM, MOVED_MM, connected, corner, edge, positions};
+use super::face_assignment;
+use super::half_edges::HalfEdges;
+use super::known;
+use super::regions::{Facet, Regions};
+use super::surface::Surface;
+use super::topology::{Boundary, Edge};
+use crate::solid::{Feature, Mesh};
+
+/// How far a vertex of a free facet may move, mm: some chords' sagittas.
+const MOVED_FREE_MM: f64 = 0.05;
+
+/// How far an arc may lie beside the straight side of a free facet, as a share of the facet's height.
+const BULGE_SHARE: f64 = 0.3;
+
+/// Cosine of the angle by which a free facet may turn when its vertices move.
+const LEAST_TURNED: f64 = 0.8;
+
+/// Free facets lower than this have no direction that could turn, mm.
+const SLIVER_MM: f64 = 1e-4;
+
+/// Ends of an edge that are closer than this are one point to a reader, mm.
+const SHORTEST_MM: f64 = 2e-4;
+
+/// Attempts after which the solid is left faceted.
+const ATTEMPTS: usize = 100;
+
+impl Boundary {
+    /// The solid with as many faces as possible on the surfaces of the features, moved by the pose; the rest are facets of the mesh.
+    /// `None` when the mesh is not closed, or no face would be exact.
+    pub fn mixed(mesh: &Mesh, feature: &Feature, pose: &Isometry3<f64>) -> Option<Self> {
+        let half_edges = HalfEdges::new(mesh)?;
+        let facets = Facet::all(mesh);
+        let known = known::surfaces(feature, pose);
+        let mut surfaces = face_assignment::where_found(&facets, &half_edges, &known);
+        let mut alone = vec![false; facets.len()];
+        for _ in 0..ATTEMPTS {
+            let regions = connected(&facets, &half_edges, &surfaces, &known);
+            if regions.surfaces.is_empty() {
+                return None;
+            }
+            let mut attempt = Attempt::new(mesh, &half_edges, &facets, regions, &alone);
+            if let Some(mut boundary) = attempt.boundary(mesh) {
+                boundary.tidy();
+                return boundary.has_volume_of(mesh).is_ok().then_some(boundary);
+            }
+            attempt.loose.iter().for_each(|facet| surfaces[*facet] = None);
+            attempt.apart.iter().for_each(|facet| alone[*facet] = true);
+        }
+        None
+    }
+}
+
+/// One attempt, with what is to be free, and what is not to be merged, in the next.
+struct Attempt<'a> {
+    half_edges: &'a HalfEdges,
+    facets: &'a [Facet],
+    alone: &'a [bool],
+    /// The regions of surfaces first, then those of free facets.
+    regions: Regions,
+    exact: usize,
+    /// The facets around each vertex.
+    around: Vec<Vec<usize>>,
+    /// Where the vertices are, mm: on the surfaces of their facets, where they are on a free facet.
+    positions: Vec<Point3<f64>>,
+    loose: BTreeSet<usize>,
+    apart: BTreeSet<usize>,
+}
+
+impl<'a> Attempt<'a> {
+    fn new(mesh: &Mesh, half_edges: &'a HalfEdges, facets: &'a [Facet], regions: Regions, alone: &'a [bool]) -> Self {
+        let mut around = vec![Vec::new(); mesh.vertices.len()];
+        for (at, triangle) in mesh.triangles.iter().enumerate() {
+            triangle.iter().for_each(|corner| around[*corner as usize].push(at));
+        }
+        let (exact, positions) = (regions.surfaces.len(), positions(mesh));
+        let (loose, apart) = (BTreeSet::new(), BTreeSet::new());
+        Self { half_edges, facets, alone, regions, exact, around, positions, loose, apart }
+    }
+
+    /// The solid; `None` where something is loose or apart.
+    fn boundary(&mut self, mesh: &Mesh) -> Option<Boundary> {
+        self.free_small_regions();
+        self.move_vertices();
+        self.go_on()?;
+        let free = self.free_facets(mesh);
+        self.go_on()?;
+        self.regions.add_coplanar(&free, self.half_edges, self.alone);
+        let chains = self.chains();
+        self.free_short_chains(&chains);
+        let edges: Vec<Option<Edge>> = chains.edges.iter().map(|chain| self.edge(chain)).collect();
+        let edges = edges.into_iter().collect::<Option<Vec<Edge>>>()?;
+        let boundary = Boundary { vertices: self.positions.clone(), edges, faces: chains.faces(&self.regions, self.exact) };
+        self.judge(&boundary);
+        self.go_on()?;
+        Some(boundary)
+    }
+
+    fn go_on(&self) -> Option<()> {
+        (self.loose.is_empty() && self.apart.is_empty()).then_some(())
+    }
+
+    fn is_exact(&self, facet: usize) -> bool {
+        self.regions.of[facet] < self.exact
+    }
+
+    /// Frees the facets of surfaces around a vertex.
+    fn loosen_around(&mut self, vertex: usize) {
+        let loose: Vec<usize> = self.around[vertex].iter().copied().filter(|facet| self.is_exact(*facet)).collect();
+        self.loose.extend(loose);
+    }
+
+    fn free_small_regions(&mut self) {
+        let mut areas = vec![0.0; self.exact];
+        for (at, facet) in self.facets.iter().enumerate().filter(|(at, _)| self.is_exact(*at)) {
+            areas[self.regions.of[at]] += facet.area_mm2;
+        }
+        let small = |facet: &usize| self.is_exact(*facet) && areas[self.regions.of[*facet]] < LEAST_FACE_MM2;
+        let small: Vec<usize> = (0..self.facets.len()).filter(small).collect();
+        self.loose.extend(small);
+    }
+
+    /// Regions of surfaces around a vertex, and whether a free facet is there.
+    fn regions_around(&self, vertex: usize) -> (BTreeSet<usize>, bool) {
+        let regions = self.around[vertex].iter().map(|facet| self.regions.of[*facet]);
+        let exact: BTreeSet<usize> = regions.filter(|region| *region < self.exact).collect();
+        (exact, self.around[vertex].iter().any(|facet| !self.is_exact(*facet)))
+    }
+
+    /// Puts vertices where the surfaces around them meet.
+    fn move_vertices(&mut self) {
+        for vertex in 0..self.positions.len() {
+            let (regions, is_free) = self.regions_around(vertex);
+            if regions.is_empty() || regions.len() == 1 && !is_free {
+                continue;
+            }
+            let surfaces: Vec<&Surface> = regions.iter().map(|region| &self.regions.surfaces[*region].0).collect();
+            match corner(&surfaces, &self.positions[vertex], if is_free { MOVED_FREE_MM } else { MOVED_MM }) {
+                Ok(found) => self.positions[vertex] = found,
+                // On the border of only two surfaces no corner need be.
+                Err(_) if regions.len() == 2 && !is_free => {}
+                Err(_) => self.loosen_around(vertex),
+            }
+        }
+    }
+
+    /// The facets with their vertices moved. Frees what would turn a free facet over.
+    fn free_facets(&mut self, mesh: &Mesh) -> Vec<Facet> {
+        let corners = |triangle: &[u32; 3]| triangle.map(|corner| self.positions[corner as usize]);
+        let moved: Vec<Facet> = mesh.triangles.iter().map(|triangle| Facet::new(corners(triangle))).collect();
+        for (at, triangle) in mesh.triangles.iter().enumerate() {
+            let has_direction = self.facets[at].height_mm > SLIVER_MM;
+            if !self.is_exact(at) && has_direction && moved[at].normal.dot(&self.facets[at].normal) < LEAST_TURNED {
+                triangle.iter().for_each(|corner| self.loosen_around(*corner as usize));
+            }
+        }
+        moved
+    }
+
+    fn is_curved(&self, region: usize) -> bool {
+        matches!(self.regions.surfaces[region].0, Surface::Cylinder { .. })
+    }
+
+    /// Borders; those of free facets on cylinders end in every vertex, others of free facets where they bend.
+    fn chains(&self) -> Chains {
+        let ends: Vec<bool> = (0..self.positions.len())
+            .map(|vertex| {
+                let (regions, is_free) = self.regions_around(vertex);
+                is_free && regions.iter().any(|region| self.is_curved(*region))
+            })
+            .collect();
+        let is_straight =
+            |chain: &Chain| chain.regions.iter().any(|region| *region >= self.exact) && !chain.regions.iter().any(|r| self.is_curved(*r));
+        Chains::between(self.half_edges, &self.regions.of, &ends).straightened(&self.positions, is_straight)
+    }
+
+    /// Frees what moved two vertices to one place: the edge between them would be taken for one all around.
+    fn free_short_chains(&mut self, chains: &Chains) {
+        for chain in &chains.edges {
+            let (first, last) = (chain.first(), chain.last());
+            if first != last && (self.positions[first] - self.positions[last]).norm() < SHORTEST_MM {
+                [first, last].into_iter().for_each(|end| self.loosen_around(end));
+            }
+        }
+    }
+
+    fn edge(&mut self, chain: &Chain) -> Option<Edge> {
+        let found = match chain.regions.map(|region| (region < self.exact, self.is_curved(region))) {
+            [(true, _), (true, _)] => edge(&self.positions, chain, &self.regions, &self.positions).ok(),
+            [(_, false), (_, false)] => Some(Edge { from: chain.first(), to: chain.last(), curve: Curve::Line }),
+            [(_, first_is_curved), _] => self.arc(chain, chain.regions[usize::from(!first_is_curved)]),
+        };
+        if found.is_none() {
+            let along: Vec<usize> = chain.corners.windows(2).flat_map(|pair| self.beside(pair[0], pair[1])).collect();
+            self.loose.extend(along.into_iter().filter(|facet| self.is_exact(*facet)).collect::<Vec<_>>());
+        }
+        found
+    }
+
+    /// The two facets beside the side between two vertices.
+    fn beside(&self, from: usize, to: usize) -> Vec<usize> {
+        self.around[from].iter().copied().filter(|facet| self.around[to].contains(facet)).collect()
+    }
+
+    /// The arc of a cylinder beside a free facet: where the facet's plane cuts it.
+    fn arc(&self, chain: &Chain, region: usize) -> Option<Edge> {
+        let (from, to) = (chain.first(), chain.last());
+        let (a, b) = (self.positions[from], self.positions[to]);
+        let cylinder = &self.regions.surfaces[region].0;
+        let middle = nalgebra::center(&a, &b);
+        if cylinder.distance_mm(&middle).abs() < 0.5 * MEETS_MM {
+            return Some(Edge { from, to, curve: Curve::Line });
+        }
+        let free = self.beside(from, to).into_iter().find(|facet| !self.is_exact(*facet))?;
+        let third = self.facets[free].corners.iter().map(|p| beside_mm(p, &a, &b)).fold(0.0, f64::max);
+        // A merged face's plane passes its vertices within the flatness only; this one passes through both.
+        let along = Unit::try_new(b - a, 0.0)?;
+        let normal = self.regions.surfaces[self.regions.of[free]].0.normal_at(&a);
+        let normal = Unit::try_new(normal - along.into_inner() * along.dot(&normal), 0.5)?;
+        let curve = Curve::between(&Surface::Plane { point: a, normal }, cylinder, &[a, b])?;
+        let points = curve.points(&a, &b, 24);
+        let holds = points.iter().all(|p| {
+            let bulge = beside_mm(p, &a, &b);
+            cylinder.distance_mm(p).abs() < MEETS_MM && bulge < BULGE_MM && bulge < BULGE_SHARE * third
+        });
+        let arrives = (points[points.len() - 1] - b).norm() < MEETS_MM;
+        (holds && arrives).then_some(Edge { from, to, curve })
+    }
+
+    /// Frees the facets of faces that are not what their facets are; takes merged faces apart that are torn.
+    fn judge(&mut self, boundary: &Boundary) {
+        let mut facets_of: Vec<Vec<usize>> = vec![Vec::new(); boundary.faces.len()];
+        for (facet, region) in self.regions.of.iter().enumerate() {
+            facets_of[*region].push(facet);
+        }
+        for (at, face) in boundary.faces.iter().enumerate() {
+            let facets = &facets_of[at];
+            let mesh_mm2 = facets.iter().map(|facet| self.facets[*facet].area_mm2).sum();
+            if face.is_exact {
+                if !boundary.is_that_of_facets(face, mesh_mm2) {
+                    self.loose.extend(facets);
+                }
+                let meets: Vec<usize> = boundary.meets_itself_in(face).into_iter().flat_map(|vertex| self.around[vertex].clone()).collect();
+                self.loose.extend(meets.into_iter().filter(|facet| self.regions.of[*facet] == at));
+            } else if facets.len() > 1 {
+                if boundary.is_torn(face) {
+                    self.apart.extend(facets);
+                }
+            } else if boundary.crosses_itself(face) {
+                let neighbours = (3 * facets[0]..3 * facets[0] + 3).map(|h| self.half_edges.twin(h) / 3);
+                let exact: Vec<usize> = neighbours.filter(|facet| self.is_exact(*facet)).collect();
+                self.loose.extend(exact);
+            }
+        }
+    }
+}
