@@ -22,7 +22,7 @@ pub enum Segment {
 }
 
 impl Segment {
-    fn to(&self) -> Point2<f64> {
+    pub(super) fn to(&self) -> Point2<f64> {
         match self {
             Self::Line { to } | Self::Arc { to, .. } => *to,
         }

@@ -32,7 +32,7 @@ pub struct StepError {
 /// The printed parts, one file each, and the assembly.
 pub const FORMAT: Format = Format {
     extension: "step",
-    sentence: "Parts and assembly for a CAD program: STEP AP214, exact where the kernel can, else faceted.",
+    sentence: "Parts and assembly for a CAD program: STEP AP214, exact where the kernel can, facets elsewhere.",
     always: false,
     files,
 };

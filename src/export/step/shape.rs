@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::writer::{Decimal, Id, Writer, length, list};
+use super::writer::{Decimal, Id, Writer, angle, length, list};
 use crate::solid::{Boundary, Curve, Edge, Face, Surface, square_to};
 
 /// The name of a face that lies on no surface of the features.
@@ -83,6 +83,23 @@ fn advanced_face(writer: &mut Writer, boundary: &Boundary, face: &Face, edges: &
         Surface::Cylinder { point, axis, radius_mm } => {
             let place = writer.placement(point, axis, &seam(boundary, face, point, axis));
             writer.add(format_args!("CYLINDRICAL_SURFACE('',{place},{})", length(*radius_mm)))
+        }
+        Surface::Cone { point, axis, radius_mm, half_angle_rad } => {
+            let place = writer.placement(point, axis, &seam(boundary, face, point, axis));
+            writer.add(format_args!("CONICAL_SURFACE('',{place},{},{})", length(*radius_mm), angle(*half_angle_rad)))
+        }
+        Surface::Sphere { centre, axis, radius_mm } => {
+            let place = writer.placement(centre, axis, &seam(boundary, face, centre, axis));
+            writer.add(format_args!("SPHERICAL_SURFACE('',{place},{})", length(*radius_mm)))
+        }
+        Surface::Torus { centre, axis, radius_mm, minor_radius_mm } => {
+            let place = writer.placement(centre, axis, &seam(boundary, face, centre, axis));
+            let radii = format!("{},{}", length(*radius_mm), length(*minor_radius_mm));
+            if radius_mm < minor_radius_mm {
+                writer.add(format_args!("DEGENERATE_TOROIDAL_SURFACE('',{place},{radii},.T.)"))
+            } else {
+                writer.add(format_args!("TOROIDAL_SURFACE('',{place},{radii})"))
+            }
         }
     };
     let is_plane = matches!(face.surface, Surface::Plane { .. });

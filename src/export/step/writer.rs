@@ -109,6 +109,11 @@ pub(super) fn length(value_mm: f64) -> Decimal {
     Decimal { value: scaled(value_mm, LENGTH_DECIMALS), decimals: LENGTH_DECIMALS }
 }
 
+/// An angle, rad.
+pub(super) fn angle(value_rad: f64) -> Decimal {
+    Decimal { value: scaled(value_rad, DIRECTION_DECIMALS), decimals: DIRECTION_DECIMALS }
+}
+
 fn scaled(value: f64, decimals: u32) -> i64 {
     (value * 10_f64.powi(decimals as i32)).round() as i64
 }

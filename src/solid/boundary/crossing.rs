@@ -2,6 +2,7 @@
 
 use nalgebra::{Point2, Point3};
 
+use super::chart::Chart;
 use super::curve::beside_mm;
 use super::surface::Surface;
 use super::surface::square_to;
@@ -40,17 +41,20 @@ impl Boundary {
 
     /// Whether pieces of a face's loops cross, seen flat on its surface.
     pub(super) fn crosses_itself(&self, face: &Face) -> bool {
+        let chart = self.chart(face);
+        let flat = |p: &Point3<f64>| flat(&face.surface, chart.as_ref(), p);
+        let turn_mm = chart.as_ref().map(|chart| std::f64::consts::TAU * chart.scale()[0]);
         let mut pieces: Vec<[Point2<f64>; 2]> = Vec::new();
         for side in face.loops.iter().flatten() {
-            let points: Vec<Point2<f64>> = self.points_of(&self.edges[side.edge], PIECES).iter().map(|p| flat(&face.surface, p)).collect();
-            pieces.extend(points.windows(2).map(|pair| [pair[0], unrolled(&face.surface, pair[1], pair[0])]));
+            let points: Vec<Point2<f64>> = self.points_of(&self.edges[side.edge], PIECES).iter().map(flat).collect();
+            pieces.extend(points.windows(2).map(|pair| [pair[0], unrolled(turn_mm, pair[1], pair[0])]));
         }
         let low = |piece: &[Point2<f64>; 2]| piece[0].y.min(piece[1].y);
         pieces.sort_by(|a, b| low(a).total_cmp(&low(b)));
         (0..pieces.len()).any(|i| {
             let high = pieces[i][0].y.max(pieces[i][1].y);
             pieces[i + 1..].iter().take_while(|other| low(other) <= high).any(|other| {
-                let moved = unrolled(&face.surface, other[0], pieces[i][0]);
+                let moved = unrolled(turn_mm, other[0], pieces[i][0]);
                 let other = [moved, other[1] + (moved - other[0])];
                 cross(&pieces[i], &other)
             })
@@ -58,26 +62,25 @@ impl Boundary {
     }
 }
 
-/// A point of a surface in the plane; a cylinder unrolled.
-fn flat(surface: &Surface, p: &Point3<f64>) -> Point2<f64> {
-    match surface {
-        Surface::Plane { point, normal } => {
+/// A point of a surface in the plane; a round surface by its parameters.
+fn flat(surface: &Surface, chart: Option<&Chart>, p: &Point3<f64>) -> Point2<f64> {
+    match (surface, chart) {
+        (Surface::Plane { point, normal }, _) => {
             let x = square_to(normal);
             Point2::new((p - point).dot(&x), (p - point).dot(&normal.cross(&x)))
         }
-        Surface::Cylinder { point, axis, radius_mm } => {
-            let x = square_to(axis);
-            let arm = p - point;
-            Point2::new(radius_mm * libm::atan2(arm.dot(&axis.cross(&x)), arm.dot(&x)), arm.dot(axis))
+        (_, Some(chart)) => {
+            let (at, [around, along]) = (chart.at(p), chart.scale());
+            Point2::new(at.x * around, at.y * along)
         }
+        (_, None) => Point2::origin(),
     }
 }
 
-/// The same point of a cylinder's unrolled surface next to another.
-fn unrolled(surface: &Surface, p: Point2<f64>, beside: Point2<f64>) -> Point2<f64> {
-    let Surface::Cylinder { radius_mm, .. } = surface else { return p };
-    let turn = std::f64::consts::TAU * radius_mm;
-    Point2::new(p.x - turn * ((p.x - beside.x) / turn).round(), p.y)
+/// The same point of an unrolled surface next to another.
+fn unrolled(turn_mm: Option<f64>, p: Point2<f64>, beside: Point2<f64>) -> Point2<f64> {
+    let Some(turn_mm) = turn_mm else { return p };
+    Point2::new(p.x - turn_mm * ((p.x - beside.x) / turn_mm).round(), p.y)
 }
 
 /// Whether both pieces have the other's ends on different sides.

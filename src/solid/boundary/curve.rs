@@ -110,8 +110,56 @@ impl Curve {
                 let apart = axis.cross(other_axis).normalize().dot(&(other_point - point)).abs();
                 if (radius_mm - other_radius_mm).abs() < 1e-9 && apart < 1e-9 { mitre(a, b, chain) } else { spline(a, b, chain) }
             }
+            _ => match common_axis(a, b) {
+                Some((point, axis)) => circle(&point, &axis, chain),
+                None => spline(a, b, chain),
+            },
         }
     }
+}
+
+/// The axis about which both surfaces are round, and a point on it. A plane is round about its normals, a sphere about all its diameters.
+fn common_axis(a: &Surface, b: &Surface) -> Option<(Point3<f64>, Unit<Vector3<f64>>)> {
+    let is_on = |p: &Point3<f64>, (point, axis): &(Point3<f64>, Unit<Vector3<f64>>)| across(axis, &(p - point)).norm() < PARALLEL;
+    match (a, b) {
+        (Surface::Plane { normal, .. }, Surface::Sphere { centre, .. })
+        | (Surface::Sphere { centre, .. }, Surface::Plane { normal, .. }) => Some((*centre, *normal)),
+        (Surface::Sphere { centre, .. }, Surface::Sphere { centre: other, .. }) => {
+            Unit::try_new(other - centre, PARALLEL).map(|axis| (*centre, axis))
+        }
+        (Surface::Plane { normal, .. }, round) | (round, Surface::Plane { normal, .. }) => {
+            round.axis().filter(|(_, axis)| axis.cross(normal).norm() < PARALLEL)
+        }
+        (Surface::Sphere { centre, .. }, round) | (round, Surface::Sphere { centre, .. }) => {
+            round.axis().filter(|line| is_on(centre, line))
+        }
+        _ => a
+            .axis()
+            .zip(b.axis())
+            .filter(|(line, (point, axis))| line.1.cross(axis).norm() < PARALLEL && is_on(point, line))
+            .map(|(line, _)| line),
+    }
+}
+
+/// The arc about an axis through the points of a chain.
+fn circle(point: &Point3<f64>, axis: &Unit<Vector3<f64>>, chain: &[Point3<f64>]) -> Option<Curve> {
+    let centre = point + axis.into_inner() * axis.dot(&(chain[0] - point));
+    let arm = across(axis, &(chain[0] - centre));
+    let major = Unit::try_new(arm, PARALLEL)?;
+    Some(turned(centre, axis, major, [arm.norm(); 2], chain))
+}
+
+/// The arc of an ellipse about an axis from the first point of a chain to its last, on the chain's side.
+fn turned(centre: Point3<f64>, axis: &Unit<Vector3<f64>>, major: Unit<Vector3<f64>>, radii_mm: [f64; 2], chain: &[Point3<f64>]) -> Curve {
+    let [u, v] = [major.into_inner(), axis.cross(&major)];
+    let angle = |q: &Point3<f64>| libm::atan2((q - centre).dot(&v) / radii_mm[1], (q - centre).dot(&u) / radii_mm[0]);
+    let step = |pair: &[Point3<f64>]| {
+        let turn = angle(&pair[1]) - angle(&pair[0]);
+        turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round()
+    };
+    let sweep: f64 = chain.windows(2).map(step).sum();
+    let axis = if sweep < 0.0 { -*axis } else { *axis };
+    Curve::Ellipse { centre, axis, major, radii_mm, sweep_rad: sweep.abs().min(std::f64::consts::TAU) }
 }
 
 /// A plane through a cylinder.
@@ -128,15 +176,7 @@ fn on_plane(plane: &Surface, cylinder: &Surface, chain: &[Point3<f64>]) -> Optio
         // A circle begins where the edge begins.
         None => (Unit::new_normalize(across(normal, &(chain[0] - centre))), *radius_mm),
     };
-    let [u, v] = [major.into_inner(), normal.cross(&major)];
-    let angle = |q: &Point3<f64>| libm::atan2((q - centre).dot(&v) / radius_mm, (q - centre).dot(&u) / long);
-    let step = |pair: &[Point3<f64>]| {
-        let turn = angle(&pair[1]) - angle(&pair[0]);
-        turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round()
-    };
-    let sweep: f64 = chain.windows(2).map(step).sum();
-    let axis = if sweep < 0.0 { -*normal } else { *normal };
-    Some(Curve::Ellipse { centre, axis, major, radii_mm: [long, *radius_mm], sweep_rad: sweep.abs().min(std::f64::consts::TAU) })
+    Some(turned(centre, normal, major, [long, *radius_mm], chain))
 }
 
 /// Two cylinders of one radius whose axes meet: ellipses in the planes between the axes.

@@ -41,7 +41,7 @@ impl Boundary {
     /// surfaces bound it and what borders on what, the features where exactly.
     ///
     /// # Errors
-    /// Where a facet stands for no plane or cylinder of the tree, or surfaces meet elsewhere than the mesh has it: with chords
+    /// Where a facet stands for no surface of the tree, or surfaces meet elsewhere than the mesh has it: with chords
     /// for arcs the mesh may have edges that the exact solid has not.
     pub fn exact(mesh: &Mesh, feature: &Feature, pose: &Isometry3<f64>) -> Result<Self, NotExact> {
         let half_edges = HalfEdges::new(mesh).ok_or(NotExact::Open)?;
@@ -114,12 +114,13 @@ pub(super) fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[
         let Some(surface) = own(seed).filter(|_| regions.of[seed] == usize::MAX) else { continue };
         let id = regions.surfaces.len();
         let (own_of_seed, surface) = (Some(surface), &known[surface].surface);
-        let mut outwards = 0.0;
+        let (mut outwards, mut towards) = (0.0, nalgebra::Vector3::zeros());
         regions.of[seed] = id;
         let mut open = vec![seed];
         while let Some(at) = open.pop() {
             let middle = Point3::from(facets[at].corners.iter().map(|p| p.coords).sum::<nalgebra::Vector3<f64>>() / 3.0);
             outwards += facets[at].area_mm2 * facets[at].normal.dot(&surface.normal_at(&middle));
+            towards += facets[at].normal * facets[at].area_mm2;
             for h in 3 * at..3 * at + 3 {
                 let neighbour = half_edges.twin(h) / 3;
                 if regions.of[neighbour] == usize::MAX && own(neighbour) == own_of_seed {
@@ -128,7 +129,7 @@ pub(super) fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[
                 }
             }
         }
-        regions.surfaces.push((surface.clone(), outwards > 0.0));
+        regions.surfaces.push((surface.with_poles_beside(&towards), outwards > 0.0));
     }
     regions
 }

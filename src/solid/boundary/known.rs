@@ -1,6 +1,6 @@
 //! The surfaces that a feature tree is bounded by, and which facets of the mesh stand for them.
 
-use nalgebra::{Isometry3, Matrix3, Point3, Unit, Vector3};
+use nalgebra::{Isometry3, Matrix3, Point2, Point3, Unit, Vector3};
 
 use super::regions::Facet;
 use super::surface::{Surface, across};
@@ -11,8 +11,11 @@ use crate::solid::{Feature, MeshSolid, SEGMENTS_PER_TURN};
 #[derive(Clone, Debug)]
 pub(super) struct Known {
     pub(super) surface: Surface,
-    /// Of a cylinder: how far its facets' planes and their corners are from the axis, mm.
+    /// Of a cylinder: how far its facets' planes and their corners are from the axis, mm. Of another round surface: how far they lie inside
+    /// and outside it.
     reach_mm: [f64; 2],
+    /// Of a cone, a sphere or a torus: how far a facet's normal may be turned from the surface's, rad.
+    turned_rad: f64,
 }
 
 /// Rotation or reflection, then a shift.
@@ -24,7 +27,7 @@ pub(super) const BESIDE_MM: f64 = 0.0015;
 /// A facet that lies on a plane this well is not taken for a chord of a cylinder, mm.
 const PLANE_FIRST_MM: f64 = 1e-4;
 
-/// Every plane and cylinder of a tree, moved by a pose; other surfaces are left out.
+/// Every plane and round surface of a tree, moved by a pose. Left out is what a hull spans between round bodies.
 pub(super) fn surfaces(feature: &Feature, pose: &Isometry3<f64>) -> Vec<Known> {
     let mut found: Vec<Known> = Vec::new();
     let place = (pose.rotation.to_rotation_matrix().into_inner(), pose.translation.vector);
@@ -54,8 +57,11 @@ fn collect(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
             caps(*height_mm, place, found);
             found.push(upright([0.0, 0.0], *radius_mm, [*radius_mm, circumscribed(*radius_mm, SEGMENTS_PER_TURN)], place));
         }
-        Feature::Cone { height_mm, .. } => caps(*height_mm, place, found),
-        Feature::Sphere { .. } => {}
+        Feature::Cone { bottom_radius_mm, top_radius_mm, height_mm } => {
+            caps(*height_mm, place, found);
+            found.extend(cone([*bottom_radius_mm, 0.0], [*top_radius_mm, *height_mm], place));
+        }
+        Feature::Sphere { radius_mm } => found.push(sphere(0.0, *radius_mm, STEP_RAD, place)),
         Feature::Revolve { profile, .. } => revolved(profile, place, found),
         Feature::Hull(of) => {
             if of.iter().all(has_planes_only) {
@@ -79,13 +85,60 @@ fn collect(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
 
 fn plane(point: Vector3<f64>, normal: Vector3<f64>, place: &Place) -> Known {
     let surface = Surface::Plane { point: (place.0 * point + place.1).into(), normal: Unit::new_normalize(place.0 * normal) };
-    Known { surface, reach_mm: [0.0; 2] }
+    Known { surface, reach_mm: [0.0; 2], turned_rad: 0.0 }
 }
 
 fn upright(centre: [f64; 2], radius_mm: f64, reach_mm: [f64; 2], place: &Place) -> Known {
     let point = place.0 * Vector3::new(centre[0], centre[1], 0.0) + place.1;
     let surface = Surface::Cylinder { point: point.into(), axis: Unit::new_normalize(place.0 * Vector3::z()), radius_mm };
-    Known { surface, reach_mm }
+    Known { surface, reach_mm, turned_rad: 0.0 }
+}
+
+/// Half the angle between neighbouring facets of a whole turn, rad.
+const STEP_RAD: f64 = std::f64::consts::PI / SEGMENTS_PER_TURN as f64;
+
+/// Of a surface that is round in two directions: chords lie inside it or outside, as it is bulged or waisted.
+fn doubly_round(surface: Surface, chord_mm: f64, turned_rad: f64) -> Known {
+    Known { surface, reach_mm: [-chord_mm, chord_mm], turned_rad }
+}
+
+/// Between two places (r, z).
+fn cone(from: [f64; 2], to: [f64; 2], place: &Place) -> Option<Known> {
+    let [low, high] = if from[0] < to[0] { [from, to] } else { [to, from] };
+    let (grows, rises) = (high[0] - low[0], high[1] - low[1]);
+    if grows < 1e-9 || rises.abs() < 1e-9 {
+        return None;
+    }
+    let surface = Surface::Cone {
+        point: (place.0 * Vector3::new(0.0, 0.0, high[1]) + place.1).into(),
+        axis: Unit::new_normalize(place.0 * Vector3::z() * rises.signum()),
+        radius_mm: high[0],
+        half_angle_rad: libm::atan2(grows, rises.abs()),
+    };
+    Some(doubly_round(surface, high[0] * (1.0 - libm::cos(STEP_RAD)), STEP_RAD))
+}
+
+fn sphere(z_mm: f64, radius_mm: f64, step_rad: f64, place: &Place) -> Known {
+    let centre = (place.0 * Vector3::new(0.0, 0.0, z_mm) + place.1).into();
+    let surface = Surface::Sphere { centre, axis: Unit::new_normalize(place.0 * Vector3::z()), radius_mm };
+    let turned_rad = STEP_RAD + step_rad;
+    doubly_round(surface, radius_mm * (1.0 - libm::cos(turned_rad)), turned_rad)
+}
+
+/// Of an arc around a place (r, z): a sphere where that lies on the axis.
+fn turned_arc(centre: [f64; 2], radius_mm: f64, step_rad: f64, place: &Place) -> Option<Known> {
+    if centre[0].abs() < 1e-9 {
+        return Some(sphere(centre[1], radius_mm, step_rad, place));
+    }
+    let surface = Surface::Torus {
+        centre: (place.0 * Vector3::new(0.0, 0.0, centre[1]) + place.1).into(),
+        axis: Unit::new_normalize(place.0 * Vector3::z()),
+        radius_mm: centre[0],
+        minor_radius_mm: radius_mm,
+    };
+    let chord_mm = (centre[0] + radius_mm) * (1.0 - libm::cos(STEP_RAD)) + radius_mm * (1.0 - libm::cos(step_rad));
+    // Left of the axis the profile would cut itself.
+    (centre[0] > 0.0).then(|| doubly_round(surface, chord_mm, STEP_RAD + step_rad))
 }
 
 fn caps(height_mm: f64, place: &Place, found: &mut Vec<Known>) {
@@ -125,22 +178,34 @@ fn extruded(profile: &Profile, height_mm: f64, place: &Place, found: &mut Vec<Kn
     }
 }
 
-/// Of a turned profile in (r, z), lines square and parallel to the axis.
+/// Of a turned profile in (r, z).
 fn revolved(profile: &Profile, place: &Place, found: &mut Vec<Known>) {
-    let Contour::Path { start, segments } = &profile.outer else { return };
-    let mut from = *start;
-    let half = std::f64::consts::PI / f64::from(SEGMENTS_PER_TURN);
-    for segment in segments {
-        let (Segment::Line { to } | Segment::Arc { to, .. }) = segment;
-        if matches!(segment, Segment::Line { .. }) {
-            let along = to - from;
-            if along.y.abs() < 1e-9 {
-                found.push(plane(Vector3::new(0.0, 0.0, from.y), Vector3::z(), place));
-            } else if along.x.abs() < 1e-9 && from.x > 1e-9 {
-                found.push(upright([0.0, 0.0], from.x, [from.x * libm::cos(half), from.x], place));
+    for contour in std::iter::once(&profile.outer).chain(&profile.holes) {
+        match contour {
+            Contour::Circle { centre, radius_mm, .. } => found.extend(turned_arc([centre.x, centre.y], *radius_mm, STEP_RAD, place)),
+            Contour::Path { start, segments } => {
+                let mut from = *start;
+                for segment in segments {
+                    found.extend(turned(from, segment, place));
+                    from = segment.to();
+                }
             }
         }
-        from = *to;
+    }
+}
+
+fn turned(from: Point2<f64>, segment: &Segment, place: &Place) -> Option<Known> {
+    match segment {
+        Segment::Line { to } if (to.y - from.y).abs() < 1e-9 => Some(plane(Vector3::new(0.0, 0.0, from.y), Vector3::z(), place)),
+        Segment::Line { to } if (to.x - from.x).abs() < 1e-9 => {
+            (from.x > 1e-9).then(|| upright([0.0, 0.0], from.x, [from.x * libm::cos(STEP_RAD), from.x], place))
+        }
+        Segment::Line { to } => cone([from.x, from.y], [to.x, to.y], place),
+        Segment::Arc { to, centre, counter_clockwise } => {
+            let sweep = sweep_angle(from, *to, *centre, *counter_clockwise).abs();
+            let steps = (sweep / (2.0 * STEP_RAD)).ceil().max(1.0);
+            turned_arc([centre.x, centre.y], (from - centre).norm(), 0.5 * sweep / steps, place)
+        }
     }
 }
 
@@ -189,6 +254,19 @@ impl Known {
                 };
                 facet.corners.iter().map(off).fold(PLANE_FIRST_MM, f64::max)
             }
+            round => {
+                let middle = nalgebra::center(&nalgebra::center(&facet.corners[0], &facet.corners[1]), &facet.corners[2]);
+                let turned = facet.normal.dot(&round.normal_at(&middle)).abs();
+                if turned < libm::cos((1.2 * self.turned_rad + 2.0 * lean).min(1.0)) {
+                    return None;
+                }
+                let off = |p: &Point3<f64>| {
+                    let beside = round.distance_mm(p);
+                    (beside - self.reach_mm[1]).max(self.reach_mm[0] - beside)
+                };
+                // A plane or a cylinder is the likelier one.
+                facet.corners.iter().map(off).fold(2.0 * PLANE_FIRST_MM, f64::max)
+            }
         };
         (off < BESIDE_MM).then_some(off)
     }
@@ -204,6 +282,10 @@ impl Known {
             Surface::Cylinder { point, axis, .. } => {
                 let r = across(axis, &(p - point)).norm();
                 self.reach_mm[0] - within_mm < r && r < self.reach_mm[1] + within_mm
+            }
+            round => {
+                let beside = round.distance_mm(p);
+                self.reach_mm[0] - within_mm < beside && beside < self.reach_mm[1] + within_mm
             }
         }
     }

@@ -2,8 +2,9 @@
 
 use nalgebra::{Point3, Vector3};
 
+use super::chart::Chart;
+use super::curve::Curve;
 use super::surface::Surface;
-use super::surface::square_to;
 use super::topology::{Boundary, Face, Side};
 
 /// Pieces of an arc over which is summed: half a turn is right to 1e-5 of its area.
@@ -41,36 +42,45 @@ impl Boundary {
 
     /// Area and volume that a loop encloses on its face, mm² and mm³.
     fn loop_sums(&self, face: &Face, sides: &[Side]) -> [f64; 2] {
+        let sign = if face.outward { 1.0 } else { -1.0 };
+        if let Surface::Plane { point, normal } = &face.surface {
+            let twice: Vector3<f64> = sides.iter().map(|side| self.swept(side, point)).sum();
+            let area = 0.5 * sign * normal.dot(&twice);
+            return [area, sign * area * normal.dot(&point.coords) / 3.0];
+        }
+        let Some(chart) = self.chart(face) else { return [0.0; 2] };
         let ring = self.ring(sides);
         let pairs = (0..ring.len()).map(|i| (ring[i], ring[(i + 1) % ring.len()]));
-        let sign = if face.outward { 1.0 } else { -1.0 };
-        match &face.surface {
-            Surface::Plane { point, normal } => {
-                let twice: Vector3<f64> = pairs.map(|(a, b)| (a - point).cross(&(b - point))).sum();
-                let area = 0.5 * sign * normal.dot(&twice);
-                [area, sign * area * normal.dot(&point.coords) / 3.0]
-            }
-            Surface::Cylinder { point, axis, radius_mm } => {
-                // By Green's theorem in (angle, height) the loop sums up minus height times what an angle's strip weighs.
-                let x = square_to(axis);
-                let y = axis.cross(&x);
-                let mut sums = [0.0; 2];
-                for (a, b) in pairs {
-                    let [(u, v), (w, z)] = [a, b].map(|p| {
-                        let arm = p - point;
-                        (libm::atan2(arm.dot(&y), arm.dot(&x)), arm.dot(axis))
-                    });
-                    let turn = w - u;
-                    let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
-                    let (sin, cos) = libm::sincos(u + 0.5 * turn);
-                    let out = x.into_inner() * cos + y * sin;
-                    let strip = -0.5 * (v + z) * turn * radius_mm;
-                    sums[0] += sign * strip;
-                    sums[1] += sign * strip * (radius_mm + out.dot(&point.coords)) / 3.0;
-                }
-                // Inwards both the loop and the normal are turned.
-                [sums[0], sign * sums[1]]
-            }
+        // By Green's theorem the loop sums up minus what a strip of each angle holds.
+        let mut sums = [0.0; 2];
+        for (a, b) in pairs {
+            let (from, to) = (chart.at(&a), chart.at(&b));
+            let turn = to.x - from.x;
+            let turn = turn - std::f64::consts::TAU * (turn / std::f64::consts::TAU).round();
+            let [area, about, out] = [0, 1, 2].map(|i| -0.5 * turn * (chart.strip(from.y)[i] + chart.strip(to.y)[i]));
+            sums[0] += sign * area;
+            // Inwards both the loop and the normal are turned.
+            sums[1] += (about + out * chart.direction(from.x + 0.5 * turn).dot(&chart.point.coords)) / 3.0;
         }
+        sums
+    }
+
+    /// Twice the area that the arm from a point sweeps along a side, mm², as a vector: of an ellipse by its own formula.
+    fn swept(&self, side: &Side, point: &Point3<f64>) -> Vector3<f64> {
+        let edge = &self.edges[side.edge];
+        let (from, to) = (self.vertices[edge.from], self.vertices[edge.to]);
+        let forward = match &edge.curve {
+            Curve::Ellipse { centre, axis, radii_mm: [a, b], sweep_rad, .. } => {
+                (centre - point).cross(&(to - from)) + axis.into_inner() * (a * b * sweep_rad)
+            }
+            _ => self.points_of(edge, PIECES).windows(2).map(|pair| (pair[0] - point).cross(&(pair[1] - point))).sum(),
+        };
+        if side.forward { forward } else { -forward }
+    }
+
+    /// The chart of a face on a round surface.
+    pub(super) fn chart<'a>(&self, face: &'a Face) -> Option<Chart<'a>> {
+        let ends = face.loops.iter().flatten().flat_map(|side| [self.edges[side.edge].from, self.edges[side.edge].to]);
+        Chart::new(&face.surface, ends.map(|vertex| self.vertices[vertex]))
     }
 }

@@ -1,8 +1,8 @@
 //! The mesh put back on the surfaces of its feature tree where it lies on them, and left in facets elsewhere.
 //!
-//! Facets that lie on no surface of the tree, as those of a ball or a torus, are free. So are those where surfaces do not meet as the mesh has it:
+//! Facets that lie on no surface of the tree, as those of a hull between round bodies, are free. So are those where surfaces do not meet as the mesh has it:
 //! what fails in one attempt is free in the next, so the last attempt is at worst the faceted solid. Vertices that a free facet shares
-//! with a surface move onto it; a cylinder meets a free facet in the arc in which the facet's plane cuts it.
+//! with a surface move onto it; a round surface meets a free facet in the arc in which the facet's plane cuts it.
 
 use std::collections::BTreeSet;
 
@@ -13,14 +13,23 @@ use super::curve::{Curve, beside_mm};
 use super::exact::{BULGE_MM, LEAST_FACE_MM2, MEETS_MM, MOVED_MM, connected, corner, edge, positions};
 use super::face_assignment;
 use super::half_edges::HalfEdges;
-use super::known;
+use super::known::{self, Known};
 use super::regions::{Facet, Regions};
 use super::surface::Surface;
 use super::topology::{Boundary, Edge};
 use crate::solid::{Feature, Mesh};
 
-/// How far a vertex of a free facet may move, mm: some chords' sagittas.
-const MOVED_FREE_MM: f64 = 0.05;
+/// Ways to go about it; the one that leaves the least area in facets counts.
+const WAYS: [Way; 2] = [Way { moved_mm: 0.05, patience: 30 }, Way { moved_mm: 0.2, patience: 0 }];
+
+/// How far vertices of free facets move, and when faces are given up.
+#[derive(Clone, Copy)]
+struct Way {
+    /// How far at most, mm. Where surfaces touch, a vertex on a chord lies a tenth of a millimetre beside the line in which they do.
+    moved_mm: f64,
+    /// Attempts in which a face on a cone, a sphere or a torus loses single facets; after them it is free as a whole.
+    patience: usize,
+}
 
 /// How far an arc may lie beside the straight side of a free facet, as a share of the facet's height.
 const BULGE_SHARE: f64 = 0.3;
@@ -44,23 +53,39 @@ impl Boundary {
         let half_edges = HalfEdges::new(mesh)?;
         let facets = Facet::all(mesh);
         let known = known::surfaces(feature, pose);
-        let mut surfaces = face_assignment::where_found(&facets, &half_edges, &known);
-        let mut alone = vec![false; facets.len()];
-        for _ in 0..ATTEMPTS {
-            let regions = connected(&facets, &half_edges, &surfaces, &known);
-            if regions.surfaces.is_empty() {
-                return None;
-            }
-            let mut attempt = Attempt::new(mesh, &half_edges, &facets, regions, &alone);
-            if let Some(mut boundary) = attempt.boundary(mesh) {
-                boundary.tidy();
-                return boundary.has_volume_of(mesh).is_ok().then_some(boundary);
-            }
-            attempt.loose.iter().for_each(|facet| surfaces[*facet] = None);
-            attempt.apart.iter().for_each(|facet| alone[*facet] = true);
-        }
-        None
+        let surfaces = face_assignment::where_found(&facets, &half_edges, &known);
+        let found = WAYS.iter().filter_map(|way| by_attempts(mesh, (&half_edges, &facets, &known), surfaces.clone(), *way));
+        let in_facets_mm2 = |of: &Self| -> f64 { of.faces.iter().filter(|face| !face.is_exact).map(|face| of.area_mm2(face)).sum() };
+        let mut best = found.min_by(|a, b| in_facets_mm2(a).total_cmp(&in_facets_mm2(b)))?;
+        best.tidy();
+        Some(best)
     }
+}
+
+/// Attempts until one succeeds.
+fn by_attempts(
+    mesh: &Mesh,
+    (half_edges, facets, known): (&HalfEdges, &[Facet], &[Known]),
+    mut surfaces: Vec<Option<usize>>,
+    way: Way,
+) -> Option<Boundary> {
+    let mut alone = vec![false; facets.len()];
+    for round in 0..ATTEMPTS {
+        let regions = connected(facets, half_edges, &surfaces, known);
+        if regions.surfaces.is_empty() {
+            return None;
+        }
+        let mut attempt = Attempt::new(mesh, half_edges, facets, regions, &alone, way.moved_mm);
+        if let Some(boundary) = attempt.boundary(mesh) {
+            return boundary.has_volume_of(mesh).is_ok().then_some(boundary);
+        }
+        if round >= way.patience {
+            attempt.free_doubly_round();
+        }
+        attempt.loose.iter().for_each(|facet| surfaces[*facet] = None);
+        attempt.apart.iter().for_each(|facet| alone[*facet] = true);
+    }
+    None
 }
 
 /// One attempt, with what is to be free, and what is not to be merged, in the next.
@@ -68,6 +93,7 @@ struct Attempt<'a> {
     half_edges: &'a HalfEdges,
     facets: &'a [Facet],
     alone: &'a [bool],
+    moved_mm: f64,
     /// The regions of surfaces first, then those of free facets.
     regions: Regions,
     exact: usize,
@@ -80,14 +106,14 @@ struct Attempt<'a> {
 }
 
 impl<'a> Attempt<'a> {
-    fn new(mesh: &Mesh, half_edges: &'a HalfEdges, facets: &'a [Facet], regions: Regions, alone: &'a [bool]) -> Self {
+    fn new(mesh: &Mesh, half_edges: &'a HalfEdges, facets: &'a [Facet], regions: Regions, alone: &'a [bool], moved_mm: f64) -> Self {
         let mut around = vec![Vec::new(); mesh.vertices.len()];
         for (at, triangle) in mesh.triangles.iter().enumerate() {
             triangle.iter().for_each(|corner| around[*corner as usize].push(at));
         }
         let (exact, positions) = (regions.surfaces.len(), positions(mesh));
         let (loose, apart) = (BTreeSet::new(), BTreeSet::new());
-        Self { half_edges, facets, alone, regions, exact, around, positions, loose, apart }
+        Self { half_edges, facets, alone, moved_mm, regions, exact, around, positions, loose, apart }
     }
 
     /// The solid; `None` where something is loose or apart.
@@ -106,6 +132,18 @@ impl<'a> Attempt<'a> {
         self.judge(&boundary);
         self.go_on()?;
         Some(boundary)
+    }
+
+    /// Frees a face on a cone, a sphere or a torus as a whole: facet by facet its neighbours would follow.
+    fn free_doubly_round(&mut self) {
+        let regions: BTreeSet<usize> =
+            self.loose.iter().map(|facet| self.regions.of[*facet]).filter(|region| self.is_doubly_round(*region)).collect();
+        let facets: Vec<usize> = (0..self.facets.len()).filter(|facet| regions.contains(&self.regions.of[*facet])).collect();
+        self.loose.extend(facets);
+    }
+
+    fn is_doubly_round(&self, region: usize) -> bool {
+        !matches!(self.regions.surfaces[region].0, Surface::Plane { .. } | Surface::Cylinder { .. })
     }
 
     fn go_on(&self) -> Option<()> {
@@ -147,7 +185,7 @@ impl<'a> Attempt<'a> {
                 continue;
             }
             let surfaces: Vec<&Surface> = regions.iter().map(|region| &self.regions.surfaces[*region].0).collect();
-            match corner(&surfaces, &self.positions[vertex], if is_free { MOVED_FREE_MM } else { MOVED_MM }) {
+            match corner(&surfaces, &self.positions[vertex], if is_free { self.moved_mm } else { MOVED_MM }) {
                 Ok(found) => self.positions[vertex] = found,
                 // On the border of only two surfaces no corner need be.
                 Err(_) if regions.len() == 2 && !is_free => {}
@@ -170,10 +208,10 @@ impl<'a> Attempt<'a> {
     }
 
     fn is_curved(&self, region: usize) -> bool {
-        matches!(self.regions.surfaces[region].0, Surface::Cylinder { .. })
+        !matches!(self.regions.surfaces[region].0, Surface::Plane { .. })
     }
 
-    /// Borders; those of free facets on cylinders end in every vertex, others of free facets where they bend.
+    /// Borders; those of free facets on round surfaces end in every vertex, others of free facets where they bend.
     fn chains(&self) -> Chains {
         let ends: Vec<bool> = (0..self.positions.len())
             .map(|vertex| {
@@ -214,13 +252,13 @@ impl<'a> Attempt<'a> {
         self.around[from].iter().copied().filter(|facet| self.around[to].contains(facet)).collect()
     }
 
-    /// The arc of a cylinder beside a free facet: where the facet's plane cuts it.
+    /// The arc of a round surface beside a free facet: where the facet's plane cuts it.
     fn arc(&self, chain: &Chain, region: usize) -> Option<Edge> {
         let (from, to) = (chain.first(), chain.last());
         let (a, b) = (self.positions[from], self.positions[to]);
-        let cylinder = &self.regions.surfaces[region].0;
-        let middle = nalgebra::center(&a, &b);
-        if cylinder.distance_mm(&middle).abs() < 0.5 * MEETS_MM {
+        let round = &self.regions.surfaces[region].0;
+        let is_on = |share: f64| round.distance_mm(&(a + (b - a) * share)).abs() < 0.5 * MEETS_MM;
+        if [0.25, 0.5, 0.75].into_iter().all(is_on) {
             return Some(Edge { from, to, curve: Curve::Line });
         }
         let free = self.beside(from, to).into_iter().find(|facet| !self.is_exact(*facet))?;
@@ -229,11 +267,11 @@ impl<'a> Attempt<'a> {
         let along = Unit::try_new(b - a, 0.0)?;
         let normal = self.regions.surfaces[self.regions.of[free]].0.normal_at(&a);
         let normal = Unit::try_new(normal - along.into_inner() * along.dot(&normal), 0.5)?;
-        let curve = Curve::between(&Surface::Plane { point: a, normal }, cylinder, &[a, b])?;
+        let curve = Curve::between(&Surface::Plane { point: a, normal }, round, &[a, b])?;
         let points = curve.points(&a, &b, 24);
         let holds = points.iter().all(|p| {
             let bulge = beside_mm(p, &a, &b);
-            cylinder.distance_mm(p).abs() < MEETS_MM && bulge < BULGE_MM && bulge < BULGE_SHARE * third
+            round.distance_mm(p).abs() < MEETS_MM && bulge < BULGE_MM && bulge < BULGE_SHARE * third
         });
         let arrives = (points[points.len() - 1] - b).norm() < MEETS_MM;
         (holds && arrives).then_some(Edge { from, to, curve })

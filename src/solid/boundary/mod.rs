@@ -1,9 +1,10 @@
-//! Boundary representations: faces on planes and cylinders, bounded by edges that two faces share. STEP files contain them.
+//! Boundary representations: faces on planes and round surfaces, bounded by edges that two faces share. STEP files contain them.
 //!
 //! The topology is that of the mesh. [`Boundary::faceted`] merges its coplanar facets; [`Boundary::exact`] puts its facets back
 //! on the surfaces of the feature tree that they stand for, and edges and corners where those surfaces meet.
 
 mod chains;
+mod chart;
 mod crossing;
 mod curve;
 mod exact;

@@ -6,8 +6,8 @@ pub enum NotExact {
     /// Some edge is not shared by two facets.
     #[error("the mesh is not closed")]
     Open,
-    /// A cone, a ball, a torus or a hull of round bodies.
-    #[error("{count} facets lie on neither a plane nor a cylinder of the features, the first near {at:.3?}")]
+    /// What a hull spans between round bodies.
+    #[error("{count} facets lie on no surface of the features, the first near {at:.3?}")]
     Surface {
         /// How many facets.
         count: usize,
