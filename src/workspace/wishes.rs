@@ -77,7 +77,7 @@ impl<'a> Wishes<'a> {
     fn together(&self, wishes: &[(&String, &Entry)]) -> Option<String> {
         let from = self.base.as_ref()?;
         let follows = |_: &_| ControlFlow::Continue(());
-        let request = Request { file: self.file, from, envelope_mm: None, most: MOST, follows: &follows };
+        let request = Request { file: self.file, from, envelope_mm: None, vary: &[], most: MOST, follows: &follows };
         let creation = create(&request).ok()?;
         if creation.moved.is_empty() || creation.moved.iter().any(|moved| wishes.iter().any(|(key, _)| **key == moved.key)) {
             return None;
