@@ -59,7 +59,15 @@ fn main() {
             }
             ControlFlow::Continue(())
         };
-        let found = create(&Request { file: &file, from: &from, envelope_mm: Some(hidden.size_mm), most: MOST, follows: &follows });
+        let [width_mm, height_mm] = hidden.size_mm;
+        let found = create(&Request {
+            file: &file,
+            from: &from,
+            envelope_mm: Some([width_mm, width_mm, height_mm]),
+            vary: &[],
+            most: MOST,
+            follows: &follows,
+        });
         let took_s = begun.elapsed().as_secs_f64();
         let task = format!("{task:3} {:<16} with parts of {:<16}", hidden.preset, hidden.parts);
         match found {

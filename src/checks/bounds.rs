@@ -1,5 +1,7 @@
 //! Axis-parallel boxes: what cannot meet need not be measured.
 
+use nalgebra::Vector3;
+
 /// A box, mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounds {
@@ -14,12 +16,16 @@ impl Bounds {
         Self { low: each(f64::min, &self.low, &other.low), high: each(f64::max, &self.high, &other.high) }
     }
 
-    /// Moved along y.
-    pub fn shifted_y(&self, by_mm: f64) -> Self {
-        let mut moved = *self;
-        moved.low[1] += by_mm;
-        moved.high[1] += by_mm;
-        moved
+    /// Moved.
+    pub fn shifted(&self, by_mm: &Vector3<f64>) -> Self {
+        let each = |at: &[f64; 3]| [0, 1, 2].map(|i| at[i] + by_mm[i]);
+        Self { low: each(&self.low), high: each(&self.high) }
+    }
+
+    /// Least and farthest that it reaches along one of the axes or against it, mm.
+    pub fn reach_mm(&self, along: &Vector3<f64>) -> [f64; 2] {
+        let [low, high] = [self.low, self.high].map(|corner| along.dot(&Vector3::from(corner)));
+        [low.min(high), low.max(high)]
     }
 
     /// Distance of two boxes, mm; 0 when they touch. No two points in them are closer.

@@ -1,11 +1,11 @@
-//! The battery changes quickly: lid, battery, plug and magnet slide out of the sleeve to the rear in one piece, in the
+//! The battery changes quickly: lid, battery, plug and magnet slide out of the sleeve in one piece, to the rear or to the right, in the
 //! assembled frame, and pushed in again they meet what they belong to.
 //!
 //! The way out is tested in two steps. Until the lid has left the bracket the cartridge is moved in small steps and cut
 //! with what its path touches; after that each piece's convex hull, swept on to the end of the way, is (which is more
 //! than the piece sweeps, so it errs to the safe side). The battery, a convex body, is swept over the whole way.
 
-use nalgebra::Isometry3;
+use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 
 use super::finding::Finding;
@@ -55,20 +55,22 @@ pub struct CartridgePassage {
     pub shared_mm3: f64,
     /// Length of the way out, mm.
     pub way_mm: f64,
+    /// The side of the frame that it leads to.
+    pub side: &'static str,
     /// The keys that drive it.
     pub levers: &'static [&'static str],
 }
 
 impl CartridgePassage {
     fn finding(&self) -> Finding {
-        let Self { pair, shared_mm3, way_mm, levers } = self;
+        let Self { pair, shared_mm3, way_mm, side, levers } = self;
         let measure = Measure { rule: &RULE, value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers };
         let (subject, message) = match pair {
             Some([piece, other]) => (
                 format!("{piece} past {other}"),
                 format!("{piece} meets {other} on its way out of the sleeve: {shared_mm3:.2} mm3 in common"),
             ),
-            None => ("way out".into(), format!("the cartridge slides {way_mm:.0} mm to the rear and meets nothing")),
+            None => ("way out".into(), format!("the cartridge slides {way_mm:.0} mm to the {side} and meets nothing")),
         };
         measure.at_most(subject, message)
     }
@@ -103,9 +105,18 @@ fn slides(body: &Placed) -> bool {
     body.is_part(PartName::BatteryLid) || matches!(body.shape.kind, Kind::Bought(name) if CARTRIDGE.contains(&name))
 }
 
+/// The way out: where it leads, how far the lid is beside the bracket, and how far it goes, mm.
+struct WayOut {
+    out: Vector3<f64>,
+    free_mm: f64,
+    way_mm: f64,
+}
+
 /// The volume that a piece shares with another body on its way, mm³.
-fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, free_mm: f64, way_mm: f64) -> f64 {
-    let touched = |from: f64, to: f64| piece.bounds.shifted_y(-from).around(&piece.bounds.shifted_y(-to)).distance_mm(&other.bounds) <= 0.0;
+fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, way: &WayOut) -> f64 {
+    let WayOut { out, free_mm, way_mm } = *way;
+    let moved = |by_mm: f64| piece.bounds.shifted(&(out * by_mm));
+    let touched = |from: f64, to: f64| moved(from).around(&moved(to)).distance_mm(&other.bounds) <= 0.0;
     let convex = piece.shape.kind == Kind::Bought("battery") || piece.shape.kind == Kind::Bought("magnet_lid");
     let near = if convex { FIRST_MM } else { free_mm };
     let steps = if convex { 1 } else { (free_mm / STEP_MM).ceil() as u32 + 1 };
@@ -116,10 +127,10 @@ fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, free_mm: f64, way_mm: f6
         return 0.0;
     }
     let (name, poses) = (format!("{} past {}", piece.body.name, other.body.name), [piece.body.pose, other.body.pose]);
-    let inputs = ([piece, other].map(|body| body.shape.solid.key()), poses, &places, rest);
+    let inputs = ([piece, other].map(|body| body.shape.solid.key()), poses, &places, rest, out);
     *memo.get("battery slide", &name, &inputs, || {
         let [piece, other] = [piece, other].map(|body| body.shape.solid.placed(&body.body.pose));
-        let back = |by_mm: f64| piece.placed(&Isometry3::translation(0.0, -by_mm, 0.0));
+        let back = |by_mm: f64| piece.placed(&Isometry3::from_parts((out * by_mm).into(), Default::default()));
         let swept = rest.map(|[from, to]| back(from).hull_with(&back(to)));
         let all = places.iter().map(|at| back(*at)).chain(swept);
         all.map(|solid| solid.intersection(&other).volume_mm3()).fold(0.0, f64::max)
@@ -128,13 +139,17 @@ fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, free_mm: f64, way_mm: f6
 
 fn passage(scene: &Scene) -> Vec<Finding> {
     let Some(lid) = scene.part(PartName::BatteryLid, None) else { return Vec::new() };
-    let lowest = scene.placed.iter().map(|p| p.bounds.low[1]).fold(f64::INFINITY, f64::min);
+    let axes = scene.design.centre.battery_axes;
+    let (out, side) = (axes.way_out(), axes.open_side());
+    let farthest = scene.placed.iter().map(|p| p.bounds.reach_mm(&out)[1]).fold(f64::NEG_INFINITY, f64::max);
     let (pieces, rest): (Vec<&Placed>, Vec<&Placed>) = scene.placed.iter().partition(|p| slides(p));
-    let front = pieces.iter().map(|p| p.bounds.high[1]).fold(f64::NEG_INFINITY, f64::max);
-    let way_mm = front - lowest;
-    let free_mm = scene.design.frame.lid.lid_reach_mm + (lid.bounds.high[1] - scene.design.centre.rim_y_mm).max(0.0);
+    let hindmost = pieces.iter().map(|p| p.bounds.reach_mm(&out)[0]).fold(f64::INFINITY, f64::min);
+    let way_mm = farthest - hindmost;
+    let inside_mm = -lid.bounds.reach_mm(&out)[0] - scene.design.centre.rim_y_mm;
+    let free_mm = scene.design.frame.lid.lid_reach_mm + inside_mm.max(0.0);
+    let way = WayOut { out, free_mm, way_mm };
     let pairs: Vec<(&Placed, &Placed)> = pieces.iter().flat_map(|piece| rest.iter().map(|other| (*piece, *other))).collect();
-    let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(&scene.design.memo, piece, other, free_mm, way_mm)).collect();
+    let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(&scene.design.memo, piece, other, &way)).collect();
     let names = |piece: &Placed, other: &Placed| Some([piece.body.name.clone(), other.body.name.clone()]);
     // What belongs to a module is beside or under the sleeve's height: no clearance inside of the sleeve moves it.
     let levers = |other: &Placed| if other.body.module.is_some() { UNDER_RODS } else { CLEARANCES };
@@ -143,12 +158,12 @@ fn passage(scene: &Scene) -> Vec<Finding> {
         .zip(&met)
         .filter(|(_, met)| **met > TOUCH_MM3)
         .map(|((piece, other), met)| {
-            CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm, levers: levers(other) }.finding()
+            CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm, side, levers: levers(other) }.finding()
         })
         .collect();
     if in_the_way.is_empty() {
         let shared_mm3 = met.iter().copied().fold(0.0, f64::max);
-        return vec![CartridgePassage { pair: None, shared_mm3, way_mm, levers: CLEARANCES }.finding()];
+        return vec![CartridgePassage { pair: None, shared_mm3, way_mm, side, levers: CLEARANCES }.finding()];
     }
     in_the_way
 }

@@ -22,6 +22,8 @@ const SLEEVE: &[&str] = &["battery.battery_clearance_across_mm", "battery.batter
 const OTHER: &[&str] = &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"];
 const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "bought.motor_screw"];
 const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
+/// A board that is too long for the bay may have the room across it.
+const BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.flight_controller"];
 const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
 const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
 const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
@@ -33,7 +35,7 @@ pub static RULE: Rule = Rule {
     requires: "bodies share no volume beyond the intended press fits",
     units: &["mm3"],
     limits: &[],
-    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, COMPUTER, CAMERA, SENSOR, ACCESSORY]),
+    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, BAY, COMPUTER, CAMERA, SENSOR, ACCESSORY]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick(check)]),
@@ -79,6 +81,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
     match () {
         () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, STACK),
+        () if has("flight_controller") && is(PartName::BatteryBracket) => (0.0, BAY),
         () if ["flight_controller", "motor_controller", "stack_screw", "damper"].into_iter().any(has) => (0.0, STACK),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),

@@ -57,10 +57,11 @@ fn analytic_margin_and_verdict_agree() {
 }
 
 /// Keys of a frame file that choose something whole.
-const CHOICES: [&str; 15] = [
+const CHOICES: [&str; 16] = [
     "printer",
     "materials.flexible",
     "materials.rigid",
+    "sleeve.sleeve_direction",
     "bought.battery",
     "bought.buzzer",
     "bought.camera",

@@ -5,14 +5,16 @@ use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::{Place, nearest};
 use crate::params::roles::ROLES;
+use crate::params::sleeve_direction::SleeveDirection;
 use crate::params::{Frame, FrameFile, follows, parameters, preset};
 
 /// Keys beside the roles of bought parts, each with what it is.
-const KEYS: [(&str, &str); 4] = [
+const KEYS: [(&str, &str); 5] = [
     ("base", "The frame that this one differs from: a file beside it, or a preset. What the file does not state is the base's."),
     ("printer", "The printer: its bed has to hold every part, its nozzle says how thin a wall may be."),
     ("materials.flexible", "Material of the joints; its density, and how far a hinge of it stretches."),
     ("materials.rigid", "Material of the rigid centre; its density."),
+    (SleeveDirection::KEY, SleeveDirection::DOC),
 ];
 
 /// A key that holds a name.
@@ -85,14 +87,18 @@ fn role(key: &str) -> Option<&'static str> {
 /// One of the keys beside the roles.
 fn named(key: &str, what: &str, file: &FrameFile) -> Choice {
     let (names, own): (Vec<String>, _) = match key {
-        "base" => (preset::names().map(String::from).collect(), "a file beside it, such as base = \"mine\" for mine.toml"),
+        "base" => (preset::names().map(String::from).collect(), Some("a file beside it, such as base = \"mine\" for mine.toml")),
         "printer" => {
-            (with_own(preset::printer_names().map(String::from), file, "printers", None), "one described below [override.printers]")
+            (with_own(preset::printer_names().map(String::from), file, "printers", None), Some("one described below [override.printers]"))
         }
-        _ => (with_own(preset::material_names("printed"), file, "materials", Some("printed")), "one described below [override.materials]"),
+        SleeveDirection::KEY => (SleeveDirection::WORDS.map(String::from).into(), None),
+        _ => (
+            with_own(preset::material_names("printed"), file, "materials", Some("printed")),
+            Some("one described below [override.materials]"),
+        ),
     };
     let value = if key == "base" { file.base.clone().map(|place| (typed(&place), place)) } else { stated(file, key) };
-    Choice { key: key.into(), what: what.into(), value, names, or: vec![own.into()], sets: Vec::new() }
+    Choice { key: key.into(), what: what.into(), value, names, or: own.into_iter().map(String::from).collect(), sets: Vec::new() }
 }
 
 fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {

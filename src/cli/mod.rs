@@ -48,6 +48,7 @@ mod terminal;
 #[cfg(test)]
 mod tests;
 mod tip;
+mod varied;
 mod watch;
 mod weigh;
 

@@ -9,6 +9,7 @@ use super::options::{Common, FrameOption};
 use super::searching::{self, Following, SearchOptions};
 use super::session;
 use super::terminal;
+use super::varied::varied;
 use crate::params::frame_file::Value;
 use crate::params::{LoadError, amend};
 use crate::variant::{CreateError, Creation, Request, SolveError, create, movable};
@@ -16,7 +17,7 @@ use crate::variant::{CreateError, Creation, Request, SolveError, create, movable
 /// Write a variant of a frame, with the changes that it needs to keep every limit.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 261\n\nRod lengths and motor positions change as little as keeps every limit. Exit code 1, and nothing is written, when no such frame is found."
+    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 261\n  flexframe new longer --envelope 210x240x120 --vary cage_side_ratio=1.1..1.14\n\nRod lengths and motor positions change as little as keeps every limit, and in a frame that is or may be longer than wide cage_side_ratio. Exit code 1, and nothing is written, when no such frame is found."
 )]
 pub(super) struct Args {
     /// Name of the variant; NAME.toml is written.
@@ -42,6 +43,9 @@ pub(super) struct Args {
     /// Largest mass, g.
     #[arg(long, value_name = "G", value_parser = super::bounded::number([20.0, 2000.0], "g"))]
     pub mass: Option<f64>,
+    /// Further keys that may move, by 20 % or within bounds, such as cage_side_ratio or bay_height=18..25; bounds of a rod replace its own.
+    #[arg(long, value_delimiter = ',', value_name = "KEY,…", add = candidates::numbers_between_commas())]
+    pub vary: Vec<String>,
     /// Limits of the search.
     #[command(flatten)]
     pub search: SearchOptions,
@@ -65,20 +69,21 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let following = Following::begin(&args.search, "away in squared shares of the bounds", common);
     let follows = |standing: &_| following.hears(standing);
-    let envelope_mm = envelope_mm.map(|[x, y, z]| [x.min(y), z]);
-    let created = create(&Request { file: &file, from: &from, envelope_mm, most: usize::from(args.search.frames), follows: &follows });
-    drop(following);
+    let (most, vary) = (usize::from(args.search.frames), varied(&args.vary, &from)?);
+    let request = Request { file: &file, from: &from, envelope_mm, vary: &vary, most, follows: &follows };
+    let created = create(&request);
+    following.ends();
     let creation = match created {
         Ok(creation) => creation,
         Err(CreateError::Refused(refusal)) => return Err(LoadError::Refused(refusal).into()),
         Err(CreateError::Unsolved(error @ SolveError::Infeasible { .. })) => {
-            let looked = movable(&from)
+            let looked = movable(&request)
                 .iter()
                 .map(|vary| format!("{} {:.1} to {:.1}", vary.key(), vary.bounds[0], vary.bounds[1]))
                 .collect::<Vec<_>>();
             terminal::tell(&format!(
                 "no such variant was found: {error}\nlooked at: {}; for a size beyond, take a frame near it with --from\n\
-                 ask for less, or free more parameters with `flexframe solve`",
+                 ask for less, or free more parameters with --vary",
                 looked.join(", ")
             ));
             return Ok(ExitCode::from(1));

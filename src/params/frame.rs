@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::groups::*;
 use super::parameter::Parameter;
+use super::sleeve_direction::SleeveDirection;
 
 /// A frame, checked.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +36,8 @@ pub struct Frame {
     pub battery: BatteryParameters,
     /// Battery sleeve.
     pub sleeve: SleeveParameters,
+    /// How the sleeve lies.
+    pub sleeve_direction: SleeveDirection,
     /// Battery bracket.
     pub bracket: BracketParameters,
     /// Battery lid.

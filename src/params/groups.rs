@@ -262,7 +262,7 @@ parameters! {
 }
 
 parameters! {
-    /// The battery tube under the bracket, with the tray of the flow sensor.
+    /// The battery tube under the bracket, with the tray of the flow sensor; front and rear are those of a tube that lies along the frame.
     pub struct SleeveParameters in "sleeve" {
         /// Thickness of the left and right wall of sleeve and lid.
         sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve, BatteryLid],

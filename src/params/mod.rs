@@ -23,6 +23,7 @@ mod renamed;
 mod rendered;
 pub mod resolve;
 pub mod roles;
+pub mod sleeve_direction;
 
 pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::{FrameFile, LoadError};

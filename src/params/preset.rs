@@ -6,6 +6,7 @@ use serde::de::DeserializeOwned;
 
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::roles::ROLES;
+use super::sleeve_direction::SleeveDirection;
 
 /// Name and text of each preset; the first is the default.
 const PRESETS: [(&str, &str); 6] = [
@@ -60,7 +61,7 @@ pub fn description(name: &str) -> String {
     file.and_then(|file| file.get("description")?.as_str().map(String::from)).unwrap_or_default()
 }
 
-/// The names of the catalogues that a key of a frame file can have: a printer, a material, a bought part. Empty for any other key.
+/// The names of the catalogues that a key of a frame file can have: a printer, a material, a bought part, or a direction of the sleeve. Empty for any other key.
 pub fn names_for(key: &str) -> Vec<String> {
     let of_kind = |text: &str, table: &str, kind: &str| -> Vec<String> {
         let all: toml::Table = toml::from_str(text).unwrap_or_default();
@@ -70,6 +71,7 @@ pub fn names_for(key: &str) -> Vec<String> {
     };
     match key.split_once('.') {
         None if key == "printer" => printer_names().map(String::from).collect(),
+        Some(_) if key == SleeveDirection::KEY => SleeveDirection::WORDS.map(String::from).into(),
         Some(("materials", _)) => of_kind(MATERIALS, "materials", "printed"),
         Some(("bought", role)) => {
             let kind = ROLES.iter().find(|(known, ..)| *known == role).map_or("", |(.., kind)| *kind);

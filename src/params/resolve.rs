@@ -12,6 +12,7 @@ use super::parameter::Parameter;
 use super::read::{bad_entry, in_one_line, text};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
+use super::sleeve_direction::SleeveDirection;
 use super::{relation, renamed};
 
 impl Frame {
@@ -48,6 +49,7 @@ impl Frame {
             pi_carrier: CarrierParameters::read(number)?,
             battery: BatteryParameters::read(number)?,
             sleeve: SleeveParameters::read(number)?,
+            sleeve_direction: sleeve_direction(file)?,
             bracket: BracketParameters::read(number)?,
             lid: LidParameters::read(number)?,
             camera: CameraParameters::read(number)?,
@@ -73,8 +75,17 @@ const SCHEMA: f64 = 1.0;
 const FREE_TABLES: [&str; 2] = ["extras", "override"];
 
 /// Tables of a frame file beside the numeric ones.
-const OTHER_KEYS: [&str; 8] =
-    ["schema", "name", "description", "printer", "materials.flexible", "materials.rigid", "target.width_mm", "target.height_mm"];
+const OTHER_KEYS: [&str; 9] = [
+    "schema",
+    "name",
+    "description",
+    "printer",
+    "materials.flexible",
+    "materials.rigid",
+    "target.width_mm",
+    "target.height_mm",
+    SleeveDirection::KEY,
+];
 
 fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
     let mut known: Vec<String> = catalogue().map(|p| format!("{}.{}", p.table, p.key)).collect();
@@ -159,6 +170,16 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     let typed = file.entries.contains_key(&key);
     let chosen = follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
     Err(file.refuse(if typed { &key } else { &chosen }, reason))
+}
+
+/// How a file says that the sleeve lies; along where it says nothing.
+fn sleeve_direction(file: &FrameFile) -> Result<SleeveDirection, Refusal> {
+    let Some(word) = text(file, SleeveDirection::KEY)? else { return Ok(SleeveDirection::default()) };
+    SleeveDirection::of_word(&word).ok_or_else(|| {
+        let near = nearest(&word, SleeveDirection::WORDS);
+        let nearest = if near.is_empty() { SleeveDirection::WORDS.map(String::from).into() } else { near };
+        file.refuse(SleeveDirection::KEY, Reason::UnknownName { kind: "direction of the sleeve".into(), name: word, nearest })
+    })
 }
 
 /// Keys of a target size, each with its least and its most.

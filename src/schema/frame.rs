@@ -6,6 +6,7 @@ use super::catalogue;
 use super::element::{number, put, table};
 use crate::params::resolve::TARGET_BOUNDS;
 use crate::params::roles::ROLES;
+use crate::params::sleeve_direction::SleeveDirection;
 use crate::params::{Frame, follows, parameters, preset};
 
 pub(super) fn schema() -> Value {
@@ -25,6 +26,7 @@ pub(super) fn schema() -> Value {
     let printers = preset::printer_names().collect::<Vec<_>>();
     root.insert("printer".into(), json!({ "type": "string", "description": "A printer of params/printers, or one described below [override.printers].", "examples": printers }));
     numbers(&mut root);
+    put(&mut root, SleeveDirection::KEY, json!({ "enum": SleeveDirection::WORDS, "description": SleeveDirection::DOC }));
     root.insert("materials".into(), materials());
     root.insert("bought".into(), bought());
     root.insert("target".into(), target());

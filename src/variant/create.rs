@@ -7,7 +7,7 @@ use super::ended::Ended;
 use super::feasible::presets;
 use super::measures::Evaluation;
 use super::problem::{SearchProblem, SearchProgress, Solution, SolveError, Vary};
-use super::solve::solve;
+use super::solve::{own_values, solve};
 use crate::checks::Verdict;
 use crate::frame::assembly::Design;
 use crate::frame::skeleton::{Envelope, lengths_for};
@@ -20,8 +20,10 @@ pub struct Request<'a> {
     pub file: &'a FrameFile,
     /// The frame without them.
     pub from: &'a Frame,
-    /// Width and height to stay within, mm, when asked for.
-    pub envelope_mm: Option<[f64; 2]>,
+    /// Width, depth and height to stay within, mm, when asked for.
+    pub envelope_mm: Option<[f64; 3]>,
+    /// What else may move, and in which bounds; one of the frame's sizes among them has these bounds.
+    pub vary: &'a [Vary],
     /// How many frames may be looked at.
     pub most: usize,
     /// Who follows the search, and may end it.
@@ -68,6 +70,9 @@ pub enum CreateError {
 const MOVABLE: [&str; 4] =
     ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm", "motor_mount.motor_position_mm"];
 
+/// What may change, too, where a frame is longer than wide or may be.
+const SIDE_RATIO: &str = "rods.cage_side_ratio";
+
 /// Makes a variant that keeps every limit, as near to the frame it comes from as the search finds.
 ///
 /// # Errors
@@ -75,16 +80,17 @@ const MOVABLE: [&str; 4] =
 pub fn create(request: &Request) -> Result<Creation, CreateError> {
     let frame = Frame::resolve(request.file)?;
     let start = start(request, &frame);
+    let vary = movable(request);
     let as_asked = Design::new(frame).map(Evaluation::of);
     let why: Vec<String> = match &as_asked {
         Ok(evaluation) => evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone()).collect(),
         Err(error) => vec![error.to_string()],
     };
-    if let (Ok(evaluation), true) = (as_asked, why.is_empty()) {
+    let from = own_values(&vary, request.from);
+    let is_within = from.iter().zip(&vary).all(|(value, vary)| (vary.bounds[0]..=vary.bounds[1]).contains(value));
+    if let (Ok(evaluation), true, true) = (as_asked, why.is_empty(), is_within) {
         return Ok(Creation { evaluation, moved: Vec::new(), why, looked_at: 1, ended: Ended::Converged });
     }
-    let vary = movable(request.from);
-    let from: Vec<f64> = vary.iter().map(|v| request.from.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect();
     let Request { file, most, follows, .. } = *request;
     let problem = SearchProblem { file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most, follows, mechanics: None };
     let Solution { evaluation, values, looked_at, ended, .. } = solve(&problem)?;
@@ -96,10 +102,18 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     Ok(Creation { evaluation, moved, why, looked_at, ended })
 }
 
-/// What the search may change of a frame, and between which bounds.
-pub fn movable(from: &Frame) -> Vec<Vary> {
-    let all = MOVABLE.iter().filter_map(|key| parameters().find(|p| *key == format!("{}.{}", p.table, p.key)));
-    all.map(|parameter| reaching_presets(Vary::around(parameter, from, REACH))).collect()
+/// What the search may change of a frame, and between which bounds: its size, where it helps how much longer it is than wide, and what is
+/// asked for.
+pub fn movable(request: &Request) -> Vec<Vary> {
+    let is_deeper = request.envelope_mm.is_some_and(|[width_mm, depth_mm, _]| depth_mm > width_mm);
+    let ratio = (is_deeper || request.from.rods.cage_side_ratio > 1.0).then_some(SIDE_RATIO);
+    let all = MOVABLE.into_iter().chain(ratio).filter_map(|key| parameters().find(|p| key == format!("{}.{}", p.table, p.key)));
+    let own = all.map(|parameter| reaching_presets(Vary::around(parameter, request.from, REACH)));
+    let asked = |key: &str| request.vary.iter().find(|vary| vary.key() == key).copied();
+    let mut all: Vec<Vary> = own.map(|vary| asked(&vary.key()).unwrap_or(vary)).collect();
+    let more = request.vary.iter().filter(|vary| all.iter().all(|known| known.key() != vary.key())).copied().collect::<Vec<_>>();
+    all.extend(more);
+    all
 }
 
 /// The same with bounds that hold every preset: what a frame is known for is within reach.
@@ -116,15 +130,23 @@ const REACH: f64 = 0.3;
 /// How much smaller than asked for the search begins, mm: sockets stand out beyond the nodes that are solved for.
 const WITHIN_MM: f64 = 2.0;
 
-/// Where the search begins: the rods that fill the wanted envelope at the struts' present tilt, and the motors between hub
-/// and fork as they were; else the frame itself.
+/// Where the search begins: the rods that fill the wanted envelope at the struts' present tilt, sides no longer than the depth allows, and the
+/// motors between hub and fork as they were; else the frame itself.
 fn start(request: &Request, frame: &Frame) -> Vec<f64> {
     let closure = crate::frame::skeleton::Skeleton::new(request.from).map(|skeleton| skeleton.closure);
-    let (Some([width_mm, height_mm]), Ok(closure)) = (request.envelope_mm, closure) else { return Vec::new() };
-    let envelope = Envelope { width_mm: width_mm - WITHIN_MM, height_mm: height_mm - WITHIN_MM, strut_tilt: closure.strut_tilt };
+    let (Some([width_mm, depth_mm, height_mm]), Ok(closure)) = (request.envelope_mm, closure) else { return Vec::new() };
+    let deeper_mm = (depth_mm - width_mm).max(0.0);
+    let envelope =
+        Envelope { width_mm: width_mm.min(depth_mm) - WITHIN_MM, height_mm: height_mm - WITHIN_MM, strut_tilt: closure.strut_tilt };
     let [cage, arm, strut] = lengths_for(&envelope, frame);
     let motor = frame.motor_mount.motor_position_mm * arm / request.from.rods.arm_rod_length_mm;
-    let within =
-        [cage, arm, strut, motor].iter().zip(movable(request.from)).all(|(value, vary)| (vary.bounds[0]..=vary.bounds[1]).contains(value));
-    if within { vec![cage, arm, strut, motor] } else { Vec::new() }
+    let ratio = request.from.rods.cage_side_ratio.min(1.0 + deeper_mm / cage);
+    let vary = movable(request);
+    let value = |vary: &Vary| match MOVABLE.iter().position(|key| *key == vary.key()) {
+        Some(at) => Some([cage, arm, strut, motor][at]),
+        None if vary.key() == SIDE_RATIO => Some(ratio.clamp(vary.bounds[0], vary.bounds[1])),
+        None => request.from.value(vary.parameter.table, vary.parameter.key).map(|value| value.clamp(vary.bounds[0], vary.bounds[1])),
+    };
+    let within = |vary: &Vary| value(vary).filter(|value| (vary.bounds[0]..=vary.bounds[1]).contains(value));
+    vary.iter().map(within).collect::<Option<Vec<f64>>>().unwrap_or_default()
 }

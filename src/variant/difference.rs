@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::measures::{Better, Evaluation, MEASURES};
 use crate::checks::Verdict;
 use crate::figures::decimals;
+use crate::params::sleeve_direction::SleeveDirection;
 use crate::params::{Frame, parameters};
 
 /// One of two frames.
@@ -149,6 +150,7 @@ fn parameter_changes(frames: [&Frame; 2]) -> Vec<Changed> {
         .collect();
     choices.push(("materials.flexible".into(), frames.map(|frame| frame.flexible.name.clone())));
     choices.push(("materials.rigid".into(), frames.map(|frame| frame.rigid.name.clone())));
+    choices.push((SleeveDirection::KEY.into(), frames.map(|frame| frame.sleeve_direction.word().into())));
     choices.push(("printer".into(), frames.map(|frame| frame.printer.name.clone())));
     let named = |(name, reported): (String, [String; 2])| Changed { name, unit: "", reported, values: [None; 2], trend: Trend::Neither };
     numbers.chain(choices.into_iter().filter(|(_, [a, b])| a != b).map(named)).collect()

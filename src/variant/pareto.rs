@@ -11,7 +11,7 @@ use super::feasible::find;
 use super::measures::{Evaluation, Measure};
 use super::problem::{SearchProblem, SolveError, Vary};
 use super::search::{Search, ranked};
-use super::solve::{broken, ended, own_values};
+use super::solve::{broken, ended, start_values};
 use crate::checks::{CATALOGUE, Cost};
 use crate::params::Frame;
 
@@ -47,7 +47,7 @@ pub struct Front {
 /// When the frame is refused, or no frame that was looked at keeps every limit.
 pub fn front(problem: &SearchProblem, goals: &[&'static Measure]) -> Result<Front, SolveError> {
     let before = Frame::resolve(problem.file).map_err(|refusal| SolveError::Problem(refusal.to_string()))?;
-    let start = own_values(problem, &before);
+    let start = start_values(&problem.vary, &before);
     let mut search = Search::new(problem, &CATALOGUE);
     search.aim_at(weighted(goals, &vec![1.0; goals.len()]));
     search.scale_by(before);

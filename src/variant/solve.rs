@@ -40,8 +40,8 @@ pub fn solve(problem: &SearchProblem) -> Result<Solution, SolveError> {
 /// Searches for a frame that keeps these rules.
 pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Result<Solution, SolveError> {
     let before = Frame::resolve(problem.file).map_err(|refusal| SolveError::Problem(refusal.to_string()))?;
-    let own = own_values(problem, &before);
-    let start = if problem.start.is_empty() { own.clone() } else { problem.start.clone() };
+    let own = own_values(&problem.vary, &before);
+    let start = if problem.start.is_empty() { start_values(&problem.vary, &before) } else { problem.start.clone() };
     let mut search = Search::new(problem, rules);
     search.scale_by(before);
     find(&search, &start);
@@ -50,14 +50,19 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
 }
 
 /// The frame's own values of what varies.
-pub(super) fn own_values(problem: &SearchProblem, frame: &Frame) -> Vec<f64> {
-    problem.vary.iter().map(|v| frame.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect()
+pub(super) fn own_values(vary: &[Vary], frame: &Frame) -> Vec<f64> {
+    vary.iter().map(|v| frame.value(v.parameter.table, v.parameter.key).unwrap_or(v.bounds[0])).collect()
+}
+
+/// The same within the bounds: a frame outside of them is no answer.
+pub(super) fn start_values(vary: &[Vary], frame: &Frame) -> Vec<f64> {
+    own_values(vary, frame).into_iter().zip(vary).map(|(value, vary)| value.clamp(vary.bounds[0], vary.bounds[1])).collect()
 }
 
 /// What is known of a problem's frame as it is.
 pub(super) fn before(problem: &SearchProblem) -> Result<Point, String> {
     let frame = Frame::resolve(problem.file).map_err(|refusal| refusal.to_string())?;
-    let (own, search) = (own_values(problem, &frame), Search::new(problem, &CATALOGUE));
+    let (own, search) = (own_values(&problem.vary, &frame), Search::new(problem, &CATALOGUE));
     search.look_at(std::slice::from_ref(&own));
     search.known(&own).ok_or_else(|| "ended before".into())
 }

@@ -148,7 +148,7 @@ impl<'a> Bench<'a> {
             (Some(kept), ..) if finding.verdict == Verdict::Violated => kept.clone(),
             // What warns says itself what is done about it.
             (_, [], []) if finding.warns() => String::new(),
-            (_, [], []) => "no single key was found that clears it".into(),
+            (_, [], []) => self.wishes.nothing_found(),
             (_, _, [_, ..]) => joined(&other),
             _ => format!("all that was found takes back what the file asks for: {}", joined(&back)),
         }

@@ -6,6 +6,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
@@ -15,10 +16,12 @@ use crate::frame::assembly::{Design, mass};
 use crate::memo::Memo;
 use crate::params::frame_file::Entry;
 use crate::params::{Frame, FrameFile, preset};
-use crate::variant::{Request, create};
+use crate::variant::{Request, SearchProgress, create};
 
-/// Frames that the search for what has to move together looks at.
-const MOST: usize = 60;
+/// Frames that the search for what has to move together looks at, at the most; each takes about a second of processor time.
+const MOST: usize = 40;
+/// How many more it looks at once one keeps every limit: rods that are nearer to the frame's own are welcome, but not awaited.
+const NEARER: usize = 6;
 
 /// The wishes of a frame file.
 pub(super) struct Wishes<'a> {
@@ -45,6 +48,17 @@ impl<'a> Wishes<'a> {
         let base = || key.split_once('.').and_then(|(table, key)| self.base.as_ref()?.value(table, key));
         let back = |now: f64, to: f64| base().is_none_or(|base| (to - now) * (base - now) > 0.0);
         self.has(key) && now.zip(to).is_none_or(|(now, to)| back(now, to))
+    }
+
+    /// What is told where no change was found: which ones were tried.
+    pub(super) fn nothing_found(&self) -> String {
+        let alone = "no single key was found that clears it";
+        let is_searched = self.base.is_some() && self.file.entries.values().any(is_own);
+        if is_searched {
+            format!("{alone}, and no rods and motor positions that keep every limit together, in a search of at most {MOST} frames")
+        } else {
+            alone.into()
+        }
     }
 
     /// Frames that have the wishes and keep every limit, in words; none where there are no wishes, or none was found.
@@ -76,8 +90,17 @@ impl<'a> Wishes<'a> {
     /// Rods and motor positions that keep every limit when they move together; none where a wish is among them.
     fn together(&self, wishes: &[(&String, &Entry)]) -> Option<String> {
         let from = self.base.as_ref()?;
-        let follows = |_: &_| ControlFlow::Continue(());
-        let request = Request { file: self.file, from, envelope_mm: None, most: MOST, follows: &follows };
+        let first = AtomicUsize::new(usize::MAX);
+        let follows = |search: &SearchProgress| {
+            if search.best.is_some() {
+                first.fetch_min(search.looked_at, Ordering::Relaxed);
+            }
+            if search.looked_at >= first.load(Ordering::Relaxed).saturating_add(NEARER) {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        };
+        let request = Request { file: self.file, from, envelope_mm: None, vary: &[], most: MOST, follows: &follows };
         let creation = create(&request).ok()?;
         if creation.moved.is_empty() || creation.moved.iter().any(|moved| wishes.iter().any(|(key, _)| **key == moved.key)) {
             return None;

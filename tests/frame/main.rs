@@ -21,4 +21,5 @@ mod random_frames;
 #[expect(dead_code, reason = "the example that writes docs/comparison.md uses the rest")]
 mod real;
 mod simulators;
+mod sleeve_across;
 mod step;

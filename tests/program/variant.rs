@@ -650,3 +650,27 @@ fn analytic_watch_says_what_a_save_changes() {
     assert!(code == 2 && err.contains("watch a file"), "{err}");
     assert_eq!(bench.run(&["watch", "nowhere.toml"]).0, 2);
 }
+
+#[test]
+fn planted_new_moves_the_side_rods_where_it_helps_and_where_it_is_asked_for() {
+    let bench = Bench::new(&[]);
+    let ratio = |file: &str| {
+        let text = fs::read_to_string(bench.path(file)).expect("is there");
+        let line = text.lines().find(|line| line.starts_with("cage_side_ratio = ")).expect("is moved").to_string();
+        line.split(' ').nth(2).and_then(|value| value.parse::<f64>().ok()).expect("a number")
+    };
+    // The front rods stay: only shorter sides make the frame less deep.
+    bench.write("long.toml", "base = \"cognifly\"\nrods.cage_side_ratio = 1.14\nlimits.envelope_depth_mm = 240.0\n");
+    let shorter = ["new", "shorter", "--from", "long.toml", "--envelope", "210x225x120", "--vary", "cage_rod=191.5..192"];
+    let (code, out, err) = bench.run(&shorter);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!((1.0..1.09).contains(&ratio("shorter.toml")), "{out}");
+    assert_eq!(bench.run(&["check", "-q", "shorter.toml"]).0, 0, "{out}");
+    // A frame that keeps every limit moves, too, where it is outside of the bounds that are asked for.
+    let (code, out, err) = bench.run(&["new", "longer", "--envelope", "210x240x120", "--vary", "cage_side_ratio=1.1..1.14"]);
+    assert_eq!(code, 0, "{out}{err}");
+    assert!((1.1..=1.14).contains(&ratio("longer.toml")), "{out}");
+    assert_eq!(bench.run(&["check", "-q", "longer.toml"]).0, 0, "{out}");
+    let (code, _, err) = bench.run(&["new", "x", "--mass", "250", "--vary", "side_ratio"]);
+    assert!(code == 2 && err.contains("there is no parameter `side_ratio`"), "{err}");
+}

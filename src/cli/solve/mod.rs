@@ -15,6 +15,7 @@ use super::options::Common;
 use super::searching::Following;
 use super::session;
 use super::terminal;
+use super::varied::varied;
 use crate::params::frame_file::Value;
 use crate::variant::{Chosen, Evaluation, SearchProblem, SolveError, choose};
 pub(super) use arguments::Args;
@@ -29,7 +30,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     };
     let base = written.as_ref().map(|place| frame_text::base_for(place, &args.frame.frame)).transpose()?;
     let (before, file) = session::load(&args.frame)?;
-    let (vary, choices) = (wish::varied(args, &before)?, wish::choices(args, &before, &file)?);
+    let (vary, choices) = (varied(&args.vary, &before)?, wish::choices(args, &before, &file)?);
     let mechanics = wish::mechanics(args, &wanted, &goals)?;
     let following = Following::begin(&args.search, wanted.measures()[0].unit, common);
     let (most, follows) = (usize::from(args.search.frames), |standing: &_| following.hears(standing));

@@ -3,10 +3,9 @@
 use super::arguments::Args;
 use crate::cli::choice;
 use crate::cli::failure::Failure;
-use crate::cli::session;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::{Frame, FrameFile};
-use crate::variant::{Aim, Goal, Measure, NameChoice, Vary, measure, measure_names};
+use crate::variant::{Aim, Goal, Measure, NameChoice, measure, measure_names};
 
 /// How many goals a front may have.
 const GOALS: std::ops::RangeInclusive<usize> = 2..=3;
@@ -86,15 +85,6 @@ pub(super) fn mechanics(args: &Args, wanted: &Wanted, goals: &[Goal]) -> Result<
     Ok(asked.then(|| MechanicsSettings::load(args.mechanics.as_deref())).transpose()?)
 }
 
-/// What varies.
-pub(super) fn varied(args: &Args, frame: &Frame) -> Result<Vec<Vary>, Failure> {
-    let all = args.vary.iter().map(|text| vary(text, frame)).collect::<Result<Vec<_>, _>>()?;
-    match all.iter().enumerate().find(|(at, v)| all[..*at].iter().any(|other| other.key() == v.key())) {
-        Some((_, twice)) => Err(Failure::Usage { message: format!("--vary: {} stands there twice", twice.key()) }),
-        None => Ok(all),
-    }
-}
-
 /// The names to choose from: `bought.battery`, or `bought.battery=battery-2s-850|battery-2s-1100`.
 pub(super) fn choices(args: &Args, frame: &Frame, file: &FrameFile) -> Result<Vec<NameChoice>, Failure> {
     args.choose.iter().map(|text| chosen_from(text, frame, file)).collect()
@@ -113,26 +103,4 @@ fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<NameChoice
         Some(names) => names.split('|').map(|name| name.trim().to_string()).collect(),
     };
     Ok(NameChoice { key: known.key, names })
-}
-
-/// How far a parameter without bounds of its own may vary, in shares of its value.
-const REACH: f64 = 0.2;
-
-/// A parameter that varies: `arm_rod` or `arm_rod=70..90`.
-fn vary(text: &str, frame: &Frame) -> Result<Vary, Failure> {
-    let (key, range) = text.split_once('=').map_or((text, None), |(key, range)| (key, Some(range)));
-    let parameter = session::parameter(key.trim())?;
-    let bounds = [parameter.min, parameter.max];
-    if let Some(range) = range {
-        let wrong =
-            || Failure::Usage { message: format!("--vary {text}: give bounds as {key}=LEAST..MOST within {} to {}", bounds[0], bounds[1]) };
-        let (least, most) = range.split_once("..").ok_or_else(wrong)?;
-        let number = |text: &str| text.trim().parse::<f64>().ok().filter(|value| (bounds[0]..=bounds[1]).contains(value));
-        let stated = [number(least).ok_or_else(wrong)?, number(most).ok_or_else(wrong)?];
-        if stated[0] > stated[1] {
-            return Err(wrong());
-        }
-        return Ok(Vary { parameter, bounds: stated });
-    }
-    Ok(Vary::around(parameter, frame, REACH))
 }

@@ -1,8 +1,9 @@
 //! Solids of the bought parts, at their catalogued sizes, where they sit in the assembly: for interference, clearances and pictures.
 //!
+//! What belongs to the battery is drawn in the battery's axes and turned with its sleeve.
 //! A battery's, sensor's and camera's wires are not drawn, nor what of a zip tie lies outside of its holes.
 
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3};
 
 use super::board_solid::{Populated, board};
 use super::screw_solids;
@@ -121,22 +122,28 @@ impl BoughtPart {
     pub fn feature(self, frame: &Frame, centre: &Centre) -> Option<Feature> {
         let part = &frame.bought.get(self.role())?.part;
         Some(match self {
-            Self::Battery => battery(frame, centre),
+            Self::Battery => turned(centre, battery(frame, centre)),
             Self::Computer => computer(part, frame, centre),
             Self::FlightController | Self::MotorController => return stack_board(self.role(), frame, centre),
-            Self::ConnectorBracket => connector_bracket(part, frame, centre),
-            Self::ConnectorLid => connector_lid(frame, centre),
+            Self::ConnectorBracket => turned(centre, connector_bracket(part, frame, centre)),
+            Self::ConnectorLid => turned(centre, connector_lid(frame, centre)),
             Self::MagnetBracket => magnet(frame, centre, -centre.bracket_half_mm + frame.bracket.magnet_thickness_mm),
             Self::MagnetLid => magnet(frame, centre, -centre.bracket_half_mm - frame.bracket.magnet_gap_mm),
-            Self::FlowSensor => flow_sensor(part, frame, centre),
+            Self::FlowSensor => turned(centre, flow_sensor(part, frame, centre)),
             Self::Camera => camera(part, frame, centre),
             Self::StackScrews => return screw_solids::stack_screws(part, frame, centre),
             Self::Dampers => return screw_solids::dampers(frame, centre),
-            Self::Ties => return screw_solids::ties(part, frame, centre),
+            Self::Ties => turned(centre, screw_solids::ties(part, frame, centre)?),
             Self::Receiver | Self::Buzzer | Self::Gps => return on_plate(self.role(), part, frame, centre),
             Self::FpvCamera => return fpv_camera(part, frame, centre),
         })
     }
+}
+
+/// A solid of the battery's axes in the frame's.
+fn turned(centre: &Centre, own: Feature) -> Feature {
+    let axes = centre.battery_axes;
+    if axes.are_turned() { own.placed(axes.pose(Isometry3::identity())) } else { own }
 }
 
 /// A box, long from front to rear, on its seat.
@@ -173,7 +180,9 @@ fn stack_board(role: &str, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let stack = Stack::new(frame, centre);
     let placed = stack.boards.iter().find(|board| board.role == role)?;
     let low_mm = placed.middle_mm - 0.5 * placed.part.size_mm[2];
-    Some(board(placed.part, false, [frame.hub.stack_pattern_mm; 2], low_mm, Populated::Both))
+    // The motor controller's battery pads look where the battery's connector is.
+    let turned = role == "motor_controller" && centre.battery_axes.are_turned();
+    Some(board(placed.part, turned, [frame.hub.stack_pattern_mm; 2], low_mm, Populated::Both))
 }
 
 /// As long as the mated pair, less what the lid's half takes of it.
@@ -191,11 +200,11 @@ fn connector_lid(frame: &Frame, centre: &Centre) -> Feature {
     Feature::union([nose, along_y(connector(b, CONNECTOR_PLAY_MM, z), [rear - CONNECTOR_BEHIND_MM, rear])])
 }
 
-/// A magnet whose front face is at this y.
+/// A magnet whose front face is at this y of the battery's axes.
 fn magnet(frame: &Frame, centre: &Centre, front: f64) -> Feature {
     let b = &frame.bracket;
     let (half, up, z) = (0.5 * b.magnet_length_mm, 0.5 * b.magnet_width_mm, centre.magnet_z_mm + centre.bracket_z_mm());
-    Feature::cuboid_between([-half, front - b.magnet_thickness_mm, z - up], [half, front, z + up])
+    turned(centre, Feature::cuboid_between([-half, front - b.magnet_thickness_mm, z - up], [half, front, z + up]))
 }
 
 /// Under its tray, its bare side up.

@@ -67,10 +67,12 @@ pub(super) fn dampers(frame: &Frame, centre: &Centre) -> Option<Feature> {
     (neck > thread + 0.2 && height > thick + 0.4).then(|| Feature::union(Stack::axes_mm(frame).map(one)))
 }
 
-/// What of the ties is in their holes: through hub and carrier, in front and behind down into the bracket and out of its slots.
+/// What of the ties is in their holes, in the battery's axes: through hub and carrier, at the ends of the bracket down into it and out of its slots.
 pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let [wide, thick] = part.strap_mm?;
-    let (beside, before, half_hub) = (centre.tie_side_mm, centre.tie_front_mm, centre.hub_half_height_mm);
+    // The bracket's ties are in front and behind, the others beside it.
+    let (before, half_hub) = (centre.tie_bracket_mm, centre.hub_half_height_mm);
+    let beside = if centre.battery_axes.are_turned() { centre.tie_front_mm } else { centre.tie_side_mm };
     let top = match () {
         () if frame.bought.contains_key("computer") => centre.carrier_top_mm(),
         () if Accessories::wanted(frame) => Accessories::new(frame, centre).top_mm,

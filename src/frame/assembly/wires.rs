@@ -2,7 +2,7 @@
 //!
 //! A wire is soft, so its tube is no [`Body`]: no rule asks what it touches, and its mass is in the frame's `wiring`. The way is
 //! the one of the instructions: a motor's three wires run along one arm, under hub joint and hub, and in between the bracket's uprights to
-//! the controller; the battery's two from the connector to the controller's rear edge.
+//! the controller; the battery's two from the connector to that edge of the controller that is nearest to it.
 
 use nalgebra::{Point3, Vector3};
 
@@ -112,6 +112,12 @@ fn bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]> {
     Some([low.into(), high.into()])
 }
 
+/// The same in the battery's axes.
+fn own_bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]> {
+    let [low, high] = bounds_mm(design, name)?;
+    Some(design.centre.battery_axes.box_of([low.into(), high.into()]).map(Point3::from))
+}
+
 /// The board that the motors' wires end at.
 fn controller(design: &Design) -> Option<[Point3<f64>; 2]> {
     bounds_mm(design, "motor_controller").or_else(|| bounds_mm(design, "flight_controller"))
@@ -152,7 +158,9 @@ const LEADS: [(&str, f64, [f32; 4]); 2] = [("plus", 1.0, COLOURS[1]), ("minus", 
 const LEADS_APART: f64 = 1.2;
 
 fn battery(design: &Design) -> Vec<Wire> {
-    let (Some([low, high]), Some([board_low, board_high])) = (bounds_mm(design, "connector_bracket"), controller(design)) else {
+    let axes = design.centre.battery_axes;
+    let board = own_bounds_mm(design, "motor_controller").or_else(|| own_bounds_mm(design, "flight_controller"));
+    let (Some([low, high]), Some([board_low, board_high])) = (own_bounds_mm(design, "connector_bracket"), board) else {
         return Vec::new();
     };
     let (from, to) = (nalgebra::center(&low, &high), nalgebra::center(&board_low, &board_high));
@@ -164,6 +172,7 @@ fn battery(design: &Design) -> Vec<Wire> {
             Point3::new(from.x + x, high.y + before, from.z),
             Point3::new(to.x + x, board_low.y + before, to.z),
         ];
+        let way = way.into_iter().map(|at| axes.point(at)).collect();
         Wire { name: format!("battery_wire_{name}"), role: "battery_wire", way, radius_mm, colour }
     };
     LEADS.into_iter().map(wire).collect()
@@ -172,15 +181,16 @@ fn battery(design: &Design) -> Vec<Wire> {
 /// How much of a lead is shown beside a connector, mm.
 const LEAD_MM: f64 = 22.0;
 
-/// The first piece of both leads of a half of the power connector: the bracket's leave it to the front, the lid's to the rear. Where the lid's
+/// The first piece of both leads of a half of the power connector: the bracket's leave it into the bay, the lid's away from it. Where the lid's
 /// go on to is the battery's own affair.
 pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
-    let Some([low, high]) = bounds_mm(design, connector) else { return Vec::new() };
+    let axes = design.centre.battery_axes;
+    let Some([low, high]) = own_bounds_mm(design, connector) else { return Vec::new() };
     let (middle, is_lid) = (nalgebra::center(&low, &high), connector == "connector_lid");
     let [from_y, to_y] = if is_lid { [low.y, low.y - LEAD_MM] } else { [high.y, high.y + LEAD_MM] };
     let lead = |(name, side, colour): (&str, f64, [f32; 4])| {
         let x = middle.x + side * LEADS_APART * RADII_MM[1];
-        let way = [from_y, to_y].map(|y| Point3::new(x, y, middle.z)).into();
+        let way = [from_y, to_y].map(|y| axes.point(Point3::new(x, y, middle.z))).into();
         Wire { name: format!("{connector}_{name}"), role: "battery_wire", way, radius_mm: RADII_MM[1], colour }
     };
     LEADS.into_iter().map(lead).collect()

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::frame::skeleton::MODULE_NAMES;
+use crate::frame::skeleton::{BatteryAxes, MODULE_NAMES};
 
 /// What keeps a part where it was put.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -51,8 +51,11 @@ pub struct Mount {
     pub brings: &'static [&'static str],
     /// The body that they are put onto; where each module has one, that of the first module.
     pub onto: &'static str,
-    /// Where they come from, along a straight line in the frame's axes; none when they are threaded or soldered.
+    /// Where they come from, along a straight line in the frame's axes where the sleeve lies along the frame; none when they are threaded or
+    /// soldered.
     pub from: Option<[f64; 3]>,
+    /// Whether it turns with the battery's sleeve: where the parts come from.
+    pub turns: bool,
     /// What keeps them.
     pub fixing: Fixing,
     /// What has to be mounted before, and why.
@@ -61,8 +64,10 @@ pub struct Mount {
     pub stage: Stage,
     /// In a few words.
     pub title: &'static str,
-    /// What a person does.
+    /// What a person does. Sides between braces are those of a sleeve that lies along the frame.
     pub text: &'static str,
+    /// A sentence more where the sleeve lies across.
+    pub text_across: &'static str,
     /// Sentences of the text that hold only where the design has a body: the body, the sentence.
     pub text_with: &'static [(&'static str, &'static str)],
     /// The tool.
@@ -77,6 +82,17 @@ pub struct Mount {
 const FIRST_MODULE: &str = "_FR";
 
 impl Mount {
+    /// Where the parts come from in a frame, in its axes.
+    pub fn from_in(&self, battery_axes: BatteryAxes) -> Option<[f64; 3]> {
+        if self.turns { self.from.map(|from| battery_axes.vector(from)) } else { self.from }
+    }
+
+    /// What a person does in a frame.
+    pub fn text_in(&self, battery_axes: BatteryAxes) -> String {
+        let more = if battery_axes.are_turned() { self.text_across } else { "" };
+        format!("{}{more}", battery_axes.words(self.text))
+    }
+
     /// Whether each module has what it is put onto.
     pub fn is_in_each_module(&self) -> bool {
         self.onto.ends_with(FIRST_MODULE)
@@ -110,11 +126,13 @@ const GLUED: Mount = Mount {
     brings: &[],
     onto: "battery_bracket",
     from: REAR,
+    turns: false,
     fixing: Fixing::Glue,
     needs: &[],
     stage: Stage::BeforeFold,
     title: "",
     text: "",
+    text_across: "",
     text_with: &[],
     tool: "glue for rigid plastics",
     caution: None,
@@ -126,16 +144,18 @@ pub static MOUNTS: [Mount; 25] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
+        turns: true,
         title: "Magnet into the bracket",
-        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the rear, its mark to the rear.",
+        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the {rear}, its mark to the {rear}.",
         caution: Some("Polarity: a magnet that is glued in the wrong way round pushes the battery out. Marked face looks at marked face."),
         ..GLUED
     },
     Mount {
         id: "connector_in_bracket",
         brings: &["connector_bracket"],
+        turns: true,
         title: "Power connector into the bracket",
-        text: "Push the half with the pins into the bracket's channel, its mouth to the rear, its two cut corners where the channel has them, and glue it. Its two leads are soldered to it before, as the picture shows: they leave it to the front, into the bay.",
+        text: "Push the half with the pins into the bracket's channel, its mouth to the {rear}, its two cut corners where the channel has them, and glue it. Its two leads are soldered to it before, as the picture shows: they leave it to the {front}, into the bay.",
         caution: Some(
             "Plus and minus: the cut corners are the connector's minus side. Solder and insulate its wires before it is glued in.",
         ),
@@ -146,7 +166,7 @@ pub static MOUNTS: [Mount; 25] = [
         brings: &["battery_sleeve"],
         from: BELOW,
         title: "Sleeve under the bracket",
-        text: "Glue the bracket's base between the two ribs of the sleeve. The tray looks to the front, away from the magnet.",
+        text: "Glue the bracket's base between the two ribs of the sleeve. The tray looks to the {front}, away from the magnet.",
         ..GLUED
     },
     Mount {
@@ -157,6 +177,7 @@ pub static MOUNTS: [Mount; 25] = [
         fixing: Fixing::Tape,
         title: "Flow sensor under the tray",
         text: "Hold the sensor under the tray, its lens down, its holes under the tray's. Fix it with thin double-sided tape.",
+        text_across: " With the tray it is turned a quarter to the left: state that in the flight controller's settings.",
         tool: "double-sided tape",
         ..GLUED
     },
@@ -202,7 +223,8 @@ pub static MOUNTS: [Mount; 25] = [
         fixing: Fixing::Screws("stack_screw"),
         needs: &[("stack_screws", "the board hangs on the screws")],
         title: "Motor controller under it",
-        text: "Plug the cable between the two boards. Push the motor controller onto the screws, its battery pads to the rear.",
+        text: "Plug the cable between the two boards. Push the motor controller onto the screws, its battery pads to the {rear}.",
+        text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
         text_with: &[("flight_controller", "Plug the cable between the two boards. ")],
         tool: "hands",
         ..GLUED
@@ -313,8 +335,8 @@ pub static MOUNTS: [Mount; 25] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "Solder the connector's leads to the motor controller's battery pads at its rear, red to plus, black to minus, as the picture shows. Lead the flow sensor's cable through the holes of the front upright. Set the bracket under the hub, the tray to the front. The bay stays open to the left and to the right: the motor wires come in there.",
-        text_with: &[("flow_sensor", "Lead the flow sensor's cable through the holes of the front upright. ")],
+        text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows. Lead the flow sensor's cable through the holes of the {front} upright. Set the bracket under the hub, the tray to the {front}. The bay stays open to the {left} and to the {right}: the motor wires come in there.",
+        text_with: &[("flow_sensor", "Lead the flow sensor's cable through the holes of the {front} upright. ")],
         tool: "soldering iron",
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 10.0,
@@ -332,7 +354,7 @@ pub static MOUNTS: [Mount; 25] = [
             ("bracket", "the ties pass through the bracket"),
         ],
         title: "Ties",
-        text: "Put two ties through the holes of hub and bracket, in front and at the rear, and out by the bracket's slots; two through the hub's holes left and right. Where there is a carrier or an accessory plate, all four go through it, too. Pull them tight and cut what is over.",
+        text: "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots; two through the hub's holes {left and right}. Where there is a carrier or an accessory plate, all four go through it, too. Pull them tight and cut what is over.",
         tool: "side cutter",
         minutes: 4.0,
         ..GLUED
@@ -355,8 +377,9 @@ pub static MOUNTS: [Mount; 25] = [
         brings: &["connector_lid"],
         onto: "battery_lid",
         stage: Stage::AfterFold,
+        turns: true,
         title: "Power connector into the lid",
-        text: "Solder the battery's two leads to the half with the sockets, red to plus, black to minus at the cut corners, each in shrink tube. Push it through the lid's block from the rear, its cut corners where the hole has them, and glue it. Its leads leave it to the rear.",
+        text: "Solder the battery's two leads to the half with the sockets, red to plus, black to minus at the cut corners, each in shrink tube. Push it through the lid's block from the {rear}, its cut corners where the hole has them, and glue it. Its leads leave it to the {rear}.",
         tool: "soldering iron, glue for rigid plastics",
         caution: Some("The leads are the battery's: never let the two touch. Cut and solder one after the other."),
         minutes: 8.0,
@@ -368,8 +391,9 @@ pub static MOUNTS: [Mount; 25] = [
         onto: "battery_lid",
         from: FRONT,
         stage: Stage::AfterFold,
+        turns: true,
         title: "Magnet into the lid",
-        text: "Glue the second magnet into the lid's tower from the front, its mark to the front.",
+        text: "Glue the second magnet into the lid's tower from the {front}, its mark to the {front}.",
         caution: Some("Polarity: hold it before the bracket's magnet first. It has to pull."),
         ..GLUED
     },
@@ -380,8 +404,9 @@ pub static MOUNTS: [Mount; 25] = [
         from: FRONT,
         fixing: Fixing::Tape,
         stage: Stage::AfterFold,
+        turns: true,
         title: "Battery into the lid",
-        text: "Slide the battery into the lid from the front and tape both together. They stay together.",
+        text: "Slide the battery into the lid from the {front} and tape both together. They stay together.",
         tool: "tape",
         ..GLUED
     },
@@ -390,6 +415,7 @@ pub static MOUNTS: [Mount; 25] = [
         brings: &["battery_lid"],
         onto: "battery_sleeve",
         from: REAR,
+        turns: true,
         fixing: Fixing::MagnetAndPlug,
         needs: &[
             ("connector_in_lid", "the lid is closed by its plug"),
@@ -398,7 +424,8 @@ pub static MOUNTS: [Mount; 25] = [
         ],
         stage: Stage::AfterFold,
         title: "Battery in",
-        text: "Slide battery and lid from the rear into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Then take battery and lid out again.",
+        text: "Slide battery and lid from the {rear} into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Then take battery and lid out again.",
+        text_across: "",
         text_with: &[],
         tool: "hands",
         caution: Some("First power without propellers. With the battery in, the motors can start."),
@@ -409,6 +436,7 @@ pub static MOUNTS: [Mount; 25] = [
         brings: &["propeller_FR", "propeller_FL", "propeller_BL", "propeller_BR"],
         onto: "motor_FR",
         from: ABOVE,
+        turns: false,
         fixing: Fixing::Shaft,
         needs: &[
             ("wiring", "the directions of the motors are tried without propellers"),
@@ -417,6 +445,7 @@ pub static MOUNTS: [Mount; 25] = [
         stage: Stage::AfterFold,
         title: "Propellers",
         text: "Of the four propellers two turn each way, as the arrows show; the raised edge of a blade goes first. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        text_across: "",
         text_with: &[],
         tool: "screwdriver or hands",
         caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),

@@ -237,7 +237,8 @@ impl Planning<'_> {
     /// What a person does, without what is said of bodies that the design lacks.
     fn text(&self, mount: &Mount) -> String {
         let lacking = mount.text_with.iter().filter(|(body, _)| self.ways.bodies(std::iter::once(*body)).is_empty());
-        lacking.fold(mount.text.to_string(), |text, (_, sentence)| text.replace(sentence, ""))
+        let axes = self.ways.battery_axes();
+        lacking.fold(mount.text_in(axes), |text, (_, sentence)| text.replace(&axes.words(sentence), ""))
     }
 
     fn step(&self, order: &[&'static Mount], at: usize, seen: &mut PartsSeen) -> MountStep {
@@ -254,7 +255,7 @@ impl Planning<'_> {
             let with: Done = done.iter().copied().chain([other.id]).collect();
             self.broken(&with, mount).map(|because| depends(other, because))
         });
-        let repeats = mount.repeats();
+        let (repeats, from) = (mount.repeats(), mount.from_in(self.ways.battery_axes()));
         MountStep {
             mount: mount.id,
             stage: mount.stage,
@@ -269,8 +270,8 @@ impl Planning<'_> {
             moves: names(&moving),
             onto: mount.onto,
             there: names(&still),
-            from: mount.from,
-            travel_mm: mount.from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
+            from,
+            travel_mm: from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
             parts: seen.of_mount(mount),
             after: after.collect(),
             before: before.collect(),

@@ -13,6 +13,7 @@ use super::mount::{Fixing, Mount};
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3};
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::Meeting;
+use crate::frame::skeleton::BatteryAxes;
 use crate::solid::{BoxTree, MeshSolid, OrientedBox};
 
 /// Farthest between two places of a way, mm.
@@ -44,6 +45,11 @@ impl<'a> Ways<'a> {
     /// Of a design.
     pub(super) fn new(design: &'a Design) -> Self {
         Self { design }
+    }
+
+    /// The axes of the battery.
+    pub(super) fn battery_axes(&self) -> BatteryAxes {
+        self.design.centre.battery_axes
     }
 
     /// Bodies by their names, as far as the design has them.
@@ -94,12 +100,13 @@ impl<'a> Ways<'a> {
         way: fn(&Self, Vector3<f64>, [&Body; 2]) -> Compared,
     ) -> Compared {
         let free = squeezed(mount, a, b) || self.design.shape(a).kind == Kind::Propeller;
-        let Some(from) = mount.from.filter(|_| !free) else {
+        let from = mount.from_in(self.battery_axes());
+        let Some(towards) = from.filter(|_| !free) else {
             return Compared { comparisons: 0, places: 0, worst: None };
         };
-        let read = (mount.from, self.key(a), self.key(b));
+        let read = (from, self.key(a), self.key(b));
         let name = || format!("{}: {} and {}", mount.title, a.name, b.name);
-        let make = || way(self, Vector3::from(from), [a, b]);
+        let make = || way(self, Vector3::from(towards), [a, b]);
         Compared::clone(&self.design.memo.get_worth(step, &name(), &read, make, |found| found.comparisons > 0))
     }
 

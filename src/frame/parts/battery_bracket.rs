@@ -1,6 +1,6 @@
 //! The bracket: hangs the battery sleeve under the hub and leaves the electronics bay between its uprights.
 //!
-//! Frame of reference: x across, y front, z up; origin between the tie holes, at the top of the uprights. The
+//! Frame of reference: x across, y front (of the sleeve, away from the lid), z up; origin between the tie holes, at the top of the uprights. The
 //! front upright carries wire holes, the rear one the channel of the power connector and the magnet.
 
 use nalgebra::{UnitQuaternion, Vector3};
@@ -35,7 +35,7 @@ pub fn feature(frame: &Frame, centre: &Centre) -> Feature {
     let (half, wide) = (centre.bracket_half_mm, 0.5 * centre.bracket_width_mm);
     let mut cuts = rear_cuts(frame, centre);
     cuts.extend(wire_holes(&frame.bracket, centre, front_face_mm(frame, centre)));
-    cuts.extend([1.0, -1.0].map(|side| tie(&frame.bracket, centre.tie_front_mm, half, side)));
+    cuts.extend([1.0, -1.0].map(|side| tie(&frame.bracket, centre.tie_bracket_mm, half, side)));
     along_x(side_view(frame, centre), [-wide, wide]).minus(cuts)
 }
 
@@ -105,10 +105,10 @@ fn wire_holes(bracket: &BracketParameters, centre: &Centre, inner: f64) -> Vec<F
 }
 
 /// The hole of a zip tie from above and the slot through which it leaves.
-fn tie(bracket: &BracketParameters, tie_front_mm: f64, half: f64, side: f64) -> Feature {
+fn tie(bracket: &BracketParameters, tie_mm: f64, half: f64, side: f64) -> Feature {
     let (depth, wide) = (bracket.tie_hole_depth_mm, 0.5 * bracket.tie_slot_width_mm);
-    let slot = Feature::cuboid_between([-wide, tie_front_mm, -depth], [wide, half + 1.0, bracket.tie_slot_height_mm - depth]);
-    let tie = Feature::union([bore(0.0, tie_front_mm, bracket.tie_hole_diameter_mm, [-depth, 1.0]), slot]);
+    let slot = Feature::cuboid_between([-wide, tie_mm, -depth], [wide, half + 1.0, bracket.tie_slot_height_mm - depth]);
+    let tie = Feature::union([bore(0.0, tie_mm, bracket.tie_hole_diameter_mm, [-depth, 1.0]), slot]);
     if side > 0.0 { tie } else { tie.mirrored(Vector3::y()) }
 }
 

@@ -7,6 +7,7 @@ use std::f64::consts::SQRT_2;
 
 use nalgebra::Isometry3;
 
+use super::battery_axes::BatteryAxes;
 use super::module::ModulePlaces;
 use crate::params::Frame;
 
@@ -36,6 +37,10 @@ pub struct Centre {
     pub tie_front_mm: f64,
     /// Where the modules stand.
     pub places: ModulePlaces,
+    /// The axes of the battery and of what holds it: those of the lengths below.
+    pub battery_axes: BatteryAxes,
+    /// From the hub axis to the tie holes that the bracket hangs on.
+    pub tie_bracket_mm: f64,
     /// From the hub axis to the plate's edge between the arms of a pair.
     pub plate_edge_mm: f64,
     /// Shortest distance of the bores' mouths from the hub axis at which neighbouring bores stay apart.
@@ -56,9 +61,9 @@ pub struct Centre {
     pub inner_mm: [f64; 2],
     /// Half the outer width and height of sleeve and lid.
     pub outer_mm: [f64; 2],
-    /// Where the sleeve's rear rim is, along y of the assembly.
+    /// Where the sleeve's rear rim is, along y of the battery's axes.
     pub rim_y_mm: f64,
-    /// Where the sleeve's front rim is, along y of the assembly.
+    /// Where the sleeve's front rim is, along y of the battery's axes.
     pub front_y_mm: f64,
     /// Length of the sleeve.
     pub sleeve_length_mm: f64,
@@ -82,7 +87,9 @@ impl Centre {
         let flank_mm = 0.5 * (joint.arm_pitch_mm + plug) + hub.hub_tie_wall_mm;
         let tie_side_mm = flank_mm * SQRT_2;
         let tie_front_mm = tie_side_mm + places.forward_mm;
-        let bracket_half_mm = tie_front_mm + hub.tie_ring_radius_mm;
+        let battery_axes = BatteryAxes::new(frame.sleeve_direction);
+        let tie_bracket_mm = if battery_axes.are_turned() { tie_side_mm } else { tie_front_mm };
+        let bracket_half_mm = tie_bracket_mm + hub.tie_ring_radius_mm;
         let behind_bores = hub.hub_mouth_mm - joint.plug_length_mm - hub.hub_back_wall_mm;
         let around_stack = 0.5 * hub.stack_pattern_mm * SQRT_2 + 0.5 * hub.stack_counterbore_diameter_mm + COUNTERBORE_RIM_MM;
         let rim_y_mm = lid.lid_reach_mm - lid.lid_clearance_mm - bracket_half_mm;
@@ -98,6 +105,8 @@ impl Centre {
             tie_side_mm,
             tie_front_mm,
             places,
+            battery_axes,
+            tie_bracket_mm,
             plate_edge_mm: behind_bores.max(around_stack),
             least_mouth_mm: 0.5 * (joint.arm_pitch_mm + plug) + hub.hub_boss_wall_mm + joint.plug_length_mm,
             magnet_pocket_mm: stack.magnet_mm,
@@ -132,12 +141,12 @@ impl Centre {
 
     /// Where the battery's bracket sits: under the hub.
     pub fn bracket_pose(&self) -> Isometry3<f64> {
-        Isometry3::translation(0.0, 0.0, self.bracket_z_mm)
+        self.battery_axes.pose(Isometry3::translation(0.0, 0.0, self.bracket_z_mm))
     }
 
     /// Where the battery's sleeve sits, and its lid: at the rim between them.
     pub fn sleeve_pose(&self) -> Isometry3<f64> {
-        Isometry3::translation(0.0, self.rim_y_mm, self.sleeve_z_mm())
+        self.battery_axes.pose(Isometry3::translation(0.0, self.rim_y_mm, self.sleeve_z_mm()))
     }
 
     /// Where the left camera connector sits: on the computer's board, over a front hole.

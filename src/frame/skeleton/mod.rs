@@ -5,6 +5,7 @@
 //! So the frame is symmetric by construction.
 
 mod accessories;
+mod battery_axes;
 pub mod centre;
 mod closure;
 mod graph;
@@ -14,6 +15,7 @@ mod rotor;
 mod stack;
 
 pub use accessories::{Accessories, SLOT_MM};
+pub use battery_axes::BatteryAxes;
 pub use centre::Centre;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};

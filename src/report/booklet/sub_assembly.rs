@@ -83,10 +83,11 @@ fn cartridge(design: &Design, fold: &FoldSequence, mounting: &Mounting) -> SubAs
         all.filter(|(_, step)| !step.brings.is_empty() && step.brings.iter().all(|body| moves.contains(body)))
     };
     let first = mounting.before.len() + fold.steps.len() + 1;
+    let side = design.centre.battery_axes.open_side();
     SubAssembly {
         name: "cartridge",
         heading: "The battery cartridge, once a battery".into(),
-        text: "Battery, lid, plug and magnet stay together. It slides into the sleeve from the rear, as one piece.".into(),
+        text: format!("Battery, lid, plug and magnet stay together. It slides into the sleeve from the {side}, as one piece."),
         steps: own().map(|(at, step)| numbered(first + at, step.title)).collect(),
         parts: in_words(added(own().flat_map(|(_, step)| &step.parts))),
         picture: picture(design, |body| moves.contains(&body.name)),

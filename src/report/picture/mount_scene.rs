@@ -1,6 +1,6 @@
 //! A mount as a picture: what comes, off its place, with an arrow to it.
 //!
-//! What comes from below is shown turned over, what comes from the rear turned around, so that the place it goes to is seen.
+//! What comes from below is shown turned over, what comes from the rear or from the right turned around, so that the place it goes to is seen.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
@@ -38,7 +38,7 @@ impl Held {
             None if step.fixing == Fixing::Solder => Self::TurnedOver,
             _ if step.fixing == Fixing::Shaft => Self::FromAbove,
             Some([_, _, z]) if z < -0.5 => Self::TurnedOver,
-            Some([_, y, _]) if y < -0.5 => Self::TurnedAround,
+            Some([x, y, _]) if y < -0.5 || x > 0.5 => Self::TurnedAround,
             _ => Self::Upright,
         }
     }

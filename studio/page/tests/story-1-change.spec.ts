@@ -16,8 +16,8 @@ test("a preset is chosen, values change the frame, and each can be reset", async
   const field = page.locator('[data-key="rods.arm_rod_length_mm"]');
   await expect(field).toHaveClass(/changed/);
   await expect(page.getByText("changed (1)")).toBeVisible();
-  await page.getByLabel("Bought parts, materials, printer").isVisible();
-  await page.getByText("Bought parts, materials, printer").click();
+  await page.getByLabel("Bought parts, materials, printer, sleeve").isVisible();
+  await page.getByText("Bought parts, materials, printer, sleeve").click();
   const battery = page.locator('[id="c-bought.battery"]');
   await expect(battery.locator("option").first()).toContainText(/mm.*g/);
   await battery.selectOption("battery-2s-850");

@@ -4,6 +4,7 @@ use flexframe::checks::CATALOGUE;
 use flexframe::params::catalogue::{BoughtPart, Material};
 use flexframe::params::parameter::Parameter;
 use flexframe::params::roles::ROLES;
+use flexframe::params::sleeve_direction::SleeveDirection;
 use flexframe::params::{follows, parameters, preset};
 use serde_json::{Value, json};
 
@@ -40,6 +41,8 @@ fn choices() -> Vec<Value> {
         .map(|(name, printer)| json!({ "name": name, "title": printer.name, "size_mm": [printer.size_mm[0], printer.size_mm[1], printer.height_mm] }))
         .collect();
     choices.push(json!({ "key": "printer", "of": printers }));
+    let directions = SleeveDirection::WORDS.map(|word| json!({ "name": word }));
+    choices.push(json!({ "key": SleeveDirection::KEY, "of": directions }));
     for (role, quantity, kind) in ROLES {
         let of: Vec<Value> = parts.iter().filter(|(_, part)| part.kind == kind).map(part).collect();
         choices.push(json!({ "key": format!("bought.{role}"), "quantity": quantity, "of": of }));

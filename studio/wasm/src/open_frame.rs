@@ -14,6 +14,7 @@ use flexframe::memo::{Made, Memo, Step, Unwatched};
 use flexframe::params::files::Files;
 use flexframe::params::frame_file::Value as Typed;
 use flexframe::params::roles::ROLES;
+use flexframe::params::sleeve_direction::SleeveDirection;
 use flexframe::params::{Frame, FrameFile, parameters};
 use flexframe::report::data::difference_data;
 use flexframe::variant::{Difference, Evaluation, Side};
@@ -141,6 +142,7 @@ fn choices(frame: &Frame, file: &FrameFile) -> BTreeMap<String, String> {
     let mut choices: BTreeMap<String, String> = ROLES.iter().map(|(role, ..)| (format!("bought.{role}"), bought(role))).collect();
     choices.insert("materials.flexible".into(), frame.flexible.name.clone());
     choices.insert("materials.rigid".into(), frame.rigid.name.clone());
+    choices.insert(SleeveDirection::KEY.into(), frame.sleeve_direction.word().into());
     if let Some(Typed::Text(printer)) = file.entries.get("printer").map(|entry| &entry.value) {
         choices.insert("printer".into(), printer.clone());
     }

@@ -48,7 +48,7 @@ export function Parameters() {
         </label>
       </div>
       {choices.length > 0 && (
-        <Group id={CHOICES} title="Bought parts, materials, printer" found={open}>
+        <Group id={CHOICES} title="Bought parts, materials, printer, sleeve" found={open}>
           {() => choices.map((choice) => <ChoiceField key={choice.key} choice={choice} />)}
         </Group>
       )}
