@@ -5,7 +5,7 @@
 
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
-use super::place::{SINK_MM, along_y, half_space, with_mirror};
+use super::place::{SINK_MM, along_y, plate, with_mirror};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
@@ -26,6 +26,12 @@ pub static PART: PrintedPart = PrintedPart {
 
 /// How far a leg's outer line stays behind the bar's front where they meet, mm.
 const LEG_INSET_MM: f64 = 0.05;
+
+/// Fillet between the bar's front and the legs beside it, mm.
+const FRONT_FILLET_MM: f64 = 2.6;
+
+/// Fillet between the bar's back and the fingers, mm.
+const CHEEK_FILLET_MM: f64 = 0.5;
 
 /// The bar that passes through the knee.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +103,7 @@ impl Fork {
     pub fn feature(&self) -> Feature {
         let half_z = 0.5 * self.bar.size_z_mm;
         let slab = Feature::cuboid_between([-60.0, -60.0, -half_z], [60.0, 60.0, half_z]);
-        let whole = Feature::union([with_mirror(self.side(), Vector3::y()), self.bar_body()]);
+        let whole = Feature::union([with_mirror(Feature::union([self.side(), self.cheek_fillet()]), Vector3::y()), self.bar_body()]);
         Feature::intersection([whole, slab]).minus(self.bores())
     }
 
@@ -148,13 +154,22 @@ impl Fork {
         along_y(self.rounded_zx(back, self.leg_axis_x_mm(gap) + 0.5 * self.radius_mm()), gap - 0.5, gap + self.finger_width_mm)
     }
 
-    /// The bar, sunk into the legs; its front edge is bevelled there.
+    /// The bar, sunk into the legs, which its front meets in fillets.
     fn bar_body(&self) -> Feature {
-        let (gap, front) = (0.5 * self.cheek_gap_mm, self.bar_front_mm());
+        let (gap, front, r) = (0.5 * self.cheek_gap_mm, self.bar_front_mm(), FRONT_FILLET_MM);
         let sunk = (0.4 * self.finger_width_mm).min(0.6);
+        let high = 0.5 * self.bar.size_z_mm + 1.0;
         let long = along_y(self.rounded_zx(self.bar_back_mm(), front), -gap - sunk, gap + sunk);
-        let bevel = |side: f64| half_space(Point3::new(front, side * gap, 0.0), Vector3::new(-1.0, -side, 0.0));
-        Feature::intersection([long, bevel(1.0), bevel(-1.0)])
+        let free = |y: f64| plate(Contour::circle([front, y], r), -high, high);
+        long.minus([free(gap + r), free(-gap - r)])
+    }
+
+    /// The fillet between the bar's back, as far as it is flat, and the finger on the side of +y.
+    fn cheek_fillet(&self) -> Feature {
+        let (gap, back, r) = (0.5 * self.cheek_gap_mm, self.bar_back_mm(), CHEEK_FILLET_MM);
+        let high = (0.5 * self.bar.size_z_mm - self.bar.round_mm).max(0.1);
+        let corner = Contour::rectangle([back - 0.5 * r + 0.1, gap - 0.5 * r + 0.1], [r + 0.2, r + 0.2]);
+        plate(corner, -high, high).minus([plate(Contour::circle([back - r, gap - r], r), -high - 1.0, high + 1.0)])
     }
 
     /// Rounded section between two x, a little higher than the fork: the fork's faces cut it.
