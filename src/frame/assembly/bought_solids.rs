@@ -1,6 +1,6 @@
 //! Solids of the bought parts, at their catalogued sizes, where they sit in the assembly: for interference, clearances and pictures.
 //!
-//! A battery's, sensor's and camera's wires are not drawn, nor what of a zip tie lies outside of its holes.
+//! What of a zip tie lies outside of its holes is not drawn. Wires and cables are in [`wires`](super::wires).
 
 use nalgebra::Point3;
 

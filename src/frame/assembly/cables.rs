@@ -78,8 +78,10 @@ impl Cable {
             Route::Upright => through_upright(design, begin, end, self.radius_mm),
             Route::Hub => down(design, begin, end, self.radius_mm)?,
         };
+        // Up to the upright of the bracket, which moves with the sensor; else to where the cable leaves the board.
+        let begins = if let Route::Upright = self.route { 4 } else { 2 };
         let section = if let Route::Ribbon = self.route { Section::Ribbon(RIBBON_MM) } else { Section::Round(self.radius_mm) };
-        Some(Wire { name: self.role.into(), role: self.role, way, section, joins: Some([self.from, to]), colour: self.colour })
+        Some(Wire { name: self.role.into(), role: self.role, way, begins, section, joins: Some([self.from, to]), colour: self.colour })
     }
 }
 
@@ -135,4 +137,56 @@ fn down(design: &Design, [low, high]: Bounds, board: Bounds, radius_mm: f64) -> 
     let aside = Vector3::new(gap.x - begin.x, gap.y - begin.y, 0.0);
     let leave = begin + aside * (OUT_MM / aside.norm().max(OUT_MM));
     Some(vec![begin, leave, Point3::new(gap.x, gap.y, top), Point3::new(gap.x, gap.y, under), finish])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Frame;
+    use crate::solid::gate;
+
+    fn design(frame: &str) -> Design {
+        Design::new(Frame::load(frame).expect("is a frame").0).expect("designs")
+    }
+
+    /// How far a point is outside of a box, mm.
+    fn outside_mm(point: &Point3<f64>, [low, high]: Bounds) -> f64 {
+        (0..3).map(|axis| (low[axis] - point[axis]).max(point[axis] - high[axis])).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn analytic_cables_begin_and_end_at_what_they_join() {
+        let wanted = [
+            ("cognifly", vec!["board_cable", "sensor_cable", "camera_cable", "computer_cable"]),
+            ("examples/frames/four-inch-long-range.toml", vec!["gps_cable", "fpv_cable"]),
+        ];
+        for (frame, roles) in wanted {
+            let design = design(frame);
+            let all = cables(&design);
+            assert_eq!(all.iter().map(|cable| cable.role).collect::<Vec<_>>(), roles, "{frame}");
+            for cable in &all {
+                let ends = cable.joins.expect("joins two bodies").map(|name| bounds_mm(&design, name).expect("is there"));
+                let [first, last] = [cable.way.first(), cable.way.last()].map(|end| *end.expect("has ends"));
+                assert!(outside_mm(&first, ends[0]) < 0.01 && outside_mm(&last, ends[1]) < 0.01, "{frame}: {cable:?} {ends:?}");
+                assert!(cable.length_mm() >= (last - first).norm());
+                gate::pass(&cable.mesh()).unwrap_or_else(|error| panic!("{frame}, {}: {error}", cable.role));
+            }
+        }
+    }
+
+    /// The cable of what sits on the hub has to pass the plate where there is none.
+    #[test]
+    fn analytic_a_cable_passes_the_hub_beside_its_plate() {
+        let design = design("cognifly");
+        let cable = cables(&design).into_iter().find(|cable| cable.role == "computer_cable").expect("has a computer");
+        let hub = design.printed.iter().find(|part| part.name == crate::params::PartName::Hub).expect("has a hub");
+        let [above, below] = [cable.way[2], cable.way[3]];
+        assert!(above.x == below.x && above.y == below.y && above.z > 4.0 && below.z < -4.0);
+        assert!(hub.flat.first_hit(above, below).is_none(), "{above} {below}");
+    }
+
+    #[test]
+    fn planted_a_frame_without_sensors_has_none() {
+        assert_eq!(cables(&design("examples/frames/whoop-aio-fpv.toml")), []);
+    }
 }

@@ -23,6 +23,8 @@ pub struct Wire {
     pub role: &'static str,
     /// Along its middle, frame axes, mm.
     pub way: Vec<Point3<f64>>,
+    /// How many of the points, from the first, move with what it begins at.
+    pub begins: usize,
     /// What is seen where it is cut.
     pub section: Section,
     /// The bodies that it joins, the one where its way begins first; none of what is of several bodies.

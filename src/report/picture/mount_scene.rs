@@ -91,9 +91,8 @@ fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
         "connector_in_lid" => lead_ends(design, "connector_lid"),
         _ => Vec::new(),
     };
-    let moved = if step.mount == "bracket" { 2 } else { usize::MAX };
     for wire in found.iter_mut().filter(|wire| wire.role == "battery_wire") {
-        wire.way.iter_mut().take(moved).for_each(|point| *point += off);
+        wire.way.iter_mut().take(wire.begins).for_each(|point| *point += off);
     }
     found.extend(wires(design).into_iter().filter_map(|cable| drawn_out(cable, step, off)));
     found
@@ -102,8 +101,7 @@ fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
 /// A cable whose ends a step brings together, from where its moving end is then; none of others.
 fn drawn_out(mut cable: Wire, step: &MountStep, off: Vector3<f64>) -> Option<Wire> {
     let end = step.joined_end(cable.joins?)?;
-    let pieces = cable.way.len();
-    let moved = if end == 0 { 0..pieces / 2 } else { pieces - pieces / 2..pieces };
+    let moved = if end == 0 { 0..cable.begins } else { cable.begins..cable.way.len() };
     cable.way[moved].iter_mut().for_each(|point| *point += off);
     Some(cable)
 }
