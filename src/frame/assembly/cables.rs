@@ -79,7 +79,7 @@ impl Cable {
             Route::Hub => down(design, begin, end, self.radius_mm)?,
         };
         // Up to the upright of the bracket, which moves with the sensor; else to where the cable leaves the board.
-        let begins = if let Route::Upright = self.route { 4 } else { 2 };
+        let begins = if let Route::Upright = self.route { 4 } else { way.len() / 2 };
         let section = if let Route::Ribbon = self.route { Section::Ribbon(RIBBON_MM) } else { Section::Round(self.radius_mm) };
         Some(Wire { name: self.role.into(), role: self.role, way, begins, section, joins: Some([self.from, to]), colour: self.colour })
     }
@@ -135,8 +135,13 @@ fn down(design: &Design, [low, high]: Bounds, board: Bounds, radius_mm: f64) -> 
     let reach = 0.5 * ON_BOARD * (board[1] - board[0]);
     let finish = board_middle + Vector3::new(side * reach.x, end * reach.y, 0.0);
     let aside = Vector3::new(gap.x - begin.x, gap.y - begin.y, 0.0);
-    let leave = begin + aside * (OUT_MM / aside.norm().max(OUT_MM));
-    Some(vec![begin, leave, Point3::new(gap.x, gap.y, top), Point3::new(gap.x, gap.y, under), finish])
+    let below = Point3::new(gap.x, gap.y, under);
+    // What stands over the gap leads its cable straight down.
+    if aside.norm() < 2.0 * OUT_MM {
+        return Some(vec![begin, below, finish]);
+    }
+    let leave = begin + aside * (OUT_MM / aside.norm());
+    Some(vec![begin, leave, Point3::new(gap.x, gap.y, top), below, finish])
 }
 
 #[cfg(test)]
@@ -180,8 +185,9 @@ mod tests {
         let design = design("cognifly");
         let cable = cables(&design).into_iter().find(|cable| cable.role == "computer_cable").expect("has a computer");
         let hub = design.printed.iter().find(|part| part.name == crate::params::PartName::Hub).expect("has a hub");
-        let [above, below] = [cable.way[2], cable.way[3]];
-        assert!(above.x == below.x && above.y == below.y && above.z > 4.0 && below.z < -4.0);
+        let last = cable.way.len() - 1;
+        let [above, below] = [cable.way[last - 2], cable.way[last - 1]];
+        assert!(above.z > 4.0 && below.z < -4.0);
         assert!(hub.flat.first_hit(above, below).is_none(), "{above} {below}");
     }
 

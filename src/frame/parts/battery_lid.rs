@@ -75,7 +75,7 @@ impl<'a> Lid<'a> {
 
     fn feature(&self) -> Feature {
         let [w, _] = self.centre.outer_mm;
-        let body = Feature::intersection([along_x(self.side_view(), [-w - 1.0, w + 1.0]), self.envelope()]);
+        let body = Feature::intersection([along_x(self.side_view(), [-w - 1.0, w + 1.0]), self.envelope(), self.behind_rim()]);
         Feature::union([body, self.tower()].into_iter().chain(self.slope())).minus(self.cuts())
     }
 
@@ -126,14 +126,20 @@ impl<'a> Lid<'a> {
         let ([w, h], e) = (self.centre.outer_mm, self.edge_mm());
         let section = face(&[([-w, -h], e), ([w, -h], e), ([w, self.top], e), ([-w, self.top], e)]);
         if self.overhang() <= 0.3 {
-            return along_y(section, [self.rear.min(self.shell), 0.0]);
+            return along_y(section, [self.rear.min(self.shell), 2.0]);
         }
         // Rounded further forward than the block stands out, the corners would cut into the shell's side walls.
         let r = self.frame.lid.lid_corner_radius_mm.min(self.overhang());
         let low = self.centre.inner_mm[1] - self.overhang();
         let corner = Feature::revolve(face(&[sharp(0.0, low), sharp(r, low), ([r, self.top], e.min(r)), sharp(0.0, self.top)]));
         let corners = [-1.0, 1.0].map(|side| corner.clone().at(side * (w - r), self.rear + r, 0.0));
-        Feature::hull(std::iter::once(along_y(section, [self.rear + r, 0.0])).chain(corners))
+        Feature::hull(std::iter::once(along_y(section, [self.rear + r, 2.0])).chain(corners))
+    }
+
+    /// All that is behind the sleeve's rim: cut along the axes, so that lid and rim touch and share nothing.
+    fn behind_rim(&self) -> Feature {
+        let ([w, h], rear) = (self.centre.outer_mm, self.rear.min(self.shell));
+        Feature::cuboid_between([-w - 2.0, rear - 2.0, -h - 2.0], [w + 2.0, 0.0, self.top + 3.0])
     }
 
     fn tower_rear(&self) -> f64 {

@@ -161,7 +161,8 @@ impl Fork {
         let high = 0.5 * self.bar.size_z_mm + 1.0;
         let long = along_y(self.rounded_zx(self.bar_back_mm(), front), -gap - sunk, gap + sunk);
         let free = |y: f64| plate(Contour::circle([front, y], r), -high, high);
-        long.minus([free(gap + r), free(-gap - r)])
+        // The hollow stays clear of the leg's end: where both only touched, facets would have no area.
+        long.minus([free(gap + SINK_MM + r), free(-gap - SINK_MM - r)])
     }
 
     /// The fillet between the bar's back, as far as it is flat, and the finger on the side of +y.
@@ -169,7 +170,7 @@ impl Fork {
         let (gap, back, r) = (0.5 * self.cheek_gap_mm, self.bar_back_mm(), CHEEK_FILLET_MM);
         let high = (0.5 * self.bar.size_z_mm - self.bar.round_mm).max(0.1);
         let corner = Contour::rectangle([back - 0.5 * r + 0.1, gap - 0.5 * r + 0.1], [r + 0.2, r + 0.2]);
-        plate(corner, -high, high).minus([plate(Contour::circle([back - r, gap - r], r), -high - 1.0, high + 1.0)])
+        plate(corner, -high, high).minus([plate(Contour::circle([back + SINK_MM - r, gap + SINK_MM - r], r), -high - 1.0, high + 1.0)])
     }
 
     /// Rounded section between two x, a little higher than the fork: the fork's faces cut it.
