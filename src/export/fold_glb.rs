@@ -18,7 +18,7 @@ use serde_json::json;
 use super::fold_skin::{Hinge, hinges};
 use super::glb::{GlbError, GlbFile, MM_PER_M, accessor};
 use super::mount_motion::MountMotion;
-use crate::frame::assembly::wires::{Wire, wires};
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::fold::{Done, FoldSequence, Member, Moment, STEP_S, Task, moments};
 use crate::frame::skeleton::ModulePlaces;
@@ -81,10 +81,9 @@ pub fn fold(design: &Design, fold: &FoldSequence) -> Result<Vec<u8>, GlbError> {
         }));
         children.push(node);
     }
-    let step_of = |wire: &Wire| motion.step_of(if wire.role == "motor_wire" { "wiring" } else { "bracket" });
     let mut laid = Vec::new();
     for wire in wires(design) {
-        laid.push((file.add_wire(&wire)?, step_of(&wire)));
+        laid.push((file.add_wire(&wire)?, motion.step_of_wire(&wire)));
     }
     file.add_frame_node(&design.frame.name, children.iter().chain(laid.iter().map(|(node, _)| node)).copied().collect());
     file.add_to_scene(skinned);

@@ -14,7 +14,8 @@ use serde_json::{json, value::RawValue};
 
 use super::format::{ExportError, Exported, File, Format};
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::assembly::wires::{Wire, wires};
+use crate::frame::assembly::wire::Wire;
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Kind, Shape};
 use crate::solid::Mesh;
 

@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::frame::assembly::Design;
+use crate::frame::assembly::wire::Wire;
 use crate::frame::fold::FoldSequence;
 use crate::frame::mounting::{MountStep, Mounting};
 
@@ -35,6 +36,14 @@ impl MountMotion {
         let at = |steps: &[MountStep]| steps.iter().position(|step| step.mount == mount);
         let after = || at(&self.mounting.after).map(|at| self.before + self.folds + at);
         at(&self.mounting.before).or_else(after).unwrap_or(0)
+    }
+
+    /// The step, from 0, that lays a wire: that which brings together what a cable joins.
+    pub(super) fn step_of_wire(&self, wire: &Wire) -> usize {
+        match wire.joins {
+            None => self.step_of(if wire.role == "motor_wire" { "wiring" } else { "bracket" }),
+            Some(ends) => self.mounting.steps().find(|step| step.joined_end(ends).is_some()).map_or(0, |step| self.step_of(step.mount)),
+        }
     }
 
     /// How far a mounted body is off its place when so many steps are done, mm.

@@ -5,10 +5,9 @@
 //! for bends and so that bundles stay slack at the plugs, and a fixed length for two ends to solder or plug. Both are a
 //! choice, so a length here is good for buying, not for cutting: measure before you cut.
 
-use nalgebra::Point3;
-
 use crate::frame::assembly::Design;
-use crate::frame::assembly::wires::{Wire, wires as drawn_wires};
+use crate::frame::assembly::wire::Wire;
+use crate::frame::assembly::wires::wires as drawn_wires;
 use crate::frame::mounting::{Fixing, mounts_of};
 use crate::params::frame::NamedMaterial;
 
@@ -120,7 +119,6 @@ fn fixings(design: &Design) -> Vec<Supply> {
 }
 
 fn wires(design: &Design) -> Vec<Supply> {
-    let middle = |name: &str| middle_mm(design, name);
     let drawn = drawn_wires(design);
     let longest = |role: &str| drawn.iter().filter(|wire| wire.role == role).map(Wire::length_mm).reduce(f64::max);
     let mut all = Vec::new();
@@ -148,25 +146,24 @@ fn wires(design: &Design) -> Vec<Supply> {
         });
     }
     let leads = [
-        ("board_cable", "flight_controller", "motor_controller", 1, "cable between flight controller and ESC", "flight controller"),
-        ("sensor_cable", "flow_sensor", "flight_controller", 1, "cable for the flow sensor", "flow sensor"),
-        ("camera_cable", "camera", "computer", 1, "camera ribbon cable for the computer", "camera"),
-        ("computer_cable", "computer", "flight_controller", 1, "serial cable and 5 V supply", "computer"),
-        ("receiver_cable", "receiver", "flight_controller", 1, "serial cable with 5 V for a receiver", "receiver"),
-        ("gps_cable", "gps", "flight_controller", 1, "serial cable with 5 V for a GPS", "GPS"),
-        ("buzzer_cable", "buzzer", "flight_controller", 1, "two-wire cable for a buzzer", "buzzer"),
-        ("fpv_cable", "fpv_camera", "flight_controller", 1, "three-wire cable for a camera", "camera for goggles"),
+        ("board_cable", "cable between flight controller and ESC", "flight controller"),
+        ("sensor_cable", "cable for the flow sensor", "flow sensor"),
+        ("camera_cable", "camera ribbon cable for the computer", "camera"),
+        ("computer_cable", "serial cable and 5 V supply", "computer"),
+        ("receiver_cable", "serial cable with 5 V for a receiver", "receiver"),
+        ("gps_cable", "serial cable with 5 V for a GPS", "GPS"),
+        ("buzzer_cable", "two-wire cable for a buzzer", "buzzer"),
+        ("fpv_cable", "three-wire cable for a camera", "camera for goggles"),
     ];
-    for (role, from, to, quantity, search, begins) in leads {
-        let Some((a, b)) = middle(from).zip(middle(to)) else { continue };
-        let way = (a - b).norm();
-        let to = to.replace('_', " ");
+    for (role, search, begins) in leads {
+        let Some(cable) = drawn.iter().find(|wire| wire.role == role) else { continue };
+        let (way, to) = (cable.length_mm(), cable.joins.map_or_else(String::new, |[_, to]| to.replace('_', " ")));
         all.push(Supply {
             role: role.into(),
-            quantity,
+            quantity: 1,
             length_mm: Some(with_slack(way)),
             search: search.into(),
-            note: format!("{begins} to {to} straight {way:.0} mm; {}", slack_words()),
+            note: format!("{begins} to {to} {way:.0} mm, as drawn in frame.glb; {}", slack_words()),
         });
     }
     all
@@ -179,13 +176,6 @@ fn slack_words() -> String {
 /// A way with slack, rounded up, mm.
 fn with_slack(way_mm: f64) -> f64 {
     (((1.0 + SLACK.0) * way_mm + SLACK.1) / ROUNDED_MM).ceil() * ROUNDED_MM
-}
-
-/// Middle of a body's box, in the frame's axes.
-fn middle_mm(design: &Design, name: &str) -> Option<Point3<f64>> {
-    let body = design.bodies.iter().find(|body| body.name == name)?;
-    let [low, high] = design.shape(body).mesh.bounds_mm();
-    Some(body.pose * Point3::from([0, 1, 2].map(|axis| 0.5 * (low[axis] + high[axis]))))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use nalgebra::{Isometry3, Point3};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::mesh::Mesh;
+use super::stout;
 use crate::memo::Key;
 
 /// Corners and triangles of a closed surface, mm.
@@ -110,6 +111,13 @@ impl Facets {
             *at = *new;
         }
         Self { corners, triangles, key: OnceLock::new() }
+    }
+
+    /// The same surface with stouter facets where several lie in a plane.
+    pub fn stout(&self) -> Self {
+        let mut triangles = self.triangles.clone();
+        stout::drawn(&self.corners, &mut triangles);
+        Self { corners: self.corners.clone(), triangles, key: OnceLock::new() }
     }
 
     /// Lowest and highest corner of the bounding box in a pose, mm.

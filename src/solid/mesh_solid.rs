@@ -106,6 +106,11 @@ impl MeshSolid {
         Self::of_facets(self.facets_held().welded(within_mm))
     }
 
+    /// The same surface with stouter facets where several lie in a plane: slicers and other readers round slivers away.
+    pub fn stout(&self) -> Self {
+        Self::of_facets(self.facets_held().stout())
+    }
+
     /// The mesh of the simplified solid.
     pub fn to_mesh(&self) -> Mesh {
         self.simplified().mesh()

@@ -17,6 +17,7 @@ mod mesh_solid;
 mod oriented_box;
 mod profile;
 mod region;
+mod stout;
 
 pub use bend::Bend;
 pub use boundary::{Boundary, Curve, Edge, Face, NotExact, Side, Surface, square_to};

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use flexframe::export::bill::bill;
+use flexframe::frame::assembly::wires::wires;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
 use flexframe::frame::mounting::{MOUNTS, Mounting, without_a_step};
@@ -40,12 +41,38 @@ fn listed(design: &Design) -> Vec<(String, f64)> {
 
 #[test]
 fn analytic_every_part_of_the_bill_is_in_one_step() {
-    for design in [designed("cognifly"), without(&["computer", "camera"]), without(&["flow_sensor", "damper"])] {
+    let whoop = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/frames/whoop-aio-fpv.toml");
+    for design in [designed("cognifly"), designed(whoop), without(&["computer", "camera"]), without(&["flow_sensor", "damper"])] {
         let mounting = mounted(&design);
         assert_eq!(without_a_step(listed(&design).into_iter(), mounting.parts()), Vec::<String>::new());
         // Nothing that the design lacks is spoken of.
         let bodies: BTreeSet<&str> = design.bodies.iter().map(|body| body.name.as_str()).collect();
         assert!(mounting.steps().all(|step| step.brings.iter().all(|name| bodies.contains(name.as_str())) && bodies.contains(step.onto)));
+    }
+}
+
+/// Dampers go into the flight controller, and where one board is both controllers, into that.
+#[test]
+fn analytic_dampers_go_into_the_upper_board() {
+    let steps = |design: &Design| {
+        let mounting = mounted(design);
+        let of = |id: &str| mounting.steps().position(|step| step.mount == id);
+        [of("dampers"), of("dampers_in_motor_controller"), of("motor_controller")]
+    };
+    let both = steps(&designed("cognifly"));
+    assert!(both[0].is_some() && both[1].is_none());
+    let one = steps(&without(&["flight_controller", "flow_sensor"]));
+    assert!(one[0].is_none() && one[1].is_some_and(|at| Some(at) < one[2]), "{one:?}");
+}
+
+/// A cable is drawn in the one step that brings its ends together.
+#[test]
+fn analytic_each_cable_is_laid_in_one_step() {
+    let design = designed("cognifly");
+    let mounting = mounted(&design);
+    for cable in wires(&design).into_iter().filter(|wire| wire.joins.is_some()) {
+        let laid = mounting.steps().filter(|step| cable.joins.is_some_and(|ends| step.joined_end(ends).is_some())).count();
+        assert_eq!(laid, 1, "{}", cable.name);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Solids of the bought parts, at their catalogued sizes, where they sit in the assembly: for interference, clearances and pictures.
 //!
 //! What belongs to the battery is drawn in the battery's axes and turned with its sleeve.
-//! A battery's, sensor's and camera's wires are not drawn, nor what of a zip tie lies outside of its holes.
+//! What of a zip tie lies outside of its holes is not drawn. Wires and cables are in [`wires`](super::wires).
 
 use nalgebra::{Isometry3, Point3};
 

@@ -2,7 +2,9 @@
 
 mod board_solid;
 mod body;
+mod body_box;
 pub mod bought_solids;
+pub mod cables;
 #[cfg(test)]
 mod centre_tests;
 pub mod compensated;
@@ -14,6 +16,7 @@ pub mod press_fit;
 mod printed;
 mod refusal;
 pub mod screw_solids;
+pub mod wire;
 pub mod wires;
 
 pub use body::{Body, Kind, Shape};

@@ -103,12 +103,13 @@ impl Printed {
 impl Flat {
     fn of(feature: &Feature, turn: &UnitQuaternion<f64>, memo: &Memo) -> Result<Self, GateError> {
         let raw = MeshSolid::build_from(feature, memo);
-        let made = |solid: MeshSolid| {
+        let made_as = |solid: MeshSolid| {
             let solid = solid.reimported();
             let (printed, pose) = laid(&solid, turn)?;
             let mesh = printed.mesh();
             gate::pass(&mesh).map(|topology| (solid, pose, mesh, topology))
         };
+        let made = |solid: MeshSolid| made_as(solid.stout()).or_else(|_| made_as(solid));
         let (solid, pose, mesh, topology) = first_good(&raw, &DETAILS_MM, made)?;
         let exact_volume_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
         exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;

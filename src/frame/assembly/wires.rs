@@ -1,126 +1,33 @@
-//! Where the motors' and the battery's wires run: the same way is drawn as a tube and measured for the bill.
+//! Where wires and cables run: the same way is drawn as a tube and measured for the bill. The cables between boards are in
+//! [`cables`](super::cables).
 //!
-//! A wire is soft, so its tube is no [`Body`]: no rule asks what it touches, and its mass is in the frame's `wiring`. The way is
+//! A wire is soft, so its tube is no body of the design: no rule asks what it touches, and its mass is in the frame's `wiring`. The way is
 //! the one of the instructions: a motor's three wires run along one arm, under hub joint and hub, and in between the bracket's uprights to
 //! the controller; the battery's two from the connector to that edge of the controller that is nearest to it.
 
 use nalgebra::{Point3, Vector3};
 
-use super::body::Body;
+use super::body_box::{body, bounds_mm, controller};
+use super::cables::cables;
 use super::design::Design;
+use super::wire::{Section, Wire};
 use crate::frame::skeleton::MODULE_NAMES;
-use crate::solid::Mesh;
-use crate::units::Angle;
 
 /// Radius of the bundle of a motor's wires and of one of the battery's, mm: about 20 and 16 AWG in silicone.
 const RADII_MM: [f64; 2] = [1.6, 1.5];
 /// Linear colours of the motors' wires and of the battery's two.
 const COLOURS: [[f32; 4]; 3] = [[0.02, 0.02, 0.02, 1.0], [0.6, 0.01, 0.01, 1.0], [0.01, 0.01, 0.01, 1.0]];
 
-/// A wire, or the wires of a motor.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Wire {
-    /// Its name in files.
-    pub name: String,
-    /// Its line in the bill.
-    pub role: &'static str,
-    /// Along its middle, frame axes, mm.
-    pub way: Vec<Point3<f64>>,
-    /// Radius of the tube, mm.
-    pub radius_mm: f64,
-    /// Linear red, green, blue, alpha.
-    pub colour: [f32; 4],
-}
-
-impl Wire {
-    /// Length of its way, mm.
-    pub fn length_mm(&self) -> f64 {
-        self.way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()
-    }
-
-    /// A tube along the way, mitred where it turns. Made without the kernel, whose unions of tubes took longer than all else that a small change
-    /// remakes.
-    pub fn mesh(&self) -> Mesh {
-        let mut way = self.way.clone();
-        way.dedup_by(|next, last| (*next - *last).norm() < SHORTEST_MM);
-        let along: Vec<Vector3<f64>> = way.windows(2).map(|pair| (pair[1] - pair[0]).normalize()).collect();
-        let (Some(first), Some(last)) = (along.first(), along.last()) else { return Mesh::default() };
-        let mut rings = vec![ring(way[0], first, self.radius_mm)];
-        for (at, way_mm) in along.iter().enumerate() {
-            // The plane between a segment and the next one; at the end of the wire straight across.
-            let across = (way_mm + along.get(at + 1).unwrap_or(last)).normalize();
-            let end = way[at + 1];
-            let drawn = rings[at].iter().map(|p| p + way_mm * ((end - p).dot(&across) / way_mm.dot(&across).max(LEAST_COSINE))).collect();
-            rings.push(drawn);
-        }
-        tube(&rings)
-    }
-}
-
-/// Segments that are shorter are none, mm.
-const SHORTEST_MM: f64 = 1e-3;
-/// Corners of a tube's section.
-const CORNERS: u32 = 16;
-/// Of half the angle of a turn: a mitre is no longer than this allows.
-const LEAST_COSINE: f64 = 0.4;
-
-/// The section at the start of a segment, counter-clockwise seen against it.
-fn ring(at: Point3<f64>, along: &Vector3<f64>, radius_mm: f64) -> Vec<Point3<f64>> {
-    let aside = if along.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };
-    let u = along.cross(&aside).normalize();
-    let v = along.cross(&u);
-    let corner = |k: u32| {
-        let angle = Angle::deg(360.0 * f64::from(k) / f64::from(CORNERS));
-        at + (u * angle.cos() + v * angle.sin()) * radius_mm
-    };
-    (0..CORNERS).map(corner).collect()
-}
-
-/// Rings joined to a closed mesh.
-fn tube(rings: &[Vec<Point3<f64>>]) -> Mesh {
-    let vertices = rings.iter().flatten().map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
-    let mut triangles = Vec::new();
-    let segments = rings.len() as u32 - 1;
-    for k in 0..CORNERS {
-        let next = (k + 1) % CORNERS;
-        for segment in 0..segments {
-            let [a, b] = [segment * CORNERS, (segment + 1) * CORNERS];
-            triangles.extend([[a + k, a + next, b + k], [a + next, b + next, b + k]]);
-        }
-        if k > 0 && next > 0 {
-            let end = segments * CORNERS;
-            triangles.extend([[0, next, k], [end, end + k, end + next]]);
-        }
-    }
-    Mesh { vertices, triangles }
-}
-
-/// The wires of a design; without what it lacks.
+/// The wires and cables of a design; without what it lacks.
 pub fn wires(design: &Design) -> Vec<Wire> {
     let motors = (0..MODULE_NAMES.len()).filter_map(|module| motor(design, module));
-    motors.chain(battery(design)).collect()
+    motors.chain(battery(design)).chain(cables(design)).collect()
 }
 
-fn body<'a>(design: &'a Design, name: &str) -> Option<&'a Body> {
-    design.bodies.iter().find(|body| body.name == name)
-}
-
-/// Lowest and highest corner of a body's box in frame axes, mm.
-fn bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]> {
-    let body = body(design, name)?;
-    let [low, high] = design.shape(body).solid.bounds_in_mm(&body.pose);
-    Some([low.into(), high.into()])
-}
-
-/// The same in the battery's axes.
+/// Lowest and highest corner of a body's box in the battery's axes, mm.
 fn own_bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]> {
     let [low, high] = bounds_mm(design, name)?;
     Some(design.centre.battery_axes.box_of([low.into(), high.into()]).map(Point3::from))
-}
-
-/// The board that the motors' wires end at.
-fn controller(design: &Design) -> Option<[Point3<f64>; 2]> {
-    bounds_mm(design, "motor_controller").or_else(|| bounds_mm(design, "flight_controller"))
 }
 
 fn motor(design: &Design, module: usize) -> Option<Wire> {
@@ -149,7 +56,15 @@ fn motor(design: &Design, module: usize) -> Option<Wire> {
         under(inside, low_z),
         board + towards * 0.8,
     ];
-    Some(Wire { name: format!("motor_wires_{name}"), role: "motor_wire", way, radius_mm, colour: COLOURS[0] })
+    Some(Wire {
+        name: format!("motor_wires_{name}"),
+        role: "motor_wire",
+        way,
+        begins: 2,
+        section: Section::Round(radius_mm),
+        joins: None,
+        colour: COLOURS[0],
+    })
 }
 
 /// Both leads of the battery: the side of the connector on which each is, and its colour.
@@ -173,7 +88,15 @@ fn battery(design: &Design) -> Vec<Wire> {
             Point3::new(to.x + x, board_low.y + before, to.z),
         ];
         let way = way.into_iter().map(|at| axes.point(at)).collect();
-        Wire { name: format!("battery_wire_{name}"), role: "battery_wire", way, radius_mm, colour }
+        Wire {
+            name: format!("battery_wire_{name}"),
+            role: "battery_wire",
+            way,
+            begins: 2,
+            section: Section::Round(radius_mm),
+            joins: None,
+            colour,
+        }
     };
     LEADS.into_iter().map(wire).collect()
 }
@@ -191,7 +114,15 @@ pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
     let lead = |(name, side, colour): (&str, f64, [f32; 4])| {
         let x = middle.x + side * LEADS_APART * RADII_MM[1];
         let way = [from_y, to_y].map(|y| axes.point(Point3::new(x, y, middle.z))).into();
-        Wire { name: format!("{connector}_{name}"), role: "battery_wire", way, radius_mm: RADII_MM[1], colour }
+        Wire {
+            name: format!("{connector}_{name}"),
+            role: "battery_wire",
+            way,
+            begins: 2,
+            section: Section::Round(RADII_MM[1]),
+            joins: None,
+            colour,
+        }
     };
     LEADS.into_iter().map(lead).collect()
 }
@@ -216,7 +147,8 @@ mod tests {
             let mesh = wire.mesh();
             gate::pass(&mesh).expect("one closed tube");
             let end = wire.way.last().expect("has an end").coords;
-            assert!((0..2).all(|axis| (low[axis]..=high[axis]).contains(&end[axis])), "{}: {end}", wire.name);
+            let ends_here = (0..2).all(|axis| (low[axis]..=high[axis]).contains(&end[axis]));
+            assert!(ends_here || wire.joins.is_some(), "{}: {end}", wire.name);
             assert!(design.bodies.iter().all(|body| body.name != wire.name), "{} is weighed", wire.name);
         }
         assert!(mass::table(&design).lines.iter().all(|line| !line.name.contains("wire_")));
@@ -229,7 +161,7 @@ mod tests {
         frame.bought.remove("flight_controller");
         frame.bought.remove("damper");
         if let Ok(design) = Design::new(frame) {
-            assert_eq!(wires(&design), []);
+            assert!(wires(&design).iter().all(|wire| wire.role == "camera_cable"));
         }
     }
 }

@@ -140,7 +140,7 @@ const GLUED: Mount = Mount {
 };
 
 /// All of them, in the order in which they are tried.
-pub static MOUNTS: [Mount; 25] = [
+pub static MOUNTS: [Mount; 26] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
@@ -204,6 +204,17 @@ pub static MOUNTS: [Mount; 25] = [
         ..GLUED
     },
     Mount {
+        id: "dampers_in_motor_controller",
+        brings: &["damper"],
+        onto: "motor_controller",
+        from: BELOW,
+        fixing: Fixing::Squeezed,
+        title: "Dampers into the board",
+        text: "Squeeze one rubber damper into each corner hole of the board, which is flight and motor controller in one, until it lies in the damper's groove.",
+        tool: "hands",
+        ..GLUED
+    },
+    Mount {
         id: "flight_controller",
         brings: &["flight_controller"],
         onto: "hub",
@@ -221,7 +232,10 @@ pub static MOUNTS: [Mount; 25] = [
         onto: "hub",
         from: BELOW,
         fixing: Fixing::Screws("stack_screw"),
-        needs: &[("stack_screws", "the board hangs on the screws")],
+        needs: &[
+            ("stack_screws", "the board hangs on the screws"),
+            ("dampers_in_motor_controller", "the dampers sit between board and screws"),
+        ],
         title: "Motor controller under it",
         text: "Plug the cable between the two boards. Push the motor controller onto the screws, its battery pads to the {rear}.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
@@ -444,7 +458,7 @@ pub static MOUNTS: [Mount; 25] = [
         ],
         stage: Stage::AfterFold,
         title: "Propellers",
-        text: "Of the four propellers two turn each way, as the arrows show; the raised edge of a blade goes first. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        text: "Of the four propellers two turn each way, as the arrows show. The raised edge of a blade, white in the picture, goes first: dark blades are clockwise, less dark ones counter-clockwise. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
         text_across: "",
         text_with: &[],
         tool: "screwdriver or hands",

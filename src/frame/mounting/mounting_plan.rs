@@ -85,6 +85,13 @@ impl MountStep {
         along * self.travel_mm.clamp(SHOWN_MM[0], SHOWN_MM[1])
     }
 
+    /// Which of two bodies this step brings to the other; none where it does not bring them together.
+    pub fn joined_end(&self, ends: [&str; 2]) -> Option<usize> {
+        let moves = |name: &str| self.moves.iter().any(|body| body == name);
+        let is_there = |name: &str| self.there.iter().any(|body| body == name);
+        (0..2).find(|end| moves(ends[*end]) && is_there(ends[1 - end]))
+    }
+
     /// What one of its bodies is put onto: that of the body's own module where each has one.
     pub fn onto_of(&self, body: &str) -> String {
         Mount::onto_of(self.onto, body)
@@ -137,11 +144,18 @@ impl Mounting {
     }
 }
 
-/// The mounts that a design has a part for, or for which it has what they are about.
+/// The mounts that a design has a part for, or for which it has what they are about. Of several that bring the same part the first that
+/// has what it is put onto.
 pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
     let has = |name: &str| design.bodies.iter().any(|body| body.name == name);
-    let brings = |mount: &Mount| mount.brings.is_empty() || mount.brings.iter().any(|name| has(name));
-    MOUNTS.iter().filter(|mount| has(mount.onto) && brings(mount)).collect()
+    let mut found: Vec<&'static Mount> = Vec::new();
+    for mount in MOUNTS.iter().filter(|mount| has(mount.onto)) {
+        let brought = |name: &str| found.iter().any(|other| other.brings.contains(&name));
+        if mount.brings.is_empty() || mount.brings.iter().any(|name| has(name) && !brought(name)) {
+            found.push(mount);
+        }
+    }
+    found
 }
 
 struct Planning<'a> {

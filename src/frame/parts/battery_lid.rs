@@ -3,7 +3,7 @@
 //! Frame of reference: origin in the middle of the battery's cross section where the lid meets the sleeve's rear
 //! rim, y front, z up; the lid extends towards -y and slides away that way.
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point2, Rotation2, Translation3, UnitQuaternion, Vector2, Vector3};
 
 use super::battery_bracket::connector;
 use super::outline::{SINK_MM, along_x, along_y, arc, face, sharp, upright};
@@ -25,8 +25,14 @@ pub static PART: PrintedPart = PrintedPart {
     walls: &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
 };
 
-/// Rounding of the block's rear upper edge, mm.
-const BLOCK_ROUND_MM: f64 = 1.0;
+/// Fillets in the trough between the cheeks: at its bottom and at the block, mm.
+const TROUGH_FILLET_MM: f64 = 0.5;
+
+/// Lid and rim are so little apart that they touch, and more than a kernel's cut is off, mm.
+const RIM_GAP_MM: f64 = 1e-6;
+
+/// How far above the block the slope at the tower's back begins, as a multiple of its fillet there.
+const SLOPE_RISE: f64 = 1.35;
 
 /// The lid of a frame.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {
@@ -72,8 +78,8 @@ impl<'a> Lid<'a> {
 
     fn feature(&self) -> Feature {
         let [w, _] = self.centre.outer_mm;
-        let body = Feature::intersection([along_x(self.side_view(), [-w - 1.0, w + 1.0]), self.envelope(), self.plan()]);
-        Feature::union([body, self.tower(), self.foot()]).minus(self.cuts())
+        let body = Feature::intersection([along_x(self.side_view(), [-w - 1.0, w + 1.0]), self.envelope(), self.behind_rim()]);
+        Feature::union([body, self.tower()].into_iter().chain(self.slope())).minus(self.cuts())
     }
 
     /// How far the block stands out behind the shell.
@@ -87,11 +93,14 @@ impl<'a> Lid<'a> {
         let slope = (self.top - self.deck) / -self.front;
         let (low, under) = (-oh - 1.0, ih - 0.03);
         let arch = self.frame.lid.lid_arch_radius_mm.min(self.overhang() - 1.5);
+        // Where the block stands out, the envelope rounds its upper edge.
+        let beyond = if self.overhang() > 0.3 { 1.0 } else { 0.0 };
         let mut view = vec![
             sharp(1.0, low),
             sharp(1.0, self.deck - slope),
             sharp(self.front - 0.05, self.top),
-            ([self.rear, self.top], BLOCK_ROUND_MM),
+            sharp(self.front - 0.05, self.top + beyond),
+            ([self.rear - beyond, self.top + beyond], self.edge_mm()),
         ];
         if self.overhang() > 0.3 {
             view.push(sharp(self.rear, under));
@@ -109,22 +118,31 @@ impl<'a> Lid<'a> {
         face(&view)
     }
 
-    /// What the cross section may fill: rounded edges.
-    fn envelope(&self) -> Feature {
-        let (s, [w, h]) = (&self.frame.sleeve, self.centre.outer_mm);
-        let r = s.sleeve_edge_radius_mm.min(0.97 * s.sleeve_side_wall_mm);
-        let (low, high) = (-h, self.top + SINK_MM);
-        let section = face(&[([-w, low], r), ([w, low], r), ([w, high], r), ([-w, high], r)]);
-        along_y(section, [self.rear.min(self.shell) - 1.0, 2.0])
+    /// Rounding of the shell's long edges and of the block's upper edge, mm.
+    fn edge_mm(&self) -> f64 {
+        self.frame.sleeve.sleeve_edge_radius_mm.min(0.97 * self.frame.sleeve.sleeve_side_wall_mm)
     }
 
-    /// What the plan view may fill: from the rim backwards, rounded rear corners.
-    fn plan(&self) -> Feature {
-        let [w, h] = self.centre.outer_mm;
+    /// What the lid may fill: from the rim backwards, with rounded long edges and rear corners, and the block's upper edge rounded around
+    /// them.
+    fn envelope(&self) -> Feature {
+        let ([w, h], e) = (self.centre.outer_mm, self.edge_mm());
+        let section = face(&[([-w, -h], e), ([w, -h], e), ([w, self.top], e), ([-w, self.top], e)]);
+        if self.overhang() <= 0.3 {
+            return along_y(section, [self.rear.min(self.shell), 2.0]);
+        }
         // Rounded further forward than the block stands out, the corners would cut into the shell's side walls.
-        let r = if self.overhang() > 0.3 { self.frame.lid.lid_corner_radius_mm.min(self.overhang()) } else { 0.0 };
-        let (w, rear) = (w + SINK_MM, self.rear.min(self.shell) - SINK_MM);
-        upright(face(&[sharp(-w, 0.0), ([-w, rear], r), ([w, rear], r), sharp(w, 0.0)]), [-h - 2.0, self.top + 1.0])
+        let r = self.frame.lid.lid_corner_radius_mm.min(self.overhang());
+        let low = self.centre.inner_mm[1] - self.overhang();
+        let corner = Feature::revolve(face(&[sharp(0.0, low), sharp(r, low), ([r, self.top], e.min(r)), sharp(0.0, self.top)]));
+        let corners = [-1.0, 1.0].map(|side| corner.clone().at(side * (w - r), self.rear + r, 0.0));
+        Feature::hull(std::iter::once(along_y(section, [self.rear + r, 2.0])).chain(corners))
+    }
+
+    /// All that is behind the sleeve's rim: cut along the axes, so that lid and rim touch and share nothing.
+    fn behind_rim(&self) -> Feature {
+        let ([w, h], rear) = (self.centre.outer_mm, self.rear.min(self.shell));
+        Feature::cuboid_between([-w - 2.0, rear - 2.0, -h - 2.0], [w + 2.0, -RIM_GAP_MM, self.top + 3.0])
     }
 
     fn tower_rear(&self) -> f64 {
@@ -134,48 +152,76 @@ impl<'a> Lid<'a> {
     /// The tower that holds the magnet, rounded on its three free sides.
     fn tower(&self) -> Feature {
         let (w, r, rear) = (0.5 * self.centre.bracket_width_mm, self.frame.lid.tower_radius_mm, self.tower_rear());
-        let (root, e, wide) = (self.top - 1.5, SINK_MM, 0.5 * self.centre.bracket_width_mm + SINK_MM);
+        let root = self.top - 1.5;
         let top = self.magnet_z + 0.5 * self.centre.magnet_pocket_mm[1] + self.frame.bracket.magnet_wall_mm;
         let behind = face(&[sharp(-w, root), sharp(w, root), ([w, top], r), ([-w, top], r)]);
-        let above = face(&[sharp(-wide, self.front + 1.0), ([-wide, rear], r), ([wide, rear], r), sharp(wide, self.front + 1.0)]);
-        let aside = face(&[
-            sharp(rear - e, root - 1.5),
-            sharp(self.front + 2.0, root - 1.5),
-            sharp(self.front + 2.0, top + e),
-            ([rear - e, top + e], r),
-        ]);
-        Feature::intersection([
-            along_y(behind, [rear - 1.0, self.front + 0.5]),
-            upright(above, [root - 0.5, top + 1.0]),
-            along_x(aside, [-w - 1.0, w + 1.0]),
+        let round = Feature::revolve(face(&[sharp(0.0, root), sharp(r, root), ([r, top], r), sharp(0.0, top)]));
+        Feature::hull([
+            along_y(behind, [rear + r, self.front + 0.5]),
+            round.clone().at(r - w, rear + r, 0.0),
+            round.at(w - r, rear + r, 0.0),
         ])
     }
 
-    /// The fillet at the tower's back.
-    fn foot(&self) -> Feature {
-        let (rear, e) = (self.tower_rear(), 2.0 * SINK_MM);
-        let r = (rear - self.rear - 1.0).clamp(0.4, 2.0);
-        let (y, z, root) = (rear - r + e, self.top + r - e, self.top - 0.3);
-        let mut profile = vec![sharp(rear + 0.3, root), sharp(rear + 0.3, z)];
-        profile.extend(arc([y, z], r, 0.0, -90.0));
-        profile.push(sharp(y, root));
-        let wide = 0.5 * self.centre.bracket_width_mm - self.frame.lid.tower_radius_mm - 0.05;
-        along_x(face(&profile), [-wide, wide])
+    /// The slope from the tower's back to the block's rear edge, which goes on with the rounding of the tower's upright edges; none where
+    /// the tower stands at the edge.
+    fn slope(&self) -> Vec<Feature> {
+        let (w, r, edge) = (0.5 * self.centre.bracket_width_mm, self.frame.lid.tower_radius_mm, self.edge_mm());
+        let back = self.tower_rear();
+        // In (y, z): the fillet's centre behind the tower, and the rounded edge's. Their common tangent passes between them.
+        let fillet = Point2::new(back - r, self.top + SLOPE_RISE * r);
+        let between = Point2::new(self.rear + edge, self.top - edge) - fillet;
+        if between.norm() <= 1.02 * (r + edge) || back < self.rear + 0.3 {
+            return Vec::new();
+        }
+        let off = libm::acos((r + edge) / between.norm());
+        let inwards = Rotation2::new(off) * between.normalize();
+        let along = Vector2::new(inwards.y, -inwards.x);
+        let length = (between.norm_squared() - (r + edge).powi(2)).sqrt();
+        let top = fillet + inwards * r;
+        let deep = top + inwards * (1.1 * r);
+        let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), libm::atan2(along.y, along.x));
+        let section = face(&[([-w, 0.0], r), ([w, 0.0], r), sharp(w, 1.1 * r), sharp(-w, 1.1 * r)]);
+        let flat = along_y(section, [-SINK_MM, length]).placed(Isometry3::from_parts(Translation3::new(0.0, top.x, top.y), turn));
+        let (low, ahead) = (deep.y.min(self.top) - 0.3, back + 1.1 * r);
+        let under = [fillet, top, deep, Point2::new(deep.x, low), Point2::new(ahead, low), Point2::new(ahead, fillet.y)];
+        let under = face(&under.map(|p| sharp(p.x, p.y)));
+        let hollow = hollow(w, r).at(0.0, fillet.x, fillet.y);
+        vec![flat, along_x(under, [-w, w]).minus([hollow])]
+    }
+
+    /// The trough between the cheeks that the bracket slides in, with fillets at its bottom and at the block.
+    fn trough(&self, top: f64) -> Feature {
+        let (cheek, r) = (self.centre.outer_mm[0] - self.frame.lid.lid_cheek_mm, TROUGH_FILLET_MM);
+        let below = face(&[([-cheek, self.deck], r), ([cheek, self.deck], r), sharp(cheek, top), sharp(-cheek, top)]);
+        let beside = face(&[([self.front, self.deck], r), sharp(2.0, self.deck), sharp(2.0, top + 1.0), sharp(self.front, top + 1.0)]);
+        let above = face(&[([-cheek, self.front], r), ([cheek, self.front], r), sharp(cheek, 3.0), sharp(-cheek, 3.0)]);
+        Feature::intersection([along_y(below, [self.front, 2.0]), along_x(beside, [-cheek, cheek]), upright(above, [self.deck, top])])
     }
 
     /// The battery's cavity, the trough between the cheeks, the connector's hole and the magnet's pocket.
     fn cuts(&self) -> [Feature; 4] {
-        let ([iw, ih], cheek) = (self.centre.inner_mm, self.centre.outer_mm[0] - self.frame.lid.lid_cheek_mm);
+        let [iw, ih] = self.centre.inner_mm;
         let [along, up] = self.centre.magnet_pocket_mm.map(|edge| 0.5 * edge);
         let nose = connector(&self.frame.bracket, self.frame.bracket.connector_step_mm, self.connector_z);
         let bottom = self.front - self.centre.lid_magnet_depth_mm;
         [
             Feature::cuboid_between([-iw, self.rear.min(self.shell) - 5.0, -ih], [iw, 2.0, ih]),
-            Feature::cuboid_between([-cheek, self.front, self.deck], [cheek, 2.0, self.magnet_z + up + 10.0]),
+            self.trough(self.magnet_z + up + 10.0),
             along_y(nose, [self.rear - 1.0, self.front + 1.0]),
             Feature::cuboid_between([-along, bottom, self.magnet_z - up], [along, self.front + 1.0, self.magnet_z + up]),
         ]
     }
+}
+
+/// What the fillet leaves free, along x: a roller that widens towards its ends as the tower's upright edges are rounded.
+fn hollow(half_width_mm: f64, radius_mm: f64) -> Feature {
+    let (w, r) = (half_width_mm, radius_mm);
+    let mut outline = vec![sharp(0.0, w + 1.0), sharp(0.0, -w - 1.0), sharp(2.0 * r + SINK_MM, -w - 1.0), sharp(2.0 * r + SINK_MM, -w)];
+    outline.extend(arc([2.0 * r, r - w], r, 270.0, 180.0));
+    outline.extend(arc([2.0 * r, w - r], r, 180.0, 90.0));
+    outline.extend([sharp(2.0 * r + SINK_MM, w), sharp(2.0 * r + SINK_MM, w + 1.0)]);
+    Feature::revolve(face(&outline)).turned_y(Angle::deg(90.0))
 }
 
 #[cfg(test)]

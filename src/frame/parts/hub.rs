@@ -29,6 +29,12 @@ pub static PART: PrintedPart = PrintedPart {
 /// The fillet between the plate and a boss, and in the plate's outline, mm.
 const FILLET_MM: f64 = 3.0;
 
+/// The fillet in the outline between the ring around a tie hole and a boss, mm.
+const RING_FILLET_MM: f64 = 2.0;
+
+/// What of a boss has to stand out beyond the end of a fillet along it, mm; otherwise there is no fillet.
+const BEYOND_FILLET_MM: f64 = 0.5;
+
 /// The hub of a frame, in the assembly's axes.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {
     Hub { frame, centre }.feature()
@@ -47,17 +53,15 @@ struct Hub<'a> {
 impl Hub<'_> {
     /// The whole hub.
     ///
-    /// Bosses, plate and ears stand 0.01 to 0.04 mm beyond top and underside and are cut to height together,
-    /// so that no two of their faces coincide. Drawn with the arms along x and y and turned when it is whole: the
+    /// Bosses, plate and ears share top and underside to the last bit, and their edges are rounded alike: faces that were a
+    /// hundredth apart would cross in slivers. Drawn with the arms along x and y and turned when it is whole: the
     /// mesh kernel sorts facets by axis-parallel boxes, and those of long facets are thin only along the axes.
     pub fn feature(&self) -> Feature {
-        let h = self.centre.hub_half_height_mm;
-        let wide = 2.0 * (self.frame.hub.hub_mouth_mm + self.centre.places.forward_mm);
-        let pairs = (0..4).map(|i| self.in_module(i, self.pair(h + f64::from(1 + i % 2) * SINK_MM)));
+        let pair = self.pair();
+        let pairs = (0..4).map(|i| self.in_module(i, pair.clone()));
         let arms = Feature::union(pairs.chain(self.bars())).minus([quarter(self.dish(), -45.0)]);
-        let body = std::iter::once(arms).chain(self.plates()).chain(self.corner_fillets()).chain(self.ears());
-        let slab = Feature::cuboid_between([-wide, -wide, -h], [wide, wide, h]);
-        quarter(Feature::intersection([Feature::union(body), slab]).minus(self.holes()), 45.0)
+        let body = std::iter::once(arms).chain(self.plates()).chain(self.ears());
+        quarter(Feature::union(body).minus(self.holes()), 45.0)
     }
 
     /// What is drawn along x, in the module with this number.
@@ -83,7 +87,7 @@ impl Hub<'_> {
         if !self.centre.places.are_apart() {
             return Vec::new();
         }
-        let (h, re) = (self.centre.hub_half_height_mm + 6.0 * SINK_MM, self.edge_mm());
+        let (h, re) = (self.centre.hub_half_height_mm, self.edge_mm());
         let outer = self.centre.tie_side_mm - 2.0 * SINK_MM;
         let section = face(&[sharp(0.0, -h), ([outer, -h], re), ([outer, h], re), sharp(0.0, h)]);
         let right = along_y(section, [-apart, apart]);
@@ -91,7 +95,8 @@ impl Hub<'_> {
     }
 
     /// The two bosses of a diagonal, drawn along x, with the fillets to the plate.
-    fn pair(&self, h: f64) -> Feature {
+    fn pair(&self) -> Feature {
+        let h = self.centre.hub_half_height_mm;
         let (tc, flank, inner) = (0.5 * self.frame.hub_joint.arm_pitch_mm, self.centre.flank_mm, self.inner_flank_mm());
         let (re, zs) = (self.edge_mm(), self.centre.plate_top_mm.min(0.0));
         let turned = 180.0 + libm::asin(-zs / self.centre.hub_half_height_mm).to_degrees();
@@ -104,26 +109,58 @@ impl Hub<'_> {
             sharp(self.frame.hub.hub_mouth_mm + 5.0, self.frame.hub.hub_mouth_mm + 5.7),
         ]);
         let boss = Feature::intersection([along_x(face(&outline), [0.0, self.frame.hub.hub_mouth_mm]), upright(own, [-2.0 * h, 2.0 * h])]);
-        let one = Feature::union([boss, self.web()]);
+        let one = Feature::union([boss, self.corner()]);
         Feature::union([one.clone(), one.mirrored(Vector3::y())])
     }
 
-    /// The fillet between the plate and the inner flank of a boss, drawn along x.
-    fn web(&self) -> Feature {
+    /// The fillet between the plate and the inner flank of a boss, drawn along x, and that in the outline where the plate ends, which
+    /// trims it.
+    fn corner(&self) -> Feature {
+        let (edge, flank) = (self.centre.plate_edge_mm, self.inner_flank_mm());
+        let [x, y] = [edge + FILLET_MM - SINK_MM, flank - FILLET_MM + SINK_MM];
+        if edge + FILLET_MM >= self.frame.hub.hub_mouth_mm - BEYOND_FILLET_MM {
+            return self.web(edge - 0.05);
+        }
+        // Where edges are rounded, plate and boss end so far inwards.
+        let inwards = self.edge_mm() + 0.1;
+        let outline = face(&[sharp(edge - inwards, y), sharp(x, y), sharp(x, flank + inwards), sharp(edge - inwards, flank + inwards)]);
+        let low = upright(outline, [-self.centre.hub_half_height_mm, self.centre.plate_top_mm]);
+        Feature::union([low, self.web(x)]).minus([self.hollow(FILLET_MM, false).at(x, y, 0.0)])
+    }
+
+    /// What a fillet in the outline leaves free, about z: a cylinder that widens where the edges at the underside are rounded, and at
+    /// the top, too, where that is rounded.
+    fn hollow(&self, radius_mm: f64, top: bool) -> Feature {
+        let (h, re) = (self.centre.hub_half_height_mm, self.edge_mm());
+        let (wide, high) = (radius_mm + re, 2.0 * h + FILLET_MM);
+        let mut outline = vec![sharp(0.0, -high), sharp(wide + SINK_MM, -high), sharp(wide + SINK_MM, -h)];
+        outline.extend(arc([wide, re - h], re, 270.0, 180.0));
+        if top {
+            outline.extend(arc([wide, h - re], re, 180.0, 90.0));
+            outline.extend([sharp(wide + SINK_MM, h), sharp(wide + SINK_MM, high)]);
+        } else {
+            outline.push(sharp(radius_mm, high));
+        }
+        outline.push(sharp(0.0, high));
+        Feature::revolve(face(&outline))
+    }
+
+    /// The fillet between the plate and the inner flank of a boss, drawn along x up to there.
+    fn web(&self, to_mm: f64) -> Feature {
         let (h, zt, tc) = (self.centre.hub_half_height_mm, self.centre.plate_top_mm, 0.5 * self.frame.hub_joint.arm_pitch_mm);
         let cz = zt + FILLET_MM - SINK_MM;
         let ct = tc - ((h + FILLET_MM).powi(2) - cz * cz).max(0.01).sqrt();
         let mut web = vec![sharp(ct, zt - 0.4)];
         web.extend(arc([ct, cz], FILLET_MM, -90.0, libm::atan2(-cz, tc - ct).to_degrees()));
         web.extend([sharp(tc - 0.5 * h, -0.2), sharp(tc - 0.5 * h, zt - 0.4)]);
-        along_x(face(&web), [self.inner_flank_mm(), self.centre.plate_edge_mm - 0.05])
+        along_x(face(&web), [self.inner_flank_mm(), to_mm])
     }
 
     /// What the bosses leave free above the plate: the inner sides of the four pads.
     fn dish(&self) -> Feature {
         let (h, zt) = (self.centre.hub_half_height_mm, self.centre.plate_top_mm);
         let (r1, r2) = (self.frame.hub.hub_pad_fillet_mm, self.edge_mm());
-        let (zl, zu) = (zt + r1 - SINK_MM, h + SINK_MM - r2);
+        let (zl, zu) = (zt + r1, h - r2);
         let xt = self.centre.tie_side_mm - self.frame.hub.hub_pad_depth_mm;
         let dz = zu - zl;
         let xc = xt - ((r1 + r2).powi(2) - dz * dz).max(0.04).sqrt();
@@ -145,41 +182,46 @@ impl Hub<'_> {
         if !self.centre.places.are_apart() {
             return vec![self.plate()];
         }
-        let (side, low) = (self.centre.tie_side_mm, -self.centre.hub_half_height_mm - 5.0 * SINK_MM);
-        let between = Feature::cuboid_between([-side, -apart, low], [side, apart, self.centre.plate_top_mm - SINK_MM]);
+        let (side, low) = (self.centre.tie_side_mm - self.edge_mm(), -self.centre.hub_half_height_mm);
+        let between = Feature::cuboid_between([-side, -apart, low], [side, apart, self.centre.plate_top_mm]);
         vec![self.moved(true, self.plate()), self.moved(false, self.plate()), quarter(between, -45.0)]
     }
 
     fn plate(&self) -> Feature {
         let (edge, zt, re) = (self.centre.plate_edge_mm, self.centre.plate_top_mm, self.edge_mm());
         let side = |low: f64, high: f64| face(&[([-edge, low], re), ([edge, low], re), sharp(edge, high), sharp(-edge, high)]);
-        let low = -self.centre.hub_half_height_mm - 3.0 * SINK_MM;
+        let low = -self.centre.hub_half_height_mm;
         let reach = [-edge - 5.0, edge + 5.0];
-        Feature::intersection([along_y(side(low, zt), reach), along_x(side(low - SINK_MM, zt + 1.0), reach)])
+        Feature::intersection([along_y(side(low, zt), reach), along_x(side(low, zt + 1.0), reach)])
     }
 
-    /// Fillets in the plan outline between the plate's edge and the bosses.
-    fn corner_fillets(&self) -> Vec<Feature> {
-        let (s, t) = (self.centre.plate_edge_mm - 2.0 * SINK_MM, self.inner_flank_mm() + 2.0 * SINK_MM);
-        if s + FILLET_MM >= self.frame.hub.hub_mouth_mm - 0.5 {
+    /// The rings around the tie holes, with fillets to the bosses beside them.
+    fn ears(&self) -> Vec<Feature> {
+        let (r, h, re) = (self.frame.hub.tie_ring_radius_mm, self.centre.hub_half_height_mm, self.edge_mm());
+        let flank = self.centre.flank_mm;
+        let ring = Feature::revolve(face(&[sharp(0.0, -h), ([r, -h], re), ([r, h], re), sharp(0.0, h)]))
+            .turned_z(Angle::deg(45.0 + 180.0 / f64::from(SEGMENTS_PER_TURN)))
+            .at(flank, flank, 0.0);
+        let blended = Feature::union(std::iter::once(ring.clone()).chain(self.ring_fillets()));
+        let at = |i: u8, ear: &Feature| quarter(ear.clone(), 90.0 * f64::from(i) - 90.0);
+        // Those at the sides stay, in the middle of the bars, where the halves stand apart.
+        let stays = |i: u8| i.is_multiple_of(2) && self.centre.places.are_apart();
+        (0..4).map(|i| if stays(i) { at(i, &ring) } else { self.moved(i == 1, at(i, &blended)) }).collect()
+    }
+
+    /// The fillets between a ring and the two bosses that it stands between.
+    fn ring_fillets(&self) -> Vec<Feature> {
+        let (r, flank) = (self.frame.hub.tie_ring_radius_mm, self.centre.flank_mm);
+        let y = flank + RING_FILLET_MM - SINK_MM;
+        let x = flank + ((r + RING_FILLET_MM).powi(2) - RING_FILLET_MM * RING_FILLET_MM).sqrt() - SINK_MM;
+        if x >= self.frame.hub.hub_mouth_mm - BEYOND_FILLET_MM {
             return Vec::new();
         }
-        let mut outline = vec![sharp(s - 0.5, t - FILLET_MM), sharp(s, t - FILLET_MM)];
-        outline.extend(arc([s + FILLET_MM, t - FILLET_MM], FILLET_MM, 180.0, 90.0).into_iter().skip(1));
-        outline.extend([sharp(s + FILLET_MM, t + 0.4), sharp(s - 0.5, t + 0.4)]);
-        let one = upright(face(&outline), [0.6 * self.edge_mm() - self.centre.hub_half_height_mm, self.centre.plate_top_mm - 0.05]);
-        let two = Feature::union([one.clone(), one.mirrored(Vector3::y())]);
-        (0..4).map(|i| self.in_module(i, two.clone())).collect()
-    }
-
-    fn ears(&self) -> Vec<Feature> {
-        let (r, h, re) = (self.frame.hub.tie_ring_radius_mm, self.centre.hub_half_height_mm + 4.0 * SINK_MM, self.edge_mm());
-        let ear = Feature::revolve(face(&[sharp(0.0, -h), ([r, -h], re), ([r, h], re), sharp(0.0, h)]))
-            .turned_z(Angle::deg(180.0 / f64::from(SEGMENTS_PER_TURN)))
-            .at(self.centre.tie_side_mm, 0.0, 0.0);
-        let at = |i: u8| quarter(ear.clone(), 90.0 * f64::from(i) - 45.0);
-        // Those at the sides stay, in the middle of the bars.
-        (0..4).map(|i| if i % 2 == 0 { at(i) } else { self.moved(i == 1, at(i)) }).collect()
+        let (h, inwards) = (self.centre.hub_half_height_mm, flank - self.edge_mm() - 0.1);
+        // Begins within the ring, however much of it is rounded, and reaches a little beyond the diagonal to its mirror image.
+        let outline = face(&[sharp(flank - 0.15, flank + 0.1), sharp(inwards - 0.3, inwards), sharp(x, inwards), sharp(x, y)]);
+        let one = upright(outline, [-h, h]).minus([self.hollow(RING_FILLET_MM, true).at(x, y, 0.0)]);
+        vec![one.clone(), one.mirrored(Vector3::new(1.0, -1.0, 0.0))]
     }
 
     fn holes(&self) -> Vec<Feature> {

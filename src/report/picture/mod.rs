@@ -1,6 +1,7 @@
 //! Pictures of meshes: camera, rasteriser, and the scenes that are drawn.
 
 pub(in crate::report) mod arrow;
+mod blades;
 pub(in crate::report) mod camera;
 pub mod deformed_scene;
 pub mod fold_scene;

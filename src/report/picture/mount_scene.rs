@@ -9,8 +9,9 @@ use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
 use super::propeller_scene;
-use crate::frame::assembly::wires::{Wire, lead_ends, wires};
-use crate::frame::assembly::{Body, Design};
+use crate::frame::assembly::wire::Wire;
+use crate::frame::assembly::wires::{lead_ends, wires};
+use crate::frame::assembly::{Body, Design, Kind};
 use crate::frame::mounting::{Fixing, MountStep, PartLine};
 
 /// Width and height, pixels.
@@ -69,8 +70,13 @@ const PART_SIZE: [u32; 2] = [320, 240];
 pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     let printed = design.printed.iter().find(|part| part.name.slug() == line.part).map(|part| part.mesh.clone());
     let named = || design.bodies.iter().find(|body| line.body.as_ref() == Some(&body.name));
-    let mesh = printed.or_else(|| named().map(|body| design.shape(body).mesh.clone()))?;
-    let shown = [Shown { mesh, pose: Isometry3::identity(), colour: COLOURS[1] }];
+    let alone = |mesh, colour| Shown { mesh, pose: Isometry3::identity(), colour };
+    let shown = match (printed, named()) {
+        (None, Some(body)) if design.shape(body).kind == Kind::Propeller => {
+            propeller_scene::blades_of(design, body.module?).map(|(mesh, colour)| alone(mesh.into(), colour)).into()
+        }
+        (printed, body) => vec![alone(printed.or_else(|| body.map(|body| design.shape(body).mesh.clone()))?, COLOURS[1])],
+    };
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), PART_SIZE);
     Some(draw(&shown, &[], &camera, PART_SIZE))
 }
@@ -83,13 +89,21 @@ fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
         "bracket" => of("battery_wire"),
         "connector_in_bracket" => lead_ends(design, "connector_bracket"),
         "connector_in_lid" => lead_ends(design, "connector_lid"),
-        _ => return Vec::new(),
+        _ => Vec::new(),
     };
-    let moved = if step.mount == "bracket" { 2 } else { usize::MAX };
     for wire in found.iter_mut().filter(|wire| wire.role == "battery_wire") {
-        wire.way.iter_mut().take(moved).for_each(|point| *point += off);
+        wire.way.iter_mut().take(wire.begins).for_each(|point| *point += off);
     }
+    found.extend(wires(design).into_iter().filter_map(|cable| drawn_out(cable, step, off)));
     found
+}
+
+/// A cable whose ends a step brings together, from where its moving end is then; none of others.
+fn drawn_out(mut cable: Wire, step: &MountStep, off: Vector3<f64>) -> Option<Wire> {
+    let end = step.joined_end(cable.joins?)?;
+    let moved = if end == 0 { 0..cable.begins } else { cable.begins..cable.way.len() };
+    cable.way[moved].iter_mut().for_each(|point| *point += off);
+    Some(cable)
 }
 
 /// The picture of a mount; of the propellers it says which way each turns.

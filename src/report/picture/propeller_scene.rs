@@ -1,20 +1,34 @@
-//! Which way each propeller turns: the frame from above, its front up, an arrow around each motor.
+//! Which way each propeller turns: the frame from above, its front up, on each motor its blades and an arrow around them.
+//!
+//! Of the two directions one is dark and one is less dark; the edge of a blade that goes first, which is the raised one, is white.
 
-use nalgebra::Point3;
+use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::arrow::Arrow;
+use super::blades::propeller;
 use super::camera::{Camera, View};
 use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
 use crate::frame::assembly::{Design, Kind};
-use crate::frame::skeleton::{MODULE_NAMES, ROTORS};
+use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Spin};
+use crate::solid::Mesh;
 
 /// Width and height, pixels.
 const SIZE: [u32; 2] = [960, 640];
 /// Radius of an arrow over that of the propeller.
-const RADIUS: f64 = 0.75;
+const RADIUS: f64 = 1.06;
 /// How far around an arrow goes, radians.
 const AROUND: f64 = 4.4;
+
+/// Linear colour of the edge of a blade that goes first.
+const FIRST_EDGE: [f32; 4] = [1.0, 1.0, 1.0, 1.0];
+
+/// The propeller of a module, its middle in the origin: blades, and the edges that go first, with their colours.
+pub(super) fn blades_of(design: &Design, module: usize) -> [(Mesh, [f32; 4]); 2] {
+    let spin = ROTORS[module].spin;
+    let [blades, edges] = propeller(design.frame.motor_mount.propeller_diameter_mm, spin);
+    [(blades, COLOURS[if spin == Spin::Clockwise { 0 } else { 1 }]), (edges, FIRST_EDGE)]
+}
 
 /// The picture.
 pub fn rotations(design: &Design) -> Picture {
@@ -28,11 +42,18 @@ pub fn rotations(design: &Design) -> Picture {
         };
         shown.push(Shown { mesh: shape.mesh.clone(), pose: body.pose, colour });
     }
-    let radius = RADIUS * 0.5 * design.frame.motor_mount.propeller_diameter_mm;
+    let mount = &design.frame.motor_mount;
+    let radius = RADIUS * 0.5 * mount.propeller_diameter_mm;
     let mut arrows = Vec::new();
     for (module, name) in MODULE_NAMES.iter().enumerate() {
         let Some(seat) = design.skeleton.node(&format!("M_{name}")) else { continue };
         let turns = ROTORS[module].spin;
+        // Each blade lies across the way from the hub: it hides least of the frame.
+        let across = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), libm::atan2(seat.y, seat.x) + std::f64::consts::FRAC_PI_2);
+        let pose = Isometry3::from_parts(Translation3::new(seat.x, seat.y, seat.z + mount.propeller_height_mm), across);
+        for (mesh, colour) in blades_of(design, module) {
+            shown.push(Shown { mesh: mesh.into(), pose, colour });
+        }
         // The label stands beside the arrow, outside of it.
         let begins = libm::atan2(seat.y, seat.x) - turns.sign() * 0.43 * AROUND;
         let way = (0..=2 * ARROW_PLACES).map(|i| {

@@ -1,0 +1,198 @@
+//! The cables between boards: from camera, sensor, computer and accessories to the board that reads them.
+//!
+//! What sits on the hub leads its cable down between the two bosses of the nearest module, where the plate ends, and under the hub to the
+//! controller. The flow sensor's passes through the upper wire hole of the bracket's front upright.
+
+use nalgebra::{Point3, Vector3};
+
+use super::body_box::bounds_mm;
+use super::design::Design;
+use super::wire::{Section, Wire};
+
+/// A cable that a design may have.
+struct Cable {
+    /// Its line in the bill.
+    role: &'static str,
+    /// The body where it begins.
+    from: &'static str,
+    /// How it runs.
+    route: Route,
+    /// Radius of its wires together, mm: estimates, of 28 AWG in silicone.
+    radius_mm: f64,
+    /// Linear red, green, blue, alpha.
+    colour: [f32; 4],
+}
+
+/// How a cable runs.
+#[derive(Clone, Copy)]
+enum Route {
+    /// From the camera's lower edge to the computer's front edge.
+    Ribbon,
+    /// Beside the stack, from the upper board to the lower one.
+    Stack,
+    /// Through the bracket's front upright.
+    Upright,
+    /// Down beside the hub.
+    Hub,
+}
+
+/// Width and thickness of a camera's ribbon, mm: that of 22 contacts at 0.5 mm pitch.
+const RIBBON_MM: [f64; 2] = [11.5, 0.3];
+/// How far a cable leaves a board straight, mm.
+const OUT_MM: f64 = 3.0;
+/// What of a board's half width a cable stays within.
+const ON_BOARD: f64 = 0.8;
+/// Boards that sensors and accessories are read by, the first that there is.
+const READERS: [&str; 2] = ["flight_controller", "motor_controller"];
+
+const CABLES: [Cable; 8] = [
+    Cable { role: "board_cable", from: "flight_controller", route: Route::Stack, radius_mm: 1.2, colour: [0.5, 0.5, 0.5, 1.0] },
+    Cable { role: "sensor_cable", from: "flow_sensor", route: Route::Upright, radius_mm: 1.1, colour: [0.02, 0.12, 0.5, 1.0] },
+    Cable { role: "camera_cable", from: "camera", route: Route::Ribbon, radius_mm: 0.0, colour: [0.75, 0.75, 0.72, 1.0] },
+    Cable { role: "computer_cable", from: "computer", route: Route::Hub, radius_mm: 1.1, colour: [0.02, 0.35, 0.08, 1.0] },
+    Cable { role: "receiver_cable", from: "receiver", route: Route::Hub, radius_mm: 1.1, colour: [0.6, 0.45, 0.02, 1.0] },
+    Cable { role: "gps_cable", from: "gps", route: Route::Hub, radius_mm: 1.1, colour: [0.3, 0.05, 0.4, 1.0] },
+    Cable { role: "buzzer_cable", from: "buzzer", route: Route::Hub, radius_mm: 0.9, colour: [0.5, 0.15, 0.02, 1.0] },
+    Cable { role: "fpv_cable", from: "fpv_camera", route: Route::Hub, radius_mm: 1.0, colour: [0.6, 0.55, 0.05, 1.0] },
+];
+
+/// A body's lowest and highest corner, frame axes, mm.
+type Bounds = [Point3<f64>; 2];
+
+/// The cables of a design whose both ends it has.
+pub(super) fn cables(design: &Design) -> Vec<Wire> {
+    CABLES.iter().filter_map(|cable| cable.wire(design)).collect()
+}
+
+impl Cable {
+    fn wire(&self, design: &Design) -> Option<Wire> {
+        let to = match self.route {
+            Route::Ribbon => "computer",
+            Route::Stack => "motor_controller",
+            Route::Upright | Route::Hub => READERS.into_iter().find(|name| bounds_mm(design, name).is_some())?,
+        };
+        let (begin, end) = (bounds_mm(design, self.from)?, bounds_mm(design, to)?);
+        let way = match self.route {
+            Route::Ribbon => ribbon(begin, end),
+            Route::Stack => beside(begin, end),
+            Route::Upright => through_upright(design, begin, end, self.radius_mm),
+            Route::Hub => down(design, begin, end, self.radius_mm)?,
+        };
+        // Up to the upright of the bracket, which moves with the sensor; else to where the cable leaves the board.
+        let begins = if let Route::Upright = self.route { 4 } else { way.len() / 2 };
+        let section = if let Route::Ribbon = self.route { Section::Ribbon(RIBBON_MM) } else { Section::Round(self.radius_mm) };
+        Some(Wire { name: self.role.into(), role: self.role, way, begins, section, joins: Some([self.from, to]), colour: self.colour })
+    }
+}
+
+/// From behind a camera's lower edge in a bend to the upper face of the computer's front edge.
+fn ribbon([low, high]: Bounds, [edge_low, edge_high]: Bounds) -> Vec<Point3<f64>> {
+    let (x, z) = (0.5 * (low.x + high.x), edge_low.z + 0.6 * (edge_high.z - edge_low.z));
+    vec![
+        Point3::new(x, low.y, low.z + OUT_MM),
+        Point3::new(x, low.y - 0.4 * OUT_MM, low.z + OUT_MM),
+        Point3::new(x, edge_high.y + 0.5 * OUT_MM, z),
+        Point3::new(x, edge_high.y - OUT_MM, z),
+    ]
+}
+
+/// From the right edge of a board around to that of another.
+fn beside(from: Bounds, to: Bounds) -> Vec<Point3<f64>> {
+    let out = from[1].x.max(to[1].x) + OUT_MM;
+    let [begin, end] = [from, to].map(|[low, high]| Point3::new(high.x, 0.5 * (low.y + high.y), 0.5 * (low.z + high.z)));
+    vec![begin, Point3::new(out, begin.y, begin.z), Point3::new(out, end.y, end.z), end]
+}
+
+/// From a sensor's front edge up before its tray, and to the rear through the upper wire hole on the right.
+fn through_upright(design: &Design, [low, high]: Bounds, [board_low, board_high]: Bounds, radius_mm: f64) -> Vec<Point3<f64>> {
+    let (centre, bracket) = (&design.centre, &design.frame.bracket);
+    let (x, z) = (0.5 * bracket.wire_hole_pitch_across_mm, centre.magnet_z_mm + centre.bracket_z_mm());
+    let middle_z = 0.5 * (low.z + high.z);
+    let before = high.y.max(centre.bracket_half_mm) + OUT_MM;
+    let board_y = board_low.y + 0.5 * (1.0 + ON_BOARD) * (board_high.y - board_low.y);
+    vec![
+        Point3::new(x, high.y, middle_z),
+        Point3::new(x, before, middle_z),
+        Point3::new(x, before, z - 2.0 * radius_mm),
+        Point3::new(x, centre.bracket_half_mm + OUT_MM, z),
+        Point3::new(x, board_high.y + OUT_MM, z),
+        Point3::new(x.min(ON_BOARD * board_high.x), board_y, 0.5 * (board_low.z + board_high.z)),
+    ]
+}
+
+/// From the edge of what sits on the hub down between the bosses of the nearest module, under the hub, and to the controller.
+fn down(design: &Design, [low, high]: Bounds, board: Bounds, radius_mm: f64) -> Option<Vec<Point3<f64>>> {
+    let [hub_low, hub_high] = bounds_mm(design, "hub")?;
+    let centre = &design.centre;
+    let middle = nalgebra::center(&low, &high);
+    // Half way from the plate's edge to the bosses' mouths, along the diagonal.
+    let out = 0.5 * (centre.plate_edge_mm + design.frame.hub.hub_mouth_mm) * std::f64::consts::FRAC_1_SQRT_2;
+    let (side, end) = (if middle.x > 0.5 { 1.0 } else { -1.0 }, if middle.y > 0.0 { 1.0 } else { -1.0 });
+    let gap = Point3::new(side * out, end * (out + centre.places.forward_mm), 0.0);
+    let begin = Point3::new(gap.x.clamp(low.x, high.x), gap.y.clamp(low.y, high.y), middle.z);
+    let (top, under) = (hub_high.z.max(low.z.min(hub_high.z + OUT_MM)), hub_low.z - radius_mm);
+    let board_middle = nalgebra::center(&board[0], &board[1]);
+    let reach = 0.5 * ON_BOARD * (board[1] - board[0]);
+    let finish = board_middle + Vector3::new(side * reach.x, end * reach.y, 0.0);
+    let aside = Vector3::new(gap.x - begin.x, gap.y - begin.y, 0.0);
+    let below = Point3::new(gap.x, gap.y, under);
+    // What stands over the gap leads its cable straight down.
+    if aside.norm() < 2.0 * OUT_MM {
+        return Some(vec![begin, below, finish]);
+    }
+    let leave = begin + aside * (OUT_MM / aside.norm());
+    Some(vec![begin, leave, Point3::new(gap.x, gap.y, top), below, finish])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Frame;
+    use crate::solid::gate;
+
+    fn design(frame: &str) -> Design {
+        Design::new(Frame::load(frame).expect("is a frame").0).expect("designs")
+    }
+
+    /// How far a point is outside of a box, mm.
+    fn outside_mm(point: &Point3<f64>, [low, high]: Bounds) -> f64 {
+        (0..3).map(|axis| (low[axis] - point[axis]).max(point[axis] - high[axis])).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn analytic_cables_begin_and_end_at_what_they_join() {
+        let wanted = [
+            ("cognifly", vec!["board_cable", "sensor_cable", "camera_cable", "computer_cable"]),
+            ("examples/frames/four-inch-long-range.toml", vec!["gps_cable", "fpv_cable"]),
+        ];
+        for (frame, roles) in wanted {
+            let design = design(frame);
+            let all = cables(&design);
+            assert_eq!(all.iter().map(|cable| cable.role).collect::<Vec<_>>(), roles, "{frame}");
+            for cable in &all {
+                let ends = cable.joins.expect("joins two bodies").map(|name| bounds_mm(&design, name).expect("is there"));
+                let [first, last] = [cable.way.first(), cable.way.last()].map(|end| *end.expect("has ends"));
+                assert!(outside_mm(&first, ends[0]) < 0.01 && outside_mm(&last, ends[1]) < 0.01, "{frame}: {cable:?} {ends:?}");
+                assert!(cable.length_mm() >= (last - first).norm());
+                gate::pass(&cable.mesh()).unwrap_or_else(|error| panic!("{frame}, {}: {error}", cable.role));
+            }
+        }
+    }
+
+    /// The cable of what sits on the hub has to pass the plate where there is none.
+    #[test]
+    fn analytic_a_cable_passes_the_hub_beside_its_plate() {
+        let design = design("cognifly");
+        let cable = cables(&design).into_iter().find(|cable| cable.role == "computer_cable").expect("has a computer");
+        let hub = design.printed.iter().find(|part| part.name == crate::params::PartName::Hub).expect("has a hub");
+        let last = cable.way.len() - 1;
+        let [above, below] = [cable.way[last - 2], cable.way[last - 1]];
+        assert!(above.z > 4.0 && below.z < -4.0);
+        assert!(hub.flat.first_hit(above, below).is_none(), "{above} {below}");
+    }
+
+    #[test]
+    fn planted_a_frame_without_sensors_has_none() {
+        assert_eq!(cables(&design("examples/frames/whoop-aio-fpv.toml")), []);
+    }
+}
