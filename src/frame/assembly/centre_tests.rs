@@ -83,8 +83,10 @@ fn analytic_lid_slides_out_without_touching() {
             .fold(of(PartName::BatteryLid), |solid, part| solid.union(&MeshSolid::build(&part)));
         for step in 0..20 {
             let away = nalgebra::Isometry3::translation(0.0, -4.0 * f64::from(step), 0.0);
-            let overlap = slides.placed(&away).intersection(&stays).volume_mm3();
-            assert!(overlap < 1e-6, "{overlap} mm³ after {} mm", 4 * step);
+            let shared = slides.placed(&away).intersection(&stays);
+            let overlap = shared.volume_mm3();
+            // The kernel rounds to some 1e-9 mm, and the battery has 5000 mm² of faces in the sleeve.
+            assert!(overlap < 1e-5, "{overlap} mm³ after {} mm, within {:?}", 4 * step, shared.bounds_mm());
         }
     }
 }

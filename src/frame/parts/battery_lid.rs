@@ -28,9 +28,6 @@ pub static PART: PrintedPart = PrintedPart {
 /// Fillets in the trough between the cheeks: at its bottom and at the block, mm.
 const TROUGH_FILLET_MM: f64 = 0.5;
 
-/// Lid and rim are so little apart that they touch, and more than a kernel's cut is off, mm.
-const RIM_GAP_MM: f64 = 1e-6;
-
 /// How far above the block the slope at the tower's back begins, as a multiple of its fillet there.
 const SLOPE_RISE: f64 = 1.35;
 
@@ -142,7 +139,7 @@ impl<'a> Lid<'a> {
     /// All that is behind the sleeve's rim: cut along the axes, so that lid and rim touch and share nothing.
     fn behind_rim(&self) -> Feature {
         let ([w, h], rear) = (self.centre.outer_mm, self.rear.min(self.shell));
-        Feature::cuboid_between([-w - 2.0, rear - 2.0, -h - 2.0], [w + 2.0, -RIM_GAP_MM, self.top + 3.0])
+        Feature::cuboid_between([-w - 2.0, rear - 2.0, -h - 2.0], [w + 2.0, 0.0, self.top + 3.0])
     }
 
     fn tower_rear(&self) -> f64 {
