@@ -7,7 +7,6 @@ use nalgebra::{Point3, Vector3};
 
 use crate::frame::skeleton::Spin;
 use crate::solid::Mesh;
-use crate::units::Angle;
 
 /// Blades of a propeller: those of the catalogue have two.
 const BLADES: u32 = 2;
@@ -29,9 +28,9 @@ pub(super) fn propeller(diameter_mm: f64, spin: Spin) -> [Mesh; 2] {
     let blade = Blade { radius_mm: 0.5 * diameter_mm, spin };
     let mut pieces = [hub(diameter_mm), Mesh::default()];
     for number in 0..BLADES {
-        let at = Angle::deg(360.0 * f64::from(number) / f64::from(BLADES));
-        append(&mut pieces[0], &blade.strip([MARKED, 1.0], at));
-        append(&mut pieces[1], &blade.strip([0.0, MARKED], at));
+        let at_rad = std::f64::consts::TAU * f64::from(number) / f64::from(BLADES);
+        append(&mut pieces[0], &blade.strip([MARKED, 1.0], at_rad));
+        append(&mut pieces[1], &blade.strip([0.0, MARKED], at_rad));
     }
     pieces
 }
@@ -43,14 +42,14 @@ struct Blade {
 
 impl Blade {
     /// A part of its chord, from 0 at the edge that goes first to 1 at the other, drawn along the blade; a closed mesh.
-    fn strip(&self, chord: [f64; 2], at: Angle) -> Mesh {
+    fn strip(&self, chord: [f64; 2], at_rad: f64) -> Mesh {
         let mut rings = Vec::new();
         for section in 0..=SECTIONS {
             let share = HUB[0] * 0.6 + (1.0 - HUB[0] * 0.6) * f64::from(section) / f64::from(SECTIONS);
             let half = 0.5 * THICK * 2.0 * self.radius_mm * (1.2 - share);
             let [front, rear] = chord.map(|place| self.point(share, place));
             let up = Vector3::z() * half;
-            rings.push([front + up, rear + up, rear - up, front - up].map(|point| turned(&point, at)));
+            rings.push([front + up, rear + up, rear - up, front - up].map(|point| turned(&point, at_rad)));
         }
         // Of the other direction the mirror image, whose facets run the other way.
         prism(&rings, self.spin.sign() < 0.0)
@@ -68,8 +67,8 @@ impl Blade {
     }
 }
 
-fn turned(point: &Point3<f64>, by: Angle) -> Point3<f64> {
-    let (sin, cos) = (by.sin(), by.cos());
+fn turned(point: &Point3<f64>, by_rad: f64) -> Point3<f64> {
+    let (sin, cos) = libm::sincos(by_rad);
     Point3::new(point.x * cos - point.y * sin, point.x * sin + point.y * cos, point.z)
 }
 
@@ -77,8 +76,8 @@ fn hub(diameter_mm: f64) -> Mesh {
     let (radius, half) = (0.5 * HUB[0] * diameter_mm, 0.5 * HUB[1] * diameter_mm);
     let ring = |z: f64| {
         let corner = |k: u32| {
-            let angle = Angle::deg(360.0 * f64::from(k) / f64::from(CORNERS));
-            Point3::new(radius * angle.cos(), radius * angle.sin(), z)
+            let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(k) / f64::from(CORNERS));
+            Point3::new(radius * cos, radius * sin, z)
         };
         (0..CORNERS).map(corner).collect::<Vec<_>>()
     };
