@@ -10,6 +10,7 @@ mod crossing;
 mod facets;
 mod feature;
 pub mod gate;
+mod half_edges;
 mod mesh;
 mod mesh_cut;
 mod mesh_section;

@@ -6,6 +6,8 @@
 
 use nalgebra::{Point3, Vector3};
 
+use super::half_edges::{before_in_facet, next_in_facet, twins};
+
 /// Corners that far beside a plane lie in it, mm; far below the grid of what is written.
 const FLAT_MM: f64 = 1e-7;
 
@@ -32,29 +34,6 @@ struct Surface<'a> {
     twins: Vec<usize>,
 }
 
-/// Of each edge the one that runs the other way; `None` where one has none, or several.
-fn twins(triangles: &[[u32; 3]]) -> Option<Vec<usize>> {
-    let ends = |edge: usize| (triangles[edge / 3][edge % 3], triangles[edge / 3][(edge + 1) % 3]);
-    let mut order: Vec<usize> = (0..3 * triangles.len()).collect();
-    order.sort_unstable_by_key(|edge| ends(*edge));
-    if order.windows(2).any(|pair| ends(pair[0]) == ends(pair[1])) {
-        return None;
-    }
-    let twin = |edge: usize| {
-        let (from, to) = ends(edge);
-        order.binary_search_by_key(&(to, from), |other| ends(*other)).ok().map(|at| order[at])
-    };
-    (0..3 * triangles.len()).map(twin).collect()
-}
-
-fn next(edge: usize) -> usize {
-    3 * (edge / 3) + (edge + 1) % 3
-}
-
-fn before(edge: usize) -> usize {
-    3 * (edge / 3) + (edge + 2) % 3
-}
-
 impl Surface<'_> {
     fn start(&self, edge: usize) -> u32 {
         self.triangles[edge / 3][edge % 3]
@@ -67,7 +46,7 @@ impl Surface<'_> {
     /// Of the two facets at an edge the ends of the edge, and the corners across it: of its own facet, and of the other.
     fn quad(&self, edge: usize) -> [u32; 4] {
         let twin = self.twins[edge];
-        [self.start(edge), self.start(twin), self.start(before(edge)), self.start(before(twin))]
+        [self.start(edge), self.start(twin), self.start(before_in_facet(edge)), self.start(before_in_facet(twin))]
     }
 
     fn is_better_exchanged(&self, edge: usize) -> bool {
@@ -79,17 +58,17 @@ impl Surface<'_> {
         (d - a).dot(&normal).abs() < FLAT_MM
             && new.iter().all(|facet| area_vector(facet).dot(&normal) > 0.0)
             && new.iter().map(slenderness).fold(0.0, f64::max) < BETTER * slenderness(&[a, b, c]).max(slenderness(&[b, a, d]))
-            && !self.are_joined(before(edge), other)
+            && !self.are_joined(before_in_facet(edge), other)
     }
 
     /// Whether an edge joins the start of an edge to a corner.
     fn are_joined(&self, first: usize, corner: u32) -> bool {
         let mut edge = first;
         loop {
-            if self.start(next(edge)) == corner {
+            if self.start(next_in_facet(edge)) == corner {
                 return true;
             }
-            edge = self.twins[before(edge)];
+            edge = self.twins[before_in_facet(edge)];
             if edge == first {
                 return false;
             }
@@ -100,7 +79,7 @@ impl Surface<'_> {
     fn exchange(&mut self, edge: usize) -> [usize; 4] {
         let twin = self.twins[edge];
         let [from, to, own, other] = self.quad(edge);
-        let around = [before(edge), next(twin), before(twin), next(edge)].map(|side| self.twins[side]);
+        let around = [before_in_facet(edge), next_in_facet(twin), before_in_facet(twin), next_in_facet(edge)].map(|side| self.twins[side]);
         let (t, u) = (edge / 3, twin / 3);
         self.triangles[t] = [own, from, other];
         self.triangles[u] = [other, to, own];

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use nalgebra::Point3;
 
 use super::curve::beside_mm;
-use super::half_edges::HalfEdges;
 use super::regions::Regions;
 use super::surface::Surface;
 use super::topology::{FLATNESS_MM, Face, Side};
+use crate::solid::half_edges::HalfEdges;
 
 /// A border of two regions: corners of the mesh in a row. The first region lies on its left.
 #[derive(Clone, Debug)]

@@ -7,12 +7,12 @@ use nalgebra::{Isometry3, Point3};
 use super::chains::{Chain, Chains};
 use super::curve::{self, Curve};
 use super::face_assignment;
-use super::half_edges::HalfEdges;
 use super::known::{self, Known};
 use super::not_exact::NotExact;
 use super::regions::{Facet, Regions};
 use super::surface::Surface;
 use super::topology::{Boundary, Edge, FLATNESS_MM, Face};
+use crate::solid::half_edges::HalfEdges;
 use crate::solid::{Feature, Mesh};
 
 /// How far a corner may move from where the mesh has it, mm: a plane that sinks 0.01 mm into a cylinder ends this much elsewhere

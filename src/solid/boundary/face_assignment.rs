@@ -1,9 +1,9 @@
 //! Which surface of the features each facet of a mesh stands for.
 
-use super::half_edges::HalfEdges;
 use super::known::Known;
 use super::not_exact::NotExact;
 use super::regions::Facet;
+use crate::solid::half_edges::HalfEdges;
 
 /// Facets lower than this have no direction that could be asked, mm.
 const SLIVER_MM: f64 = 0.004;

@@ -4,10 +4,10 @@ use nalgebra::Point3;
 
 use super::chains::Chains;
 use super::curve::Curve;
-use super::half_edges::HalfEdges;
 use super::regions::{Facet, Regions};
 use super::topology::{Boundary, Edge, Face};
 use crate::solid::Mesh;
+use crate::solid::half_edges::HalfEdges;
 
 impl Boundary {
     /// The solid with the mesh's own facets, coplanar neighbours merged; `None` when the mesh is not closed.

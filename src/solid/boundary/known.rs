@@ -24,6 +24,10 @@ type Place = (Matrix3<f64>, Vector3<f64>);
 /// How far a facet's corners may lie beside the surface that it stands for, mm: what simplifying detail away can move them.
 pub(super) const BESIDE_MM: f64 = 0.0015;
 
+/// How far a facet of a cone, a sphere or a torus may be turned from it, as a share of what its whole facets are: a facet that is cut has its
+/// middle elsewhere.
+const TURNED_SHARE: f64 = 1.2;
+
 /// A facet that lies on a plane this well is not taken for a chord of a cylinder, mm.
 const PLANE_FIRST_MM: f64 = 1e-4;
 
@@ -257,7 +261,7 @@ impl Known {
             round => {
                 let middle = nalgebra::center(&nalgebra::center(&facet.corners[0], &facet.corners[1]), &facet.corners[2]);
                 let turned = facet.normal.dot(&round.normal_at(&middle)).abs();
-                if turned < libm::cos((1.2 * self.turned_rad + 2.0 * lean).min(1.0)) {
+                if turned < libm::cos((TURNED_SHARE * self.turned_rad + 2.0 * lean).min(1.0)) {
                     return None;
                 }
                 let off = |p: &Point3<f64>| {

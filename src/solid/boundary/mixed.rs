@@ -12,11 +12,11 @@ use super::chains::{Chain, Chains};
 use super::curve::{Curve, beside_mm};
 use super::exact::{BULGE_MM, LEAST_FACE_MM2, MEETS_MM, MOVED_MM, connected, corner, edge, positions};
 use super::face_assignment;
-use super::half_edges::HalfEdges;
 use super::known::{self, Known};
 use super::regions::{Facet, Regions};
 use super::surface::Surface;
 use super::topology::{Boundary, Edge};
+use crate::solid::half_edges::HalfEdges;
 use crate::solid::{Feature, Mesh};
 
 /// Ways to go about it; the one that leaves the least area in facets counts.

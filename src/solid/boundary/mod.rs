@@ -10,7 +10,6 @@ mod curve;
 mod exact;
 mod face_assignment;
 mod faceted;
-mod half_edges;
 mod known;
 mod measure;
 mod mixed;

@@ -2,10 +2,10 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::half_edges::HalfEdges;
 use super::surface::Surface;
 use super::topology::FLATNESS_MM;
 use crate::solid::Mesh;
+use crate::solid::half_edges::HalfEdges;
 
 /// Facets lower than this have no direction worth asking, mm.
 const SLIVER_MM: f64 = 2.0 * FLATNESS_MM;

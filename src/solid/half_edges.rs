@@ -11,20 +11,7 @@ pub(super) struct HalfEdges {
 impl HalfEdges {
     /// `None` when some edge is not shared by two facets in opposite directions.
     pub(super) fn new(mesh: &Mesh) -> Option<Self> {
-        let start: Vec<u32> = mesh.triangles.iter().flatten().copied().collect();
-        let count = start.len();
-        let end = |h: usize| start[next_in_facet(h)];
-        let mut sorted: Vec<(u32, u32, usize)> = (0..count).map(|h| (start[h], end(h), h)).collect();
-        sorted.sort_unstable();
-        if sorted.windows(2).any(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)) {
-            return None;
-        }
-        let find = |from: u32, to: u32| {
-            let at = sorted.partition_point(|(a, b, _)| (*a, *b) < (from, to));
-            sorted.get(at).filter(|(a, b, _)| (*a, *b) == (from, to)).map(|(_, _, h)| *h)
-        };
-        let twin = (0..count).map(|h| find(end(h), start[h])).collect::<Option<Vec<_>>>()?;
-        Some(Self { start, twin })
+        Some(Self { start: mesh.triangles.iter().flatten().copied().collect(), twin: twins(&mesh.triangles)? })
     }
 
     /// How many.
@@ -62,6 +49,27 @@ impl HalfEdges {
     }
 }
 
-fn next_in_facet(h: usize) -> usize {
+/// Of each half edge the one that runs the other way; `None` where one has none, or several.
+pub(super) fn twins(triangles: &[[u32; 3]]) -> Option<Vec<usize>> {
+    let ends = |h: usize| (triangles[h / 3][h % 3], triangles[h / 3][(h + 1) % 3]);
+    let mut sorted: Vec<(u32, u32, usize)> = (0..3 * triangles.len()).map(|h| (ends(h).0, ends(h).1, h)).collect();
+    sorted.sort_unstable();
+    if sorted.windows(2).any(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1)) {
+        return None;
+    }
+    let twin = |h: usize| {
+        let (from, to) = ends(h);
+        sorted.binary_search_by_key(&(to, from), |(a, b, _)| (*a, *b)).ok().map(|at| sorted[at].2)
+    };
+    (0..3 * triangles.len()).map(twin).collect()
+}
+
+/// The half edge that follows in the same facet.
+pub(super) fn next_in_facet(h: usize) -> usize {
     if h % 3 == 2 { h - 2 } else { h + 1 }
+}
+
+/// The half edge before it in the same facet.
+pub(super) fn before_in_facet(h: usize) -> usize {
+    next_in_facet(next_in_facet(h))
 }
