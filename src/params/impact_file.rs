@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::files::{Disk, Files};
 use super::frame_file::{Entry, LoadError, Value, read_from, read_source, typed_entries};
 use super::preset::{IMPACTS, MECHANICS};
-use super::refusal::{Place, Reason, Refusal, Source, nearest};
+use super::refusal::{Place, Reason, Refusal, Source, nearest, unit_after};
 
 /// All entries of a model file by dotted key.
 #[derive(Clone, Debug)]
@@ -109,7 +109,7 @@ impl ImpactFile {
     /// When it is missing, no number, or outside.
     pub fn stated(&self, key: &str, bounds: [f64; 2], unit: &str) -> Result<f64, Refusal> {
         let missing = || {
-            let remedy = format!("state it: a number from {} to {} {unit}", bounds[0], bounds[1]);
+            let remedy = format!("state it: a number from {} to {}{}", bounds[0], bounds[1], unit_after(unit));
             self.refuse(key, Reason::Impossible { message: format!("`{key}` is not stated"), remedy })
         };
         self.number(key, bounds, unit)?.ok_or_else(missing)
@@ -121,7 +121,7 @@ impl ImpactFile {
     /// When it is missing, no such list, empty, or holds a number outside.
     pub fn numbers(&self, key: &str, bounds: [f64; 2], unit: &str) -> Result<Vec<f64>, Refusal> {
         let [min, max] = bounds;
-        let expected = || format!("a list of numbers from {min} to {max} {unit}");
+        let expected = || format!("a list of numbers from {min} to {max}{}", unit_after(unit));
         let Some(entry) = self.entries.get(key) else {
             let remedy = format!("state it: {}", expected());
             return Err(self.refuse(key, Reason::Impossible { message: format!("`{key}` is not stated"), remedy }));

@@ -111,7 +111,7 @@ pub enum Reason {
         min: f64,
         /// Highest allowed.
         max: f64,
-        /// Unit; empty for a plain number.
+        /// Unit; empty or 1 for a plain number.
         unit: String,
     },
     /// Neither this file nor its bases state it.
@@ -156,9 +156,9 @@ pub enum Reason {
     },
 }
 
-/// A unit as it follows a number.
-fn unit_after(unit: &str) -> String {
-    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+/// A unit as it follows a number; nothing for a plain number, whose unit is empty or 1.
+pub(super) fn unit_after(unit: &str) -> String {
+    if matches!(unit, "" | "1") { String::new() } else { format!(" {unit}") }
 }
 
 impl Reason {

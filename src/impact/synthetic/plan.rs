@@ -2,7 +2,7 @@
 
 use super::{Hidden, Landings, ScatterLaw, Stalls};
 use crate::impact::effects::Model;
-use crate::params::refusal::{Reason, Refusal};
+use crate::params::refusal::{Reason, Refusal, nearest};
 use crate::params::{ImpactFile, LoadError};
 
 /// How drops from the same height vary.
@@ -116,7 +116,17 @@ impl Plan {
             .map(String::from)
             .collect();
         file.part(own).only(&known, &[])?;
-        let model = Model::resolve(&file.part(|key| !own(key)))?;
+        let of_model = file.part(|key| !own(key));
+        // A misspelt table of the plan is none of the model, which knows the names of its own only.
+        let misspelt = of_model.entries.keys().find_map(|key| {
+            let (table, number) = key.split_once('.')?;
+            let near = nearest(table, OWN.map(|own| own.trim_end_matches('.')));
+            (!near.is_empty()).then(|| (key, near.iter().map(|table| format!("{table}.{number}")).collect()))
+        });
+        if let Some((key, nearest)) = misspelt {
+            return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
+        }
+        let model = Model::resolve(&of_model)?;
         let number = |key: &str| -> Result<f64, Refusal> {
             let (_, bounds, unit, default) = PLAN_NUMBERS[PLAN_NUMBERS.iter().position(|known| known.0 == key).unwrap_or(0)];
             Ok(file.number(key, bounds, unit)?.unwrap_or(default))
@@ -212,4 +222,31 @@ fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {
         "wear" => Hidden::Wear { loss },
         _ => Hidden::Snap { x1_m: stated("hidden.x1_mm")? * 1e-3, loss },
     }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PLAN: &str = include_str!("../../../params/synthetic/bottoming.toml");
+
+    fn refusal(text: &str) -> Refusal {
+        ImpactFile::parse("plan.toml", text).and_then(|file| Plan::resolve(&file)).expect_err("is wrong")
+    }
+
+    #[test]
+    fn planted_misspelt_table_is_told_with_its_name() {
+        for (wrong, right) in [("landings", "landing"), ("droops", "drops"), ("loger", "logger")] {
+            let refusal = refusal(&format!("{PLAN}\n[{wrong}]\nrate_hz = 3.0\n"));
+            assert_eq!(refusal.reason.to_string(), format!("unknown key `{wrong}.rate_hz`"));
+            assert!(refusal.reason.remedy().contains(&format!("{right}.rate_hz")), "{}", refusal.reason.remedy());
+        }
+    }
+
+    #[test]
+    fn planted_plain_number_out_of_bounds_is_told_without_a_unit() {
+        let reason = refusal(&PLAN.replace("share = 0.1 ", "share = 5.0 ")).reason;
+        assert_eq!(reason.to_string(), "`scatter.share` = 5 is out of bounds: 0 to 2");
+        assert_eq!(reason.remedy(), "the nearest allowed value is 2");
+    }
 }
