@@ -213,9 +213,10 @@ mod tests {
 
     const SAMPLES: usize = 31;
     const BEFORE: usize = 10;
+    const RECORDED: usize = BEFORE + SAMPLES + 6;
 
-    /// Forty drops that push from the tenth reading on, as predicted but for a normal rest, read by a sensor that leans. A lateral push at the
-    /// begin moves the trigger of one.
+    /// Forty drops that push from the tenth reading on, as predicted but for a normal rest, with three lateral spikes an axis, read by a sensor
+    /// that leans. The first spike comes with the begin and moves the trigger.
     fn drops(lean: SensorAttitude, seed: u64) -> HeightReadings {
         let mut rng = Pcg64::seed_from_u64(seed);
         let sensor = SensorAttitude { x_rad: -lean.x_rad, y_rad: -lean.y_rad };
@@ -229,12 +230,13 @@ mod tests {
         });
         let one = |_| {
             let mut normal = |size: f64| size * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, &mut rng);
-            let pushes = [normal(30.0), normal(30.0)];
-            let rest: Vec<f64> = (0..SAMPLES + BEFORE).map(|_| normal(1.0)).collect();
+            let sizes: [[f64; 3]; 2] = std::array::from_fn(|_| std::array::from_fn(|_| normal(40.0)));
+            let rest: Vec<f64> = (0..RECORDED).map(|_| normal(1.0)).collect();
+            let later = [rng.random_range(1.0..8.0), rng.random_range(4.0..14.0)];
             let phase: f64 = rng.random();
-            let along =
-                |of: &dyn Fn(f64) -> f64| (0..SAMPLES + BEFORE).map(|at| of(at as f64 - BEFORE as f64 + phase)).collect::<Vec<f64>>();
-            let [x, y] = pushes.map(|push| along(&|at| if at > 0.0 { push * libm::exp(-at / 5.0) } else { 0.0 }));
+            let along = |of: &dyn Fn(f64) -> f64| (0..RECORDED).map(|at| of(at as f64 - BEFORE as f64 + phase)).collect::<Vec<f64>>();
+            let spike = |since: f64| if (0.0..2.0).contains(&since) { libm::sin(since * std::f64::consts::FRAC_PI_2) } else { 0.0 };
+            let [x, y] = sizes.map(|[a, b, c]| along(&|at| a * spike(at) + b * spike(at - later[0]) + c * spike(at - later[1])));
             let axis: Vec<f64> = along(&wave).iter().zip(&rest).map(|(wave, rest)| if *wave > 0.0 { wave + rest } else { 0.0 }).collect();
             let axes = sensor.turned_back([&x, &y, &axis]);
             let windows = aligned_windows(&decimation, SAMPLES, axes.each_ref().map(Vec::as_slice)).expect("it triggers");
@@ -253,7 +255,8 @@ mod tests {
             inside += (0..ANGLES).filter(|at| away[*at].abs() < 1.96 * fit.covariance[(*at, *at)].sqrt()).count();
             off += away / 60.0;
         }
-        assert!(off.norm() < 0.005 && (102..=119).contains(&inside), "{off} {inside} of 120");
+        // A covariance of forty drops makes intervals wide rather than narrow.
+        assert!(off.norm() < 0.005 && inside >= 108, "{off} {inside} of 120");
     }
 
     #[test]
