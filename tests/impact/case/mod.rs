@@ -359,7 +359,7 @@ impl Study {
             if self.landing.named() { "`landing_tilt` is named." } else { "`landing_tilt` is supported and not named: a test failed." }
         );
         let attitude = &self.landing.attitude;
-        let _ = writeln!(page, "The sensor: {}. {}.\n", landing_data::lean(attitude), attitude.reason());
+        let _ = writeln!(page, "Mounting: {}. {}.\n", landing_data::lean(attitude), attitude.reason());
         for one in &self.compared.confounding {
             let _ = writeln!(page, "Not decided: {}.", one.found);
         }
