@@ -125,8 +125,8 @@ fn analytic_synthetic_sensors_read_by_the_cosine_and_sine_of_their_lean() {
     for (upright, leaning) in still([0.0; 2]).iter().zip(&still([0.0, lean])) {
         let [x, y] = leaning.lateral_g.as_ref().expect("lateral axes");
         for (at, axial_g) in upright.accel_g.iter().enumerate() {
-            assert!((leaning.accel_g[at] - axial_g * lean.cos()).abs() < 1e-4, "{at}");
-            assert!(x[at].abs() < 1e-4 && (y[at] + axial_g * lean.sin()).abs() < 1e-4, "{at}: {} {}", x[at], y[at]);
+            assert!((leaning.accel_g[at] - axial_g * libm::cos(lean)).abs() < 1e-4, "{at}");
+            assert!(x[at].abs() < 1e-4 && (y[at] + axial_g * libm::sin(lean)).abs() < 1e-4, "{at}: {} {}", x[at], y[at]);
         }
     }
 }

@@ -50,9 +50,9 @@ mod tests {
         let lean: f64 = 0.2;
         // Toward x: the axis reads cos of what pushes along the body's, x lacks its sine.
         let sensor = SensorAttitude { x_rad: lean, y_rad: 0.0 };
-        let [x, y, axis] = sensor.turned_back([&[-100.0 * lean.sin()], &[0.0], &[100.0 * lean.cos()]]);
+        let [x, y, axis] = sensor.turned_back([&[-100.0 * libm::sin(lean)], &[0.0], &[100.0 * libm::cos(lean)]]);
         assert!(x[0].abs() < 1e-12 && y[0].abs() < 1e-12 && (axis[0] - 100.0).abs() < 1e-12, "{x:?} {y:?} {axis:?}");
-        let [x, _, axis] = sensor.turned_back([&[70.0 * lean.cos()], &[0.0], &[70.0 * lean.sin()]]);
+        let [x, _, axis] = sensor.turned_back([&[70.0 * libm::cos(lean)], &[0.0], &[70.0 * libm::sin(lean)]]);
         assert!((x[0] - 70.0).abs() < 1e-12 && axis[0].abs() < 1e-12, "{x:?} {axis:?}");
     }
 
