@@ -14,7 +14,7 @@ use super::progress::Progress;
 use super::session;
 use super::terminal;
 use crate::frame::assembly::{Design, mass};
-use crate::impact::diagnose::{Diagnosis, Stage, Verdict};
+use crate::impact::diagnose::{ComparedAxes, Diagnosis, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured;
@@ -63,7 +63,7 @@ pub(super) struct Args {
     /// Seed of the simulated data.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
-    /// Channel that is compared.
+    /// Which axes are used.
     #[arg(long, value_enum, default_value = "auto", value_name = "CHANNEL")]
     pub channel: ChannelOption,
     /// How the files are written.
@@ -92,7 +92,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let request = DiagnosisRequest {
         model,
         drops: &set,
-        channel: args.channel.wanted(),
+        axes: args.channel.wanted(),
         hold_out_heights_m: &args.hold_out_heights,
         static_test: static_test.as_ref(),
         covariates: &covariates,
@@ -178,7 +178,8 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     let body = &found.base.model().body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {}\n", body.mass_kg * 1e3, body.gap_m * 1e3, body.origin);
     let drops: Vec<String> = compared.drops.iter().map(|(height_m, count)| format!("{count} from {height_m} m")).collect();
-    text += &format!("{} acceleration of {}\n", compared.channel, drops.join(", "));
+    let axes = if compared.channel == ComparedAxes::All.word() { "axial and lateral" } else { compared.channel };
+    text += &format!("{axes} acceleration of {}\n", drops.join(", "));
     for sentence in compared.observed() {
         text += &format!("{sentence}\n");
     }

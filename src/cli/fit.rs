@@ -12,7 +12,7 @@ use super::output;
 use super::progress::Progress;
 use super::terminal;
 use crate::impact::body::DropBody;
-use crate::impact::diagnose::ChannelChoice;
+use crate::impact::diagnose::{ChannelChoice, ComparedAxes};
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
 use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
@@ -83,6 +83,10 @@ const MOST_SAMPLES: u32 = 100_000;
 
 /// Fits and writes a folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    if args.channel == ChannelOption::All {
+        let message = "--channel all: a fit compares one channel; give axial or magnitude, or use `flexframe diagnose`".into();
+        return Err(Failure::Usage { message });
+    }
     let (frame, paths) = frame_and_paths(&args.drops)?;
     let model = Model::load(&args.model)?;
     let working = Progress::of("fitting", common);
@@ -121,7 +125,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 fn chosen<'a>(args: &Args, set: &'a DropSet, model: &Model, keep: Keep) -> Result<(Chosen<'a>, Option<String>), FitError> {
     let wanted = args.channel.wanted();
     match args.objective {
-        Aim::Paper => Ok((Chosen::of(set, wanted.unwrap_or(model.sensor.channel), keep)?, None)),
+        Aim::Paper => Ok((Chosen::of(set, wanted.map_or(model.sensor.channel, ComparedAxes::channel), keep)?, None)),
         Aim::Ml => ChannelChoice::of(set, model, keep, wanted).map(|choice| (choice.chosen, Some(choice.reason))),
     }
 }

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::bounded::{magnitude, number};
 use super::candidates;
-use crate::impact::effects::Channel;
+use crate::impact::diagnose::ComparedAxes;
 
 /// Options of every command.
 #[derive(Debug, Args)]
@@ -83,15 +83,19 @@ pub(super) enum ChannelOption {
     Axial,
     /// The magnitude of all axes.
     Magnitude,
+    /// All axes: the component along the frame's axis is compared with the model, and the lateral axes show each foot's touch and the lean
+    /// of the sensor. For `diagnose` alone.
+    All,
 }
 
 impl ChannelOption {
-    /// The channel, if one is requested.
-    pub(super) fn wanted(self) -> Option<Channel> {
+    /// The axes, if some are requested.
+    pub(super) fn wanted(self) -> Option<ComparedAxes> {
         match self {
             Self::Auto => None,
-            Self::Axial => Some(Channel::Axial),
-            Self::Magnitude => Some(Channel::Magnitude),
+            Self::Axial => Some(ComparedAxes::Axial),
+            Self::Magnitude => Some(ComparedAxes::Magnitude),
+            Self::All => Some(ComparedAxes::All),
         }
     }
 }

@@ -33,7 +33,7 @@ fn planted_the_ground_explains_the_variation_and_the_session_is_confounded() {
     let request = |covariates| DiagnosisRequest {
         model: Model::load("paper").expect("comes with the program"),
         drops: &set,
-        channel: None,
+        axes: None,
         hold_out_heights_m: &[],
         static_test: None,
         covariates,

@@ -3,17 +3,24 @@
 
 use crate::case;
 use flexframe::impact::body::Feet;
-use flexframe::impact::diagnose::EffectEstimate;
+use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate};
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
-use flexframe::impact::landing::{LandingAssessment, ObservedLandings, TouchEvidence};
+use flexframe::impact::landing::{ATTITUDE_SENSOR, LandingAssessment, ObservedLandings, TouchEvidence};
 use flexframe::impact::measured::{self, DropSet, FileFormat};
 use flexframe::impact::synthetic::{Landings, Plan, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data::Compared;
-use flexframe::report::data::diagnosis_request::DiagnosisRequest;
+use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
 
-const LEVEL: Landings =
-    Landings { rate_rad_s: 0.0, at_release_rad: 0.0, inertia_kg_m2: 8e-4, foot_radius_m: 0.1445, touch_g: 70.0, ringing_g: 0.0 };
+const LEVEL: Landings = Landings {
+    rate_rad_s: 0.0,
+    at_release_rad: 0.0,
+    inertia_kg_m2: 8e-4,
+    foot_radius_m: 0.1445,
+    touch_g: 70.0,
+    sensor_lean_rad: [0.0; 2],
+    ringing_g: 0.0,
+};
 
 /// Drops of a base model whose legs are those of the real frame, 40 a height.
 fn plan(landings: Landings, seed: u64) -> Plan {
@@ -36,18 +43,21 @@ fn read(all: &[SyntheticRecord]) -> DropSet {
     measured::read_bytes(&[("drops.csv".into(), text.into_bytes())], &FileFormat::default()).expect("reads")
 }
 
-fn diagnosed(plan: &Plan, set: &DropSet) -> (String, Compared) {
-    let request = DiagnosisRequest {
+fn request<'a>(plan: &Plan, drops: &'a DropSet, axes: Option<ComparedAxes>) -> DiagnosisRequest<'a> {
+    DiagnosisRequest {
         model: plan.model.clone(),
-        drops: set,
-        channel: None,
+        drops,
+        axes,
         hold_out_heights_m: &[1.5],
         static_test: None,
         covariates: &[],
         max_effects: 1,
         seed: 1,
-    };
-    let (found, compared) = request.diagnosed(&|_| ()).expect("drops that can be diagnosed");
+    }
+}
+
+fn diagnosed(plan: &Plan, set: &DropSet) -> (String, Compared) {
+    let (found, compared) = request(plan, set, None).diagnosed(&|_| ()).expect("drops that can be diagnosed");
     (format!("{}: {}", found.verdict.id(), found.reasons.join("; ")), compared)
 }
 
@@ -61,7 +71,9 @@ fn planted_landings_on_one_foot_are_found_with_their_turning_rate() {
     for (rate_rad_s, seed) in [(0.25, 11), (0.4, 12)] {
         let plan = plan(Landings { rate_rad_s, ..LEVEL }, seed);
         let (verdict, compared) = diagnosed(&plan, &read(&records(&plan)));
+        assert!(compared.channel == "all" && compared.channel_reason.contains("lateral axes show when each foot touches"));
         let landing = compared.landing.expect("lateral axes were measured");
+        assert!(landing.attitude.named().is_none(), "{:#?}", landing.attitude.gates);
         let failed: Vec<&str> = landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
         assert!(failed.iter().all(|id| *id == "enough"), "{rate_rad_s} rad/s: {verdict}\n{:#?}", landing.gates);
         let found = estimate(&landing, "sigma_r_rad_s");
@@ -80,8 +92,63 @@ fn planted_level_landings_are_not_named_whatever_rings_sideways() {
         let (verdict, compared) = diagnosed(&plan, &read(&records(&plan)));
         if let Some(landing) = compared.landing {
             assert!(!landing.decides() && !landing.named(), "{verdict}\n{:#?}", landing.gates);
+            assert!(landing.attitude.named().is_none(), "{:#?}", landing.attitude.gates);
         }
     }
+}
+
+/// 4.6° toward x and 2.9° away from y. The landings are those of the test above, whose slopes and legs have to come out as there.
+#[test]
+fn planted_a_sensor_that_leans_is_named_beside_the_slopes_with_its_angles() {
+    let sensor_lean_rad = [0.08, -0.05];
+    let plan = plan(Landings { rate_rad_s: 0.25, sensor_lean_rad, ..LEVEL }, 11);
+    let (verdict, compared) = diagnosed(&plan, &read(&records(&plan)));
+    let landing = compared.landing.expect("lateral axes were measured");
+    assert!(landing.ids().contains(&ATTITUDE_SENSOR), "{verdict}\n{:#?}", landing.attitude.gates);
+    for (key, truth) in ["lean_x_rad", "lean_y_rad"].into_iter().zip(sensor_lean_rad) {
+        let found = landing.attitude.estimates.iter().find(|estimate| estimate.key == key).expect("is estimated");
+        assert!((found.value - truth).abs() < 0.02 && found.ci95[1] - found.ci95[0] < 0.08, "{found:?}");
+    }
+    assert!((0.8..1.2).contains(&(estimate(&landing, "sigma_r_rad_s").value / 0.25)));
+    assert!((0.9..1.1).contains(&(estimate(&landing, "k").value / 20_000.0)));
+}
+
+/// A frame that lands level and does not ring: the sensor's axis reads the cosine of its lean, and the side that it leans to lacks the sine.
+#[test]
+fn analytic_synthetic_sensors_read_by_the_cosine_and_sine_of_their_lean() {
+    let lean: f64 = 0.15;
+    let still = |sensor_lean_rad| {
+        let mut plan = plan(Landings { touch_g: 0.0, sensor_lean_rad, ..LEVEL }, 3);
+        (plan.drops, plan.noise_g, plan.counts_per_g) = (2, 0.0, 1e6);
+        records(&plan)
+    };
+    for (upright, leaning) in still([0.0; 2]).iter().zip(&still([0.0, lean])) {
+        let [x, y] = leaning.lateral_g.as_ref().expect("lateral axes");
+        for (at, axial_g) in upright.accel_g.iter().enumerate() {
+            assert!((leaning.accel_g[at] - axial_g * libm::cos(lean)).abs() < 1e-4, "{at}");
+            assert!(x[at].abs() < 1e-4 && (y[at] + axial_g * libm::sin(lean)).abs() < 1e-4, "{at}: {} {}", x[at], y[at]);
+        }
+    }
+}
+
+#[test]
+fn planted_axes_that_are_asked_for_are_used_or_refused() {
+    let mut plan = plan(Landings { rate_rad_s: 0.4, ..LEVEL }, 12);
+    plan.drops = 12;
+    let set = read(&records(&plan));
+    let (_, compared) = request(&plan, &set, Some(ComparedAxes::Axial)).diagnosed(&|_| ()).expect("an axis");
+    assert!(compared.channel == "axial" && compared.landing.is_none(), "{}", compared.channel_reason);
+    let (_, compared) = request(&plan, &set, Some(ComparedAxes::All)).diagnosed(&|_| ()).expect("all axes");
+    assert!(compared.channel == "all" && compared.landing.is_some(), "{}", compared.channel_reason);
+    plan.landings = None;
+    let mut text = String::from("trial,height_m,t_s,accel_g\n");
+    for record in records(&plan) {
+        let rows = record.t_s.iter().zip(&record.accel_g);
+        text.extend(rows.map(|(t_s, accel_g)| format!("{},{},{t_s:.6},{accel_g:.5}\n", record.trial, record.height_m)));
+    }
+    let set = measured::read_bytes(&[("drops.csv".into(), text.into_bytes())], &FileFormat::default()).expect("reads");
+    let refused = request(&plan, &set, Some(ComparedAxes::All)).diagnosed(&|_| ()).expect_err("one axis");
+    assert!(matches!(refused, RequestError::AllAxes { .. }) && refused.to_string().contains("no lateral axes"), "{refused}");
 }
 
 /// On a rectangle the slopes along the diagonals are not independent, and the model of landings does not hold.

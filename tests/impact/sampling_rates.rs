@@ -43,7 +43,7 @@ fn diagnosed(rows: &str) -> Diagnosis {
     let request = DiagnosisRequest {
         model,
         drops: &set,
-        channel: None,
+        axes: None,
         hold_out_heights_m: &[],
         static_test: None,
         covariates: &[],

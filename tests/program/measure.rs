@@ -71,6 +71,9 @@ fn analytic_any_subset_is_fitted_and_a_frame_brings_its_body() {
     assert!((number(&fit["body"]["gap_mm"]) - 10.9).abs() < 0.05);
     assert_eq!(fit["parameters"].as_object().expect("an object").len(), 1);
     assert!((number(&fit["parameters"]["c"]["value"]) - 30.0).abs() < 0.5, "{fit:#}");
+    let refused = run("fit", folder.path(), &["--channel", "all", "drops.csv"]);
+    let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(2) && told.contains("a fit compares one channel"), "{told}");
     let table = run("fit", folder.path(), &["--free", "c", "cognifly-v8", "drops.csv"]);
     let table = String::from_utf8_lossy(&table.stdout).into_owned();
     assert!(table.contains("mass 241.0 g and gap 10.9 mm of frame cognifly-v8"), "{table}");

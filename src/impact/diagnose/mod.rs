@@ -30,7 +30,7 @@ mod trend;
 pub use adequacy::{Adequacy, LinearisedFit, Statistics, judge};
 pub use bootstrap::{Bootstrap, REPLICATES, Replicate};
 pub use candidate::{Candidate, PRICE};
-pub use channel_choice::ChannelChoice;
+pub use channel_choice::{ChannelChoice, ComparedAxes};
 pub use clipping::{Clipping, clipping};
 pub use confounding::{Confounding, confounded};
 pub use constancy::{ByHeight, Constancy, constancy};

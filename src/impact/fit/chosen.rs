@@ -136,6 +136,11 @@ impl<'a> Chosen<'a> {
         }
     }
 
+    /// Whether all axes of some drop were measured.
+    pub fn has_lateral_axes(&self) -> bool {
+        self.drops.iter().any(|drop| drop.record.axes_g.is_some())
+    }
+
     /// Whether all axes of every drop were measured.
     pub fn has_all_axes(&self) -> bool {
         self.drops.iter().all(|drop| drop.record.axes_g.is_some())

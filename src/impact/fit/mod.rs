@@ -37,4 +37,4 @@ pub use paper::PaperObjective;
 pub use problem::{FitProblem, Fitted, MeanWave};
 pub use trial_covariance::{TrialCovariance, Whitening};
 pub use trigger_jitter::TriggerJitter;
-pub use waves::{BEFORE, FittedDrop, Unusable, WaveGroup, Waves};
+pub use waves::{BEFORE, FittedDrop, Unusable, WaveGroup, Waves, aligned_windows};

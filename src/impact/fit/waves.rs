@@ -169,6 +169,12 @@ impl WaveGroup {
         let trials = of_height().map(|drop| drop.trial.clone()).collect();
         Self { height_m, decimation, trials, mean: mean(&windows, samples), windows }
     }
+
+    /// The same drops with other windows.
+    #[must_use]
+    pub fn with_windows(&self, windows: Vec<Vec<f64>>) -> Self {
+        Self { trials: self.trials.clone(), mean: mean(&windows, self.mean.len()), windows, ..*self }
+    }
 }
 
 fn mean(windows: &[Vec<f64>], samples: usize) -> Vec<f64> {
@@ -182,9 +188,21 @@ fn trigger(accel_g: &[f64]) -> Option<usize> {
 
 /// The drop's window; readings before a record's begin are those of free fall.
 fn window(drop: &FittedDrop, decimation: &Decimation, samples: usize) -> Vec<f64> {
-    let mut window = decimation.kept(&drop.accel_g, trigger(&drop.accel_g).unwrap_or(0), BEFORE);
+    cut(decimation, trigger(&drop.accel_g).unwrap_or(0), &drop.accel_g, samples)
+}
+
+fn cut(decimation: &Decimation, trigger: usize, readings: &[f64], samples: usize) -> Vec<f64> {
+    let mut window = decimation.kept(readings, trigger, BEFORE);
     window.truncate(samples);
     window
+}
+
+/// Windows of a drop's three axes, all aligned where the last one triggers, of so many samples, g; `None` where it does not trigger, or ends
+/// too soon.
+pub fn aligned_windows(decimation: &Decimation, samples: usize, axes_g: [&[f64]; 3]) -> Option<[Vec<f64>; 3]> {
+    let trigger = trigger(axes_g[2])?;
+    let windows = axes_g.map(|readings| cut(decimation, trigger, readings, samples));
+    windows.iter().all(|window| window.len() == samples).then_some(windows)
 }
 
 /// Each height with the time between the samples of its drops, s.

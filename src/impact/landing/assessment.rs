@@ -4,6 +4,7 @@ use nalgebra::DMatrix;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::LANDING_TILT;
+use super::attitude_assessment::AttitudeAssessment;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::gaps::{LandingGaps, held_out_gaps, left_out_gaps};
@@ -14,10 +15,12 @@ use super::mount::MOUNT_LOW_PASS;
 use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
+use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::shown::{HeightSpread, ShownDrop};
 use super::table::LandingTable;
 use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
+use super::turned_back;
 use crate::impact::diagnose::{
     Covariate, Diagnosis, EffectEstimate, LinearisedFit, PRICE, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
 };
@@ -73,6 +76,8 @@ pub struct LandingAssessment {
     pub spreads: Vec<HeightSpread>,
     /// One drop from the highest of them.
     pub shown: Option<ShownDrop>,
+    /// How the sensor leans. Where that is named, everything else here is of the readings turned back.
+    pub attitude: AttitudeAssessment,
     /// The tests.
     pub gates: Vec<Gate>,
     /// Mean windows: height, measured, predicted by the population, g.
@@ -86,6 +91,7 @@ pub struct LandingAssessment {
 }
 
 /// What is judged.
+#[derive(Clone, Copy)]
 pub struct LandingEvidence<'a> {
     /// The drops that were fitted.
     pub fitted: &'a Waves,
@@ -102,8 +108,19 @@ pub struct LandingEvidence<'a> {
 }
 
 impl LandingAssessment {
-    /// Judges; `None` where no fit is possible.
+    /// Judges; `None` where no fit is possible. Readings of a sensor whose lean is named are turned back, and judged once more.
     pub fn of(evidence: &LandingEvidence) -> Option<Self> {
+        let as_read = Self::judged(evidence, None)?;
+        let Some(attitude) = as_read.attitude.named() else { return Some(as_read) };
+        let observed = turned_back::landings(evidence.observed, &attitude);
+        let waves = |waves: &Waves| turned_back::waves(waves, &observed);
+        let (fitted, held_out) = (waves(evidence.fitted), evidence.held_out.map(waves));
+        let turned = LandingEvidence { fitted: &fitted, held_out: held_out.as_ref(), observed: &observed, ..*evidence };
+        Self::judged(&turned, Some(as_read.attitude))
+    }
+
+    /// Judges readings as they are, with an attitude that is known, or with that which they show.
+    fn judged(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
         let heights_of = |waves: &Waves| {
             let same = |height_m: f64| waves.groups.iter().any(|group| group.height_m == height_m);
             evidence.observed.only(same)
@@ -137,6 +154,10 @@ impl LandingAssessment {
         let estimates = problem.estimates(&fit, evidence.seed)?;
         let mount_steady_p = problem.mount_steady_p(&fit);
         let tables = problem.tables(&fit.legs)?;
+        let attitude = match known {
+            Some(known) => known,
+            None => AttitudeAssessment::of(&problem, &tables, &fit, held.as_ref().map(|(_, touches)| touches), evidence.seed)?,
+        };
         let covariates = covariates(evidence.fitted, &fitted_touches, &tables, &fit);
         let separating = separating(&problem, evidence.observed, &fit, evidence.seed);
         let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &fit));
@@ -166,6 +187,7 @@ impl LandingAssessment {
             separating,
             spreads,
             shown,
+            attitude,
             gates: Vec::new(),
             windows,
             step_s: evidence.fitted.step_s,
@@ -182,10 +204,11 @@ impl LandingAssessment {
         self.gates.iter().all(|gate| gate.passed)
     }
 
-    /// The effects: slopes, and a mount where the mean waves need one.
+    /// The effects: slopes, a mount where the mean waves need one, and a lean of the sensor where single drops show one.
     pub fn ids(&self) -> Vec<&'static str> {
         let mount = self.fit.legs.mount.map(|_| MOUNT_LOW_PASS);
-        [LANDING_TILT].into_iter().chain(mount).collect()
+        let attitude = self.attitude.named().map(|_| ATTITUDE_SENSOR);
+        [LANDING_TILT].into_iter().chain(mount).chain(attitude).collect()
     }
 
     /// Whether it is what the drops miss: every test was passed, and no effect along the vertical is named.

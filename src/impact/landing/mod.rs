@@ -4,9 +4,13 @@
 //! model, whether they are those of four feet in one plane. [`simulate`] drops a rigid body on four legs; [`LandingTable`] holds its
 //! waves and touch times over all slopes at one speed. [`Population`] averages over random slopes, and [`given_touches`] predicts a
 //! single drop from its own touch times. [`LandingFit`] fits stiffness, damping, inertia and the spread of slopes.
-//! [`LandingAssessment`] applies the tests that the effect `landing_tilt` has to pass before it is named.
+//! [`LandingAssessment`] applies the tests that the effect `landing_tilt` has to pass before it is named, [`AttitudeAssessment`] those of
+//! `attitude_sensor`: a sensor that leans against the body.
 
 mod assessment;
+mod attitude_assessment;
+mod attitude_fit;
+mod cosine;
 mod evidence;
 mod fit_step;
 mod fitting;
@@ -21,6 +25,7 @@ mod population;
 mod posterior;
 mod read_drops;
 mod record_spread;
+mod sensor_attitude;
 mod shown;
 mod simulation;
 mod slope_grid;
@@ -31,8 +36,11 @@ mod touch_pattern;
 mod touch_power;
 mod touched_slopes;
 mod touches;
+mod turned_back;
 
 pub use assessment::{LandingAssessment, LandingEvidence, SeparatingDrops, SlopesAtHeight};
+pub use attitude_assessment::AttitudeAssessment;
+pub use cosine::CosineSize;
 pub use evidence::TouchEvidence;
 pub use fitting::{LandingFit, LandingProblem};
 pub use gaps::LandingGaps;
@@ -43,6 +51,7 @@ pub use mount::{MOUNT_LOW_PASS, Mount};
 pub use observed::{HeightLandings, ObservedLanding, ObservedLandings};
 pub use population::Population;
 pub use posterior::{SlopeEstimate, given_touches};
+pub use sensor_attitude::{ATTITUDE_SENSOR, SensorAttitude};
 pub use shown::{HeightSpread, ShownDrop};
 pub use simulation::{Landing, simulate};
 pub use table::LandingTable;

@@ -12,7 +12,7 @@ use super::table::LandingTable;
 use super::touch_errors::TouchErrors;
 use super::touch_pattern::TouchPattern;
 use super::touches::LegTouches;
-use crate::impact::fit::{Chosen, Waves};
+use crate::impact::fit::{Chosen, Decimation, Waves};
 use crate::impact::measured::{Drop, Spread};
 
 /// The shares of the quantiles that a fit compares.
@@ -24,6 +24,9 @@ const LEAST_READ_S: f64 = 0.3e-3;
 /// Fewest drops of a height whose feet were all seen.
 pub const FEWEST: usize = 8;
 
+/// What is kept of a record before and behind the begin of its impact, s: a window that is aligned a little sooner or later lies within.
+const AROUND_S: [f64; 2] = [5e-3, 36e-3];
+
 /// One drop of a height.
 #[derive(Clone, Debug)]
 pub struct ObservedLanding {
@@ -31,6 +34,8 @@ pub struct ObservedLanding {
     pub trial: String,
     /// Its window along the axis, g.
     pub window: Vec<f64>,
+    /// Readings along the sensor's x, y and axis around the impact, as they were recorded, g.
+    pub axes: [Vec<f64>; 3],
     /// Its touches.
     pub touches: LegTouches,
     /// What its lateral axes show beside them.
@@ -42,6 +47,8 @@ pub struct ObservedLanding {
 pub struct HeightLandings {
     /// Height, m.
     pub height_m: f64,
+    /// How readings become those of a window.
+    pub decimation: Decimation,
     /// Those whose lateral axes could be read.
     pub drops: Vec<ObservedLanding>,
     /// How their touch times are read; `None` before landings were simulated.
@@ -62,17 +69,21 @@ impl ObservedLandings {
             let same = |drop: &&Drop| drop.record.trial == *trial && drop.record.height_m == height_m;
             chosen.drops.iter().find(same)
         };
-        let all = waves.groups.iter().flat_map(|group| group.trials.iter().map(|trial| drop(trial, group.height_m)));
-        let mut touches = ReadDrops::of(&all.collect::<Vec<_>>()).each.into_iter();
+        let all: Vec<Option<&Drop>> =
+            waves.groups.iter().flat_map(|group| group.trials.iter().map(|trial| drop(trial, group.height_m))).collect();
+        let mut touches = all.iter().zip(ReadDrops::of(&all).each);
         let heights = waves.groups.iter().map(|group| {
             let read = group.trials.iter().zip(&group.windows).zip(touches.by_ref());
             let drops: Vec<ObservedLanding> = read
-                .filter_map(|((trial, window), read)| {
-                    let (touches, pattern) = read?;
-                    Some(ObservedLanding { trial: trial.clone(), window: window.clone(), touches, pattern })
+                .filter_map(|((trial, window), (drop, read))| {
+                    let ((touches, pattern), drop) = (read?, (*drop)?);
+                    let (t_s, [x, y, _]) = drop.aligned_axes()?;
+                    let around = around_impact(&t_s);
+                    let axes = [&x, &y, &drop.record.accel_g].map(|readings| readings[around.clone()].to_vec());
+                    Some(ObservedLanding { trial: trial.clone(), window: window.clone(), axes, touches, pattern })
                 })
                 .collect();
-            HeightLandings { height_m: group.height_m, drops, errors: None }
+            HeightLandings { height_m: group.height_m, decimation: group.decimation, drops, errors: None }
         });
         let heights: Vec<HeightLandings> = heights.collect();
         heights.iter().all(|height| height.drops.len() >= FEWEST).then_some(Self { heights })
@@ -124,6 +135,11 @@ impl HeightLandings {
     pub fn opposite_quartiles_s(&self) -> Option<[(f64, f64); 3]> {
         quartiles_with_errors_s(self.seen())
     }
+}
+
+/// Places of a record around its impact, by times from its begin on, s.
+fn around_impact(t_s: &[f64]) -> std::ops::Range<usize> {
+    t_s.partition_point(|t_s| *t_s < -AROUND_S[0])..t_s.partition_point(|t_s| *t_s < AROUND_S[1])
 }
 
 /// Quartiles of the time from the first foot to the opposite one of some drops, with their standard errors, s; `None` of too few.

@@ -35,8 +35,17 @@ type State<const N: usize> = [[f64; N]; 8];
 ///
 /// A positive slope puts the foot at the diagonal's positive end lower. `None` where the body is lost: numbers that no leg has.
 pub fn simulate(body: &LeggedBody, legs: &Legs, speed_m_s: f64, slopes: [f64; 2], points: usize) -> Option<Landing> {
-    let [landing] = simulate_each(body, legs, speed_m_s, &[slopes], points);
+    let [landing] = simulate_each(body, legs, speed_m_s, &[slopes], points, SensorAxis::Body);
     landing
+}
+
+/// What a sensor's axis keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SensorAxis {
+    /// The axis of the body, with which it turns: of the vertical acceleration it reads the cosine of the slope.
+    Body,
+    /// The vertical, as a sensor would that does not turn.
+    Vertical,
 }
 
 /// The same of several landings, which a processor computes side by side; each has the numbers that it has alone.
@@ -46,6 +55,7 @@ pub fn simulate_each<const N: usize>(
     speed_m_s: f64,
     slopes: &[[f64; 2]; N],
     points: usize,
+    axis: SensorAxis,
 ) -> [Option<Landing>; N] {
     let mut state = touching(body, speed_m_s, slopes);
     let mut accel_g = Vec::with_capacity(points);
@@ -54,7 +64,8 @@ pub fn simulate_each<const N: usize>(
         let (rate, pressed_n, depth_m) = change(body, legs, &state);
         let mut read_g = [0.0; N];
         for at in 0..N {
-            read_g[at] = pressed_n[at] / body.mass_kg / GRAVITY_M_S2 * state[2][at] * state[4][at];
+            let upright_g = pressed_n[at] / body.mass_kg / GRAVITY_M_S2;
+            read_g[at] = if axis == SensorAxis::Body { upright_g * state[2][at] * state[4][at] } else { upright_g };
             for foot in 0..FEET {
                 if depth_m[foot][at] >= -1e-12 && touch_s[at][foot].is_none() {
                     touch_s[at][foot] = Some(point as f64 * STEP_S);
@@ -177,6 +188,21 @@ mod tests {
         assert!((near - 0.1445 * 0.06 / 4.0).abs() < 4e-4);
         let impulse = landing.accel_g.iter().sum::<f64>() * STEP_S * GRAVITY_M_S2;
         assert!((1.0..2.2).contains(&(impulse / 4.0)), "{impulse}");
+    }
+
+    #[test]
+    fn analytic_a_sensor_that_turns_with_the_body_reads_the_cosine_of_its_slope() {
+        let read = |slope: f64, axis| {
+            let [landing] = simulate_each(&BODY, &LEGS, 4.0, &[[slope, 0.0]], 400, axis);
+            landing.expect("it lands").accel_g
+        };
+        // Level, it is the same to the last bit; as the first foot touches, the slope is still that of the fall.
+        assert_eq!(read(0.0, SensorAxis::Body), read(0.0, SensorAxis::Vertical));
+        let slope: f64 = 0.2;
+        let (turned, upright) = (read(slope, SensorAxis::Body), read(slope, SensorAxis::Vertical));
+        assert!(upright[1] > 1.0 && (turned[1] / upright[1] - libm::cos(slope)).abs() < 1e-5, "{} {}", turned[1], upright[1]);
+        // Cosines are followed as coordinates, to the method's order.
+        assert!(turned.iter().zip(&upright).all(|(turned, upright)| *turned <= upright * 1.001));
     }
 
     #[test]

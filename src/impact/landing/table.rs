@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::legged_body::{LeggedBody, Legs, fall};
-use super::simulation::{FEET, Landing, STEP_S, simulate, simulate_each};
+use super::simulation::{FEET, Landing, STEP_S, SensorAxis, simulate_each};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
 use crate::impact::fit::Expected;
@@ -28,13 +28,18 @@ pub struct LandingTable {
 impl LandingTable {
     /// Simulates; `None` where a landing is lost. The model gives fall and sensor.
     pub fn of(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
+        Self::along(SensorAxis::Body, body, legs, model, expected, height_m)
+    }
+
+    /// The same as a sensor would read them whose axis keeps to the body or to the vertical.
+    pub fn along(axis: SensorAxis, body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Self> {
         let [_, fall_s] = fall(model, height_m);
         let lags = expected.lags();
         let read = |landing: ReadLanding| {
             let [_, opposite, beside, far] = landing.touch_s.map(|touch| touch.unwrap_or(NEVER_S));
             (expected.mean_of_aligned(&landing.wave_g, &lags), [opposite, beside.min(far), beside.max(far)])
         };
-        let landings: Vec<_> = landed_everywhere(body, legs, model, expected, height_m)?.into_par_iter().map(read).collect();
+        let landings: Vec<_> = landed_everywhere(axis, body, legs, model, expected, height_m)?.into_par_iter().map(read).collect();
         let points = points();
         let mut windows = DMatrix::zeros(expected.samples, points.len());
         let mut delays_s = Vec::with_capacity(points.len());
@@ -64,7 +69,7 @@ pub fn phase_covariance(
     for (point, weight) in points().iter().zip(weights.iter()) {
         point.around.iter().for_each(|(node, share)| shares[*node] += weight * share);
     }
-    let landings = landed_everywhere(body, legs, model, expected, height_m)?;
+    let landings = landed_everywhere(SensorAxis::Body, body, legs, model, expected, height_m)?;
     let covariances: Vec<_> = landings.iter().zip(shares).map(|(landing, share)| expected.over_phases(&landing.wave_g) * share).collect();
     covariances.into_iter().reduce(|sum, part| sum + part)
 }
@@ -81,7 +86,14 @@ struct ReadLanding {
 }
 
 /// The landing at each simulated slope.
-fn landed_everywhere(body: &LeggedBody, legs: &Legs, model: &Model, expected: &Expected, height_m: f64) -> Option<Vec<ReadLanding>> {
+fn landed_everywhere(
+    axis: SensorAxis,
+    body: &LeggedBody,
+    legs: &Legs,
+    model: &Model,
+    expected: &Expected,
+    height_m: f64,
+) -> Option<Vec<ReadLanding>> {
     let [speed_m_s, _] = fall(model, height_m);
     let read = |landing: Landing| {
         let mut wave = landing.accel_g;
@@ -92,8 +104,8 @@ fn landed_everywhere(body: &LeggedBody, legs: &Legs, model: &Model, expected: &E
     let (together, alone) = slopes.as_chunks::<TOGETHER>();
     let points = expected.fine_points();
     let mut landings: Vec<Option<Landing>> =
-        together.par_iter().flat_map_iter(|slopes| simulate_each(body, legs, speed_m_s, slopes, points)).collect();
-    landings.extend(alone.iter().map(|slopes| simulate(body, legs, speed_m_s, *slopes, points)));
+        together.par_iter().flat_map_iter(|slopes| simulate_each(body, legs, speed_m_s, slopes, points, axis)).collect();
+    landings.extend(alone.iter().flat_map(|slopes| simulate_each(body, legs, speed_m_s, &[*slopes], points, axis)));
     landings.into_par_iter().map(|landing| Some(read(landing?))).collect()
 }
 

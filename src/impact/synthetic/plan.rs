@@ -50,7 +50,7 @@ pub struct Plan {
 }
 
 /// A plain number of a plan: key, bounds, unit, and default.
-pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 21] = [
+pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 23] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
     ("drops.seed", [0.0, 9e15], "1", 1.0),
     ("scatter.share", [0.0, 2.0], "1", 0.1),
@@ -71,6 +71,8 @@ pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 21] = [
     ("landing.foot_radius_mm", [20.0, 1000.0], "mm", 144.5),
     ("landing.touch_g", [0.0, 500.0], "g", 0.0),
     ("landing.ringing_g", [0.0, 500.0], "g", 0.0),
+    ("landing.sensor_lean_x_deg", [-30.0, 30.0], "deg", 0.0),
+    ("landing.sensor_lean_y_deg", [-30.0, 30.0], "deg", 0.0),
     ("hidden.loss", [0.0, 1.0], "1", 0.5),
 ];
 /// What a hidden truth takes: key, bounds, unit.
@@ -188,6 +190,7 @@ fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) ->
         inertia_kg_m2: number("landing.inertia_kg_m2")?,
         foot_radius_m: number("landing.foot_radius_mm")? * 1e-3,
         touch_g: number("landing.touch_g")?,
+        sensor_lean_rad: [number("landing.sensor_lean_x_deg")?.to_radians(), number("landing.sensor_lean_y_deg")?.to_radians()],
         ringing_g: number("landing.ringing_g")?,
     };
     let stated = file.entries.keys().find(|key| key.starts_with("landing.")).cloned();

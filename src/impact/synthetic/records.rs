@@ -91,13 +91,15 @@ fn record(
     let before = (BEFORE_S / step_s).round() as usize;
     let count = before + (AFTER_S / step_s).floor() as usize;
     let phase: f64 = rng.random();
-    let lean: f64 = StandardNormal.sample(rng);
-    let tilt = plan.scatter.tilt_deg.to_radians() * lean;
+    let normal: f64 = StandardNormal.sample(rng);
+    let tilt = plan.scatter.tilt_deg.to_radians() * normal;
     let kept = libm::exp(-step_s / plan.scatter.correlation_s);
     let mut factor: f64 = StandardNormal.sample(rng);
     let scatter = plan.scatter.share * plan.scatter.law.factor(plan.seed, height_m, rng);
     let sizes_g = plan.scatter.law.sizes_g(fine);
+    let lean = plan.landings.filter(|landings| landings.sensor_lean_rad != [0.0; 2]).zip(lateral);
     let mut readings = Vec::with_capacity(count);
+    let mut along_axis = Vec::with_capacity(count);
     for i in 0..count {
         let fresh: f64 = StandardNormal.sample(rng);
         let noise: f64 = StandardNormal.sample(rng);
@@ -107,14 +109,17 @@ fn record(
             None => at(fine, t_s) * (1.0 + scatter * factor) * libm::cos(tilt),
             Some(sizes_g) => (at(fine, t_s) + scatter * factor * at(sizes_g, t_s)) * libm::cos(tilt),
         };
-        let limited = true_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
+        along_axis.push(true_g);
+        let read_g = lean.map_or(true_g, |(landings, [x, y])| landings.read_by_sensor([at(x, t_s), at(y, t_s), true_g])[2]);
+        let limited = read_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
         readings.push((limited * plan.counts_per_g).round() / plan.counts_per_g);
     }
     let lateral_g = lateral.map(|axes| {
-        axes.map(|fine| {
+        [0, 1].map(|side| {
             let reading = |i: usize| {
                 let noise: f64 = StandardNormal.sample(rng);
-                let true_g = at(fine, (i as f64 - before as f64 + phase) * step_s);
+                let [x, y] = axes.map(|fine| at(fine, (i as f64 - before as f64 + phase) * step_s));
+                let true_g = lean.map_or([x, y][side], |(landings, _)| landings.read_by_sensor([x, y, along_axis[i]])[side]);
                 let limited = true_g.clamp(-trajectory.limit_g(), trajectory.limit_g()) + plan.noise_g * noise;
                 (limited * plan.counts_per_g).round() / plan.counts_per_g
             };

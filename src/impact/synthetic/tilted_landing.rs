@@ -4,7 +4,7 @@
 //! equations are stepped by the semi-implicit method of Euler, 10 µs a step. The sensor turns with the body. What a foot's touch
 //! does sideways is drawn, not derived: a spike of 1.5 ms away from the foot, and a third of it back.
 
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
@@ -38,6 +38,8 @@ pub struct Landings {
     pub foot_radius_m: f64,
     /// Mean height of a touch's spike, g; 0 for none.
     pub touch_g: f64,
+    /// The sensor's lean against the body: how far its axis points toward x and toward y, rad.
+    pub sensor_lean_rad: [f64; 2],
     /// Sideways ringing from first touch on, in any direction, standard deviation of its height, g.
     pub ringing_g: f64,
 }
@@ -49,6 +51,13 @@ impl Landings {
     /// Whether landings differ in slope.
     pub fn is_tilted(&self) -> bool {
         self.rate_rad_s > 0.0 || self.at_release_rad > 0.0
+    }
+
+    /// What a sensor that leans reads of an acceleration in the body's axes.
+    pub(super) fn read_by_sensor(&self, acceleration_g: [f64; 3]) -> [f64; 3] {
+        let [toward_x, toward_y] = self.sensor_lean_rad;
+        let sensor = Rotation3::new(Vector3::new(-toward_y, toward_x, 0.0));
+        (sensor.inverse() * Vector3::from(acceleration_g)).into()
     }
 
     /// One landing with a random slope.

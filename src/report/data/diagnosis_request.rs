@@ -5,7 +5,8 @@ use super::separating_experiment::SeparatingExperiment;
 use crate::impact::body::Feet;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{
-    ChannelChoice, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage, StaticComparison, confounded,
+    ChannelChoice, ComparedAxes, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage,
+    StaticComparison, confounded,
 };
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
@@ -22,8 +23,8 @@ pub struct DiagnosisRequest<'a> {
     pub model: Model,
     /// The drops.
     pub drops: &'a DropSet,
-    /// The channel that is compared, instead of the one that the drops support.
-    pub channel: Option<Channel>,
+    /// The axes that are used, instead of those that the drops support.
+    pub axes: Option<ComparedAxes>,
     /// Heights that no fit sees, m.
     pub hold_out_heights_m: &'a [f64],
     /// A static test of the same frame, compared with each model and not fitted.
@@ -45,6 +46,12 @@ pub enum RequestError {
     /// The drops cannot be compared with the model.
     #[error(transparent)]
     Drops(#[from] FitError),
+    /// Lateral axes that cannot be used.
+    #[error("--channel all: {why}; `--channel axial` compares the axis alone")]
+    AllAxes {
+        /// What is in the way.
+        why: &'static str,
+    },
     /// A height that no drop has.
     #[error("--hold-out-heights {height_m}: there is no drop from there, only from {} m", .known.join(", "))]
     NoSuchHeight {
@@ -88,7 +95,8 @@ impl DiagnosisRequest<'_> {
         if let Some(name) = self.covariates.iter().find(|name| !known(name)) {
             return Err(RequestError::NoSuchColumn { name: name.clone() });
         }
-        let choice = ChannelChoice::of(self.drops, &self.model, Keep::Evidence, self.channel)?;
+        let choice = ChannelChoice::of(self.drops, &self.model, Keep::Evidence, self.axes)?;
+        let observed = self.observed(&choice)?;
         self.model.sensor.channel = choice.chosen.channel;
         let waves = &choice.waves;
         let same = |a: f64, b: f64| (a - b).abs() < 1e-6;
@@ -106,10 +114,19 @@ impl DiagnosisRequest<'_> {
         let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
         let mut found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
         let mut compared = self.compared(&choice);
-        compared.landing = self.landing(&choice, &fitted, held_out, &found);
+        compared.landing = observed.as_ref().and_then(|observed| self.landing(observed, &fitted, held_out, &found));
+        if choice.axes == ComparedAxes::All {
+            let lateral = if compared.landing.is_some() {
+                "the lateral axes show when each foot touches and how the sensor leans, which judges landings that are not level"
+            } else {
+                compared.channel = ComparedAxes::Axial.word();
+                "the lateral axes are not used, as landings could not be judged"
+            };
+            compared.channel_reason += &format!("; {lateral}");
+        }
         if let Some(landing) = &compared.landing {
             (found.verdict, found.reasons) = landing.verdict(&found);
-        } else if self.model.body.feet == Some(Feet::Rectangle) && Self::observed(&choice).is_some() {
+        } else if self.model.body.feet == Some(Feet::Rectangle) && observed.is_some() {
             found.reasons.push("the frame is longer than wide (rods.cage_side_ratio): landings that are not level were not judged".into());
         }
         compared.covariates = self.explained(&choice, &fitted, compared.landing.as_ref());
@@ -121,16 +138,29 @@ impl DiagnosisRequest<'_> {
     }
 
     /// Landings that are not level, where touches of the feet were seen.
-    fn landing(&self, choice: &ChannelChoice, fitted: &Waves, held_out: Option<&Waves>, found: &Diagnosis) -> Option<LandingAssessment> {
-        let observed = Self::observed(choice)?;
-        let evidence = LandingEvidence { fitted, held_out, observed: &observed, model: &self.model, diagnosis: found, seed: self.seed };
+    fn landing(
+        &self,
+        observed: &ObservedLandings,
+        fitted: &Waves,
+        held_out: Option<&Waves>,
+        found: &Diagnosis,
+    ) -> Option<LandingAssessment> {
+        let evidence = LandingEvidence { fitted, held_out, observed, model: &self.model, diagnosis: found, seed: self.seed };
         LandingAssessment::of(&evidence)
     }
 
-    /// Touches of the feet, where the drops have lateral axes and are compared along the vertical.
-    fn observed(choice: &ChannelChoice) -> Option<ObservedLandings> {
-        let axial = choice.chosen.channel == Channel::Axial;
-        axial.then(|| ObservedLandings::of(&choice.chosen, &choice.waves)).flatten()
+    /// Touches of the feet, where all axes are used and touches can be read; an error where that was asked for and cannot be.
+    fn observed(&self, choice: &ChannelChoice) -> Result<Option<ObservedLandings>, RequestError> {
+        if choice.axes != ComparedAxes::All {
+            return Ok(None);
+        }
+        let observed = ObservedLandings::of(&choice.chosen, &choice.waves);
+        let why = if choice.chosen.has_lateral_axes() {
+            "the feet's touches need eight drops a height whose lateral axes go on for 15 ms from first touch"
+        } else {
+            "the drops have no lateral axes (columns x, y, z)"
+        };
+        if observed.is_none() && self.axes.is_some() { Err(RequestError::AllAxes { why }) } else { Ok(observed) }
     }
 
     /// What explains how drops of one fitted height vary.
@@ -146,7 +176,7 @@ impl DiagnosisRequest<'_> {
     fn compared(&self, choice: &ChannelChoice) -> Compared {
         let chosen = &choice.chosen;
         Compared {
-            channel: word(chosen.channel),
+            channel: choice.axes.word(),
             stated_channel: word(choice.stated),
             channel_reason: choice.reason.clone(),
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use crate::impact::diagnose::EffectEstimate;
-use crate::impact::landing::{LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS};
+use crate::impact::landing::{ATTITUDE_SENSOR, AttitudeAssessment, LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS};
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
@@ -19,13 +19,45 @@ pub fn landing(assessment: &LandingAssessment) -> Value {
     all["gap"] = json!(gaps);
     all["lack_of_fit_p"] = json!(lack_of_fit_p);
     all["gates"] = json!(gates);
+    all[ATTITUDE_SENSOR] = attitude(&assessment.attitude);
     all
+}
+
+/// How the sensor leans.
+fn attitude(found: &AttitudeAssessment) -> Value {
+    let by_key: BTreeMap<&str, &EffectEstimate> = found.estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
+    let mut all = json!(by_key);
+    all["named"] = found.named().is_some().into();
+    all["reason"] = found.reason().into();
+    all["lateral_g"] = found.lateral_g.into();
+    all["cosine"] = json!(found.cosines);
+    all["gates"] = json!(found.gates);
+    all
+}
+
+/// The same in a sentence, without the reason of its name or of its lack.
+pub fn lean(found: &AttitudeAssessment) -> String {
+    let [toward_x, toward_y] = ["lean_x_rad", "lean_y_rad"].map(|key| {
+        let estimate = found.estimates.iter().find(|estimate| estimate.key == key);
+        estimate.map_or_else(|| "an unknown angle".into(), |one| format!("{:.3} rad ({:.3} to {:.3})", one.value, one.ci95[0], one.ci95[1]))
+    });
+    let most = found.cosines.iter().max_by(|a, b| a.largest_g.total_cmp(&b.largest_g));
+    let cosine = most.map_or_else(String::new, |most| {
+        format!(
+            "; it turns with the body, whose cosine changes the peak of the mean wave from {} m by {:.1} % and no reading by more than {:.1} g",
+            most.height_m,
+            1e2 * most.peak_change,
+            most.largest_g
+        )
+    });
+    format!("the sensor's axis leans by {toward_x} toward x and by {toward_y} toward y{cosine}")
 }
 
 /// The same in sentences.
 pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
     let gates = assessment.gates.iter().map(|gate| format!("{}: {}", gate.id, gate.found));
-    std::iter::once(spread(assessment)).chain(gates).collect()
+    let attitude = [lean(&assessment.attitude), assessment.attitude.reason()];
+    std::iter::once(spread(assessment)).chain(gates).chain(attitude).collect()
 }
 
 /// How landings vary, in a sentence.
@@ -46,16 +78,24 @@ pub fn spread(assessment: &LandingAssessment) -> String {
     )
 }
 
-/// The effects as a diagnosis lists them: the slopes, and the mount where there is one.
+/// The effects as a diagnosis lists them: the slopes, the mount where there is one, and the sensor's lean where it is named.
 pub fn effects(assessment: &LandingAssessment) -> Value {
     let listed = |id: &str, keep: &dyn Fn(&EffectEstimate) -> bool| {
         let own = assessment.estimates.iter().filter(|estimate| keep(estimate));
         let parameters: BTreeMap<&str, &EffectEstimate> = own.map(|estimate| (estimate.key, estimate)).collect();
         json!({ "id": id, "parameters": parameters })
     };
+    let attitude = || {
+        let parameters: BTreeMap<&str, &EffectEstimate> =
+            assessment.attitude.estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
+        json!({ "id": ATTITUDE_SENSOR, "parameters": parameters })
+    };
     let mut all = vec![listed(LANDING_TILT, &|estimate| estimate.key.starts_with("sigma"))];
     if assessment.fit.legs.mount.is_some() {
         all.push(listed(MOUNT_LOW_PASS, &|estimate| estimate.effect == MOUNT_LOW_PASS));
+    }
+    if assessment.attitude.named().is_some() {
+        all.push(attitude());
     }
     all.into()
 }

@@ -4,7 +4,7 @@ use super::document::Block;
 use super::landing_figures;
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::Diagnosis;
-use crate::impact::landing::LandingAssessment;
+use crate::impact::landing::{Gate, LandingAssessment};
 use crate::report::chart::plot::PlotError;
 use crate::report::data::landing_data;
 use crate::report::picture::landing_picture;
@@ -15,8 +15,10 @@ use crate::report::picture::landing_picture;
 /// When a figure cannot be drawn.
 pub(super) fn blocks(assessment: &LandingAssessment, diagnosis: &Diagnosis, design: Option<&Design>) -> Result<Vec<Block>, PlotError> {
     let cells = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_string()).collect::<Vec<_>>();
-    let gates = assessment.gates.iter().map(|gate| cells(&[gate.id, if gate.passed { "passed" } else { "failed" }, &gate.found])).collect();
-    let numbers = assessment.estimates.iter().map(|estimate| {
+    let table =
+        |gates: &[Gate]| gates.iter().map(|gate| cells(&[gate.id, if gate.passed { "passed" } else { "failed" }, &gate.found])).collect();
+    let attitude = &assessment.attitude;
+    let numbers = assessment.estimates.iter().chain(&attitude.estimates).map(|estimate| {
         let [low, high] = estimate.ci95;
         cells(&[estimate.key, &format!("{:.4}", estimate.value), &format!("{low:.4} to {high:.4}"), estimate.unit])
     });
@@ -28,8 +30,10 @@ pub(super) fn blocks(assessment: &LandingAssessment, diagnosis: &Diagnosis, desi
                 .into(),
         ),
         Block::Text(format!("{}.", landing_data::spread(assessment))),
-        Block::Table(cells(&["test", "", "what was found"]), gates),
+        Block::Table(cells(&["test", "", "what was found"]), table(&assessment.gates)),
         Block::Table(cells(&["parameter", "value", "95 %", "unit"]), numbers.collect()),
+        Block::Text(format!("{}. {}.", landing_data::lean(attitude), attitude.reason())),
+        Block::Table(cells(&["test of attitude_sensor", "", "what was found"]), table(&attitude.gates)),
     ];
     blocks.extend(landing_figures::figures(assessment, diagnosis)?);
     if let Some((shown, design)) = assessment.shown.as_ref().zip(design) {

@@ -85,7 +85,7 @@ fn landing(set: &DropSet) -> Compared {
     let request = DiagnosisRequest {
         model: Model::load("paper-corrected").expect("comes with the program"),
         drops: set,
-        channel: None,
+        axes: None,
         hold_out_heights_m: &[1.5],
         static_test: None,
         covariates: &[],
@@ -358,6 +358,8 @@ impl Study {
             gaps.held_out.floor_g,
             if self.landing.named() { "`landing_tilt` is named." } else { "`landing_tilt` is supported and not named: a test failed." }
         );
+        let attitude = &self.landing.attitude;
+        let _ = writeln!(page, "Mounting: {}. {}.\n", landing_data::lean(attitude), attitude.reason());
         for one in &self.compared.confounding {
             let _ = writeln!(page, "Not decided: {}.", one.found);
         }
