@@ -37,6 +37,9 @@ struct Parameter {
     /// Where a fit begins.
     start: f64,
     kind: Kind,
+    /// Standard deviation of what the method itself is off, as a share of the value: what synthetic sets of a generator that shares no
+    /// equation with this model show beyond how their drops vary (docs/diagnosis.md). 0 where it was not measured.
+    method: f64,
 }
 
 /// Legs and mount are fitted as logarithms, slopes as they are.
@@ -49,7 +52,18 @@ enum Kind {
 
 impl Parameter {
     const fn new(key: &'static str, unit: &'static str, bounds: [f64; 2], step: f64, start: f64, kind: Kind) -> Self {
-        Self { key, unit, bounds, step, start, kind }
+        Self { key, unit, bounds, step, start, kind, method: 0.0 }
+    }
+
+    const fn off_by(self, method: f64) -> Self {
+        Self { method, ..self }
+    }
+
+    /// A 95 % interval of changes by how drops vary, on the scale of the fit, widened by what the method is off at a value on it.
+    fn with_method(&self, [low, high]: [f64; 2], scaled: f64) -> [f64; 2] {
+        let share = if self.kind == Kind::Slope { scaled } else { 1.0 };
+        let off = NORMAL_95 * self.method * share;
+        [-libm::hypot(low.min(0.0), off), libm::hypot(high.max(0.0), off)]
     }
 
     fn inward(&self, value: f64) -> f64 {
@@ -63,12 +77,12 @@ impl Parameter {
 
 /// Legs, mount, slopes, in this order; the mount may be left out.
 const PARAMETERS: [Parameter; 7] = [
-    Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, Kind::Leg),
-    Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg),
-    Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg),
+    Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, Kind::Leg).off_by(0.03),
+    Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg).off_by(0.07),
+    Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg).off_by(0.115),
     Parameter::new("f_hz", "Hz", [50.0, 1500.0], 0.02, 160.0, Kind::Mount),
     Parameter::new("zeta", "1", [0.02, 1.5], 0.02, 0.3, Kind::Mount),
-    Parameter::new("sigma_r_rad_s", "rad/s", touched_slopes::BOUNDS[0], touched_slopes::STEPS[0], 0.0, Kind::Slope),
+    Parameter::new("sigma_r_rad_s", "rad/s", touched_slopes::BOUNDS[0], touched_slopes::STEPS[0], 0.0, Kind::Slope).off_by(0.06),
     Parameter::new(RELEASE, "rad", touched_slopes::BOUNDS[1], touched_slopes::STEPS[1], 0.0, Kind::Slope),
 ];
 /// Key of the slope at release.
@@ -83,6 +97,8 @@ const MOST_STEPS: usize = 25;
 const MOST_TURNS: usize = 5;
 /// A turn that moves the legs by less, in steps of difference quotients, is the last.
 const SETTLED: f64 = 0.5;
+/// So many standard deviations on both sides of its mean hold 95 % of a normal law.
+const NORMAL_95: f64 = 1.96;
 /// Resampled sets of drops.
 const RESAMPLED: usize = 400;
 
@@ -323,7 +339,8 @@ impl LandingProblem<'_> {
         Some(ChiSquared::new(freedom as f64).ok()?.sf(chi_squared.max(0.0)))
     }
 
-    /// The parameters of a population's fit with intervals, by drops drawn with replacement and one step of the fit for each set.
+    /// The parameters of a population's fit with intervals, by drops drawn with replacement and one step of the fit for each set, and by
+    /// what the method itself is off.
     ///
     /// Slopes at release that are not fitted have the interval that the touch times allow. Wrong where the fit is far from linear within the
     /// interval, or a height has few drops.
@@ -339,7 +356,8 @@ impl LandingProblem<'_> {
             let effect = if kind == Kind::Mount { MOUNT_LOW_PASS } else { LANDING_TILT };
             let scaled = fit.scaled[at];
             let spread = Spread::middle(moved.iter().map(|step| step[at]), 0.95).unwrap_or([0.0; 2]);
-            let [low, mut high] = spread.map(|change| parameter.outward(scaled + change).clamp(bounds[0], bounds[1]));
+            let widened = parameter.with_method(spread, scaled);
+            let [low, mut high] = widened.map(|change| parameter.outward(scaled + change).clamp(bounds[0], bounds[1]));
             if key == RELEASE && !self.at_release {
                 high = most_at_release_rad;
             }
