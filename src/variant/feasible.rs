@@ -5,7 +5,7 @@
 //! else stays as asked for. When none of them keeps everything, the sum of violated margins is made small from the nearest
 //! ones, one after the other, until a frame keeps everything. Starts and order are fixed: the same problem has the same answer.
 
-use super::descent::descend;
+use super::descent::{REGION, descend};
 use super::search::{Search, ranked};
 use crate::params::{Frame, FrameFile, preset};
 
@@ -23,7 +23,7 @@ pub(super) fn find(search: &Search, start: &[f64]) {
         if search.found() {
             return;
         }
-        descend(search, &nearest, search.left() / (FOLLOWED - at).min(2), true);
+        descend(search, &nearest, REGION, search.left() / (FOLLOWED - at).min(2), true);
     }
 }
 
