@@ -12,8 +12,11 @@ use crate::params::{Frame, FrameFile, preset};
 /// How many of the starts are followed.
 const FOLLOWED: usize = 4;
 
-/// Looks for a frame that keeps everything; the best are then first of the ranked ones.
+/// Looks for a frame that keeps everything where none is known; the best are then first of the ranked ones.
 pub(super) fn find(search: &Search, start: &[f64]) {
+    if search.found() {
+        return;
+    }
     search.look_at(&[start.to_vec()]);
     if search.found() {
         return;

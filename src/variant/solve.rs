@@ -53,7 +53,14 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
         _ if is_settled => settle(&search),
         _ => improve(&search),
     }
-    answer(&search, &own)
+    match answer(&search, &own) {
+        // Few frames were designed, and the slow rules refuse them.
+        Err(SolveError::Infeasible { .. }) if is_settled && search.left() > 0 => {
+            improve(&search);
+            answer(&search, &own)
+        }
+        answered => answered,
+    }
 }
 
 /// The frame's own values of what varies.
