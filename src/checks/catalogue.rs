@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::finding::Finding;
 use super::ground::{self, GroundClearance};
 use super::printing::{bed, bridge, footing, gap, heat, island, layer_direction, overhang, wall};
-use super::rule::{Cost, Found, Pass, Rule};
+use super::rule::{Cost, Find, Found, Rule};
 use super::scene::Scene;
 use super::{
     cartridge, centre_of_mass, clearance, envelope, fold, hardware, hinge, interference, mass_budget, propeller, seating, strength,
@@ -48,7 +48,7 @@ pub fn check(design: &Design, masses: &MassTable) -> Vec<Finding> {
     check_by(&CATALOGUE, Cost::Slow, design, masses)
 }
 
-/// Checks a design by these rules, in their order, without the passes that cost more.
+/// Checks a design by these rules, in their order, without the passes that cost more; of a sketch, what can be asked of it.
 pub fn check_by(rules: &[&Rule], dearest: Cost, design: &Design, masses: &MassTable) -> Vec<Finding> {
     match found(rules, dearest, design, masses, &|_| ControlFlow::<Infallible>::Continue(())) {
         ControlFlow::Continue(found) => found,
@@ -80,12 +80,12 @@ fn found<B: Send>(
 ) -> ControlFlow<B, Vec<Finding>> {
     let scene = Scene::new(design, masses);
     let passes = rules.iter().flat_map(|rule| match rule.found {
-        Found::By(passes) => passes.iter().map(|pass| (rule.title, pass)).collect(),
+        Found::By(passes) => passes.iter().filter_map(|pass| Some((rule.title, pass.up_to(dearest)?))).collect(),
         Found::WithAnother | Found::FromPrediction => Vec::new(),
     });
-    let passes: Vec<_> = passes.filter(|(_, pass)| pass.cost <= dearest).collect();
+    let passes: Vec<(&str, Find)> = passes.collect();
     let of = passes.len();
-    let find = |(name, pass): &(&str, &Pass)| begins(Step { name, of }).map_continue(|()| (pass.find)(&scene));
+    let find = |(name, find): &(&str, Find)| begins(Step { name, of }).map_continue(|()| find(&scene));
     let found: Vec<ControlFlow<B, Vec<Finding>>> = passes.par_iter().map(find).collect();
     let mut findings = Vec::new();
     for of_pass in found {

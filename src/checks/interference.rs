@@ -38,7 +38,7 @@ pub static RULE: Rule = Rule {
     levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, BAY, COMPUTER, CAMERA, SENSOR, ACCESSORY]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
-    found: Found::By(&[Pass::quick(check)]),
+    found: Found::By(&[Pass::quick_where_bent(check, None)]),
 };
 
 /// What two bodies share.

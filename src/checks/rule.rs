@@ -88,6 +88,8 @@ pub enum InSearch {
 /// How long a pass over a frame takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Cost {
+    /// What can be asked of a sketch, whose parts are bent as in another frame: no pass is of this cost, but most quick ones can be asked.
+    Sketch,
     /// Short enough for every frame of a search.
     Quick,
     /// Longer than all quick ones together.
@@ -107,16 +109,31 @@ pub(super) enum Found {
 /// A pass over the design.
 pub(super) struct Pass {
     pub cost: Cost,
-    pub find: fn(&Scene) -> Vec<Finding>,
+    pub find: Find,
+    /// What of it can be asked of a sketch.
+    sketched: Option<Find>,
 }
 
+/// What looks at a design.
+pub(super) type Find = fn(&Scene) -> Vec<Finding>;
+
 impl Pass {
-    pub const fn quick(find: fn(&Scene) -> Vec<Finding>) -> Self {
-        Self { cost: Cost::Quick, find }
+    pub const fn quick(find: Find) -> Self {
+        Self { cost: Cost::Quick, find, sketched: Some(find) }
     }
 
-    pub const fn slow(find: fn(&Scene) -> Vec<Finding>) -> Self {
-        Self { cost: Cost::Slow, find }
+    /// A quick pass of which only this can be asked of a sketch: the rest depends on how parts are bent.
+    pub const fn quick_where_bent(find: Find, sketched: Option<Find>) -> Self {
+        Self { cost: Cost::Quick, find, sketched }
+    }
+
+    pub const fn slow(find: Find) -> Self {
+        Self { cost: Cost::Slow, find, sketched: None }
+    }
+
+    /// What looks at a design when no more than this may be spent.
+    pub fn up_to(&self, dearest: Cost) -> Option<Find> {
+        if dearest == Cost::Sketch { self.sketched } else { (self.cost <= dearest).then_some(self.find) }
     }
 }
 

@@ -31,7 +31,7 @@ pub static RULE: Rule = Rule {
     levers: Levers::Sets(&[IN_CORNER, IN_KNEE, IN_FORK, ARM_IN_HUB_JOINT, LEG_IN_HUB_JOINT]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: true },
-    found: Found::By(&[Pass::quick(check)]),
+    found: Found::By(&[Pass::quick_where_bent(check, Some(by_skeleton))]),
 };
 
 /// Largest angle between rod and socket.
@@ -180,19 +180,29 @@ fn levers(role: RodRole, at: usize) -> &'static [&'static str] {
 
 /// Every end by the skeleton; the geometry of the first module's, which the other modules repeat.
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
-    let skeleton = &scene.design.skeleton;
-    let limit_mm = scene.design.frame.limits.socket_engagement_mm;
-    let all: Vec<(&Rod, usize)> = skeleton.rods.iter().flat_map(|rod| [(rod, 0), (rod, 1)]).collect();
     let per_end = |(rod, at): &(&Rod, usize)| {
-        let levers = levers(rod.role, *at);
-        let mut found: Vec<Finding> = SeatedEnd::of(rod, *at, limit_mm).findings(levers).into();
+        let mut found = seated(scene, rod, *at);
         if rod.sockets[0].module == 0 {
+            let levers = levers(rod.role, *at);
             found.extend(SocketGeometry::of(scene, rod, *at).iter().flat_map(|geometry| geometry.findings(levers)));
         }
         found
     };
-    let found: Vec<Vec<Finding>> = all.par_iter().map(per_end).collect();
+    let found: Vec<Vec<Finding>> = all_ends(scene).par_iter().map(per_end).collect();
     found.into_iter().flatten().collect()
+}
+
+/// Every end by the skeleton, which says nothing of the bores.
+fn by_skeleton(scene: &Scene) -> Vec<Finding> {
+    all_ends(scene).into_iter().flat_map(|(rod, at)| seated(scene, rod, at)).collect()
+}
+
+fn all_ends<'a>(scene: &Scene<'a>) -> Vec<(&'a Rod, usize)> {
+    scene.design.skeleton.rods.iter().flat_map(|rod| [(rod, 0), (rod, 1)]).collect()
+}
+
+fn seated(scene: &Scene, rod: &Rod, at: usize) -> Vec<Finding> {
+    SeatedEnd::of(rod, at, scene.design.frame.limits.socket_engagement_mm).findings(levers(rod.role, at)).into()
 }
 
 #[cfg(test)]

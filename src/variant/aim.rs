@@ -2,6 +2,10 @@
 
 use super::measures::{Better, Evaluation, Measure};
 
+/// What counts as nothing of a measure, as a share of its value at the start: 0.05 g of 250 g; and of a distance, in shares of the bounds.
+const ALIKE: f64 = 2e-4;
+const ALIKE_NEAR: f64 = 5e-3;
+
 /// What is made small.
 #[derive(Clone)]
 pub enum Aim {
@@ -35,6 +39,14 @@ impl Aim {
             Self::Least(terms) => terms.iter().zip(shares).map(|((_, weight), share)| weight * share).sum(),
             Self::Toward(_, wanted) => (shares[0] - wanted / scales[0]).abs(),
             Self::Near(_) => distance,
+        }
+    }
+
+    /// Whether two of its values are as good as equal: so far that nobody would build another frame for it.
+    pub(super) fn is_alike(&self, a: f64, b: f64) -> bool {
+        match self {
+            Self::Near(_) => (a.sqrt() - b.sqrt()).abs() < ALIKE_NEAR,
+            _ => (a - b).abs() < ALIKE,
         }
     }
 

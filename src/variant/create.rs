@@ -1,6 +1,7 @@
 //! A new variant: what is asked for on top of a frame, and what has to change with it.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use super::aim::Aim;
 use super::ended::Ended;
@@ -9,8 +10,9 @@ use super::measures::Evaluation;
 use super::problem::{SearchProblem, SearchProgress, Solution, SolveError, Vary};
 use super::solve::{own_values, solve};
 use crate::checks::Verdict;
-use crate::frame::assembly::Design;
+use crate::frame::assembly::DesignError;
 use crate::frame::skeleton::{Envelope, lengths_for};
+use crate::memo::Memo;
 use crate::params::refusal::Refusal;
 use crate::params::{Frame, FrameFile, parameters};
 
@@ -47,7 +49,7 @@ pub struct Creation {
     pub evaluation: Evaluation,
     /// What had to change, besides what was asked for.
     pub moved: Vec<Moved>,
-    /// What would be violated without those changes.
+    /// What would be violated without those changes; of the slow rules only where the quick ones would be kept.
     pub why: Vec<String>,
     /// How many frames were looked at.
     pub looked_at: usize,
@@ -81,7 +83,8 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
     let frame = Frame::resolve(request.file)?;
     let start = start(request, &frame);
     let vary = movable(request);
-    let as_asked = Design::new(frame).map(Evaluation::of);
+    let memo = Arc::<Memo>::default();
+    let as_asked = as_asked(frame, &memo);
     let why: Vec<String> = match &as_asked {
         Ok(evaluation) => evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone()).collect(),
         Err(error) => vec![error.to_string()],
@@ -92,7 +95,7 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
         return Ok(Creation { evaluation, moved: Vec::new(), why, looked_at: 1, ended: Ended::Converged });
     }
     let Request { file, most, follows, .. } = *request;
-    let problem = SearchProblem { file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most, follows, mechanics: None };
+    let problem = SearchProblem { file, aim: Aim::Near(from), goals: Vec::new(), vary, start, most, follows, mechanics: None, memo };
     let Solution { evaluation, values, looked_at, ended, .. } = solve(&problem)?;
     let moved = values
         .into_iter()
@@ -100,6 +103,13 @@ pub fn create(request: &Request) -> Result<Creation, CreateError> {
         .map(|(vary, before, after)| Moved { key: vary.key(), before, after })
         .collect();
     Ok(Creation { evaluation, moved, why, looked_at, ended })
+}
+
+/// The frame as asked for; by the slow rules, too, where it keeps the quick ones.
+fn as_asked(frame: Frame, memo: &Arc<Memo>) -> Result<Evaluation, DesignError> {
+    let quick = Evaluation::quick(frame, memo)?;
+    let is_kept = quick.findings.iter().all(|finding| finding.verdict != Verdict::Violated);
+    Ok(if is_kept { Evaluation::of(quick.design) } else { quick })
 }
 
 /// What the search may change of a frame, and between which bounds: its size, where it helps how much longer it is than wide, and what is

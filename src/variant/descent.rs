@@ -7,8 +7,8 @@ use super::aim::Aim;
 use super::planes::Planes;
 use super::search::Search;
 
-/// The first and the largest region, and the least, in shares of the bounds.
-const REGION: f64 = 0.12;
+/// The first region where nothing is known of a good one, the largest, and the least, in shares of the bounds.
+pub(super) const REGION: f64 = 0.12;
 const WIDEST: f64 = 0.35;
 const LEAST: f64 = 0.001;
 /// Smallest trust region for a target value, where tenths of a millimetre do not matter.
@@ -18,13 +18,13 @@ const SHORTER: f64 = 0.3;
 /// Over how much of a region planes are made by differences.
 const REACH: f64 = 0.25;
 
-/// Follows the planes from values that were looked at, with no more than this many frames; ends when a frame keeps everything
-/// where that is all that is asked for.
-pub(super) fn descend(search: &Search, start: &[f64], most: usize, feasible_is_enough: bool) {
+/// Follows the planes from values that were looked at, first within a region, with no more than this many frames; ends when a frame keeps
+/// everything where that is all that is asked for.
+pub(super) fn descend(search: &Search, start: &[f64], region: f64, most: usize, feasible_is_enough: bool) {
     let budget = search.looked_at() + most;
     let spent = || search.left() == 0 || search.looked_at() >= budget;
     let least = if matches!(search.aim(), Aim::Near(_)) { LEAST_NEAR } else { LEAST };
-    let mut radius = REGION;
+    let mut radius = region;
     let Some(mut planes) = Planes::at(search, start, REACH * radius) else { return };
     let mut fresh = true;
     while !spent() {

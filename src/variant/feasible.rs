@@ -5,15 +5,18 @@
 //! else stays as asked for. When none of them keeps everything, the sum of violated margins is made small from the nearest
 //! ones, one after the other, until a frame keeps everything. Starts and order are fixed: the same problem has the same answer.
 
-use super::descent::descend;
+use super::descent::{REGION, descend};
 use super::search::{Search, ranked};
 use crate::params::{Frame, FrameFile, preset};
 
 /// How many of the starts are followed.
 const FOLLOWED: usize = 4;
 
-/// Looks for a frame that keeps everything; the best are then first of the ranked ones.
+/// Looks for a frame that keeps everything where none is known; the best are then first of the ranked ones.
 pub(super) fn find(search: &Search, start: &[f64]) {
+    if search.found() {
+        return;
+    }
     search.look_at(&[start.to_vec()]);
     if search.found() {
         return;
@@ -23,7 +26,7 @@ pub(super) fn find(search: &Search, start: &[f64]) {
         if search.found() {
             return;
         }
-        descend(search, &nearest, search.left() / (FOLLOWED - at).min(2), true);
+        descend(search, &nearest, REGION, search.left() / (FOLLOWED - at).min(2), true);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Variants: the measures of a frame, the differences of two frames, sensitivities to a parameter, and a search for better frames.
 
 mod aim;
+mod approach;
 mod choose;
 mod create;
 mod descent;
@@ -8,6 +9,7 @@ mod difference;
 mod ended;
 mod feasible;
 mod goal;
+mod improve;
 mod measures;
 mod pareto;
 mod peak;
@@ -15,6 +17,7 @@ mod planes;
 mod problem;
 mod search;
 mod sensitivity;
+mod sketch;
 mod solve;
 
 pub use aim::Aim;

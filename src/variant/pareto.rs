@@ -5,7 +5,7 @@
 //! beats, and those that violate a rule, are taken out. It is a set of known frames: nothing is said of what lies between.
 
 use super::aim::{Aim, direction};
-use super::descent::descend;
+use super::descent::{REGION, descend};
 use super::ended::Ended;
 use super::feasible::find;
 use super::measures::{Evaluation, Measure};
@@ -62,7 +62,7 @@ pub fn front(problem: &SearchProblem, goals: &[&'static Measure]) -> Result<Fron
         let weights: Vec<f64> = weights.iter().zip(spans).map(|(weight, span)| weight / span).collect();
         search.aim_at(weighted(goals, &weights));
         let Some(best) = ranked(&search).into_iter().next() else { break };
-        descend(&search, &best, search.left() / (count - at), false);
+        descend(&search, &best, REGION, search.left() / (count - at), false);
     }
     let (points, missed) = verified(&search, goals);
     let (looked_at, ended) = (search.looked_at(), ended(&search));

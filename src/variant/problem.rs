@@ -5,9 +5,11 @@ use super::ended::Ended;
 use super::goal::Goal;
 use super::measures::Evaluation;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use crate::frame::skeleton::SAWN_MM;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::memo::Memo;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, FrameFile};
 
@@ -88,6 +90,8 @@ pub struct SearchProblem<'a> {
     pub follows: &'a (dyn Fn(&SearchProgress) -> ControlFlow<()> + Sync + 'a),
     /// Numbers of the frame's own mechanics, where the aim or a goal is one of their measures: a second or two a frame.
     pub mechanics: Option<MechanicsSettings>,
+    /// What was computed of frames before; an empty one will do.
+    pub memo: Arc<Memo>,
 }
 
 /// Where a search is.

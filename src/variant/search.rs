@@ -4,7 +4,6 @@ use std::cell::{Cell, RefCell};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -12,10 +11,10 @@ use super::aim::Aim;
 use super::goal::Goal;
 use super::measures::{Evaluation, Measure};
 use super::problem::{SearchProblem, SearchProgress};
+use super::sketch::Known;
 use crate::checks::{Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
 use crate::frame::skeleton::Skeleton;
-use crate::memo::Memo;
 use crate::params::Frame;
 
 /// What is known of one set of values.
@@ -92,9 +91,10 @@ struct Look<'a> {
     problem: &'a SearchProblem<'a>,
     rules: &'a [&'static Rule],
     constraints: Vec<Constraint>,
-    memo: Arc<Memo>,
     aim: Aim,
     scales: Vec<f64>,
+    /// What frames are sketched by; none where each is designed.
+    known: Option<Known>,
 }
 
 /// Points that were looked at, and how to look at others.
@@ -108,17 +108,35 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Nothing was looked at yet.
     pub fn new(problem: &'a SearchProblem<'a>, rules: &'a [&'static Rule]) -> Self {
-        let look = Look {
-            problem,
-            rules,
-            constraints: Constraint::of_all(rules),
-            memo: Arc::default(),
-            aim: Aim::Near(Vec::new()),
-            scales: Vec::new(),
-        };
+        let look =
+            Look { problem, rules, constraints: Constraint::of_all(rules), aim: Aim::Near(Vec::new()), scales: Vec::new(), known: None };
         let mut search = Self { look, points: RefCell::default(), order: RefCell::default(), ended: Cell::new(false) };
         search.aim_at(problem.aim.clone());
         search
+    }
+
+    /// The same search, with another problem's count of frames and follower, that looks at sketches by a known frame.
+    pub fn of_sketches<'b>(&self, problem: &'b SearchProblem<'b>, known: Known) -> Search<'b>
+    where
+        'a: 'b,
+    {
+        let Look { rules, aim, scales, .. } = &self.look;
+        let mut search = Search::new(problem, rules);
+        search.look.scales = scales.clone();
+        search.look.aim = aim.clone();
+        search.look.known = Some(known);
+        search
+    }
+
+    /// What these values' frame says of others near it; none where there is no frame.
+    pub fn sketched_by(&self, values: &[f64]) -> Option<Known> {
+        self.look.frame(values).ok().and_then(|frame| self.known_of(frame))
+    }
+
+    /// What a frame says of others near it; none where it cannot be designed.
+    pub fn known_of(&self, frame: Frame) -> Option<Known> {
+        let evaluation = self.look.evaluated(frame, Cost::Quick).ok()?;
+        Some(Known::of(evaluation, self.look.rules))
     }
 
     /// Makes something else small from now on, of the same measures once points were looked at.
@@ -183,6 +201,11 @@ impl<'a> Search<'a> {
         if self.ended.get() { 0 } else { self.problem().most.saturating_sub(self.looked_at()) }
     }
 
+    /// Ends the search.
+    pub fn end(&self) {
+        self.ended.set(true);
+    }
+
     /// Whether somebody ended the search.
     pub fn is_ended(&self) -> bool {
         self.ended.get()
@@ -225,14 +248,18 @@ impl<'a> Search<'a> {
 
     /// Says where the search is, and hears whether it may go on.
     fn tell(&self) {
+        if (self.problem().follows)(&self.progress()) == ControlFlow::Break(()) {
+            self.end();
+        }
+    }
+
+    /// Where the search is.
+    pub fn progress(&self) -> SearchProgress {
         let best = ranked(self).into_iter().next().and_then(|values| self.known(&values));
         let missed = best.as_ref().and_then(|point| worst_of(point.margins.as_ref()?, self));
         let told = |point: Point| point.measures.first().map_or(point.aim, |share| share * self.look.scales[0]);
         let best = best.filter(|point| point.violated == 0.0).map(told);
-        let progress = SearchProgress { looked_at: self.looked_at(), most: self.problem().most, best, missed };
-        if (self.problem().follows)(&progress) == ControlFlow::Break(()) {
-            self.ended.set(true);
-        }
+        SearchProgress { looked_at: self.looked_at(), most: self.problem().most, best, missed }
     }
 
     /// The frame with these values, evaluated by the rules up to a cost.
@@ -280,7 +307,10 @@ impl Look<'_> {
     }
 
     fn evaluated(&self, frame: Frame, dearest: Cost) -> Result<Evaluation, String> {
-        let design = Design::with(frame, &self.memo).map_err(|error| error.to_string())?;
+        if let Some(known) = &self.known {
+            return known.sketch(frame, self.rules, &self.problem.memo).map_err(|error| error.to_string());
+        }
+        let design = Design::with(frame, &self.problem.memo).map_err(|error| error.to_string())?;
         self.problem.known(Evaluation::by(self.rules, dearest, design))
     }
 

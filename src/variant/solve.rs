@@ -3,15 +3,17 @@
 //! Aim and margins are modelled by planes ([`super::planes`]) in a region that shrinks where they fail: no derivative is needed,
 //! and a constraint is the tightest margin of a rule, which has kinks where another pair becomes the tightest. What planes cannot
 //! see they cannot avoid: a count of steps, or a frame that does not close, is a cliff. Each descent finds a minimum near its
-//! start, so several begin, as far as frames are left; the least of all is not proven. Every point that was looked at is a frame
+//! start, so several begin, as far as frames are left; the least of all is not proven. All of this happens on sketches first
+//! ([`super::sketch`]), and on frames where these do not end with one that keeps everything. Every point that was looked at is a frame
 //! file's numbers as they are written, to a thousandth; the best ones that keep everything are then checked against every rule,
 //! the slow one included, and only one that keeps them all is an answer.
 
 use super::aim::Aim;
-use super::descent::descend;
+use super::approach::approach;
 use super::ended::Ended;
 use super::feasible::find;
 use super::goal::Goal;
+use super::improve::{improve, settle};
 use super::measures::Evaluation;
 use super::problem::{Binding, SearchProblem, Solution, SolveError, Vary};
 use super::search::{Point, Search, ranked, scale, worst_of};
@@ -22,10 +24,6 @@ use crate::params::Frame;
 const BINDS: f64 = 0.03;
 /// How many of the best are checked against every rule.
 const VERIFIED: usize = 12;
-/// What each descent may spend of the frames that are left.
-const SHARES: [f64; 3] = [0.6, 0.7, 1.0];
-/// How far from what is known another start has to be, in shares of the bounds.
-const APART: f64 = 0.15;
 /// How many reasons are reported why better frames are refused.
 const REASONS: usize = 3;
 
@@ -43,10 +41,26 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
     let own = own_values(&problem.vary, &before);
     let start = if problem.start.is_empty() { start_values(&problem.vary, &before) } else { problem.start.clone() };
     let mut search = Search::new(problem, rules);
-    search.scale_by(before);
+    search.scale_by(before.clone());
+    if start == own {
+        search.look_at(std::slice::from_ref(&start));
+    }
+    let is_settled = approach(&search, &before, &start);
     find(&search, &start);
-    improve(&search);
-    answer(&search, &own)
+    match search.aim() {
+        // What has to be near a frame is, after one descent.
+        Aim::Near(_) if is_settled => {}
+        _ if is_settled => settle(&search),
+        _ => improve(&search),
+    }
+    match answer(&search, &own) {
+        // Few frames were designed, and the slow rules refuse them.
+        Err(SolveError::Infeasible { .. }) if is_settled && search.left() > 0 => {
+            improve(&search);
+            answer(&search, &own)
+        }
+        answered => answered,
+    }
 }
 
 /// The frame's own values of what varies.
@@ -65,24 +79,6 @@ pub(super) fn before(problem: &SearchProblem) -> Result<Point, String> {
     let (own, search) = (own_values(&problem.vary, &frame), Search::new(problem, &CATALOGUE));
     search.look_at(std::slice::from_ref(&own));
     search.known(&own).ok_or_else(|| "ended before".into())
-}
-
-/// Makes the aim small, from the best frame and then from others that lead elsewhere.
-fn improve(search: &Search) {
-    let mut begun: Vec<Vec<f64>> = Vec::new();
-    // What has to be near a frame is, after one descent; and where nothing varies there is nowhere to go.
-    let descents = match search.aim() {
-        _ if search.problem().vary.is_empty() => 0,
-        Aim::Near(_) => 1,
-        _ => SHARES.len(),
-    };
-    for most in SHARES.iter().take(descents).map(|share| (share * search.left() as f64) as usize) {
-        let far = |values: &Vec<f64>| begun.iter().all(|other| search.problem().distance(values, other) > APART * APART);
-        let Some(start) = ranked(search).into_iter().find(far) else { break };
-        descend(search, &start, most, false);
-        begun.extend(ranked(search).into_iter().next());
-        begun.push(start);
-    }
 }
 
 /// Why a search ended.
@@ -191,6 +187,7 @@ fn binding(evaluation: &Evaluation, search: &Search, values: &[(Vary, f64, f64)]
 #[cfg(test)]
 mod tests {
     use std::ops::ControlFlow;
+    use std::sync::Arc;
 
     use super::*;
     use crate::checks::planted::{TOY, TOY_MM};
@@ -214,6 +211,7 @@ mod tests {
             most: 14,
             follows: &|_| ControlFlow::Continue(()),
             mechanics: None,
+            memo: Arc::default(),
         };
         let solution = solve_by(&problem, &rules).unwrap_or_else(|error| panic!("{error}"));
         let (_, before, after) = solution.values[0];

@@ -38,7 +38,17 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         Wanted::Frame { aim, .. } => aim.clone(),
         Wanted::Front(goals) => crate::variant::Aim::least(goals[0]),
     };
-    let problem = SearchProblem { file: &file, aim, goals, vary, start: Vec::new(), most, follows: &follows, mechanics: mechanics.clone() };
+    let problem = SearchProblem {
+        file: &file,
+        aim,
+        goals,
+        vary,
+        start: Vec::new(),
+        most,
+        follows: &follows,
+        mechanics: mechanics.clone(),
+        memo: Arc::default(),
+    };
     let Wanted::Frame { doc, .. } = &wanted else {
         let found = crate::variant::front(&problem, &wanted.measures());
         following.ends();
@@ -50,7 +60,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if common.json {
         terminal::print_json(&report::json(&chosen))?;
     } else if !common.quiet {
-        let begun = Evaluation::quick(before.clone(), &Arc::default()).ok();
+        let begun = Evaluation::quick(before.clone(), &problem.memo).ok();
         let begun = match &mechanics {
             None => begun,
             Some(settings) => begun.and_then(|begun| begun.strengthened(settings).ok()),

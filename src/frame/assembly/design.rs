@@ -87,15 +87,22 @@ impl Design {
         Self::of_parts(frame, &catalogue(), memo)
     }
 
+    /// A sketch of a frame: its parts are bent as those of a known frame are, and moved to where its own rods put them. What else its numbers say
+    /// of a part is made. Where only rods and motors change, no part is: what was computed of the known frame is used. It does not count as a change
+    /// of the memo.
+    ///
+    /// # Errors
+    /// When it cannot close or a part cannot be made.
+    pub fn sketched(frame: Frame, known: &Skeleton, memo: &Arc<Memo>) -> Result<Self, DesignError> {
+        whole(Making { parts: &catalogue(), memo, bent_in: Some(known), begins: &|_| ControlFlow::Continue(()) }.design(frame)?)
+    }
+
     /// Designs a frame of these parts, as far as it has a use for them.
     ///
     /// # Errors
     /// When it cannot close or a part cannot be made.
     pub(super) fn of_parts(frame: Frame, parts: &[&'static PrintedPart], memo: &Arc<Memo>) -> Result<Self, DesignError> {
-        match (Making { parts, memo, begins: &|_| ControlFlow::<Infallible>::Continue(()) }).design(frame)? {
-            ControlFlow::Continue(design) => Ok(design),
-            ControlFlow::Break(never) => match never {},
-        }
+        whole(Making { parts, memo, bent_in: None, begins: &|_| ControlFlow::Continue(()) }.design(frame)?)
     }
 
     /// The same with somebody who follows it, part by part; none when that one ended it.
@@ -104,7 +111,7 @@ impl Design {
     /// When it cannot close or a part cannot be made.
     pub fn followed(frame: Frame, memo: &Arc<Memo>, progress: &dyn Progress) -> Result<Option<Self>, DesignError> {
         memo.changed();
-        Ok(Making { parts: &catalogue(), memo, begins: &|step| progress.begins(step) }.design(frame)?.continue_value())
+        Ok(Making { parts: &catalogue(), memo, bent_in: None, begins: &|step| progress.begins(step) }.design(frame)?.continue_value())
     }
 
     /// A printed part by name.
@@ -245,10 +252,20 @@ impl Design {
     }
 }
 
+/// What nobody ended.
+fn whole<T, E>(made: ControlFlow<Infallible, T>) -> Result<T, E> {
+    match made {
+        ControlFlow::Continue(made) => Ok(made),
+        ControlFlow::Break(never) => match never {},
+    }
+}
+
 /// How a design comes about.
 struct Making<'a, B> {
     parts: &'a [&'static PrintedPart],
     memo: &'a Arc<Memo>,
+    /// The frame as whose parts these are bent; the frame itself when none.
+    bent_in: Option<&'a Skeleton>,
     /// Whether it goes on, asked before each part.
     begins: &'a (dyn Fn(Step) -> ControlFlow<B> + Sync),
 }
@@ -274,9 +291,8 @@ impl<B: Send> Making<'_, B> {
     fn of_lengths(&self, frame: Frame) -> Result<ControlFlow<B, Design>, DesignError> {
         let skeleton = Skeleton::new(&frame)?;
         let centre = Centre::new(&frame);
-        let needed = self.parts.iter().filter(|part| (part.needed)(&frame));
-        let recipes: Vec<(&'static PrintedPart, Recipe)> =
-            needed.map(|part| (*part, Recipe::of(part, &frame, &skeleton, &centre))).collect();
+        let (needed, bent_in) = (self.parts.iter().filter(|part| (part.needed)(&frame)), self.bent_in.unwrap_or(&skeleton));
+        let recipes: Vec<(&'static PrintedPart, Recipe)> = needed.map(|part| (*part, Recipe::of(part, &frame, bent_in, &centre))).collect();
         let of = recipes.len();
         let make = |(part, recipe): (&'static PrintedPart, Recipe)| match (self.begins)(Step { name: part.name.slug(), of }) {
             ControlFlow::Break(ended) => Ok(ControlFlow::Break(ended)),

@@ -1,6 +1,7 @@
 //! The mass table: what weighs how much, how that is known, and where it sits.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Point3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -164,14 +165,19 @@ fn basis(basis: MassBasis) -> &'static str {
 /// Each line's mass over the bodies that stand for it; lines without a body sit at the hub, extras at their position.
 fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) -> bool) -> Sum {
     let mut sum = Sum::default();
+    // The four modules share their shapes.
+    let mut known: BTreeMap<usize, (Point3<f64>, Matrix3<f64>, f64)> = BTreeMap::new();
     for line in lines {
         let bodies: Vec<_> = design.bodies.iter().filter(|body| stands_for(&design.shape(body).kind, &line.name)).collect();
         let share = line.total_g / bodies.len().max(1) as f64;
         for body in bodies.iter().filter(|body| carries(Some(body))) {
-            let mesh = &design.shape(body).mesh;
-            let (centre, unit_inertia) = mesh.moments();
+            let (centre, unit_inertia, volume_mm3) = *known.entry(body.shape).or_insert_with(|| {
+                let mesh = &design.shape(body).mesh;
+                let (centre, unit_inertia) = mesh.moments();
+                (centre, unit_inertia, mesh.volume_mm3())
+            });
             let turn = body.pose.rotation.to_rotation_matrix();
-            let density = share / mesh.volume_mm3();
+            let density = share / volume_mm3;
             let own = turn.matrix() * unit_inertia * turn.matrix().transpose() * density;
             sum.add(share, body.pose * centre, own);
         }
