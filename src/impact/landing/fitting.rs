@@ -384,3 +384,21 @@ impl LandingProblem<'_> {
         Some(DVector::from_iterator(left.len() + delays.len(), drops.chain(delays.iter().copied())))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_what_the_method_is_off_adds_to_an_interval_in_squares() {
+        let of = |key: &str| PARAMETERS.iter().find(|parameter| parameter.key == key).expect("is fitted");
+        let [low, high] = of("k").with_method([-0.04, 0.08], 10.0);
+        let off = NORMAL_95 * of("k").method;
+        assert!((low * low - 0.04 * 0.04 - off * off).abs() < 1e-12 && low < 0.0);
+        assert!((high * high - 0.08 * 0.08 - off * off).abs() < 1e-12);
+        // Of a slope it is a share of the slope.
+        let [low, _] = of("sigma_r_rad_s").with_method([0.0, 0.0], 0.5);
+        assert!((low + 0.5 * NORMAL_95 * of("sigma_r_rad_s").method).abs() < 1e-12);
+        assert_eq!(of("f_hz").with_method([-0.1, 0.2], 5.0), [-0.1, 0.2]);
+    }
+}
