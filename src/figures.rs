@@ -3,6 +3,11 @@
 /// Most decimals of a number in a message.
 const MOST_PLACES: usize = 6;
 
+/// Significant digits of an estimated parameter.
+pub const PARAMETER_DIGITS: usize = 4;
+/// Numbers below this power of ten are written with it.
+const LEAST_MAGNITUDE: i32 = -3;
+
 /// A number with some decimals; `0.00`, never `-0.00`.
 pub fn decimals(value: f64, places: usize) -> String {
     let text = format!("{value:.places$}");
@@ -17,6 +22,18 @@ pub fn told_apart(value: f64, limit: f64, places: usize) -> [String; 2] {
     let written = |places: usize| [decimals(value, places), decimals(limit, places)];
     let apart = (places..=MOST_PLACES.max(places)).map(written).find(|[value, limit]| value != limit);
     apart.unwrap_or_else(|| written(places))
+}
+
+/// A number with so many significant digits, those before the point all written; below a thousandth with a power of ten.
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return decimals(value, 0);
+    }
+    let magnitude = libm::floor(libm::log10(value.abs())) as i32;
+    if magnitude < LEAST_MAGNITUDE {
+        return format!("{value:.*e}", digits.saturating_sub(1));
+    }
+    decimals(value, usize::try_from(digits as i32 - 1 - magnitude).unwrap_or(0))
 }
 
 #[cfg(test)]
@@ -34,5 +51,13 @@ mod tests {
         assert_eq!(told_apart(210.003, 210.0, 2), ["210.003", "210.000"]);
         assert_eq!(told_apart(4.0, 4.0, 2), ["4.00", "4.00"]);
         assert_eq!(told_apart(4.0 + 1e-12, 4.0, 2), ["4.00", "4.00"]);
+    }
+
+    #[test]
+    fn analytic_significant_digits_are_the_first_ones() {
+        let written = [20_312.62, 47.309_52, 0.336_6, 1.0, -0.002_3].map(|value| significant(value, 4));
+        assert_eq!(written, ["20313", "47.31", "0.3366", "1.000", "-0.002300"]);
+        assert_eq!([7.588e-4, -8.05e-7].map(|value| significant(value, 3)), ["7.59e-4", "-8.05e-7"]);
+        assert_eq!([0.0, -0.0, f64::INFINITY].map(|value| significant(value, 4)), ["0", "0", "inf"]);
     }
 }

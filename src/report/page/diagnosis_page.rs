@@ -1,6 +1,7 @@
 //! A diagnosis as a page to read.
 
 use super::landing_section;
+use crate::figures::{PARAMETER_DIGITS, significant};
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::{CovariateEffect, Diagnosis, Point, Verdict, joined};
 use crate::report::chart::lines::{Lines, Series};
@@ -41,6 +42,7 @@ pub fn blocks(diagnosis: &Diagnosis, compared: &Compared, design: Option<&Design
     blocks.extend(estimates(diagnosis));
     blocks.extend(residual(diagnosis));
     blocks.extend(next(diagnosis));
+    blocks.extend(left_out(compared));
     Ok(blocks)
 }
 
@@ -73,9 +75,20 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
         lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));
     }
     lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
-    lines.extend(compared.left_out.iter().map(|left| format!("Left out: {}, {}.", left.trial, left.reason)));
+    if !compared.left_out.is_empty() {
+        lines.push(format!("Drops left out: {}. The last section lists them with the reasons.", compared.left_out.len()));
+    }
     blocks.push(Block::List(lines));
     blocks
+}
+
+/// Each drop that no fit sees, and why: a long list where a logger's clock stalls, so it stands last.
+fn left_out(compared: &Compared) -> Vec<Block> {
+    if compared.left_out.is_empty() {
+        return Vec::new();
+    }
+    let rows = compared.left_out.iter().map(|left| vec![left.trial.clone(), left.reason.clone()]).collect();
+    vec![Block::Heading("Drops left out".into()), Block::Table(cells(["drop", "reason"]), rows)]
 }
 
 /// What explains how drops of one height vary, and what changes together with the height.
@@ -264,9 +277,9 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
             let bound = if one.at_bound { " (at its bound)" } else { "" };
             vec![
                 format!("{}.{}", one.effect, one.key),
-                format!("{:.4}{bound}", one.value),
+                format!("{}{bound}", significant(one.value, PARAMETER_DIGITS)),
                 one.unit.into(),
-                format!("{low:.4} to {high:.4}"),
+                format!("{} to {}", significant(low, PARAMETER_DIGITS), significant(high, PARAMETER_DIGITS)),
             ]
         })
         .collect();

@@ -2,6 +2,7 @@
 
 use super::document::Block;
 use super::landing_figures;
+use crate::figures::{PARAMETER_DIGITS, significant};
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::Diagnosis;
 use crate::impact::landing::{Gate, LandingAssessment};
@@ -19,8 +20,8 @@ pub(super) fn blocks(assessment: &LandingAssessment, diagnosis: &Diagnosis, desi
         |gates: &[Gate]| gates.iter().map(|gate| cells(&[gate.id, if gate.passed { "passed" } else { "failed" }, &gate.found])).collect();
     let attitude = &assessment.attitude;
     let numbers = assessment.estimates.iter().chain(&attitude.estimates).map(|estimate| {
-        let [low, high] = estimate.ci95;
-        cells(&[estimate.key, &format!("{:.4}", estimate.value), &format!("{low:.4} to {high:.4}"), estimate.unit])
+        let [value, low, high] = [estimate.value, estimate.ci95[0], estimate.ci95[1]].map(|value| significant(value, PARAMETER_DIGITS));
+        cells(&[estimate.key, &value, &format!("{low} to {high}"), estimate.unit])
     });
     let mut blocks = vec![
         Block::Heading("Landings that are not level".into()),
@@ -29,10 +30,10 @@ pub(super) fn blocks(assessment: &LandingAssessment, diagnosis: &Diagnosis, desi
              compared with the mean waves, and single drops with the landing that their own touches show."
                 .into(),
         ),
-        Block::Text(format!("{}.", landing_data::spread(assessment))),
+        Block::Text(format!("In words: {}.", landing_data::spread(assessment))),
         Block::Table(cells(&["test", "", "what was found"]), table(&assessment.gates)),
         Block::Table(cells(&["parameter", "value", "95 %", "unit"]), numbers.collect()),
-        Block::Text(format!("{}. {}.", landing_data::lean(attitude), attitude.reason())),
+        Block::Text(format!("Mounting: {}. {}.", landing_data::lean(attitude), attitude.reason())),
         Block::Table(cells(&["test of attitude_sensor", "", "what was found"]), table(&attitude.gates)),
     ];
     blocks.extend(landing_figures::figures(assessment, diagnosis)?);
