@@ -58,7 +58,7 @@ pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Ans
     DiagnosisRequest::bounds(max_effects).map_err(Refused::plain)?;
     let drops = read_bytes(&tables(request), &FileFormat::default())?;
     let asked =
-        DiagnosisRequest { model, drops: &drops, channel: None, hold_out_heights_m, static_test: None, covariates: &[], max_effects, seed };
+        DiagnosisRequest { model, drops: &drops, axes: None, hold_out_heights_m, static_test: None, covariates: &[], max_effects, seed };
     let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());
     let (found, compared) = asked.diagnosed(&stage).map_err(Refused::plain)?;
     let mut answer = with_file("diagnosis.json", diagnosis_data::json(&found, &compared));
