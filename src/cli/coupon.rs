@@ -9,7 +9,9 @@ use super::options::{Common, FrameOption};
 use super::output;
 use super::session;
 use super::terminal;
+use crate::checks::{self, Finding, Verdict};
 use crate::export::stl;
+use crate::frame::assembly::mass;
 use crate::impact::measured::{FoldReading, read_folds};
 use crate::params::Frame;
 use crate::params::frame_file::Value;
@@ -106,7 +108,23 @@ fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure
         let hinges = limit.as_ref().map(|(_, limit)| hinge_lines(limit)).unwrap_or_default();
         terminal::print(&format!("{hinges}{formatted}{}\n", place.display()))?;
     }
+    tell_violated(place, common)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Says which limits the frame with the new values violates: parts grow around wider bores.
+fn tell_violated(place: &Path, common: &Common) -> Result<(), Failure> {
+    let frame = place.display().to_string();
+    let design = session::design(&FrameOption { frame: frame.clone(), rigid: None }, common)?;
+    let found = checks::check(&design, &mass::table(&design));
+    let violated: Vec<&Finding> = found.iter().filter(|finding| finding.verdict == Verdict::Violated).collect();
+    for finding in &violated {
+        terminal::tell(&format!("VIOLATED {}: {}", finding.rule, finding.message));
+    }
+    if !violated.is_empty() {
+        terminal::tell(&format!("`flexframe check {frame} --remedies` looks for what helps"));
+    }
+    Ok(())
 }
 
 fn is_table(said: &str) -> bool {

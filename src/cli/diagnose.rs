@@ -13,8 +13,9 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
+use crate::figures::{PARAMETER_DIGITS, significant};
 use crate::frame::assembly::{Design, mass};
-use crate::impact::diagnose::{ComparedAxes, Diagnosis, Stage, Verdict};
+use crate::impact::diagnose::{ComparedAxes, Diagnosis, Gap, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
 use crate::impact::measured;
@@ -162,7 +163,7 @@ fn files(
         ("diagnosis.json".to_string(), format!("{json:#}\n").into_bytes()),
         ("report.html".to_string(), html(&title, &blocks).into_bytes()),
         ("report.md".to_string(), markdown(&title, &blocks).into_bytes()),
-        ("model.toml".to_string(), found.chosen.model().to_toml().into_bytes()),
+        ("model.toml".to_string(), diagnosis_data::model_file(found, compared).into_bytes()),
     ];
     for block in blocks {
         match block {
@@ -195,19 +196,20 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
         text += &format!("  {sentence}\n");
     }
     let (before, after) = (&found.before, &found.after);
-    text += &format!(
-        "\ngap, g           before    after    floor\nfitted         {:>8.2} {:>8.2} {:>8.2}\nheld out       {:>8.2} {:>8.2} {:>8.2}\n",
-        before.fitted.net_g,
-        after.fitted.net_g,
-        before.fitted.floor_g,
-        before.held_out.net_g,
-        after.held_out.net_g,
-        before.held_out.floor_g
-    );
+    let known = |value: f64| if value.is_finite() { format!("{value:.2}") } else { "-".into() };
+    let row = |what: &str, before: &Gap, after: &Gap| {
+        format!("{what:<14} {:>8} {:>8} {:>8}\n", known(before.net_g), known(after.net_g), known(before.floor_g))
+    };
+    text += "\ngap, g           before    after    floor\n";
+    text += &row("fitted", &before.fitted, &after.fitted);
+    text += &row("held out", &before.held_out, &after.held_out);
     text += "\nparameter                             value   95 %\n";
     for one in &found.estimates {
         let [low, high] = one.ci95;
-        text += &format!("{:<32} {:>10.4}   {low:.4} to {high:.4} {}\n", format!("{}.{}", one.effect, one.key), one.value, one.unit);
+        let [value, low, high] = [one.value, low, high].map(|value| significant(value, PARAMETER_DIGITS));
+        let (unit, bound) = (if one.unit == "1" { "" } else { one.unit }, if one.at_bound { ", at its bound" } else { "" });
+        text += format!("{:<32} {value:>10}   {low} to {high} {unit}", format!("{}.{}", one.effect, one.key)).trim_end();
+        text += &format!("{bound}\n");
     }
     if let Some(next) = found.experiments.first() {
         text += &format!("\nnext: {} (distinguishes {} from {})\n", next.what, next.between[0], next.between[1]);

@@ -14,6 +14,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
+use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict, check_by};
 use crate::export::{fold_glb, fold_json};
 use crate::frame::assembly::{Design, mass};
 use crate::frame::fold::{FoldSequence, sweeps};
@@ -55,8 +56,10 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             return Ok(ExitCode::from(1));
         }
     };
+    let broken = broken(&design);
     if let Some(number) = args.step {
-        return one_step(args, common, &AllSteps::new(&design, &sequence), number, working);
+        one_step(args, common, &AllSteps::new(&design, &sequence), number, working)?;
+        return Ok(told(&broken));
     }
     let files = everything(&design, &sequence)?;
     drop(working);
@@ -69,11 +72,26 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         let lines = all.map(|(at, (repeats, title))| format!("{:>2}  {repeats} x  {title}\n", at + 1));
         terminal::print(&format!("{}{}: {} files\n", lines.collect::<String>(), place.display(), files.len()))?;
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(told(&broken))
+}
+
+/// What is wrong with the sequence: a step in whose way something is, a notch that is too narrow, parts that do not lie flat.
+fn broken(design: &Design) -> Vec<Finding> {
+    let rules: Vec<&Rule> = CATALOGUE.into_iter().filter(|rule| rule.id == "fold_sequence").collect();
+    let found = check_by(&rules, Cost::Slow, design, &mass::table(design));
+    found.into_iter().filter(|finding| finding.verdict == Verdict::Violated).collect()
+}
+
+/// Says on standard error what is wrong, and with the exit code that something is.
+fn told(broken: &[Finding]) -> ExitCode {
+    for finding in broken {
+        terminal::tell(&format!("VIOLATED {}: {}; `flexframe check --remedies` looks for what helps", finding.rule, finding.message));
+    }
+    if broken.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) }
 }
 
 /// Tells one step, as its page does, and writes its pictures where they are asked for.
-fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working: Progress) -> Result<ExitCode, Failure> {
+fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working: Progress) -> Result<(), Failure> {
     let last = all.titles().len();
     let step =
         all.one(number).ok_or_else(|| Failure::Usage { message: format!("there is no step {number}: steps go from 1 to {last}") })?;
@@ -94,8 +112,7 @@ fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working
             told += &format!("{}: {} files\n", place.display(), files.len());
         }
     }
-    terminal::print(&told)?;
-    Ok(ExitCode::SUCCESS)
+    terminal::print(&told)
 }
 
 /// The name of a step's picture without the folder that it has among the others.

@@ -39,10 +39,10 @@ impl Catalogues {
                 continue;
             }
             let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
-            let (catalogue, figures, name, field) = match (table, place) {
-                ("parts", Some((name, field))) => (&mut all.parts, &BoughtPart::FIGURES[..], name, field),
-                ("materials", Some((name, field))) => (&mut all.materials, &Material::FIGURES[..], name, field),
-                ("printers", Some((name, field))) => (&mut all.printers, &Printer::FIGURES[..], name, field),
+            let (catalogue, figures, fields, name, field) = match (table, place) {
+                ("parts", Some((name, field))) => (&mut all.parts, &BoughtPart::FIGURES[..], fields::<BoughtPart>(), name, field),
+                ("materials", Some((name, field))) => (&mut all.materials, &Material::FIGURES[..], fields::<Material>(), name, field),
+                ("printers", Some((name, field))) => (&mut all.printers, &Printer::FIGURES[..], fields::<Printer>(), name, field),
                 _ => {
                     let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
                     return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
@@ -54,6 +54,11 @@ impl Catalogues {
             if !catalogue.contains_key(name) && !named && !whole {
                 let nearest = nearest(name, catalogue.keys().map(String::as_str));
                 return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
+            }
+            if !fields.iter().any(|known| known == field) {
+                let near = nearest(field, fields.iter().map(String::as_str));
+                let nearest = near.iter().map(|field| format!("override.{table}.{name}.{field}")).collect();
+                return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
             }
             let kind = if table == "parts" { "bought part" } else { table.trim_end_matches('s') };
             in_one_line(file, key, kind, name)?;
@@ -195,8 +200,25 @@ fn entry<T: serde::de::DeserializeOwned + schemars::JsonSchema>(
     entry.clone().try_into().map_err(|e: toml::de::Error| {
         let missing = missing::<T>(entry);
         let message = if missing.len() > 1 { format!("it lacks {}", listed(&missing)) } else { e.message().to_string() };
-        bad_override(file, key, kind, table, name, &message)
+        let at = to_blame::<T>(entry, file, &format!("override.{table}.{name}."));
+        bad_override(file, at.as_deref().unwrap_or(key), kind, table, name, &message)
     })
+}
+
+/// The key of a field of the file's own whose value does not read: without it the entry reads, or lacks just that field.
+fn to_blame<T: serde::de::DeserializeOwned>(entry: &toml::Value, file: &FrameFile, own: &str) -> Option<String> {
+    let is_to_blame = |field: &str| {
+        let mut without = entry.clone();
+        without.as_table_mut().is_some_and(|table| table.remove(field).is_some())
+            && without.try_into::<T>().map_or_else(|error| error.message().contains(&format!("missing field `{field}`")), |_| true)
+    };
+    file.entries.keys().find(|key| key.strip_prefix(own).is_some_and(is_to_blame)).cloned()
+}
+
+/// The fields that an entry may have.
+fn fields<T: schemars::JsonSchema>() -> Vec<String> {
+    let schema = schemars::schema_for!(T);
+    schema.get("properties").and_then(serde_json::Value::as_object).into_iter().flat_map(serde_json::Map::keys).cloned().collect()
 }
 
 /// What an entry lacks of the fields that each entry has.
@@ -206,9 +228,12 @@ fn missing<T: schemars::JsonSchema>(entry: &toml::Value) -> Vec<String> {
     needed.filter(|field| entry.get(field).is_none()).map(String::from).collect()
 }
 
-/// A catalogue's entry that does not read: what the frame file changed in it is to blame.
+/// A catalogue's entry that does not read: what the frame file changed in it is to blame, unless `key` is one of its fields.
 fn bad_override(file: &FrameFile, key: &str, kind: &str, table: &str, name: &str, message: &str) -> Refusal {
     let own = format!("override.{table}.{name}.");
+    if key.starts_with(&own) {
+        return bad_entry(file, key, kind, name, message);
+    }
     let changed: Vec<&String> = file.entries.keys().filter(|key| key.starts_with(&own)).collect();
     let named = changed.iter().find(|key| key.strip_prefix(&own).is_some_and(|field| message.contains(&format!("`{field}`"))));
     let at = named.or(changed.first()).map_or(key, |key| key.as_str());

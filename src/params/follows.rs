@@ -31,6 +31,8 @@ struct Follows {
     key: &'static str,
     /// The roles that it may follow from; the first that the frame has counts.
     roles: &'static [&'static str],
+    /// Fields that an entry may do without and this needs.
+    fields: &'static [&'static str],
     figure: fn(&BoughtPart, &Bought) -> Option<f64>,
     /// What holds when the frame does without that part.
     without: Option<f64>,
@@ -39,37 +41,42 @@ struct Follows {
 impl Follows {
     /// From a part that every frame has.
     const fn always(key: &'static str, roles: &'static [&'static str], figure: fn(&BoughtPart, &Bought) -> Option<f64>) -> Self {
-        Self { key, roles, figure, without: None }
+        Self { key, roles, fields: &[], figure, without: None }
     }
 
     /// From a part that a frame may do without.
     const fn or(key: &'static str, roles: &'static [&'static str], figure: fn(&BoughtPart, &Bought) -> Option<f64>, without: f64) -> Self {
-        Self { key, roles, figure, without: Some(without) }
+        Self { key, roles, fields: &[], figure, without: Some(without) }
+    }
+
+    /// The same, of fields that an entry may do without.
+    const fn of(self, fields: &'static [&'static str]) -> Self {
+        Self { fields, ..self }
     }
 }
 
 const STACK: &[&str] = &["flight_controller", "motor_controller"];
 
 const FOLLOWS: [Follows; 24] = [
-    Follows::always("rod_diameter_mm", &["rod"], |rod, _| rod.diameter_mm),
-    Follows::always("fork_bar_height_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, BAR_OVER_ROD_MM]))),
-    Follows::always("fork_cheek_gap_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, CHEEKS_OVER_ROD_MM]))),
-    Follows::always("propeller_diameter_mm", &["propeller"], |propeller, _| propeller.diameter_mm),
+    Follows::always("rod_diameter_mm", &["rod"], |rod, _| rod.diameter_mm).of(&["diameter_mm"]),
+    Follows::always("fork_bar_height_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, BAR_OVER_ROD_MM]))).of(&["diameter_mm"]),
+    Follows::always("fork_cheek_gap_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, CHEEKS_OVER_ROD_MM]))).of(&["diameter_mm"]),
+    Follows::always("propeller_diameter_mm", &["propeller"], |propeller, _| propeller.diameter_mm).of(&["diameter_mm"]),
     Follows::always("propeller_height_mm", &["propeller"], propeller_height_mm),
     Follows::always("battery_length_mm", &["battery"], |battery, _| Some(battery.size_mm[0])),
     Follows::always("battery_width_mm", &["battery"], |battery, _| Some(battery.size_mm[1])),
     Follows::always("battery_height_mm", &["battery"], |battery, _| Some(battery.size_mm[2])),
     Follows::always("battery_mass_g", &["battery"], |battery, _| Some(battery.mass_g)),
-    Follows::always("motor_plate_diameter_mm", &["motor"], motor_plate_mm),
-    Follows::always("motor_hole_circle_mm", &["motor"], |motor, _| motor.hole_pcd_mm),
-    Follows::always("motor_hole_diameter_mm", &["motor"], |motor, _| motor.hole_diameter_mm),
-    Follows::always("motor_shaft_hole_mm", &["motor"], |motor, _| motor.shaft_hole_diameter_mm),
-    Follows::or("stack_pattern_mm", STACK, |board, _| Some(board.hole_pattern_mm?[0]), 20.0),
-    Follows::or("pi_pattern_along_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[0]), 58.0),
-    Follows::or("pi_pattern_across_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[1]), 23.0),
-    Follows::or("camera_pattern_across_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[0]), 21.0),
-    Follows::or("camera_pattern_up_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[1]), 12.5),
-    Follows::or("sensor_hole_pitch_mm", &["flow_sensor"], |sensor, _| sensor.hole_pitch_mm, 30.5),
+    Follows::always("motor_plate_diameter_mm", &["motor"], motor_plate_mm).of(&["hole_pcd_mm", "hole_diameter_mm"]),
+    Follows::always("motor_hole_circle_mm", &["motor"], |motor, _| motor.hole_pcd_mm).of(&["hole_pcd_mm"]),
+    Follows::always("motor_hole_diameter_mm", &["motor"], |motor, _| motor.hole_diameter_mm).of(&["hole_diameter_mm"]),
+    Follows::always("motor_shaft_hole_mm", &["motor"], |motor, _| motor.shaft_hole_diameter_mm).of(&["shaft_hole_diameter_mm"]),
+    Follows::or("stack_pattern_mm", STACK, |board, _| Some(board.hole_pattern_mm?[0]), 20.0).of(&["hole_pattern_mm"]),
+    Follows::or("pi_pattern_along_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[0]), 58.0).of(&["hole_pattern_mm"]),
+    Follows::or("pi_pattern_across_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[1]), 23.0).of(&["hole_pattern_mm"]),
+    Follows::or("camera_pattern_across_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[0]), 21.0).of(&["hole_pattern_mm"]),
+    Follows::or("camera_pattern_up_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[1]), 12.5).of(&["hole_pattern_mm"]),
+    Follows::or("sensor_hole_pitch_mm", &["flow_sensor"], |sensor, _| sensor.hole_pitch_mm, 30.5).of(&["hole_pitch_mm"]),
     Follows::or("magnet_length_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[0]), 10.0),
     Follows::or("magnet_width_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[1]), 5.0),
     Follows::or("magnet_thickness_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[2]), 3.0),
@@ -118,6 +125,13 @@ pub(super) fn from_bought(bought: &Bought, key: &str) -> Option<f64> {
         Some(item) => (rule.figure)(&item.part, bought),
         None => rule.without,
     }
+}
+
+/// The role and the fields that a key's number needs of the bought part that it follows from, where that part lacks them.
+pub(super) fn lacking(bought: &Bought, key: &str) -> Option<(&'static str, &'static [&'static str])> {
+    let rule = FOLLOWS.iter().find(|rule| rule.key == key && !rule.fields.is_empty())?;
+    let role = rule.roles.iter().find(|role| bought.contains_key(**role))?;
+    Some((role, rule.fields))
 }
 
 /// The role of the bought part that a key's number follows from.

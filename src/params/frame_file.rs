@@ -327,11 +327,19 @@ pub(super) fn typed_entries(source: &Arc<Source>, depth: usize) -> Result<BTreeM
         let end = source.text.len();
         let span = error.span().unwrap_or(0..end.min(1));
         let place = Place { source: Arc::clone(source), span: span.start.min(end)..span.end.min(end) };
-        Refusal { reason: Box::new(Reason::Syntax { message: error.message().to_string() }), place: Some(place) }
+        let has_comma = is_decimal_comma(&source.text, place.span.start);
+        Refusal { reason: Box::new(Reason::Syntax { message: error.message().to_string(), has_comma }), place: Some(place) }
     })?;
     let mut typed = BTreeMap::new();
     flatten("", table.get_ref(), source, depth, &mut typed)?;
     Ok(typed)
+}
+
+/// Whether a comma stands between two digits at a place of a text.
+fn is_decimal_comma(text: &str, at: usize) -> bool {
+    let bytes = text.as_bytes();
+    let is_digit = |at: Option<usize>| at.and_then(|at| bytes.get(at)).is_some_and(u8::is_ascii_digit);
+    bytes.get(at) == Some(&b',') && is_digit(at.checked_sub(1)) && is_digit(Some(at + 1))
 }
 
 fn flatten(
@@ -353,8 +361,8 @@ fn flatten(
             continue;
         }
         let place = Place { source: Arc::clone(source), span: key.span().start..value.span().end };
-        let value =
-            typed_value(value).map_err(|message| Refusal { reason: Box::new(Reason::Syntax { message }), place: Some(place.clone()) })?;
+        let value = typed_value(value)
+            .map_err(|message| Refusal { reason: Box::new(Reason::Syntax { message, has_comma: false }), place: Some(place.clone()) })?;
         entries.insert(dotted, Entry { value, place, depth });
     }
     Ok(())

@@ -49,6 +49,8 @@ pub enum Reason {
     Syntax {
         /// What the parser says.
         message: String,
+        /// Whether a comma stands in a number there.
+        has_comma: bool,
     },
     /// A key or table that no frame has.
     #[error("unknown key `{key}`")]
@@ -169,10 +171,12 @@ impl Reason {
             names => format!("did you mean {}?", names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(" or ")),
         };
         match self {
+            Self::Syntax { has_comma: true, .. } => "write a decimal number with a point, such as 200.5, or a text in quotes".into(),
             Self::Syntax { .. } => "mend the line; https://toml.io shows the form".into(),
             Self::UnknownKey { nearest: n, .. } => nearest(n),
             Self::Renamed { now, .. } => now.clone(),
             Self::UnknownName { kind, nearest: n, .. } if n.is_empty() => known_names(kind),
+            Self::UnknownName { kind, nearest: n, .. } if is_described(kind) => format!("{} {}", nearest(n), known_names(kind)),
             Self::UnknownName { nearest: n, .. } => nearest(n),
             Self::WrongType { expected, .. } | Self::TableForValue { expected, .. } => format!("give {expected}"),
             Self::WrongKind { fits, .. } => match fits[..] {
@@ -195,6 +199,11 @@ impl Reason {
     }
 }
 
+/// Whether a frame file may describe one of its own.
+fn is_described(kind: &str) -> bool {
+    matches!(kind, "material" | "printer" | "bought part")
+}
+
 /// Where the names of a kind stand.
 fn known_names(kind: &str) -> String {
     match kind {
@@ -212,9 +221,9 @@ fn keys_of(kind: &str) -> &'static str {
             "an extra states mass_g, mass_basis (\"measured\", \"datasheet\" or \"estimate\") and source, and may state \
              position_mm = [x, y, z] and covers = [roles]: docs/frame-files.md"
         }
-        "material" => "params/materials.toml explains the keys",
-        "printer" => "the files in params/printers explain the keys",
-        _ => "params/bought.toml explains the keys",
+        "material" => "`flexframe schema materials` explains the keys",
+        "printer" => "`flexframe schema printer` explains the keys",
+        _ => "`flexframe schema bought` explains the keys",
     }
 }
 

@@ -160,7 +160,7 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
         }
         None => match follows::same_as(p.key).and_then(|other| catalogue().find(|q| other == format!("{}.{}", q.table, q.key))) {
             Some(other) => return number(file, bought, other),
-            None => follows::from_bought(bought, p.key).ok_or_else(|| file.refuse(&key, Reason::Missing { key: key.clone() }))?,
+            None => follows::from_bought(bought, p.key).ok_or_else(|| not_stated(file, bought, p))?,
         },
     };
     if (p.min..=p.max).contains(&value) {
@@ -170,6 +170,19 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     let typed = file.entries.contains_key(&key);
     let chosen = follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
     Err(file.refuse(if typed { &key } else { &chosen }, reason))
+}
+
+/// A number that neither the file states nor the bought part that it follows from.
+fn not_stated(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter) -> Refusal {
+    let key = format!("{}.{}", p.table, p.key);
+    let Some((role, fields)) = follows::lacking(bought, p.key) else { return file.refuse(&key, Reason::Missing { key: key.clone() }) };
+    let name = bought.get(role).map_or("", |item| item.name.as_str());
+    let fields = fields.iter().map(|field| format!("`{field}`")).collect::<Vec<_>>().join(" and ");
+    let message = format!("the bought part `{name}` lacks {fields}, from which `{key}` follows");
+    let remedy = format!("state {fields} in [override.parts.{name}]; `flexframe schema bought` explains the keys");
+    let own = format!("override.parts.{name}.");
+    let at = file.entries.keys().find(|key| key.starts_with(&own)).cloned().unwrap_or_else(|| format!("bought.{role}"));
+    file.refuse(&at, Reason::Impossible { message, remedy })
 }
 
 /// How a file says that the sleeve lies; along where it says nothing.

@@ -141,7 +141,7 @@ const REACH: f64 = 0.3;
 const WITHIN_MM: f64 = 2.0;
 
 /// Where the search begins: the rods that fill the wanted envelope at the struts' present tilt, sides no longer than the depth allows, and the
-/// motors between hub and fork as they were; else the frame itself.
+/// motors between hub and fork as they were, none of them beyond its bounds; else the frame itself.
 fn start(request: &Request, frame: &Frame) -> Vec<f64> {
     let closure = crate::frame::skeleton::Skeleton::new(request.from).map(|skeleton| skeleton.closure);
     let (Some([width_mm, depth_mm, height_mm]), Ok(closure)) = (request.envelope_mm, closure) else { return Vec::new() };
@@ -154,9 +154,9 @@ fn start(request: &Request, frame: &Frame) -> Vec<f64> {
     let vary = movable(request);
     let value = |vary: &Vary| match MOVABLE.iter().position(|key| *key == vary.key()) {
         Some(at) => Some([cage, arm, strut, motor][at]),
-        None if vary.key() == SIDE_RATIO => Some(ratio.clamp(vary.bounds[0], vary.bounds[1])),
-        None => request.from.value(vary.parameter.table, vary.parameter.key).map(|value| value.clamp(vary.bounds[0], vary.bounds[1])),
+        None if vary.key() == SIDE_RATIO => Some(ratio),
+        None => request.from.value(vary.parameter.table, vary.parameter.key),
     };
-    let within = |vary: &Vary| value(vary).filter(|value| (vary.bounds[0]..=vary.bounds[1]).contains(value));
+    let within = |vary: &Vary| value(vary).map(|value| value.clamp(vary.bounds[0], vary.bounds[1]));
     vary.iter().map(within).collect::<Option<Vec<f64>>>().unwrap_or_default()
 }

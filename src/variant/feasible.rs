@@ -1,8 +1,8 @@
 //! Where a search begins: frames that are known, and the first phase, which finds a frame that keeps every limit before anything
 //! is made small.
 //!
-//! Starts are the given one and the presets, whose numbers are put in place of those that vary, no farther than their bounds; all
-//! else stays as asked for. When none of them keeps everything, the sum of violated margins is made small from the nearest
+//! Starts are the given one, the middle of all bounds, and the presets, whose numbers are put in place of those that vary, no farther than
+//! their bounds; all else stays as asked for. When none of them keeps everything, the sum of violated margins is made small from the nearest
 //! ones, one after the other, until a frame keeps everything. Starts and order are fixed: the same problem has the same answer.
 
 use super::descent::{REGION, descend};
@@ -21,7 +21,8 @@ pub(super) fn find(search: &Search, start: &[f64]) {
     if search.found() {
         return;
     }
-    search.look_at(&transplanted(search));
+    let middle = search.values(&vec![0.5; start.len()]);
+    search.look_at(&[transplanted(search), vec![middle]].concat());
     for (at, nearest) in ranked(search).into_iter().take(FOLLOWED).enumerate() {
         if search.found() {
             return;

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 const DRAWS: [(u32, f64); 3] = [(24, 1.0), (6, 0.5), (1, 0.05)];
 
 /// Words of a mesh: a frame file has none of them.
-const WORDS_OF_MESHES: [&str; 6] = ["facet", "mesh", "edge", "corner ", "B-rep", "volume"];
+const WORDS_OF_MESHES: [&str; 6] = ["facet", "mesh", "edge", "corner near", "B-rep", "volume"];
 
 /// What became of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -3,13 +3,13 @@
 
 use crate::case;
 use flexframe::impact::body::Feet;
-use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate};
+use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate, Verdict};
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
-use flexframe::impact::landing::{ATTITUDE_SENSOR, LandingAssessment, ObservedLandings, TouchEvidence};
+use flexframe::impact::landing::{ATTITUDE_SENSOR, LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence};
 use flexframe::impact::measured::{self, DropSet, FileFormat};
 use flexframe::impact::synthetic::{Landings, Plan, SyntheticRecord, records};
-use flexframe::report::data::diagnosis_data::Compared;
+use flexframe::report::data::diagnosis_data::{self, Compared};
 use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
 
 const LEVEL: Landings = Landings {
@@ -82,6 +82,78 @@ fn planted_landings_on_one_foot_are_found_with_their_turning_rate() {
         assert!((0.9..1.1).contains(&(stiffness / 20_000.0)), "{rate_rad_s}: {stiffness}");
         assert!(landing.gaps.given_touches.records_g < 0.7 * landing.gaps.held_out.template_g, "{:?}", landing.gaps);
     }
+}
+
+/// Whatever explains the mean waves along the vertical as well: it is the landings that predict single drops. All that is said of the model
+/// after is then of them.
+#[test]
+fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
+    let plan = plan(Landings { rate_rad_s: 0.25, ..LEVEL }, 11);
+    let set = read(&records(&plan));
+    let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
+    let waves = chosen.waves().expect("usable");
+    let (fitted, held_out) = (waves.only(|height_m| height_m < 1.2), waves.only(|height_m| height_m > 1.2));
+    let observed = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
+    let (mut found, _) = request(&plan, &set, Some(ComparedAxes::Axial)).diagnosed(&|_| ()).expect("drops that can be diagnosed");
+    let mut judged = |verdict: Verdict| {
+        found.verdict = verdict;
+        let evidence = LandingEvidence {
+            fitted: &fitted,
+            held_out: Some(&held_out),
+            observed: &observed,
+            model: &plan.model,
+            diagnosis: &found,
+            seed: 1,
+        };
+        (LandingAssessment::of(&evidence).expect("can be fitted"), found.clone())
+    };
+    let (landing, _) = judged(Verdict::NothingMissing);
+    assert!(landing.named() && !landing.decides(), "{:#?}", landing.gates);
+    let (landing, mut diagnosis) = judged(Verdict::Named);
+    assert!(landing.decides(), "{:#?}", landing.gates);
+    assert_eq!(landing.verdict(&diagnosis).0, Verdict::Named);
+    landing.decide(&mut diagnosis);
+    assert_eq!(diagnosis.after.held_out.net_g, landing.gaps.held_out.net_g);
+    assert_eq!(diagnosis.adequacy.p, landing.adequacy.p);
+    let k = diagnosis.model_after.value("linear_spring", "k").expect("a base model");
+    assert_eq!(k, estimate(&landing, "k").value);
+    assert!(diagnosis.estimates.iter().any(|one| one.effect == "linear_spring" && one.value == k));
+    for (height_m, _, predicted) in &landing.windows {
+        let drawn: Vec<f64> = diagnosis.chosen_points.iter().filter(|at| at.height_m == *height_m).map(|at| at.model_g).collect();
+        assert_eq!(drawn, predicted[..drawn.len()]);
+    }
+}
+
+/// The same drops with x and y along the legs: what is wrong with the directions is said.
+#[test]
+fn planted_a_sensor_whose_axes_point_along_the_legs_is_told() {
+    let plan = plan(Landings { rate_rad_s: 0.25, ..LEVEL }, 11);
+    let mut turned = records(&plan);
+    for record in &mut turned {
+        let [x, y] = record.lateral_g.as_mut().expect("the plan has lateral axes");
+        for (x, y) in x.iter_mut().zip(y) {
+            let half = std::f64::consts::FRAC_1_SQRT_2;
+            (*x, *y) = (half * (*x - *y), half * (*x + *y));
+        }
+    }
+    let (told, compared) = diagnosed(&plan, &read(&turned));
+    assert!(!compared.landing.expect("lateral axes were measured").decides());
+    assert!(told.contains("x and y of the sensor point along the legs"), "{told}");
+}
+
+/// What needs a second height is not told as a number.
+#[test]
+fn planted_drops_of_one_height_have_no_gap_to_others() {
+    let plan = Plan { heights_m: vec![1.0], ..plan(Landings { rate_rad_s: 0.4, ..LEVEL }, 12) };
+    let set = read(&records(&plan));
+    let asked = DiagnosisRequest { hold_out_heights_m: &[], ..request(&plan, &set, None) };
+    let (found, compared) = asked.diagnosed(&|_| ()).expect("drops that can be diagnosed");
+    assert!(found.before.held_out.net_g.is_nan() && found.after.held_out.net_g.is_nan(), "{:?}", found.after);
+    let json = diagnosis_data::json(&found, &compared);
+    assert!(json["gap"]["held_out_after"].is_null() && json["gap"]["after"].is_number(), "{}", json["gap"]);
+    let landing = compared.landing.expect("lateral axes were measured");
+    let held_out = landing.gates.iter().find(|gate| gate.id == "held_out").expect("is a test");
+    assert!(!held_out.passed && held_out.found.contains("drops from a second one would test it"), "{held_out:?}");
 }
 
 #[test]

@@ -154,6 +154,29 @@ fn planted_materials_and_parts_of_the_wrong_kind() {
 }
 
 #[test]
+fn planted_mistakes_in_an_entry_of_ones_own() {
+    let own = |lines: &str| {
+        let entry = "kind = \"board\"\nsize_mm = [30, 30, 6]\nmass_g = 6\nsource = \"x\"\n";
+        refused(&format!("base = \"cognifly\"\n[bought]\nflight_controller = \"f\"\n[override.parts.f]\n{entry}{lines}"))
+    };
+    let lacking = own("mass_basis = \"estimate\"\n");
+    let needed = ["the bought part `f` lacks `hole_pattern_mm`, from which `hub.stack_pattern_mm` follows", "in [override.parts.f]"];
+    assert_says(&lacking, &needed);
+    let basis = own("hole_pattern_mm = [20, 20]\nmass_basis = \"weighed\"\n");
+    assert_says(&basis, &["unknown variant `weighed`", "frame.toml:10", "`flexframe schema bought` explains the keys"]);
+    let key = own("mass_basis = \"estimate\"\nhole_pattern = [20, 20]\n");
+    assert_says(&key, &["unknown key `override.parts.f.hole_pattern`", "`override.parts.f.hole_pattern_mm`", "frame.toml:10"]);
+}
+
+#[test]
+fn planted_a_printer_that_is_not_in_the_catalogue() {
+    let message = refused("base = \"cognifly\"\nprinter = \"prusa-mk3\"\n");
+    let said =
+        ["did you mean `prusa-mk4` or `prusa-mini`?", "`flexframe list printers`", "[override.printers.NAME] describes one of your own"];
+    assert_says(&message, &said);
+}
+
+#[test]
 fn planted_a_flexible_material_that_is_not_known_to_stretch() {
     let own = "kind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.0, 0.0, 0.0, 1.0]\nsource = \"x\"\n";
     let message = refused(&format!("base = \"cognifly\"\n[materials]\nflexible = \"mine\"\n[override.materials.mine]\n{own}"));
@@ -162,7 +185,10 @@ fn planted_a_flexible_material_that_is_not_known_to_stretch() {
         &["does not say its elongation_at_break_percent", "[override.materials.mine], or choose one of `abs`, `petg`, `pla`, `tpu-85a`"],
     );
     let kind = refused("base = \"cognifly\"\n[override.materials.abs]\nkind = \"print\"\n");
-    assert_says(&kind, &["`kind` is \"print\", it is \"printed\" or \"rod\"", "params/materials.toml explains the keys", "frame.toml:3"]);
+    assert_says(
+        &kind,
+        &["`kind` is \"print\", it is \"printed\" or \"rod\"", "`flexframe schema materials` explains the keys", "frame.toml:3"],
+    );
 }
 
 #[test]
@@ -250,6 +276,10 @@ fn analytic_without_a_camera_its_connectors_are_left_out() {
 fn planted_frame_that_cannot_close() {
     let message = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 190.0\narm_rod_length_mm = 150.0\n");
     assert_says(&message, &["frame.toml:4", "the struts would tilt by -51.9°", "10° to 35°", "shorten arm_rod_length_mm"]);
+    let inside = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 98.0\n");
+    assert_says(&inside, &["mm inside the knee", "shorten arm_rod_length_mm or lengthen cage_rod_length_mm"]);
+    let outside = refused("base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 300.0\n");
+    assert_says(&outside, &["mm outside the knee", "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm"]);
 }
 
 #[test]
@@ -493,6 +523,10 @@ fn planted_folds_that_cannot_be_are_refused_with_the_reason() {
         &["VIOLATED hinge_strain", "strains the material by 179 %, 145 % are allowed", "corner.corner_hinge_thickness_mm"],
     );
     let narrow = violated("[corner]\nnotch_half_angle_deg = 30.0\n");
+    // The instructions are written, and the exit code says that they cannot be followed.
+    let folded = Bench::new("base = \"cognifly\"\n[corner]\nnotch_half_angle_deg = 30.0\n").run("fold", &[]);
+    assert_eq!(folded.status.code(), Some(1));
+    assert_says(&text(&folded.stderr), &["VIOLATED fold_sequence", "53.2 deg beyond the closing of their notch"]);
     assert_says(&narrow, &["VIOLATED fold_sequence", "53.2 deg beyond the closing of their notch", "corner.notch_half_angle_deg"]);
     let long = "[corner]\ncorner_socket_depth_mm = 13.0\n[hub_joint]\nhub_arm_socket_depth_mm = 8.0\n[fork]\nfork_socket_depth_mm = 7.0\n";
     let reason = ["VIOLATED fold_sequence", "the leg needs 13.0 mm to enter the foot", "85 % are allowed", "fork.fork_socket_depth_mm"];
@@ -674,6 +708,13 @@ fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
     ] {
         assert!(written.contains(line), "{written}");
     }
+    // Parts grow around wider bores, and what no longer fits is said.
+    let output = flexframe(&["coupon", "--read", "held=2.8,slides=3.1", "--into", &bench.path("fresh.toml")]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_says(
+        &text(&output.stderr),
+        &["VIOLATED interference: knee_FR and fork_FR share", "fresh.toml --remedies` looks for what helps"],
+    );
     // The bores follow.
     let output = flexframe(&["params", &frame, "--filter", "clearance", "--json"]);
     assert!(text(&output.stdout).contains("-0.2"), "{}", text(&output.stdout));

@@ -443,6 +443,18 @@ fn planted_new_finds_the_rods_of_a_preset() {
     assert_eq!(bench.run(&["check", "-q", "four.toml"]).0, 0, "{out}");
 }
 
+#[test]
+fn planted_new_begins_within_the_bounds_that_it_is_given() {
+    let five = "base = \"cognifly\"\n[bought]\npropeller = \"five\"\n[override.parts.five]\nkind = \"propeller\"\ndiameter_mm = 127\n\
+                size_mm = [127, 127, 7]\nmass_g = 4.0\nmass_basis = \"estimate\"\nsource = \"x\"\n";
+    let bench = Bench::new(&[("five.toml", five)]);
+    let bounds = "cage_rod=250..300,arm_rod=120..150,strut_rod=50..80,motor_position=90..130";
+    let wanted = ["--from", "five.toml", "--envelope", "305x305x150", "--mass", "500", "--vary", bounds];
+    let (code, out, err) = bench.run(&[&["new", "large"][..], &wanted].concat());
+    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!(bench.run(&["check", "-q", "large.toml"]).0, 0, "{out}");
+}
+
 /// Spares, search words, wires and ranges of prices, in each form.
 fn bill_to_buy_from(bench: &Bench, page: &str, csv: &str) {
     for part in [

@@ -45,10 +45,11 @@ pub struct Closure {
 pub enum ClosureError {
     /// The ring lies further out than the strut reaches, or further in.
     #[error(
-        "the frame cannot close: the strut's pivot lies {offset_mm:.2} mm outside the knee, but knee, strut rod and corner together are only {reach_mm:.2} mm long"
+        "the frame cannot close: the strut's pivot lies {:.2} mm {} the knee, but knee, strut rod and corner together are only {reach_mm:.2} mm long",
+        .offset_mm.abs(), if *.offset_mm < 0.0 { "inside" } else { "outside" }
     )]
     StrutTooShort {
-        /// Horizontal distance to bridge, mm.
+        /// Horizontal distance to bridge, mm; negative inward.
         offset_mm: f64,
         /// What there is, mm.
         reach_mm: f64,
@@ -89,6 +90,10 @@ impl ClosureError {
     /// What to change.
     pub fn remedy(&self) -> String {
         match self {
+            Self::StrutTooShort { offset_mm, reach_mm } if *offset_mm < 0.0 => format!(
+                "shorten arm_rod_length_mm or lengthen cage_rod_length_mm: the pivot lies {:.1} mm too far inside",
+                -offset_mm - reach_mm
+            ),
             Self::StrutTooShort { offset_mm, reach_mm } => format!(
                 "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm: {:.1} mm are missing",
                 offset_mm - reach_mm

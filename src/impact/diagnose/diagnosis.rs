@@ -110,6 +110,8 @@ pub struct Diagnosis {
     pub base: Candidate,
     /// The best-supported model.
     pub chosen: Candidate,
+    /// The model after, as a file of a model has it: the chosen one, or a level landing where landings that are not level decide.
+    pub model_after: Model,
     /// Its effects, largest contribution first, with what each takes off the sum of squares.
     pub contributions: Vec<(&'static str, f64)>,
     /// Its parameters, spring and damper first.
@@ -266,6 +268,7 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
         residual_force,
         experiments,
         base,
+        model_after: chosen.model().clone(),
         chosen,
     })
 }
@@ -277,7 +280,7 @@ fn gaps(problem: &FitProblem, fitted: &Waves, held_out: Option<&Waves>, candidat
         held_out: match held_out {
             Some(waves) => gap(problem, waves, candidate.model())?,
             None if fitted.groups.len() > 1 => left_out_heights(problem, fitted, candidate)?,
-            None => Gap::default(),
+            None => Gap::UNKNOWN,
         },
         trials: left_out_trials(problem, fitted, candidate)?,
     })

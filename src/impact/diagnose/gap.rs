@@ -21,6 +21,11 @@ pub struct Gap {
     pub template_g: f64,
 }
 
+impl Gap {
+    /// One that nobody could compute, as that to other heights where there are none.
+    pub const UNKNOWN: Self = Self { net_g: f64::NAN, raw_g: f64::NAN, floor_g: f64::NAN, records_g: f64::NAN, template_g: f64::NAN };
+}
+
 /// Steps of a refit that begins where all heights ended.
 const STEPS: usize = 8;
 
@@ -63,7 +68,7 @@ impl Gap {
         for (measured, predicted, errors, drops) in means {
             sums.add(measured, predicted, errors, drops);
         }
-        if sums.count > 0.0 { sums.gap() } else { Self::default() }
+        if sums.count > 0.0 { sums.gap() } else { Self::UNKNOWN }
     }
 }
 

@@ -22,7 +22,7 @@ use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
 use super::turned_back;
 use crate::impact::diagnose::{
-    Covariate, Diagnosis, EffectEstimate, LinearisedFit, PRICE, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
+    Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PRICE, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
 };
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Waves};
@@ -64,8 +64,8 @@ pub struct LandingAssessment {
     pub gaps: LandingGaps,
     /// p-value of one mount for all heights, where there is a mount.
     pub mount_steady_p: Option<f64>,
-    /// p-value of what the population leaves of the mean waves.
-    pub lack_of_fit_p: f64,
+    /// p-values of what the population leaves of the mean waves.
+    pub adequacy: Adequacy,
     /// p-value of how single records spread, under the population.
     pub spread_p: f64,
     /// What the touches may explain of the variation between drops.
@@ -107,6 +107,9 @@ pub struct LandingEvidence<'a> {
     pub seed: u64,
 }
 
+/// What is said of a test that needs heights that no fit saw.
+const ONE_HEIGHT: &str = "not tested, as all drops are from one height: drops from a second one would test it";
+
 impl LandingAssessment {
     /// Judges; `None` where no fit is possible. Readings of a sensor whose lean is named are turned back, and judged once more.
     pub fn of(evidence: &LandingEvidence) -> Option<Self> {
@@ -140,9 +143,9 @@ impl LandingAssessment {
         let fitted_touches = touches.with_errors(&plain.tables(&rough.legs)?, &rough.slopes, evidence.seed);
         let (rigid, first) = LandingProblem { observed: &fitted_touches, ..plain }.fitted_with_release_if_it_pays(&rough)?;
         let without = PopulationFit::of(evidence, &rigid, first)?;
-        let with = if without.lack_of_fit_p < RARE { without.with_mount(evidence, &rigid) } else { None };
+        let with = if without.adequacy.p < RARE { without.with_mount(evidence, &rigid) } else { None };
         let mounted = with.is_some();
-        let PopulationFit { fit, waves, lack_of_fit_p, spread_p } = with.unwrap_or(without);
+        let PopulationFit { fit, waves, adequacy, spread_p } = with.unwrap_or(without);
         let problem = LandingProblem { waves: &waves, mounted, ..rigid };
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
@@ -181,7 +184,7 @@ impl LandingAssessment {
             heights,
             gaps,
             mount_steady_p,
-            lack_of_fit_p,
+            adequacy,
             spread_p,
             covariates,
             separating,
@@ -195,7 +198,7 @@ impl LandingAssessment {
             decides: false,
         };
         all.gates = all.gates(evidence.diagnosis);
-        all.decides = all.named() && matches!(evidence.diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous);
+        all.decides = all.named() && evidence.diagnosis.verdict != Verdict::NothingMissing;
         Some(all)
     }
 
@@ -211,7 +214,8 @@ impl LandingAssessment {
         [LANDING_TILT].into_iter().chain(mount).chain(attitude).collect()
     }
 
-    /// Whether it is what the drops miss: every test was passed, and no effect along the vertical is named.
+    /// Whether it is what the drops miss: something is missing, and every test was passed. One of them is that no set of effects along the
+    /// vertical comes nearer to heights that no fit saw.
     pub fn decides(&self) -> bool {
         self.decides
     }
@@ -228,6 +232,14 @@ impl LandingAssessment {
             reasons.push(format!("{LANDING_TILT}: {}", self.gates[0].found));
             let failed = self.gates.iter().filter(|gate| !gate.passed);
             reasons.extend(failed.map(|gate| format!("{LANDING_TILT} is not named by the test `{}`: {}", gate.id, gate.found)));
+        }
+        if self.evidence.is_turned() {
+            reasons.push(format!(
+                "{LANDING_TILT}: the first foot lies along x or y, and along a diagonal in {:.0} % only (p = {:.1e}): x and y of the sensor \
+                 point along the legs. Turn the lateral readings by 45 degrees about the axis, so that x points to the front and y to the left",
+                1e2 * self.evidence.along_diagonals,
+                self.evidence.along_axes_p
+            ));
         }
         (diagnosis.verdict, reasons)
     }
@@ -257,20 +269,28 @@ impl LandingAssessment {
             gate(
                 "held_out",
                 gaps.held_out.net_g < base.min(best),
-                format!(
-                    "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead",
-                    gaps.held_out.net_g,
-                    joined(&diagnosis.chosen)
-                ),
+                if gaps.held_out.net_g.is_finite() {
+                    format!(
+                        "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead",
+                        gaps.held_out.net_g,
+                        joined(&diagnosis.chosen)
+                    )
+                } else {
+                    ONE_HEIGHT.into()
+                },
             ),
             gate(
                 "drops",
                 gaps.dealt_p <= RARE && gaps.given_touches.records_g < gaps.held_out.template_g,
-                format!(
-                    "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g with \
-                     touches of other drops (p = {:.3})",
-                    gaps.given_touches.records_g, gaps.held_out.template_g, gaps.dealt_g, gaps.dealt_p
-                ),
+                if gaps.given_touches.records_g.is_finite() {
+                    format!(
+                        "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g \
+                         with touches of other drops (p = {:.3})",
+                        gaps.given_touches.records_g, gaps.held_out.template_g, gaps.dealt_g, gaps.dealt_p
+                    )
+                } else {
+                    ONE_HEIGHT.into()
+                },
             ),
             gate(
                 "constant",
@@ -294,8 +314,8 @@ impl LandingAssessment {
             ),
             gate(
                 "enough",
-                self.lack_of_fit_p >= RARE,
-                format!("what {} leaves of the mean waves has p = {:.3} under trial variation", self.ids().join(" + "), self.lack_of_fit_p),
+                self.adequacy.p >= RARE,
+                format!("what {} leaves of the mean waves has p = {:.3} under trial variation", self.ids().join(" + "), self.adequacy.p),
             ),
             gate(
                 "spread",
@@ -329,7 +349,7 @@ fn slopes_by_height(observed: &ObservedLandings, tables: &[LandingTable], fit: &
 struct PopulationFit {
     fit: LandingFit,
     waves: FitProblem,
-    lack_of_fit_p: f64,
+    adequacy: Adequacy,
     spread_p: f64,
 }
 
@@ -344,9 +364,9 @@ impl PopulationFit {
         let seen = LinearisedFit { effects: DMatrix::zeros(jacobian.nrows(), 0), jacobian, samples };
         let bootstrap = scatter.bootstrap(&problem, &fit, evidence.seed)?;
         let left = waves.measured() - problem.mean_windows(&fit.legs, &fit.slopes)?;
-        let lack_of_fit_p = judge(&left, &seen, &bootstrap)?.p;
+        let adequacy = judge(&left, &seen, &bootstrap)?;
         let spread_p = scatter.spread_p(&problem, &fit, evidence.fitted, evidence.seed)?;
-        Some(Self { fit, waves, lack_of_fit_p, spread_p })
+        Some(Self { fit, waves, adequacy, spread_p })
     }
 
     /// The same with a mount that gives way; `None` where that does not pay its price, or its numbers are none that a mount has.

@@ -32,6 +32,8 @@ pub struct TouchEvidence {
     pub along_diagonals: f64,
     /// p-value of that under even directions.
     pub along_diagonals_p: f64,
+    /// p-value of so few along a diagonal under even directions: small where the sensor's x and y point along the legs.
+    pub along_axes_p: f64,
     /// Time to the opposite foot over the sum of the times to those beside.
     pub ratio: f64,
     /// Median deviation from that, s.
@@ -50,10 +52,12 @@ impl TouchEvidence {
         let drops = all().count();
         let along = seen().filter(|drop| off_diagonal_rad(drop.touches.direction_rad) <= NEAR_RAD).count();
         let count = seen().count();
-        let along_p = match (along as u64).checked_sub(1).zip(Binomial::new(NULL_SHARE, count as u64).ok()) {
+        let even = Binomial::new(NULL_SHARE, count as u64).ok();
+        let along_p = match (along as u64).checked_sub(1).zip(even) {
             Some((below, binomial)) => binomial.sf(below),
             None => 1.0,
         };
+        let along_axes_p = even.map_or(1.0, |binomial| binomial.cdf(along as u64));
         let heights: Vec<Vec<[f64; 2]>> = observed
             .heights
             .iter()
@@ -69,6 +73,7 @@ impl TouchEvidence {
             seen: count,
             along_diagonals: along as f64 / count.max(1) as f64,
             along_diagonals_p: along_p,
+            along_axes_p,
             ratio,
             deviation_s,
             permuted_deviation_s: permuted[PERMUTED / 2],
@@ -79,6 +84,11 @@ impl TouchEvidence {
     /// Whether both tests are significant.
     pub fn feet_in_one_plane(&self) -> bool {
         self.along_diagonals_p < RARE && self.plane_p < RARE
+    }
+
+    /// Whether the feet lie in one plane, and along the sensor's x and y.
+    pub fn is_turned(&self) -> bool {
+        self.along_axes_p < RARE && self.plane_p < RARE
     }
 }
 

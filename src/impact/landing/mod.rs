@@ -11,6 +11,7 @@ mod assessment;
 mod attitude_assessment;
 mod attitude_fit;
 mod cosine;
+mod deciding;
 mod evidence;
 mod fit_step;
 mod fitting;

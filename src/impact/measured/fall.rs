@@ -9,7 +9,7 @@ use super::spread::Spread;
 use crate::units::GRAVITY_M_S2;
 
 /// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is detected by a threshold.
-const RELEASE_S: f64 = 0.015;
+pub const RELEASE_S: f64 = 0.015;
 /// Fewest falls that say something.
 const FEWEST: usize = 4;
 

@@ -42,7 +42,7 @@ pub use clock_sign::ClockSign;
 #[cfg(feature = "cli")]
 pub use disk::read;
 pub use drop_table::DropTable;
-pub use fall::Fall;
+pub use fall::{Fall, RELEASE_S};
 pub use file_format::FileFormat;
 pub use flag::{Flag, flags};
 #[cfg(feature = "cli")]

@@ -13,7 +13,7 @@ use crate::impact::diagnose::{
 use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING};
 use crate::impact::fit::{Decimation, LeftOut};
 use crate::impact::landing::LandingAssessment;
-use crate::impact::measured::Fall;
+use crate::impact::measured::{Fall, RELEASE_S};
 
 /// What was compared, for the record.
 #[derive(Clone, Debug)]
@@ -66,13 +66,14 @@ impl Compared {
     /// Falls, static test and frame mode, in sentences.
     pub fn observed(&self) -> Vec<String> {
         let falls = self.falls.iter().map(|fall| {
+            let agrees = format!("it agrees with the height, as a release takes up to {:.0} ms", 1e3 * RELEASE_S);
             format!(
                 "the fall from {} m lasted {:.0} ± {:.0} ms, {:.0} ms are expected: {}",
                 fall.height_m,
                 1e3 * fall.fall_s,
                 1e3 * fall.error_s,
                 1e3 * fall.expected_s,
-                if fall.agrees() { "it agrees with the height" } else { "the height is not what was stated, or the release was not free" }
+                if fall.agrees() { agrees } else { "the height is not what was stated, or the release was not free".into() }
             )
         });
         let static_test = self.static_test.iter().flat_map(static_sentences);
@@ -117,12 +118,14 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     let named = diagnosis.contributions.iter().filter(|_| diagnosis.verdict != Verdict::NothingMissing);
     let effects = named.map(|(id, taken)| json!({ "id": id, "parameters": estimates(&[id]), "contribution": taken }));
     let [k, c] = diagnosis.base.model().stiffness_and_damping();
+    let decided = compared.landing.as_ref().is_some_and(LandingAssessment::decides);
     let alternatives = diagnosis
         .alternatives
         .iter()
-        .skip(1)
+        .skip(usize::from(!decided))
         .map(|other| json!({ "effects": other.candidate.ids(), "weight": other.weight, "score": other.candidate.score }));
-    let keys: Vec<String> = diagnosis.estimates.iter().map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
+    let correlated = diagnosis.estimates.iter().take(diagnosis.correlations.nrows());
+    let keys: Vec<String> = correlated.map(|estimate| format!("{}.{}", estimate.effect, estimate.key)).collect();
     let correlations: Vec<Vec<f64>> = diagnosis.correlations.row_iter().map(|row| row.iter().copied().collect()).collect();
     let mut all = json!({
         "schema_version": 1,
@@ -168,12 +171,23 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         all["landing"] = rounded(landing_data::landing(landing));
         if landing.decides() {
             all["effects"] = rounded(landing_data::effects(landing));
-            all["gap"]["after"] = rounded(landing.gaps.fitted.net_g);
-            all["gap"]["held_out_after"] = rounded(landing.gaps.held_out.net_g);
-            all["lack_of_fit_p"] = rounded(landing.lack_of_fit_p);
+            // It is not one of the sets along the vertical, which are weighed against each other.
+            all["weight"] = Value::Null;
         }
     }
     all
+}
+
+/// The model after as a file; where landings that are not level decide, what such a file cannot state stands in comments.
+pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
+    let decided = compared.landing.as_ref().filter(|landing| landing.decides());
+    let note = decided.map_or_else(String::new, |landing| {
+        format!(
+            "# A level landing on the legs that the diagnosis has fitted. A model of one coordinate does not state what the drops miss:\n# {}.\n",
+            landing_data::spread(landing)
+        )
+    });
+    note + &diagnosis.model_after.to_toml()
 }
 
 fn sampling((height_m, decimation): &(f64, Decimation)) -> Value {

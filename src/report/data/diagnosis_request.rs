@@ -10,7 +10,7 @@ use crate::impact::diagnose::{
 };
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
-use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
+use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence};
 use crate::impact::measured::{DropSet, Fall, Session, StaticTest};
 
 /// Most effects on top of spring and damper.
@@ -76,6 +76,9 @@ pub enum RequestError {
     Diagnosis(#[from] DiagnosisError),
 }
 
+/// What the drops need so that touches can be read.
+const TOUCHES_NEED: &str = "the feet's touches need eight drops a height whose lateral axes go on for 15 ms from first touch";
+
 impl DiagnosisRequest<'_> {
     /// Whether what is asked for can be, as far as that is known without the drops.
     ///
@@ -115,17 +118,17 @@ impl DiagnosisRequest<'_> {
         let mut found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
         let mut compared = self.compared(&choice);
         compared.landing = observed.as_ref().and_then(|observed| self.landing(observed, &fitted, held_out, &found));
-        if choice.axes == ComparedAxes::All {
-            let lateral = if compared.landing.is_some() {
-                "the lateral axes show when each foot touches and how the sensor leans, which judges landings that are not level"
-            } else {
-                compared.channel = ComparedAxes::Axial.word();
-                "the lateral axes are not used, as landings could not be judged"
-            };
+        if let Some(lateral) = self.lateral(&choice, observed.as_ref(), compared.landing.is_some()) {
             compared.channel_reason += &format!("; {lateral}");
+        }
+        if choice.axes == ComparedAxes::All && compared.landing.is_none() {
+            compared.channel = ComparedAxes::Axial.word();
         }
         if let Some(landing) = &compared.landing {
             (found.verdict, found.reasons) = landing.verdict(&found);
+            if landing.decides() {
+                landing.decide(&mut found);
+            }
         } else if self.model.body.feet == Some(Feet::Rectangle) && observed.is_some() {
             found.reasons.push("the frame is longer than wide (rods.cage_side_ratio): landings that are not level were not judged".into());
         }
@@ -149,17 +152,35 @@ impl DiagnosisRequest<'_> {
         LandingAssessment::of(&evidence)
     }
 
+    /// What the lateral axes are used for, or why they are not; nothing where there are none.
+    fn lateral(&self, choice: &ChannelChoice, observed: Option<&ObservedLandings>, judged: bool) -> Option<String> {
+        let not_judged = "landings that are not level were not judged, and the lateral axes are not used:";
+        match (choice.axes, observed) {
+            (ComparedAxes::All, Some(_)) if judged => Some(
+                "the lateral axes show when each foot touches and how the sensor leans, which judges landings that are not level".into(),
+            ),
+            (ComparedAxes::All, Some(observed)) => {
+                let TouchEvidence { seen, drops, .. } = TouchEvidence::of(observed, self.seed);
+                Some(format!(
+                    "{not_judged} the touch of each foot shows in {seen} of {drops} drops; it does not show where landings are level, \
+                     or where a logger is slower than some 1 kHz"
+                ))
+            }
+            (ComparedAxes::All, None) => Some(format!("{not_judged} {TOUCHES_NEED}")),
+            (ComparedAxes::Magnitude, _) if choice.chosen.has_lateral_axes() => Some(format!(
+                "{not_judged} the model states the magnitude, and touches are judged beside the axis; `--model paper-corrected` does so"
+            )),
+            _ => None,
+        }
+    }
+
     /// Touches of the feet, where all axes are used and touches can be read; an error where that was asked for and cannot be.
     fn observed(&self, choice: &ChannelChoice) -> Result<Option<ObservedLandings>, RequestError> {
         if choice.axes != ComparedAxes::All {
             return Ok(None);
         }
         let observed = ObservedLandings::of(&choice.chosen, &choice.waves);
-        let why = if choice.chosen.has_lateral_axes() {
-            "the feet's touches need eight drops a height whose lateral axes go on for 15 ms from first touch"
-        } else {
-            "the drops have no lateral axes (columns x, y, z)"
-        };
+        let why = if choice.chosen.has_lateral_axes() { TOUCHES_NEED } else { "the drops have no lateral axes (columns x, y, z)" };
         if observed.is_none() && self.axes.is_some() { Err(RequestError::AllAxes { why }) } else { Ok(observed) }
     }
 

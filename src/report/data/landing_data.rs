@@ -9,7 +9,7 @@ use crate::impact::landing::{ATTITUDE_SENSOR, AttitudeAssessment, LANDING_TILT, 
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
-    let LandingAssessment { evidence, estimates, fit, heights, gaps, lack_of_fit_p, gates, .. } = assessment;
+    let LandingAssessment { evidence, estimates, fit, heights, gaps, adequacy, gates, .. } = assessment;
     let by_key: BTreeMap<&str, &EffectEstimate> = estimates.iter().map(|estimate| (estimate.key, estimate)).collect();
     let mut all = json!(by_key);
     all["named"] = assessment.named().into();
@@ -17,7 +17,7 @@ pub fn landing(assessment: &LandingAssessment) -> Value {
     all["by_drops"] = json!(fit.legs);
     all["heights"] = json!(heights);
     all["gap"] = json!(gaps);
-    all["lack_of_fit_p"] = json!(lack_of_fit_p);
+    all["lack_of_fit_p"] = json!(adequacy.p);
     all["gates"] = json!(gates);
     all[ATTITUDE_SENSOR] = attitude(&assessment.attitude);
     all

@@ -115,17 +115,22 @@ fn explained(compared: &Compared) -> Vec<Block> {
     blocks
 }
 
+/// A number, or a dash for one that could not be computed.
+fn known(value: f64) -> String {
+    if value.is_finite() { format!("{value:.2}") } else { "-".into() }
+}
+
 fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
     let held = if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" };
     let (before, after) = (&diagnosis.before, &diagnosis.after);
     let row = |what: &str, before: crate::impact::diagnose::Gap, after: crate::impact::diagnose::Gap| {
         vec![
             what.to_string(),
-            format!("{:.2}", before.net_g),
-            format!("{:.2}", after.net_g),
-            format!("{:.2}", after.net_g / before.net_g.max(1e-9)),
-            format!("{:.2}", before.floor_g),
-            format!("{:.2} → {:.2}", before.raw_g, after.raw_g),
+            known(before.net_g),
+            known(after.net_g),
+            known(after.net_g / before.net_g.max(1e-9)),
+            known(before.floor_g),
+            format!("{} → {}", known(before.raw_g), known(after.raw_g)),
         ]
     };
     let rows = vec![
@@ -137,7 +142,7 @@ fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
     vec![
         Block::Heading("The gap, before and after".into()),
         Block::Text(
-            "Root of the mean over samples of (mean wave − model)² − SE², in g; the floor is the standard error of the mean wave itself, and nothing below it can be seen."
+            "Root of the mean over samples of (mean wave − model)² − SE², in g; the floor is the standard error of the mean wave itself, and nothing below it can be seen. A dash: not computed, as that to other heights where all drops are from one."
                 .into(),
         ),
         Block::Table(head, rows),
@@ -284,7 +289,7 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
         })
         .collect();
     let mut lines = Vec::new();
-    for i in 0..diagnosis.estimates.len() {
+    for i in 0..diagnosis.correlations.nrows() {
         for j in 0..i {
             let r = diagnosis.correlations[(i, j)];
             if r.abs() > 0.8 {

@@ -11,6 +11,7 @@ use super::arrow::Arrow;
 use super::camera::{Camera, View};
 use super::labels::Labels;
 use super::raster::{self, Fill};
+use super::visible::seen_at;
 use crate::frame::assembly::{Design, Kind};
 use crate::frame::fold::{Done, FREE_WAY, FoldBend, FoldSequence, Member, Moment, NEXT_MODULE, Step, TOP_BENT, Task};
 use crate::frame::fold::{bent_by, depth, exploded, mesh_at, moment, threading};
@@ -133,26 +134,23 @@ pub fn apart(design: &Design, fold: &FoldSequence) -> Picture {
             (None, Some(module)) => over_motor(fold, &places, module) * body.pose,
             _ => Isometry3::translation(0.0, 0.0, layer * LAYER_MM) * body.pose,
         };
-        named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module, pose * middle_of(&shape.mesh)));
+        named.push((words_of(&body.name, body.module, matches!(shape.kind, Kind::Rod(_))), body.module));
         shown.push(Shown { mesh: shape.mesh.clone(), pose, colour: shape.colour });
     }
     let camera = Camera::fit(View::Perspective, false, &corners(&items(&shown)), EXPLODED_SIZE);
     let mut picture = draw(&shown, &[], &camera, EXPLODED_SIZE);
+    let points = seen_at(&items(&shown), &camera, EXPLODED_SIZE);
     let Some(mut labels) = Labels::on(&mut picture.rgb, EXPLODED_SIZE[0]) else { return picture };
-    let place = |point: &Point3<f64>| {
-        let [x, y, _] = camera.project(point);
-        [x, y]
-    };
     for (module, words) in MODULE_WORDS.iter().enumerate() {
         let corner = Member::Corner(true).body(module);
         let at = design.bodies.iter().position(|body| body.name == corner);
-        at.into_iter().for_each(|at| labels.put(words, NAMES[1], place(&named[at].2)));
+        at.and_then(|at| points[at]).into_iter().for_each(|point| labels.put(words, NAMES[1], point));
     }
     let mut seen: Vec<&str> = Vec::new();
-    for (words, _, point) in named.iter().filter(|(_, module, _)| module.is_none_or(|module| module == 0)) {
-        if !seen.contains(&words.as_str()) {
+    for ((words, _), point) in named.iter().zip(&points).filter(|((_, module), _)| module.is_none_or(|module| module == 0)) {
+        if let (Some(point), false) = (point, seen.contains(&words.as_str())) {
             seen.push(words);
-            labels.put(words, NAMES[0], place(point));
+            labels.put(words, NAMES[0], *point);
         }
     }
     picture
@@ -179,7 +177,7 @@ pub(super) fn words_of(name: &str, module: Option<usize>, is_rod: bool) -> Strin
     words.join(" ")
 }
 
-pub(super) fn middle_of(mesh: &Mesh) -> Point3<f64> {
+fn middle_of(mesh: &Mesh) -> Point3<f64> {
     let [low, high] = mesh.bounds_mm();
     Point3::from((Vector3::from(low) + Vector3::from(high)) * 0.5)
 }

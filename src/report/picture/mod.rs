@@ -18,3 +18,4 @@ pub mod scene;
 pub mod side_by_side;
 pub mod sub_assembly_scene;
 pub(in crate::report) mod surface;
+mod visible;

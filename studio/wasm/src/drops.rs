@@ -62,7 +62,7 @@ pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Ans
     let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());
     let (found, compared) = asked.diagnosed(&stage).map_err(Refused::plain)?;
     let mut answer = with_file("diagnosis.json", diagnosis_data::json(&found, &compared));
-    answer.files.push(("model.toml".into(), found.chosen.model().to_toml().into_bytes()));
+    answer.files.push(("model.toml".into(), diagnosis_data::model_file(&found, &compared).into_bytes()));
     Ok(answer)
 }
 

@@ -1,0 +1,55 @@
+//! A diagnosis in which landings that are not level are what the drops miss: all that it says of the model after is then of them.
+
+use nalgebra::DMatrix;
+
+use super::assessment::LandingAssessment;
+use super::legged_body::Legs;
+use crate::impact::diagnose::{Diagnosis, EffectEstimate, Gap, Gaps, Point, joined};
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, Model, Spec};
+
+impl LandingAssessment {
+    /// Puts the landings in the place of the best set along the vertical, which stays among the ranked ones. What is only known of that set,
+    /// the experiment that tells it from others and the force that it leaves, goes.
+    pub fn decide(&self, diagnosis: &mut Diagnosis) {
+        let instead = format!("{} explains single drops and held-out heights, too", self.ids().join(" + "));
+        let best = joined(&diagnosis.chosen);
+        diagnosis.ranking.iter_mut().filter(|one| one.id == best).for_each(|one| one.reason_rejected = Some(instead.clone()));
+        diagnosis.contributions.clear();
+        diagnosis.estimates = self.estimates.iter().map(named_as_the_base).collect();
+        diagnosis.correlations = DMatrix::zeros(0, 0);
+        diagnosis.after = Gaps { fitted: self.gaps.fitted, held_out: self.gaps.held_out, trials: Gap::UNKNOWN };
+        diagnosis.adequacy = self.adequacy.clone();
+        diagnosis.residual_force.clear();
+        diagnosis.experiments.clear();
+        diagnosis.model_after = level(diagnosis.base.model(), &self.fit.legs);
+        diagnosis.chosen_points = self.points(&diagnosis.base_points);
+    }
+
+    /// The samples with what the landings predict in mean.
+    fn points(&self, base: &[Point]) -> Vec<Point> {
+        let predicted = |height_m: f64| self.windows.iter().find(|(of_m, ..)| *of_m == height_m).map(|(.., predicted)| predicted);
+        let mut points = base.to_vec();
+        for same in points.chunk_by_mut(|a, b| a.height_m == b.height_m) {
+            let Some(predicted) = predicted(same[0].height_m) else { continue };
+            same.iter_mut().zip(predicted).for_each(|(point, model_g)| point.model_g = *model_g);
+        }
+        points
+    }
+}
+
+/// Spring and damper are those of the base model.
+fn named_as_the_base(estimate: &EffectEstimate) -> EffectEstimate {
+    let effect = match estimate.key {
+        "k" => LINEAR_SPRING.id,
+        "c" => LINEAR_DAMPER.id,
+        _ => estimate.effect,
+    };
+    EffectEstimate { effect, ..estimate.clone() }
+}
+
+/// The base model with the stiffness and the damping of these legs: a level landing of theirs.
+fn level(base: &Model, legs: &Legs) -> Model {
+    let word = |spec: &Spec| base.effects.iter().find(|listed| listed.spec.id == spec.id).map_or(0, |listed| listed.word);
+    let [spring, damper] = [&LINEAR_SPRING, &LINEAR_DAMPER].map(word);
+    base.clone().with(&LINEAR_SPRING, &[legs.stiffness_n_m], spring).with(&LINEAR_DAMPER, &[legs.damping_n_s_m], damper)
+}
