@@ -66,7 +66,7 @@ const ROD_MASS_PERCENT: f64 = 15.0;
 const ENGAGED: f64 = 0.5;
 /// Most engagement, in diameters: beyond, screws of small motors meet the windings.
 const ENGAGED_MOST: f64 = 1.5;
-/// Height of a nut, in diameters (ISO 4032: 1.6 mm of M2, 2.4 mm of M3).
+/// Height of a nut that the frame does not state, in diameters (ISO 4032: 1.6 mm of M2, 2.4 mm of M3).
 const NUT: f64 = 0.8;
 /// By how much a self-tapping screw's thread is wider than its pilot hole, mm, in the middle (0.1 on the real frame), and how far off.
 const BITE_MM: [f64; 2] = [0.1, 0.2];
@@ -142,12 +142,12 @@ fn motor_screws(frame: &Frame) -> Vec<Finding> {
     found
 }
 
-/// The screws of the stack bite into the hub, sink into it, and reach through the boards.
+/// The screws of the stack bite into the hub, sink into it, and reach through boards and nuts.
 fn stack_screws(scene: &Scene) -> Vec<Finding> {
     let (frame, centre) = (&scene.design.frame, &scene.design.centre);
     let Some(screw) = part(frame, "stack_screw") else { return Vec::new() };
     let stack = Stack::new(frame, centre);
-    let (Some(thread), Some(length), Some(lowest)) = (screw.thread_mm, screw.length_mm, stack.lowest_board_mm()) else {
+    let (Some(thread), Some(length), Some(lowest)) = (screw.thread_mm, screw.length_mm, stack.nut_seat_mm()) else {
         return Vec::new();
     };
     let (called, hub) = (name(frame, "stack_screw"), &frame.hub);
@@ -161,9 +161,10 @@ fn stack_screws(scene: &Scene) -> Vec<Finding> {
         let message = format!("the head of {called} is {wide} mm wide, its counterbore {bore} mm");
         found.push(sunk.at_most("screw of the stack: head".into(), message));
     }
-    let beyond = measure(lowest - (stack.seat_mm - length), NUT * thread, "mm", STACK_LENGTH);
+    let beyond =
+        measure(lowest - (stack.seat_mm - length), part(frame, "stack_nut").map_or(NUT * thread, |nut| nut.size_mm[2]), "mm", STACK_LENGTH);
     let [reach, nut] = beyond.figures(2);
-    let message = format!("{called} reaches {reach} mm beyond the lowest board under the hub, a nut is {nut} mm high");
+    let message = format!("{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high");
     found.push(beyond.at_least("screw of the stack: length".into(), message));
     found
 }

@@ -82,7 +82,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, STACK),
         () if has("flight_controller") && is(PartName::BatteryBracket) => (0.0, BAY),
-        () if ["flight_controller", "motor_controller", "stack_screw", "damper"].into_iter().any(has) => (0.0, STACK),
+        () if ["flight_controller", "motor_controller", "stack_screw", "stack_nut", "damper"].into_iter().any(has) => (0.0, STACK),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),
         () if has("flow_sensor") => (0.0, SENSOR),

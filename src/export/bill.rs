@@ -137,6 +137,9 @@ pub struct Bill {
     pub without_price: usize,
 }
 
+/// What a frame with a camera for goggles needs and no role has.
+const NO_TRANSMITTER: &str = "its video transmitter and the transmitter's antenna are not included in this bill";
+
 /// The bill of a design.
 pub fn bill(design: &Design, masses: &MassTable, kerf_mm: Option<f64>) -> Bill {
     let kerf_mm = kerf_mm.unwrap_or(KERF_MM);
@@ -217,6 +220,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
             source: part.source.clone(),
+            note: if role == "fpv_camera" { NO_TRANSMITTER.into() } else { String::new() },
             ..BuyLine::default()
         }
     };

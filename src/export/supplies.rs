@@ -107,7 +107,7 @@ fn fixings(design: &Design) -> Vec<Supply> {
     };
     let kinds = [
         (Fixing::Tape, "tape", "thin double sided adhesive tape"),
-        (Fixing::SmallScrews, "small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts"),
+        (Fixing::SmallScrews, "small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts and washers"),
         (Fixing::SmallTies, "small_tie", "cable tie 2 mm wide"),
         (Fixing::Solder, "solder", "solder wire for electronics and heat shrink tube"),
     ];

@@ -1,7 +1,7 @@
 //! What is bought, by what it is for.
 
 /// Roles of bought parts, how many of each, and the kind that fits.
-pub const ROLES: [(&str, u32, &str); 19] = [
+pub const ROLES: [(&str, u32, &str); 20] = [
     ("motor", 4, "motor"),
     ("propeller", 4, "propeller"),
     ("battery", 1, "battery"),
@@ -15,6 +15,7 @@ pub const ROLES: [(&str, u32, &str); 19] = [
     ("magnet", 2, "magnet"),
     ("motor_screw", 16, "screw"),
     ("stack_screw", 4, "screw"),
+    ("stack_nut", 4, "other"),
     ("tie", 4, "other"),
     ("damper", 4, "other"),
     ("receiver", 1, "receiver"),

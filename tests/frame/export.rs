@@ -335,6 +335,10 @@ fn analytic_the_report_links_to_files_that_are_there() {
         for step in ["print 31 parts", "cut 28 rods from", "buy ", "put it together and fold it, "] {
             assert!(report[next..].lines().take(10).any(|line| line.contains(step)), "{}: {step}", built.preset);
         }
+        // Rods are there before a coupon needs a piece of one, and before they are cut.
+        let order = ["buy ", "try the printer", "print 31 parts", "cut 28 rods from", "put it together and fold it, "];
+        let places = order.map(|step| report[next..].find(step).expect("is a step"));
+        assert!(places.is_sorted(), "{}: {places:?}", built.preset);
         let links: Vec<&str> = report.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
         assert!(links.iter().filter(|link| link.ends_with(".stl")).count() == parts().len());
         let pictures: Vec<&&str> = links.iter().filter(|link| link.ends_with(".png")).collect();

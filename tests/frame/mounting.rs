@@ -6,7 +6,7 @@ use flexframe::export::bill::bill;
 use flexframe::frame::assembly::wires::wires;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
-use flexframe::frame::mounting::{MOUNTS, Mounting, without_a_step};
+use flexframe::frame::mounting::{MOUNTS, MountStep, Mounting, untold, without_a_step};
 use flexframe::params::Frame;
 use nalgebra::Vector3;
 
@@ -57,12 +57,12 @@ fn analytic_dampers_go_into_the_upper_board() {
     let steps = |design: &Design| {
         let mounting = mounted(design);
         let of = |id: &str| mounting.steps().position(|step| step.mount == id);
-        [of("dampers"), of("dampers_in_motor_controller"), of("motor_controller")]
+        [of("dampers"), of("dampers_in_motor_controller"), of("motor_controller"), of("both_controllers")]
     };
     let both = steps(&designed("cognifly"));
-    assert!(both[0].is_some() && both[1].is_none());
+    assert!(both[0].is_some() && both[1].is_none() && both[2].is_some() && both[3].is_none());
     let one = steps(&without(&["flight_controller", "flow_sensor"]));
-    assert!(one[0].is_none() && one[1].is_some_and(|at| Some(at) < one[2]), "{one:?}");
+    assert!(one[0].is_none() && one[2].is_none() && one[1].is_some_and(|at| Some(at) < one[3]), "{one:?}");
 }
 
 /// A cable is drawn in the one step that brings its ends together.
@@ -80,10 +80,141 @@ fn analytic_each_cable_is_laid_in_one_step() {
 fn analytic_texts_name_no_cable_of_what_the_design_lacks() {
     let told = |design: &Design| {
         let texts: String = mounted(design).steps().map(|step| step.text.clone()).collect();
-        ["flow sensor's cable", "between the two boards"].map(|cable| texts.contains(cable))
+        ["sensor cable", "board cable"].map(|cable| texts.contains(cable))
     };
     assert_eq!(told(&designed("cognifly")), [true; 2]);
     assert_eq!(told(&without(&["flow_sensor", "flight_controller", "damper"])), [false; 2]);
+}
+
+/// Every preset, and every frame of the gallery.
+fn all_frames() -> Vec<String> {
+    let gallery = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/frames");
+    let files = std::fs::read_dir(gallery).expect("is a folder").map(|entry| entry.expect("reads").path());
+    let mut all: Vec<String> = files.map(|path| path.to_str().expect("is text").to_owned()).collect();
+    all.sort();
+    all.extend(flexframe::params::preset::names().into_iter().map(String::from));
+    all
+}
+
+/// Cables, wires and the receiver that a bill lists as used up.
+fn connected(design: &Design) -> Vec<String> {
+    let bill = bill(design, &mass::table(design), None);
+    let supplies = bill.buy.into_iter().filter(|line| line.kind == "supply");
+    supplies
+        .filter(|line| line.role.ends_with("_cable") || line.role.ends_with("_wire") || line.role == "receiver")
+        .map(|line| line.role)
+        .collect()
+}
+
+/// No cable and no receiver is bought that no step connects, and no step connects one that is not bought.
+#[test]
+fn regress_every_cable_of_the_bill_is_connected_in_a_step() {
+    for name in all_frames() {
+        let design = designed(&name);
+        let (mounting, roles) = (mounted(&design), connected(&design));
+        let steps: Vec<&MountStep> = mounting.steps().collect();
+        assert!(roles.len() >= 3, "{name}: {roles:?}");
+        assert_eq!(untold(roles.iter().map(String::as_str), &steps), Vec::<&str>::new(), "{name}");
+        for step in &steps {
+            assert!(step.supplies.iter().all(|role| roles.iter().any(|other| other == role)), "{name}: {:?}", step.supplies);
+            assert!(!step.text.contains(['{', '}']), "{name}: {}", step.text);
+        }
+        // The receiver is mounted once, with a place of its own or without one.
+        let receivers = steps.iter().filter(|step| ["receiver", "radio"].contains(&step.mount)).count();
+        assert_eq!(receivers, 1, "{name}");
+    }
+}
+
+#[test]
+fn planted_a_cable_that_no_step_plugs_in_is_found() {
+    let design = designed("cognifly");
+    let mut mounting = mounted(&design);
+    let roles = connected(&design);
+    let of = |mounting: &Mounting| {
+        let steps: Vec<&MountStep> = mounting.steps().collect();
+        untold(roles.iter().map(String::as_str), &steps).into_iter().map(String::from).collect::<Vec<_>>()
+    };
+    // The carrier's step without the words about the cable, and no step for the receiver.
+    for step in &mut mounting.before {
+        step.text = step.text.replace("computer cable", "lead");
+    }
+    mounting.before.retain(|step| step.mount != "radio");
+    assert_eq!(of(&mounting), ["computer_cable", "receiver"]);
+}
+
+/// Nuts hold the boards on the screws: four of them after the last board, before the bracket closes the bay, with spares in the bill.
+#[test]
+fn regress_nuts_hold_the_boards_of_every_frame_with_a_stack() {
+    for name in all_frames() {
+        let design = designed(&name);
+        let mounting = mounted(&design);
+        let at = |id: &str| mounting.before.iter().position(|step| step.mount == id);
+        let nuts = at("stack_nuts").unwrap_or_else(|| panic!("{name}: no nuts"));
+        for board in ["flight_controller", "motor_controller", "both_controllers"] {
+            assert!(at(board).is_none_or(|board| board < nuts), "{name}");
+        }
+        assert!(at("bracket").is_some_and(|bracket| nuts < bracket), "{name}");
+        let lines: Vec<_> = mounting.before[nuts].parts.iter().map(|line| (line.part.as_str(), line.count)).collect();
+        assert_eq!(lines, [("stack_nut", 4.0)], "{name}");
+        let bill = bill(&design, &mass::table(&design), None);
+        let line = bill.buy.iter().find(|line| line.role == "stack_nut").expect("is bought");
+        assert_eq!([line.quantity, line.with_spares], [4, 5], "{name}");
+    }
+}
+
+/// The measured total of the real frame stays: its nuts are a part of what nobody itemised.
+#[test]
+fn measured_the_real_frames_total_contains_its_nuts() {
+    let masses = mass::table(&designed("cognifly-v8"));
+    let nuts = masses.lines.iter().find(|line| line.name == "stack_nut").expect("has nuts");
+    assert_eq!((nuts.total_g, nuts.basis.as_str()), (0.0, "in unitemised"));
+    assert!((masses.total_g - 241.0).abs() < 0.05, "{}", masses.total_g);
+}
+
+/// Which face of the board goes up, and what to set where it faces the ground, in every frame.
+#[test]
+fn regress_the_board_with_the_arrow_has_a_side_and_an_alignment() {
+    for name in all_frames() {
+        let mounting = mounted(&designed(&name));
+        let board = mounting.before.iter().find(|step| ["flight_controller", "both_controllers"].contains(&step.mount)).expect("has one");
+        for words in ["face with its arrow is towards the hub", "faces the ground", "roll 180 degrees"] {
+            assert!(board.text.contains(words), "{name}: {}", board.text);
+        }
+        assert!(board.caution.is_some_and(|caution| caution.contains("Before the first flight, test the alignment")), "{name}");
+    }
+}
+
+/// Where the rods are of bamboo, no step and no caution speaks of carbon.
+#[test]
+fn regress_instructions_of_bamboo_rods_name_no_carbon() {
+    let design = designed("cognifly-bamboo");
+    let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let cautions: String = fold.steps.iter().filter_map(|step| step.caution.as_deref()).collect();
+    let texts: String = mounted(&design).steps().map(|step| format!("{} {}", step.text, step.caution.unwrap_or_default())).collect();
+    assert!(cautions.contains("bamboo"), "{cautions}");
+    assert!(!format!("{cautions}{texts}").to_lowercase().contains("carbon"), "{cautions}{texts}");
+}
+
+/// Two of the ties pass between computer and carrier: the step lays washers there, and the bill has them.
+#[test]
+fn regress_washers_under_the_computer_are_told_and_bought() {
+    let design = designed("cognifly");
+    let step = mounted(&design).before.into_iter().find(|step| step.mount == "computer").expect("is mounted");
+    assert!(step.text.contains("Lay washers on each of the carrier's four holes"), "{}", step.text);
+    let bill = bill(&design, &mass::table(&design), None);
+    let line = bill.buy.iter().find(|line| line.role == "small_screws").expect("are bought");
+    assert!(line.search.contains("washers") && line.note.contains("computer onto its carrier"), "{line:?}");
+}
+
+/// A camera for goggles needs a transmitter that no frame has: bill and step say so.
+#[test]
+fn regress_a_camera_for_goggles_says_that_its_transmitter_is_not_included() {
+    let design = designed(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/frames/four-inch-long-range.toml"));
+    let bill = bill(&design, &mass::table(&design), None);
+    let line = bill.buy.iter().find(|line| line.role == "fpv_camera").expect("has one");
+    assert!(line.note.contains("transmitter") && line.note.contains("antenna are not included"), "{line:?}");
+    let step = mounted(&design).before.into_iter().find(|step| step.mount == "fpv_camera").expect("is mounted");
+    assert!(step.text.contains("video transmitter") && step.text.contains("not part of this frame"), "{}", step.text);
 }
 
 #[test]

@@ -39,6 +39,8 @@ pub enum BoughtPart {
     Camera,
     /// The four screws of the boards under the hub.
     StackScrews,
+    /// The four nuts on them, below the lowest board.
+    StackNuts,
     /// The four dampers of the flight controller.
     Dampers,
     /// The four ties through hub, carrier and bracket.
@@ -66,7 +68,7 @@ const LENS_HALF_MM: f64 = 4.25;
 
 impl BoughtPart {
     /// All of them.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 18] = [
         Self::Battery,
         Self::Computer,
         Self::FlightController,
@@ -78,6 +80,7 @@ impl BoughtPart {
         Self::FlowSensor,
         Self::Camera,
         Self::StackScrews,
+        Self::StackNuts,
         Self::Dampers,
         Self::Ties,
         Self::Receiver,
@@ -100,6 +103,7 @@ impl BoughtPart {
             Self::FlowSensor => "flow_sensor",
             Self::Camera => "camera",
             Self::StackScrews => "stack_screw",
+            Self::StackNuts => "stack_nut",
             Self::Dampers => "damper",
             Self::Ties => "tie",
             Self::Receiver => "receiver",
@@ -132,6 +136,7 @@ impl BoughtPart {
             Self::FlowSensor => turned(centre, flow_sensor(part, frame, centre)),
             Self::Camera => camera(part, frame, centre),
             Self::StackScrews => return screw_solids::stack_screws(part, frame, centre),
+            Self::StackNuts => return screw_solids::stack_nuts(part, frame, centre),
             Self::Dampers => return screw_solids::dampers(frame, centre),
             Self::Ties => turned(centre, screw_solids::ties(part, frame, centre)?),
             Self::Receiver | Self::Buzzer | Self::Gps => return on_plate(self.role(), part, frame, centre),

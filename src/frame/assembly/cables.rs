@@ -21,6 +21,10 @@ struct Cable {
     radius_mm: f64,
     /// Linear red, green, blue, alpha.
     colour: [f32; 4],
+    /// That colour in a word.
+    colour_word: &'static str,
+    /// What is done with both its ends; see [`Wire::plugging`].
+    plugging: &'static str,
 }
 
 /// How a cable runs.
@@ -46,14 +50,78 @@ const ON_BOARD: f64 = 0.8;
 const READERS: [&str; 2] = ["flight_controller", "motor_controller"];
 
 const CABLES: [Cable; 8] = [
-    Cable { role: "board_cable", from: "flight_controller", route: Route::Stack, radius_mm: 1.2, colour: [0.5, 0.5, 0.5, 1.0] },
-    Cable { role: "sensor_cable", from: "flow_sensor", route: Route::Upright, radius_mm: 1.1, colour: [0.02, 0.12, 0.5, 1.0] },
-    Cable { role: "camera_cable", from: "camera", route: Route::Ribbon, radius_mm: 0.0, colour: [0.75, 0.75, 0.72, 1.0] },
-    Cable { role: "computer_cable", from: "computer", route: Route::Hub, radius_mm: 1.1, colour: [0.02, 0.35, 0.08, 1.0] },
-    Cable { role: "receiver_cable", from: "receiver", route: Route::Hub, radius_mm: 1.1, colour: [0.6, 0.45, 0.02, 1.0] },
-    Cable { role: "gps_cable", from: "gps", route: Route::Hub, radius_mm: 1.1, colour: [0.3, 0.05, 0.4, 1.0] },
-    Cable { role: "buzzer_cable", from: "buzzer", route: Route::Hub, radius_mm: 0.9, colour: [0.5, 0.15, 0.02, 1.0] },
-    Cable { role: "fpv_cable", from: "fpv_camera", route: Route::Hub, radius_mm: 1.0, colour: [0.6, 0.55, 0.05, 1.0] },
+    Cable {
+        role: "board_cable",
+        from: "flight_controller",
+        route: Route::Stack,
+        radius_mm: 1.2,
+        colour: [0.5, 0.5, 0.5, 1.0],
+        colour_word: "grey",
+        plugging: "Plug the board cable into both boards.",
+    },
+    Cable {
+        role: "sensor_cable",
+        from: "flow_sensor",
+        route: Route::Upright,
+        radius_mm: 1.1,
+        colour: [0.02, 0.12, 0.5, 1.0],
+        colour_word: "bright blue",
+        plugging: "Plug the sensor cable into the flow sensor, lead it through the holes of the {front} upright, and plug it into a serial port of the {end}.",
+    },
+    Cable {
+        role: "camera_cable",
+        from: "camera",
+        route: Route::Ribbon,
+        radius_mm: 0.0,
+        colour: [0.75, 0.75, 0.72, 1.0],
+        colour_word: "white",
+        plugging: "Push the camera cable, a ribbon, into the sockets of camera and {end}, and close both latches.",
+    },
+    Cable {
+        role: "computer_cable",
+        from: "computer",
+        route: Route::Hub,
+        radius_mm: 1.1,
+        colour: [0.02, 0.35, 0.08, 1.0],
+        colour_word: "green",
+        plugging: "Plug the computer cable into the computer's pins for serial data and 5 V, lead it down beside the hub, between two bosses, and plug it into a serial port and 5 V of the {end}.",
+    },
+    Cable {
+        role: "receiver_cable",
+        from: "receiver",
+        route: Route::Hub,
+        radius_mm: 1.1,
+        colour: [0.6, 0.45, 0.02, 1.0],
+        colour_word: "yellow",
+        plugging: "Plug the receiver cable into the receiver, lead it down beside the hub, between two bosses, and plug it into a serial port and 5 V of the {end}.",
+    },
+    Cable {
+        role: "gps_cable",
+        from: "gps",
+        route: Route::Hub,
+        radius_mm: 1.1,
+        colour: [0.3, 0.05, 0.4, 1.0],
+        colour_word: "violet",
+        plugging: "Plug the GPS cable into the GPS, lead it down beside the hub, between two bosses, and plug it into a serial port and 5 V of the {end}.",
+    },
+    Cable {
+        role: "buzzer_cable",
+        from: "buzzer",
+        route: Route::Hub,
+        radius_mm: 0.9,
+        colour: [0.5, 0.15, 0.02, 1.0],
+        colour_word: "red-brown",
+        plugging: "Plug the buzzer cable into the buzzer, lead it down beside the hub, between two bosses, and plug it into the buzzer's pads of the {end}.",
+    },
+    Cable {
+        role: "fpv_cable",
+        from: "fpv_camera",
+        route: Route::Hub,
+        radius_mm: 1.0,
+        colour: [0.6, 0.55, 0.05, 1.0],
+        colour_word: "yellow-green",
+        plugging: "Plug the FPV cable into the camera for goggles, lead it down beside the hub, between two bosses, and plug it into the camera's pads of the {end}.",
+    },
 ];
 
 /// A body's lowest and highest corner, frame axes, mm.
@@ -81,7 +149,17 @@ impl Cable {
         // Up to the upright of the bracket, which moves with the sensor; else to where the cable leaves the board.
         let begins = if let Route::Upright = self.route { 4 } else { way.len() / 2 };
         let section = if let Route::Ribbon = self.route { Section::Ribbon(RIBBON_MM) } else { Section::Round(self.radius_mm) };
-        Some(Wire { name: self.role.into(), role: self.role, way, begins, section, joins: Some([self.from, to]), colour: self.colour })
+        Some(Wire {
+            name: self.role.into(),
+            role: self.role,
+            way,
+            begins,
+            section,
+            joins: Some([self.from, to]),
+            plugging: self.plugging,
+            colour: self.colour,
+            colour_word: self.colour_word,
+        })
     }
 }
 

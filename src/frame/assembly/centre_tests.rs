@@ -123,8 +123,28 @@ fn analytic_bought_parts_have_their_catalogued_size() {
         let [across, _, height] = stated("damper");
         let pattern = frame.hub.stack_pattern_mm;
         close(BoughtPart::Dampers, [pattern + across, pattern + across, height]);
+        let [corners, flats, height] = stated("stack_nut");
+        close(BoughtPart::StackNuts, [pattern + corners, pattern + flats, height]);
         let screw = &frame.bought["stack_screw"].part;
         let long = screw.length_mm.expect("is stated") + screw.head_height_mm.expect("is stated");
         assert!((size(BoughtPart::StackScrews)[2] - long).abs() < 1e-4, "{name}");
+    }
+}
+
+/// The nuts touch what the screws hold, and are on the screws by their whole height: below the lowest board, or below its dampers.
+#[test]
+fn regress_nuts_hold_the_lowest_board() {
+    for (name, held, clear) in
+        [("cognifly", "motor_controller", "damper"), ("examples/frames/whoop-aio-fpv.toml", "damper", "motor_controller")]
+    {
+        let (frame, _) = Frame::load(name).expect("a frame");
+        let solids: Vec<(String, Feature)> = all(&frame, &Centre::new(&frame));
+        let solid = |name: &str| MeshSolid::build(&solids.iter().find(|(other, _)| other == name).expect("has it").1);
+        let [nuts, screws, board] = ["stack_nut", "stack_screw", held].map(solid);
+        assert_eq!(nuts.body_boxes().len(), 4, "{name}");
+        assert!(nuts.gap_mm(&board, 5.0) < 1e-4, "{name}: {}", nuts.gap_mm(&board, 5.0));
+        assert!(nuts.gap_mm(&solid(clear), 5.0) > 0.5, "{name}");
+        let ([low, _], [end, _]) = (nuts.bounds_mm(), screws.bounds_mm());
+        assert!(low[2] >= end[2] - 1e-4, "{name}: nuts to {}, screws to {}", low[2], end[2]);
     }
 }

@@ -1,14 +1,15 @@
-//! Solids of screws, dampers and ties, at their catalogued sizes, where they hold something.
+//! Solids of screws, nuts, dampers and ties, at their catalogued sizes, where they hold something.
 
 use std::f64::consts::FRAC_PI_4;
 
 use nalgebra::Point3;
 
 use crate::frame::parts::MotorMount;
+use crate::frame::parts::outline::upright;
 use crate::frame::skeleton::{Accessories, Centre, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart;
-use crate::solid::Feature;
+use crate::solid::{Contour, Feature, Profile};
 
 /// Play of a tie's strap in the slot that it leaves the bracket by, mm: it lies on the slot's lower face.
 const STRAP_PLAY_MM: f64 = 0.05;
@@ -32,6 +33,19 @@ pub(super) fn stack_screws(part: &BoughtPart, frame: &Frame, centre: &Centre) ->
     stack.boards.first()?;
     let screws: Option<Vec<Feature>> = Stack::axes_mm(frame).into_iter().map(|at| screw(part, at, stack.seat_mm, 1.0)).collect();
     Some(Feature::union(screws?))
+}
+
+/// The four nuts of the stack, their upper faces on what the screws hold; none where no board hangs there or the screws have no stated
+/// thread.
+pub(super) fn stack_nuts(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let top = Stack::new(frame, centre).nut_seat_mm()?;
+    let thread = frame.bought.get("stack_screw")?.part.thread_mm?;
+    let [corners, flats, high] = part.size_mm;
+    let [x, y] = [0.5 * corners, 0.5 * flats];
+    let hexagon = Contour::polygon(&[[x, 0.0], [0.5 * x, y], [-0.5 * x, y], [-x, 0.0], [-0.5 * x, -y], [0.5 * x, -y]]);
+    let section = Profile::new(hexagon).with_holes([Contour::bore([0.0, 0.0], 0.5 * thread)]);
+    let one = |[x, y]: [f64; 2]| upright(section.clone(), [top - high, top]).at(x, y, 0.0);
+    (thread < flats).then(|| Feature::union(Stack::axes_mm(frame).map(one)))
 }
 
 /// The screws of a motor in the axes of its mount, heads down under the plate; none where a size of them is not catalogued.

@@ -29,11 +29,24 @@ pub struct Wire {
     pub section: Section,
     /// The bodies that it joins, the one where its way begins first; none of what is of several bodies.
     pub joins: Option<[&'static str; 2]>,
+    /// What is done with both its ends, where it joins two bodies: sides between braces are those of a sleeve that lies along the frame,
+    /// and [`END`] is the body where its way ends.
+    pub plugging: &'static str,
     /// Linear red, green, blue, alpha.
     pub colour: [f32; 4],
+    /// That colour in a word.
+    pub colour_word: &'static str,
 }
 
+/// In what is done with a cable: the body where its way ends.
+pub(super) const END: &str = "{end}";
+
 impl Wire {
+    /// What is done with both its ends; nothing of what is of several bodies.
+    pub fn plugged(&self) -> String {
+        self.joins.map_or_else(String::new, |[_, end]| self.plugging.replace(END, &end.replace('_', " ")))
+    }
+
     /// Length of its way, mm.
     pub fn length_mm(&self) -> f64 {
         self.way.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum()

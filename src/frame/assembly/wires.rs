@@ -63,12 +63,14 @@ fn motor(design: &Design, module: usize) -> Option<Wire> {
         begins: 2,
         section: Section::Round(radius_mm),
         joins: None,
+        plugging: "",
         colour: COLOURS[0],
+        colour_word: "black",
     })
 }
 
-/// Both leads of the battery: the side of the connector on which each is, and its colour.
-const LEADS: [(&str, f64, [f32; 4]); 2] = [("plus", 1.0, COLOURS[1]), ("minus", -1.0, COLOURS[2])];
+/// Both leads of the battery: the side of the connector on which each is, its colour, and that in a word.
+const LEADS: [(&str, f64, [f32; 4], &str); 2] = [("plus", 1.0, COLOURS[1], "red"), ("minus", -1.0, COLOURS[2], "black")];
 /// Each lead's distance from the connector's middle over its radius.
 const LEADS_APART: f64 = 1.2;
 
@@ -80,7 +82,7 @@ fn battery(design: &Design) -> Vec<Wire> {
     };
     let (from, to) = (nalgebra::center(&low, &high), nalgebra::center(&board_low, &board_high));
     let (radius_mm, before) = (RADII_MM[1], 2.0 * RADII_MM[1]);
-    let wire = |(name, side, colour): (&str, f64, [f32; 4])| {
+    let wire = |(name, side, colour, colour_word): (&str, f64, [f32; 4], &'static str)| {
         let x = side * LEADS_APART * radius_mm;
         let way = vec![
             Point3::new(from.x + x, high.y, from.z),
@@ -95,7 +97,9 @@ fn battery(design: &Design) -> Vec<Wire> {
             begins: 2,
             section: Section::Round(radius_mm),
             joins: None,
+            plugging: "",
             colour,
+            colour_word,
         }
     };
     LEADS.into_iter().map(wire).collect()
@@ -111,7 +115,7 @@ pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
     let Some([low, high]) = own_bounds_mm(design, connector) else { return Vec::new() };
     let (middle, is_lid) = (nalgebra::center(&low, &high), connector == "connector_lid");
     let [from_y, to_y] = if is_lid { [low.y, low.y - LEAD_MM] } else { [high.y, high.y + LEAD_MM] };
-    let lead = |(name, side, colour): (&str, f64, [f32; 4])| {
+    let lead = |(name, side, colour, colour_word): (&str, f64, [f32; 4], &'static str)| {
         let x = middle.x + side * LEADS_APART * RADII_MM[1];
         let way = [from_y, to_y].map(|y| axes.point(Point3::new(x, y, middle.z))).into();
         Wire {
@@ -121,7 +125,9 @@ pub fn lead_ends(design: &Design, connector: &str) -> Vec<Wire> {
             begins: 2,
             section: Section::Round(RADII_MM[1]),
             joins: None,
+            plugging: "",
             colour,
+            colour_word,
         }
     };
     LEADS.into_iter().map(lead).collect()

@@ -4,6 +4,7 @@
 //! [`FoldSequence`] contains the steps. [`Linkage`] computes the triangle of arms, strut and leg while it closes. [`Module`] gives the pose
 //! of every body.
 
+mod cut_rods;
 mod depth;
 mod flat;
 mod hinge;
@@ -18,6 +19,7 @@ mod task;
 mod threading;
 mod timeline;
 
+pub use cut_rods::when_cut;
 pub use depth::{Depth, depth};
 pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
 pub use hinge::{HingeLoad, necks, web, web_strain_percent};

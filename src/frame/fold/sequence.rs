@@ -111,7 +111,7 @@ pub struct Step {
     /// What it takes.
     pub tool: &'static str,
     /// What to take care of.
-    pub caution: Option<&'static str>,
+    pub caution: Option<Cow<'static, str>>,
     /// How often: once a module, or once.
     pub repeats: usize,
     /// All repeats together, minutes; an estimate.
@@ -208,7 +208,7 @@ fn step(rules: &Rules, frame: &Frame, skeleton: &Skeleton, order: &[Task], at: u
         title: task.title(),
         text: text(task, skeleton),
         tool: task.tool(),
-        caution: task.caution(),
+        caution: task.caution(frame),
         repeats,
         minutes: task.minutes() * repeats as f64,
         joins: joins(rules, skeleton, task),

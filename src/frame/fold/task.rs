@@ -1,9 +1,13 @@
 //! What there is to do: each task joins members or bends a hinge. Nothing here says in which order.
 
+use std::borrow::Cow;
+
 use nalgebra::Vector3;
 use serde::Serialize;
 
+use super::cut_rods;
 use super::member::{Member, left, outward};
+use crate::params::Frame;
 
 /// A task in each module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -214,13 +218,13 @@ impl Task {
         }
     }
 
-    /// What to take care of.
-    pub fn caution(self) -> Option<&'static str> {
+    /// What to take care of in a frame.
+    pub fn caution(self, frame: &Frame) -> Option<Cow<'static, str>> {
         match self {
-            Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => Some(
-                "Ends of cut carbon rods splinter: wear gloves and a dust mask, wipe the ends before pushing. Glue only a rod that is loose.",
-            ),
-            Self::PlugHub => Some("Never glue the plugs to the hub: they are what lets go in a crash."),
+            Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => {
+                Some(cut_rods::when_pushed(frame).into())
+            }
+            Self::PlugHub => Some("Never glue the plugs to the hub: they are what lets go in a crash.".into()),
             _ => None,
         }
     }

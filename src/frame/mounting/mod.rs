@@ -5,9 +5,13 @@
 
 mod mount;
 mod mounting_plan;
+mod mounts;
 mod part_lines;
+mod untold;
 mod way;
 
-pub use mount::{Fixing, MOUNTS, Mount, Stage};
+pub use mount::{Fixing, Mount, Stage};
 pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
+pub use mounts::MOUNTS;
 pub use part_lines::{PartLine, without_a_step};
+pub use untold::untold;

@@ -6,9 +6,12 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::mount::{Fixing, MOUNTS, Mount, Stage};
+use super::mount::{Fixing, Mount, PLUGGED, Stage};
+use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
+use crate::frame::assembly::wire::Wire;
+use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{FoldSequence, Meeting, Sweep};
 
@@ -56,6 +59,8 @@ pub struct MountStep {
     pub travel_mm: f64,
     /// What of the bill is taken in hand for the first time.
     pub parts: Vec<PartLine>,
+    /// Lines of the bill, used up, that the text tells of: cables that are plugged in here, wires that are soldered.
+    pub supplies: Vec<&'static str>,
     /// Mounts that have to be done before.
     pub after: Vec<Precedence>,
     /// Mounts that it has to come before.
@@ -87,9 +92,7 @@ impl MountStep {
 
     /// Which of two bodies this step brings to the other; none where it does not bring them together.
     pub fn joined_end(&self, ends: [&str; 2]) -> Option<usize> {
-        let moves = |name: &str| self.moves.iter().any(|body| body == name);
-        let is_there = |name: &str| self.there.iter().any(|body| body == name);
-        (0..2).find(|end| moves(ends[*end]) && is_there(ends[1 - end]))
+        joined_end(&self.moves, &self.there, ends)
     }
 
     /// What one of its bodies is put onto: that of the body's own module where each has one.
@@ -98,19 +101,25 @@ impl MountStep {
     }
 }
 
+/// Which of two bodies is among those that move, while the other is there.
+fn joined_end(moves: &[String], there: &[String], ends: [&str; 2]) -> Option<usize> {
+    let is_in = |bodies: &[String], name: &str| bodies.iter().any(|body| body == name);
+    (0..2).find(|end| is_in(moves, ends[*end]) && is_in(there, ends[1 - end]))
+}
+
 /// Mounts that are done, by their names.
 type Done = BTreeSet<&'static str>;
 
 impl Mounting {
     /// The mounts of a design, in their order around its fold.
     pub fn new(design: &Design, fold: &FoldSequence) -> Self {
-        let planning = Planning { ways: Ways::new(design), mounts: mounts_of(design) };
+        let planning = Planning::new(design);
         Self::in_order(design, fold, &planning, &planning.order())
     }
 
     /// The same in an order that is given by their names; what the order breaks is in the steps' sweeps.
     pub fn in_given_order(design: &Design, fold: &FoldSequence, order: &[&str]) -> Self {
-        let planning = Planning { ways: Ways::new(design), mounts: mounts_of(design) };
+        let planning = Planning::new(design);
         let order: Vec<&'static Mount> = order.iter().filter_map(|id| planning.mount(id)).collect();
         Self::in_order(design, fold, &planning, &order)
     }
@@ -149,7 +158,7 @@ impl Mounting {
 pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
     let has = |name: &str| design.bodies.iter().any(|body| body.name == name);
     let mut found: Vec<&'static Mount> = Vec::new();
-    for mount in MOUNTS.iter().filter(|mount| has(mount.onto)) {
+    for mount in MOUNTS.iter().filter(|mount| mount.is_for(has)) {
         let brought = |name: &str| found.iter().any(|other| other.brings.contains(&name));
         if mount.brings.is_empty() || mount.brings.iter().any(|name| has(name) && !brought(name)) {
             found.push(mount);
@@ -161,9 +170,16 @@ pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
 struct Planning<'a> {
     ways: Ways<'a>,
     mounts: Vec<&'static Mount>,
+    /// Those that join two bodies.
+    cables: Vec<Wire>,
 }
 
-impl Planning<'_> {
+impl<'a> Planning<'a> {
+    fn new(design: &'a Design) -> Self {
+        let cables = wires(design).into_iter().filter(|wire| wire.joins.is_some()).collect();
+        Self { ways: Ways::new(design), mounts: mounts_of(design), cables }
+    }
+
     fn mount(&self, id: &str) -> Option<&'static Mount> {
         self.mounts.iter().copied().find(|mount| mount.id == id)
     }
@@ -248,11 +264,17 @@ impl Planning<'_> {
         bar.map(|m| format!("{} runs into {} on its way", m.bodies[0], m.bodies[1]))
     }
 
-    /// What a person does, without what is said of bodies that the design lacks.
-    fn text(&self, mount: &Mount) -> String {
-        let lacking = mount.text_with.iter().filter(|(body, _)| self.ways.bodies(std::iter::once(*body)).is_empty());
+    /// What a person does, with the cables that are plugged in.
+    fn text(&self, mount: &Mount, cables: &[&Wire]) -> String {
         let axes = self.ways.battery_axes();
-        lacking.fold(mount.text_in(axes), |text, (_, sentence)| text.replace(&axes.words(sentence), ""))
+        let text = mount.text_in(axes);
+        let told = cables.iter().map(|cable| axes.words(&cable.plugged())).collect::<Vec<_>>().join(" ");
+        match (text.contains(PLUGGED), told.is_empty()) {
+            (true, true) => text.replace(PLUGGED, ""),
+            (true, false) => text.replace(PLUGGED, &format!("{told} ")),
+            (false, true) => text,
+            (false, false) => format!("{text} {told}"),
+        }
     }
 
     fn step(&self, order: &[&'static Mount], at: usize, seen: &mut PartsSeen) -> MountStep {
@@ -269,24 +291,28 @@ impl Planning<'_> {
             let with: Done = done.iter().copied().chain([other.id]).collect();
             self.broken(&with, mount).map(|because| depends(other, because))
         });
+        let (moves, there) = (names(&moving), names(&still));
+        let cables: Vec<&Wire> =
+            self.cables.iter().filter(|cable| cable.joins.is_some_and(|ends| joined_end(&moves, &there, ends).is_some())).collect();
         let (repeats, from) = (mount.repeats(), mount.from_in(self.ways.battery_axes()));
         MountStep {
             mount: mount.id,
             stage: mount.stage,
             title: mount.title,
-            text: self.text(mount),
+            text: self.text(mount, &cables),
             tool: mount.tool,
             caution: mount.caution,
             repeats,
             minutes: mount.minutes * repeats as f64,
             fixing: mount.fixing,
             brings: names(&self.ways.bodies(mount.brings.iter().copied())),
-            moves: names(&moving),
+            moves,
             onto: mount.onto,
-            there: names(&still),
+            there,
             from,
             travel_mm: from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
             parts: seen.of_mount(mount),
+            supplies: mount.supplies.iter().copied().chain(cables.iter().map(|cable| cable.role)).collect(),
             after: after.collect(),
             before: before.collect(),
             sweep: self.sweep(&done, mount),

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::mount::Mount;
+use super::mount::{Fixing, Mount};
 use crate::frame::assembly::{Body, BoughtPart, Design, Kind};
 use crate::frame::fold::{Member, Step};
 use crate::frame::skeleton::MODULE_NAMES;
@@ -86,7 +86,7 @@ impl<'a> PartsSeen<'a> {
 
     pub(super) fn of_mount(&mut self, mount: &Mount) -> Vec<PartLine> {
         let mut lines = self.of(mount.brings.iter().copied().chain([mount.onto]).map(String::from));
-        if mount.brings.is_empty() {
+        if mount.fixing == Fixing::Solder {
             let extras = self.design.frame.extras.iter().filter(|(_, extra)| extra.covers.is_empty());
             lines.extend(extras.map(|(name, _)| PartLine { part: name.clone(), count: 1.0, screw_mm: None, head_mm: None, body: None }));
         }

@@ -1,6 +1,6 @@
 //! The boards under the hub: where each hangs on the four screws of the stack.
 //!
-//! From the hub's underside down: air, the flight controller between rubber dampers, the motor controller. A board is taken as it is
+//! From the hub's underside down: air, the flight controller between rubber dampers, the motor controller, a nut on each screw. A board is taken as it is
 //! catalogued: its height is that of everything on it, and its circuit board lies in the middle of it, for no entry says how much is
 //! on which side. A screw's head lies in its counterbore on the hub's plate. Heights are in the frame's axes, mm.
 
@@ -58,8 +58,11 @@ impl<'a> Stack<'a> {
         [[half, half], [-half, half], [-half, -half], [half, -half]]
     }
 
-    /// Underside of the lowest circuit board; the screws have to reach beyond it.
-    pub fn lowest_board_mm(&self) -> Option<f64> {
-        self.boards.last().map(|board| board.middle_mm - 0.5 * board.part.board_mm())
+    /// The face that the nuts press on: the underside of the lowest circuit board, or of its dampers where it hangs in them.
+    pub fn nut_seat_mm(&self) -> Option<f64> {
+        let lowest = self.boards.last()?;
+        let board_mm = lowest.middle_mm - 0.5 * lowest.part.board_mm();
+        let dampers = self.dampers.map(|(damper, middle_mm)| middle_mm - 0.5 * damper.size_mm[2]);
+        Some(dampers.map_or(board_mm, |dampers_mm| board_mm.min(dampers_mm)))
     }
 }

@@ -91,7 +91,7 @@ fn panel(page: &mut String, booklet: &Booklet, step: &Panel) {
     let _ = writeln!(
         page,
         "<figure><img src=\"{name}\" alt=\"{heading}\"><figcaption>{}</figcaption></figure>\n<p>{}</p>",
-        escaped(step.held),
+        escaped(&step.held),
         escaped(&step.text)
     );
     step.caution.iter().for_each(|line| page.push_str(&format!("<p class=\"caution\"><strong>Caution.</strong> {}</p>\n", escaped(line))));

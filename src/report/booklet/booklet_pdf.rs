@@ -19,7 +19,7 @@ const SMALL: f32 = 8.2;
 /// Distance of lines over the size of letters.
 const LEADING: f32 = 1.35;
 /// Width of a step's pictures and of the one on the title page, points.
-const WIDTHS: [f32; 2] = [385.0, 235.0];
+const WIDTHS: [f32; 2] = [385.0, 185.0];
 
 /// Mounts on a sheet, the width of a mount's picture, and where the column of its parts begins, points.
 const PANELS: usize = 2;
@@ -188,7 +188,7 @@ impl Sheet<'_, '_> {
         self.width = PANEL_PICTURE;
         self.picture(&panel.picture, PANEL_PICTURE);
         self.gap(CAPTION_GAP);
-        self.words(panel.held, SMALL);
+        self.words(&panel.held, SMALL);
         let below = self.y;
         (self.y, self.left, self.width) = (top, left + PANEL_PARTS, width - PANEL_PARTS);
         panel.parts.iter().for_each(|line| self.part(&line.words(), line, booklet));

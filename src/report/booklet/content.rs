@@ -5,13 +5,14 @@ use crate::export::bill::bill;
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Task};
-use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, without_a_step};
+use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Task, when_cut};
+use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, untold, without_a_step};
 use crate::frame::skeleton::{MODULE_WORDS, ROTORS, RodRole};
 use crate::report::booklet::sub_assembly::{SubAssembly, sub_assemblies};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
 use crate::report::picture::mount_scene::{self, Held};
+use crate::report::picture::propeller_scene;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -55,8 +56,8 @@ pub struct Panel {
     pub parts: Vec<PartLine>,
     /// What comes, with its arrow.
     pub picture: Picture,
-    /// How the picture is held.
-    pub held: &'static str,
+    /// How the picture is held, and the colours of its wires.
+    pub held: String,
 }
 
 /// A step on paper.
@@ -163,7 +164,7 @@ impl Booklet {
         let page = |(at, step): (usize, &Step)| Page::new(design, fold, step, (at, first), mounting.fold_parts.get(at));
         Self {
             frame: design.frame.name.clone(),
-            preface: preface(&mounting, fold, minutes, &forgotten(design, masses, &mounting)),
+            preface: preface(design, &mounting, fold, minutes, &forgotten(design, masses, &mounting)),
             apart: fold_scene::apart(design, fold),
             alone: alone(design, &mounting),
             parts: parts(masses),
@@ -184,7 +185,7 @@ fn alone(design: &Design, mounting: &Mounting) -> BTreeMap<String, Picture> {
     drawn.collect::<Vec<_>>().into_iter().collect()
 }
 
-fn preface(mounting: &Mounting, fold: &FoldSequence, minutes: f64, forgotten: &[String]) -> Vec<String> {
+fn preface(design: &Design, mounting: &Mounting, fold: &FoldSequence, minutes: f64, forgotten: &[String]) -> Vec<String> {
     let (before, after) = (mounting.before.len(), mounting.after.len());
     let whole = whole_modules(fold, before).join(" and ");
     let folds = fold.steps.len();
@@ -194,14 +195,14 @@ fn preface(mounting: &Mounting, fold: &FoldSequence, minutes: f64, forgotten: &[
              Print the parts flat, as they lie in their files; cut the rods; lay everything out.",
             before + folds + after
         ),
-        "Carbon dust harms lungs, eyes and skin: cut the rods wet, under a mask, with glasses and gloves, and wipe them before use.".into(),
+        when_cut(&design.frame),
         "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. Of the \
          rods only one that is loose in its bore is glued. Never glue a hinge, nor the plugs in the hub: they let go in a crash."
             .into(),
         format!(
-            "In the pictures what a step brings or bends is dark, what that is joined to is less dark, and the rest is pale. In the steps \
-             {whole} whole modules move: there only the ends that go into something are dark. The steps of the fold show the module of the \
-             front right; one that says 4 x is done at each of the four."
+            "{} In the steps {whole} whole modules move: there only the ends that go into something have a colour of their own. The steps of the fold show the module of the \
+             front right; one that says 4 x is done at each of the four.",
+            fold_scene::key()
         ),
         "First power is without propellers: they are the last step.".into(),
     ];
@@ -217,14 +218,19 @@ fn whole_modules(fold: &FoldSequence, before: usize) -> Vec<String> {
     fold.steps.iter().enumerate().filter(|(_, step)| whole(step)).map(|(at, _)| (before + at + 1).to_string()).collect()
 }
 
-/// Lines of the bill that are in no step.
+/// Lines of the bill that are in no step: what is built in, and cables, wires and receiver of what is used up.
 fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<String> {
     let bill = bill(design, masses, None);
     let print = bill.print.iter().map(|line| (line.part.to_string(), f64::from(line.quantity)));
     let rods = bill.rods.iter().map(|line| (line.rod.clone(), f64::from(line.quantity)));
     let covers = |role: &str| design.frame.extras.get(role).is_some_and(|extra| !extra.covers.is_empty());
     let buy = bill.buy.iter().filter(|line| line.role != "rod" && line.kind != "supply" && !covers(&line.role));
-    without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts())
+    let mut forgotten =
+        without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts());
+    let connected = bill.buy.iter().filter(|line| line.kind == "supply" && (line.length_mm.is_some() || line.role == "receiver"));
+    let steps: Vec<&MountStep> = mounting.steps().collect();
+    forgotten.extend(untold(connected.map(|line| line.role.as_str()), &steps).into_iter().map(String::from));
+    forgotten
 }
 
 /// Which way each propeller turns.
@@ -238,7 +244,11 @@ fn rotations() -> String {
         .collect();
     motors.sort();
     let motors: Vec<String> = motors.into_iter().map(|(_, words)| words).collect();
-    format!("Seen from above: {}. This is the usual numbering of flight controllers, \"props in\".", motors.join("; "))
+    format!(
+        "{} Seen from above: {}. This is the usual numbering of flight controllers, \"props in\".",
+        propeller_scene::key(),
+        motors.join("; ")
+    )
 }
 
 impl Panel {
@@ -256,7 +266,7 @@ impl Panel {
             caution: step.caution.map(Into::into),
             parts: step.parts.clone(),
             picture: mount_scene::mount(design, step),
-            held: Held::of(step).words(),
+            held: format!("{}{}", Held::of(step).words(), mount_scene::key(design, step)),
         }
     }
 }
@@ -337,7 +347,7 @@ impl Page {
             facts: format!("{}; {}", often(step.repeats, step.minutes), step.tool),
             text: step.text.to_string(),
             measures,
-            caution: step.caution.map(Into::into),
+            caution: step.caution.as_ref().map(ToString::to_string),
             parts: parts.cloned().unwrap_or_default(),
             half_done: fold_scene::half_way(step.task).map(|(_, words)| words),
             pictures: fold_scene::step(design, fold, at),

@@ -1,4 +1,4 @@
-//! What a person does next with the files of a frame: print, cut, buy, put together; each with its time, its cost and its file.
+//! What a person does next with the files of a frame: buy, try the printer, print, cut, put together; each with its time, its cost and its file.
 
 use std::fmt::Write;
 
@@ -18,8 +18,13 @@ type Row = [String; 4];
 pub fn section(page: &mut String, design: &Design, masses: &MassTable, plates: &[(Plate, Vec<u8>)]) {
     let bill = bill(design, masses, None);
     page.push_str("## What to do next\n\n| | what | time | cost | where it stands |\n|---|---|---:|---:|---|\n");
-    let try_first: Row = ["try the printer: fits and hinges, on a coupon".into(), unknown(), unknown(), "`flexframe coupon FRAME`".into()];
-    let steps = [try_first, print(design, &bill, plates), cut(&bill), buy(&bill), put_together(design)];
+    let try_first: Row = [
+        "try the printer: fits and hinges, on a coupon, with a piece of a bought rod".into(),
+        unknown(),
+        unknown(),
+        "`flexframe coupon FRAME`".into(),
+    ];
+    let steps = [buy(&bill), try_first, print(design, &bill, plates), cut(&bill), put_together(design)];
     for (at, [what, time, cost, place]) in steps.iter().enumerate() {
         // Writing to a String cannot fail.
         let _ = writeln!(page, "| {} | {what} | {time} | {cost} | {place} |", at + 1);

@@ -29,6 +29,9 @@ const LETTERS: f64 = 26.0;
 const NAMES: [f64; 2] = [21.0, 30.0];
 /// Linear colours of what moves, of what it meets, and of the rest.
 pub(super) const COLOURS: [[f32; 4]; 3] = [[0.015, 0.05, 0.2, 1.0], [0.62, 0.33, 0.06, 1.0], [0.86, 0.86, 0.84, 1.0]];
+/// What each of these colours is called, and how it is told from the others without colours.
+pub(super) const COLOUR_WORDS: [[&str; 2]; 3] =
+    [["blue", "the darker in black and white"], ["orange", "the less dark"], ["pale grey", "the palest"]];
 /// Places along an arrow.
 pub(super) const ARROW_PLACES: usize = 16;
 /// Share of the way at which the closing of the bottom ring is shown half done: its rods have entered.
@@ -42,6 +45,23 @@ const LAYER_MM: f64 = 45.0;
 
 /// Linear colour of a tool.
 const PLIERS: [f32; 4] = [0.2, 0.2, 0.2, 1.0];
+
+/// What one of [`COLOURS`] is called, with what it is in black and white.
+pub(super) fn colour_words(at: usize) -> String {
+    let [colour, in_grey] = COLOUR_WORDS[at];
+    format!("{colour} ({in_grey})")
+}
+
+/// What the colours of the steps' pictures mean.
+pub fn key() -> String {
+    let [moves, meets, rest] = [0, 1, 2].map(colour_words);
+    format!(
+        "In the pictures of the steps what a step brings or bends is {moves}, what that is joined to is {meets}, and the rest is {rest}. A part \
+         alone is {}, too. Arrows are black with a white rim, rings that mark a depth are white or black, pliers are dark grey. Cables and wires \
+         have colours of their own, which the caption names. Where the frame or a sub-assembly is shown whole, each part has its own colour.",
+        COLOUR_WORDS[1][0]
+    )
+}
 
 /// A picture: red, green, blue bytes, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -393,4 +413,20 @@ fn along(way: &[Point3<f64>]) -> Vec<Point3<f64>> {
     let grown = (SHORTEST_MM / whole.norm().max(1e-9)).max(0.6);
     let middle = nalgebra::center(first, last);
     (0..=ARROW_PLACES).map(|i| middle + whole * (grown * (i as f64 / ARROW_PLACES as f64 - 0.5))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The words are those of the colours: which part is strongest, and which is darker.
+    #[test]
+    fn analytic_colours_are_what_their_words_say() {
+        let [[red, green, blue, _], [warm_red, warm_green, warm_blue, _], [pale_red, _, pale_blue, _]] = COLOURS;
+        let brightness = COLOURS.map(|[r, g, b, _]| 0.21 * r + 0.72 * g + 0.07 * b);
+        assert_eq!(COLOUR_WORDS.map(|[colour, _]| colour), ["blue", "orange", "pale grey"]);
+        assert!(blue > 2.0 * red.max(green) && warm_red > 1.5 * warm_green && warm_green > 2.0 * warm_blue);
+        assert!((pale_red - pale_blue).abs() < 0.05 && brightness[0] < brightness[1] && brightness[1] < brightness[2]);
+        assert!(COLOUR_WORDS.iter().flatten().all(|word| key().contains(word)));
+    }
 }

@@ -6,7 +6,7 @@ use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::arrow::Arrow;
 use super::camera::{Camera, View};
-use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
+use super::fold_scene::{ARROW_PLACES, COLOUR_WORDS, COLOURS, Picture, Shown, draw, items};
 use super::image::corners;
 use super::propeller_scene;
 use crate::frame::assembly::wire::Wire;
@@ -81,11 +81,28 @@ pub fn part(design: &Design, line: &PartLine) -> Option<Picture> {
     Some(draw(&shown, &[], &camera, PART_SIZE))
 }
 
+/// The colours of the cables and wires in the picture of a step, in words; nothing where there are none.
+pub fn key(design: &Design, step: &MountStep) -> String {
+    let mut told: Vec<String> = Vec::new();
+    for wire in laid(design, step, Vector3::zeros()) {
+        let (name, word) = (wire.role.replace('_', " "), wire.colour_word);
+        match told.iter_mut().find(|line| line.starts_with(&name)) {
+            Some(line) if line.ends_with(word) => (),
+            Some(line) => *line += &format!(" and {word}"),
+            None => told.push(format!("{name}: {word}")),
+        }
+    }
+    if told.is_empty() { String::new() } else { format!(" Colours: {}.", told.join("; ")) }
+}
+
 /// The wires that a step is about, as they run while its parts are off their place: those of a connector end where it is then.
 fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
     let of = |role: &str| wires(design).into_iter().filter(|wire| wire.role == role).collect::<Vec<_>>();
     let mut found = match step.mount {
-        "wiring" => of("motor_wire").into_iter().map(|wire| Wire { colour: COLOURS[0], ..wire }).collect(),
+        "wiring" => {
+            let shown = |wire| Wire { colour: COLOURS[0], colour_word: COLOUR_WORDS[0][0], ..wire };
+            of("motor_wire").into_iter().map(shown).collect()
+        }
         "bracket" => of("battery_wire"),
         "connector_in_bracket" => lead_ends(design, "connector_bracket"),
         "connector_in_lid" => lead_ends(design, "connector_lid"),

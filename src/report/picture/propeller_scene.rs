@@ -1,13 +1,13 @@
 //! Which way each propeller turns: the frame from above, its front up, on each motor its blades and an arrow around them.
 //!
-//! Of the two directions one is dark and one is less dark; the edge of a blade that goes first, which is the raised one, is white.
+//! Of the two directions one is dark and one is less dark, as [`key`] says; the edge of a blade that goes first, which is the raised one, is white.
 
 use nalgebra::{Isometry3, Point3, Translation3, UnitQuaternion, Vector3};
 
 use super::arrow::Arrow;
 use super::blades::propeller;
 use super::camera::{Camera, View};
-use super::fold_scene::{ARROW_PLACES, COLOURS, Picture, Shown, draw, items};
+use super::fold_scene::{ARROW_PLACES, COLOUR_WORDS, COLOURS, Picture, Shown, colour_words, draw, items};
 use super::image::corners;
 use crate::frame::assembly::{Design, Kind};
 use crate::frame::skeleton::{MODULE_NAMES, ROTORS, Spin};
@@ -20,6 +20,8 @@ const RADIUS: f64 = 1.06;
 /// How far around an arrow goes, radians.
 const AROUND: f64 = 4.4;
 
+/// Which of the colours the motors have.
+const MOTOR: usize = 0;
 /// Linear colour of the edge of a blade that goes first.
 const FIRST_EDGE: [f32; 4] = [1.0, 1.0, 1.0, 1.0];
 
@@ -27,7 +29,26 @@ const FIRST_EDGE: [f32; 4] = [1.0, 1.0, 1.0, 1.0];
 pub(super) fn blades_of(design: &Design, module: usize) -> [(Mesh, [f32; 4]); 2] {
     let spin = ROTORS[module].spin;
     let [blades, edges] = propeller(design.frame.motor_mount.propeller_diameter_mm, spin);
-    [(blades, COLOURS[if spin == Spin::Clockwise { 0 } else { 1 }]), (edges, FIRST_EDGE)]
+    [(blades, COLOURS[colour_of(spin)]), (edges, FIRST_EDGE)]
+}
+
+/// Which of the colours the blades of a direction have.
+fn colour_of(spin: Spin) -> usize {
+    match spin {
+        Spin::Clockwise => 0,
+        Spin::CounterClockwise => 1,
+    }
+}
+
+/// What the colours of the blades mean.
+pub fn key() -> String {
+    let blades = |spin: Spin| format!("Blades that are {} turn {}.", colour_words(colour_of(spin)), spin.words());
+    format!(
+        "{} {} The edge of a blade that goes first is white. The motors are {}, too.",
+        blades(Spin::Clockwise),
+        blades(Spin::CounterClockwise),
+        COLOUR_WORDS[MOTOR][0]
+    )
 }
 
 /// The picture.
@@ -37,7 +58,7 @@ pub fn rotations(design: &Design) -> Picture {
         let shape = design.shape(body);
         let colour = match shape.kind {
             Kind::Propeller => continue,
-            Kind::Motor => COLOURS[0],
+            Kind::Motor => COLOURS[MOTOR],
             _ => COLOURS[2],
         };
         shown.push(Shown { mesh: shape.mesh.clone(), pose: body.pose, colour });
