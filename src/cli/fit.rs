@@ -39,7 +39,7 @@ pub(super) struct Args {
     /// Objective that is minimised.
     #[arg(long, value_enum, default_value = "ml")]
     pub objective: Aim,
-    /// Use flagged drops, too, if they contain a whole impact. The paper's objective always does.
+    /// Use flagged drops, too, also saturated ones, if they contain a whole impact. The paper's objective always does.
     #[arg(long)]
     pub all: bool,
     /// Number of bootstrap fits for the intervals; 0 for no intervals.

@@ -20,7 +20,7 @@ pub(super) fn frame_and_paths(given: &DropsOption) -> Result<(Option<String>, Ve
     };
     let (frames, paths): (Vec<PathBuf>, Vec<PathBuf>) = given.drops.iter().cloned().partition(|path| is_frame(path));
     if paths.is_empty() {
-        return Err(Failure::Usage { message: "name the drops: .csv tables, .bin files or folders".into() });
+        return Err(Failure::Usage { message: "name the drops: .csv or .tsv tables, .bin files or folders".into() });
     }
     match &frames[..] {
         [] => Ok((None, paths)),
@@ -41,7 +41,17 @@ pub(super) fn with_body_of(frame: Option<String>, mut model: Model, common: &Com
 /// How files of drops are written: the paper's logger and this program's tables, with the command line's changes.
 pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
     let table = TableFormat::new(&args.columns, &args.units, args.rate);
-    Ok(FileFormat { calibration: calibration(args)?, table: table.map_err(|error| Failure::Usage { message: error.to_string() })? })
+    let table = table.map_err(|error| Failure::Usage { message: error.to_string() })?;
+    Ok(FileFormat { calibration: calibration(args)?, table: TableFormat { zero_g: zero_g(args)?, ..table } })
+}
+
+fn zero_g(args: &FormatOptions) -> Result<[f64; 3], Failure> {
+    match args.zero[..] {
+        [] => Ok([0.0; 3]),
+        [along] => Ok([0.0, 0.0, along]),
+        [x, y, z] => Ok([x, y, z]),
+        _ => Err(Failure::Usage { message: "--zero takes one number, along the axis, or three, for x, y and z: as in 0.4,-0.3,2".into() }),
+    }
 }
 
 fn calibration(args: &FormatOptions) -> Result<Calibration, Failure> {

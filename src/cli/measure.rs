@@ -17,7 +17,7 @@ use crate::report::data::measure_data;
 /// Read measured drops, flag bad records, and write a table of heights and plots.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md defines the flags."
+    after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv or .tsv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md defines the flags."
 )]
 pub(super) struct Args {
     /// Files of the logger, CSV tables, or folders of them.

@@ -69,6 +69,10 @@ pub(super) struct FormatOptions {
     /// Units of a table: g, mg or m/s2; s, ms or us; m, cm or mm.
     #[arg(long, value_delimiter = ',', value_name = "UNIT,…")]
     pub units: Vec<String>,
+    /// What a table's sensor reads in free fall, g, which is taken off the readings: along the axis, or x, y and z, after --columns and
+    /// --units. --zero=-1 puts gravity back where it was taken off.
+    #[arg(long, value_delimiter = ',', num_args = 1, allow_hyphen_values = true, value_name = "G", value_parser = number([-1e3, 1e3], "g"))]
+    pub zero: Vec<f64>,
     /// Sampling rate of a table, Hz, in place of its time stamps.
     #[arg(long, value_name = "HZ", value_parser = number([1.0, 1e6], "Hz"))]
     pub rate: Option<f64>,

@@ -12,6 +12,7 @@ mod growth;
 mod hostile;
 mod kept;
 mod measure;
+mod mistaken_tables;
 mod readers;
 mod replay;
 mod sinks;

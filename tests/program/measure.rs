@@ -63,6 +63,42 @@ fn analytic_drops_of_a_model_are_read_and_fitted_back() {
 }
 
 #[test]
+fn planted_saturated_drops_are_left_out_of_a_fit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = drops::csv(&drops::model(6000.0, 30.0), 20, drops::Seen::Varied);
+    // The first so many drops of the heights from a least one on are clipped: at 65 g those from 1.5 m have five samples there or more.
+    let write = |name: &str, clipped: u32, from_m: f64, limit_g: f64| {
+        let clip = |line: &str| {
+            let fields: Vec<f64> = line.split(',').filter_map(|field| field.parse().ok()).collect();
+            let [trial, height_m, t_s, accel_g] = fields[..] else { return format!("{line}\n") };
+            let is_clipped = trial < f64::from(clipped) && height_m >= from_m;
+            format!("{trial},{height_m},{t_s},{}\n", if is_clipped { accel_g.min(limit_g) } else { accel_g })
+        };
+        fs::write(folder.path().join(name), text.lines().map(clip).collect::<String>()).expect("can be written");
+    };
+    let fitted = |arguments: &[&str]| json("fit", folder.path(), &[&["--bootstrap", "0"], arguments].concat());
+    let reasons = |fit: &Value, part: &str| {
+        let left_out = fit["left_out"].as_array().expect("a list");
+        left_out.iter().filter(|left| left["reason"].as_str().is_some_and(|reason| reason.contains(part))).count()
+    };
+    let off = |fit: &Value| (number(&fit["parameters"]["k"]["value"]) / 6000.0 - 1.0).abs();
+    for (clipped, saturated, weakest) in [(5, 5, 0), (12, 12, 8), (20, 20, 0)] {
+        write("clipped.csv", clipped, 1.5, 65.0);
+        let fit = fitted(&["clipped.csv"]);
+        assert_eq!(number(&fit["drops"]), f64::from(60 - saturated - weakest), "{fit:#}");
+        assert_eq!([reasons(&fit, "saturation: "), reasons(&fit, "the weakest")], [saturated as usize, weakest as usize], "{fit:#}");
+        assert!(off(&fit) < 0.02, "{fit:#}");
+    }
+    let all = fitted(&["--all", "clipped.csv"]);
+    assert!(number(&all["drops"]) == 60.0 && off(&all) > 0.02, "{all:#}");
+    // Clipped impulses are no evidence, and where all are clipped nothing is fitted.
+    write("low.csv", 20, 0.0, 16.0);
+    let refused = run("fit", folder.path(), &["low.csv"]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(refused.status.code() == Some(2) && said.contains("60 are saturated") && said.contains("larger range"), "{said}");
+}
+
+#[test]
 fn analytic_any_subset_is_fitted_and_a_frame_brings_its_body() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("drops.csv"), drops::csv(&drops::model(7040.0, 30.0), 12, Seen::Varied)).expect("can be written");

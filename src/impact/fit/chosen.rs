@@ -2,7 +2,7 @@
 
 use super::waves::{Unusable, Waves};
 use crate::impact::effects::Channel;
-use crate::impact::measured::{Drop, DropSet, Flag, Hint, JudgedDrops, Record};
+use crate::impact::measured::{Drop, DropSet, Flag, Hint, JudgedDrops, Record, symptoms};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -17,10 +17,22 @@ pub enum FitError {
     #[error(transparent)]
     Readings(#[from] Hint),
     /// All left out.
-    #[error("none of the {count} drops can be fitted; `flexframe measure` says why")]
+    #[error("none of the {count} drops can be fitted; `flexframe measure` says why{}", .symptoms.iter().map(|symptom| format!(". {symptom}")).collect::<String>())]
     NoDrops {
         /// How many there were.
         count: usize,
+        /// What the records show together.
+        symptoms: Vec<String>,
+    },
+    /// All left out, most of them because the sensor was at its end.
+    #[error(
+        "none of the {count} drops can be fitted: {saturated} are saturated. Measure with a sensor of a larger range, or from lower heights; --all fits saturated drops, which suits a model with sensor_saturation only"
+    )]
+    Saturated {
+        /// How many drops there were.
+        count: usize,
+        /// How many of them have the flag.
+        saturated: usize,
     },
     /// Mean waves need more.
     #[error(transparent)]
@@ -55,9 +67,10 @@ pub struct LeftOut {
 pub enum Keep {
     /// Every drop with a whole impact, as the paper does.
     Every,
-    /// Those that fell and hit once as a vertical drop can.
+    /// Those that fell and hit once as a vertical drop can, and whose sensor was not at its end.
     Clean,
-    /// Those that hit once: an impulse that no vertical drop has is evidence for an effect, not against the drop.
+    /// Those that hit once: an impulse that no vertical drop has, or a saturated sensor, is evidence for an effect, not against the
+    /// drop.
     Evidence,
 }
 
@@ -98,18 +111,33 @@ impl<'a> Chosen<'a> {
         let unwanted = |flag: &Flag| match flag {
             Flag::ClockStall { .. } | Flag::DoubleHit { .. } => keep != Keep::Every,
             Flag::Impulse { .. } => !impulses_kept,
-            Flag::Saturated { .. } => false,
+            Flag::Saturated { .. } => keep == Keep::Clean,
             flag => is_unusable(flag),
         };
         let (mut kept, mut left_out) = (Vec::new(), Vec::new());
-        for drop in judged.into_iter().flat_map(|(_, drops)| drops) {
-            match drop.flags.iter().find(|flag| unwanted(flag)) {
-                Some(flag) => left_out.push(LeftOut { trial: drop.record.trial.clone(), reason: flag.to_string() }),
-                None => kept.push(drop),
+        let mut saturated = 0;
+        for (group, drops) in judged {
+            let of_height = drops.iter().filter(|drop| is_saturated(drop)).count();
+            saturated += of_height;
+            // Where most drops are saturated, the others are the weakest ones: their mean is not that of the height.
+            let weakest = (keep == Keep::Clean && 2 * of_height > drops.len()).then(|| {
+                format!("{of_height} of {} drops from {} m are saturated, the others are the weakest", drops.len(), group.height_m)
+            });
+            for drop in drops {
+                let reason = drop.flags.iter().find(|flag| unwanted(flag)).map(ToString::to_string).or_else(|| weakest.clone());
+                match reason {
+                    Some(reason) => left_out.push(LeftOut { trial: drop.record.trial.clone(), reason }),
+                    None => kept.push(drop),
+                }
             }
         }
         if kept.is_empty() {
-            return Err(FitError::NoDrops { count: left_out.len() });
+            let count = left_out.len();
+            return Err(if keep == Keep::Clean && 2 * saturated > count {
+                FitError::Saturated { count, saturated }
+            } else {
+                FitError::NoDrops { count, symptoms: symptoms(set) }
+            });
         }
         Ok(Self { drops: kept, channel, left_out, impulses_kept })
     }
@@ -147,7 +175,13 @@ impl<'a> Chosen<'a> {
     }
 }
 
+fn is_saturated(drop: &Drop) -> bool {
+    drop.flags.iter().any(|flag| matches!(flag, Flag::Saturated { .. }))
+}
+
+/// Of the drops that are not saturated: a clipped impulse is too small without any effect.
 fn most_impulses_impossible(drops: &[Drop]) -> bool {
-    let impossible = drops.iter().filter(|drop| drop.flags.iter().any(|flag| matches!(flag, Flag::Impulse { .. }))).count();
-    2 * impossible > drops.len()
+    let whole: Vec<&Drop> = drops.iter().filter(|drop| !is_saturated(drop)).collect();
+    let impossible = whole.iter().filter(|drop| drop.flags.iter().any(|flag| matches!(flag, Flag::Impulse { .. }))).count();
+    2 * impossible > whole.len()
 }

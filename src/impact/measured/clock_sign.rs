@@ -6,13 +6,21 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, thiserror::Error)]
 #[serde(tag = "sign", rename_all = "snake_case")]
 pub enum ClockSign {
-    /// The fall does not last as long as that of other drops from the same height, or as the height says.
+    /// The fall does not last as long as that of other drops from the same height.
     #[error("the fall lasts {fall_ms:.0} ms, {usual_ms:.0} ms are usual from this height")]
     Fall {
         /// This fall.
         fall_ms: f64,
         /// Other falls.
         usual_ms: f64,
+    },
+    /// The fall does not last as long as the height says; there are too few others.
+    #[error("the fall lasts {fall_ms:.0} ms, one from this height {height_ms:.0} ms")]
+    FallOfHeight {
+        /// This fall.
+        fall_ms: f64,
+        /// Of a fall in air from the stated height.
+        height_ms: f64,
     },
     /// A reading in the impact is followed by free flight at once.
     #[error("{from_g:.0} g jump into free flight within one sample, {after_ms:.0} ms after the trigger")]

@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 
 use super::file_format::FileFormat;
+use super::file_kind::FileKind;
 use super::logger;
 use super::malformed::{Fault, Malformed, SourcePosition};
-use super::reading::{self, Kind, malformed};
+use super::reading::{self, known_kind, malformed};
 use super::record::DropSet;
 
 /// Folders within folders that are looked into.
@@ -17,7 +18,7 @@ const DEPTH: usize = 4;
 /// Files that were found.
 #[derive(Default)]
 struct Found {
-    files: Vec<(PathBuf, Kind)>,
+    files: Vec<(PathBuf, FileKind)>,
     others: usize,
 }
 
@@ -40,7 +41,7 @@ pub fn read(paths: &[PathBuf], format: &FileFormat) -> Result<DropSet, Malformed
                 return Err(malformed(path, SourcePosition::Whole, Fault::NoRecords { others: found.others }));
             }
         } else {
-            let kind = Kind::known(path)?;
+            let kind = known_kind(path)?;
             found.files.push((path.clone(), kind));
         }
     }
@@ -71,7 +72,7 @@ fn walk(folder: &Path, depth: usize, found: &mut Found) -> Result<(), Malformed>
             }
             continue;
         }
-        match Kind::of(&path) {
+        match FileKind::of(&path) {
             Some(kind) => found.files.push((path, kind)),
             None => found.others += 1,
         }
@@ -100,6 +101,6 @@ fn folder_of(path: &Path) -> String {
     given.or_else(|| name(fs::canonicalize(parent).ok()?)).unwrap_or_default()
 }
 
-fn read_file(path: &Path, kind: Kind, format: &FileFormat) -> Result<reading::Read, Malformed> {
+fn read_file(path: &Path, kind: FileKind, format: &FileFormat) -> Result<reading::Read, Malformed> {
     reading::records(path, kind, &folder_of(path), format, || bytes_of(path, kind.most_bytes()))
 }

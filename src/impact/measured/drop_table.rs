@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+use super::encoding::plain;
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::malformed;
 use super::record::DropSet;
@@ -70,7 +71,7 @@ impl DropTable {
 }
 
 fn table(bytes: &[u8]) -> Result<DropTable, (SourcePosition, Fault)> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = plain(bytes)?;
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).delimiter(separator(bytes)).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
     let names: Vec<String> = names.iter().map(|name| String::from_utf8_lossy(name.trim_ascii()).into_owned()).collect();

@@ -12,6 +12,8 @@ const RATHER_SHORT: f64 = 2.5;
 const RATHER_SHORT_S: f64 = 0.004;
 /// How much shorter than the height says, s, where there are too few others.
 const SHORT_OF_HEIGHT_S: f64 = 0.025;
+/// A fall that is so many times shorter or longer than the height says is one from another height, whatever the clock does.
+const OTHER_HEIGHT: f64 = 3.0;
 /// Falls that vary by more than this are not compared, s.
 const MOST_VARIED_S: f64 = 0.012;
 /// Least deviation of falls, s.
@@ -23,7 +25,9 @@ const DRAG_1_M: f64 = 0.038;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FallLength {
     pub own_s: f64,
+    /// Of others, or of the height where there are too few others.
     pub usual_s: f64,
+    pub is_of_height: bool,
     /// Shorter beyond doubt.
     pub is_short: bool,
     /// Shorter, which is a weak sign.
@@ -42,6 +46,7 @@ impl FallLength {
                 Self {
                     own_s,
                     usual_s: shorth.middle,
+                    is_of_height: false,
                     is_short: deviations > SHORT && missing_s > SHORT_S,
                     is_rather_short: deviations > RATHER_SHORT && missing_s > RATHER_SHORT_S,
                     is_long: deviations < -SHORT && missing_s < -SHORT_S,
@@ -49,8 +54,11 @@ impl FallLength {
             }
             None => {
                 let usual_s = fall_s(height_m);
+                if !(1.0 / OTHER_HEIGHT..OTHER_HEIGHT).contains(&(own_s / usual_s)) {
+                    return Self::default();
+                }
                 let (is_rather_short, is_long) = (usual_s - own_s > SHORT_OF_HEIGHT_S, own_s - usual_s > SHORT_OF_HEIGHT_S);
-                Self { own_s, usual_s, is_short: false, is_rather_short, is_long }
+                Self { own_s, usual_s, is_of_height: true, is_short: false, is_rather_short, is_long }
             }
         }
     }
@@ -58,7 +66,12 @@ impl FallLength {
     /// What it says of the clock.
     pub fn sign(&self) -> Option<ClockSign> {
         let unusual = self.is_rather_short || self.is_long;
-        unusual.then_some(ClockSign::Fall { fall_ms: self.own_s * 1e3, usual_ms: self.usual_s * 1e3 })
+        let (fall_ms, usual_ms) = (self.own_s * 1e3, self.usual_s * 1e3);
+        unusual.then_some(if self.is_of_height {
+            ClockSign::FallOfHeight { fall_ms, height_ms: usual_ms }
+        } else {
+            ClockSign::Fall { fall_ms, usual_ms }
+        })
     }
 }
 
@@ -76,5 +89,13 @@ mod tests {
         let vacuum_s = libm::sqrt(2.0 * 1.5 / GRAVITY_M_S2);
         // To first order by β h / 6.
         assert!((fall_s(1.5) / vacuum_s - (1.0 + DRAG_1_M * 1.5 / 6.0)).abs() < 1e-4);
+    }
+
+    #[test]
+    fn planted_a_height_in_another_unit_is_no_stalled_clock() {
+        let sign = |height_m: f64| FallLength::of(height_m, Some(0.316), None).sign();
+        assert!(sign(50.0).is_none() && sign(0.005).is_none() && sign(0.5).is_none());
+        let told = sign(1.0).expect("is 130 ms short").to_string();
+        assert!(told.contains("the fall lasts 316 ms") && !told.contains("usual"), "{told}");
     }
 }

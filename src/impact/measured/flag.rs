@@ -9,7 +9,7 @@ use super::record::Record;
 /// Samples a second with which an impact can be compared with a model.
 const RATES_HZ: RangeInclusive<f64> = 399.0..=201_000.0;
 /// A gap is longer than so many steps.
-const GAP_STEPS: f64 = 1.5;
+pub(super) const GAP_STEPS: f64 = 1.5;
 /// Fewest samples before the trigger.
 const FEWEST_BEFORE: usize = 3;
 /// Shortest duration of a record after the trigger, s.

@@ -1,4 +1,4 @@
-//! What the impulse says of unit and sign of the readings.
+//! What the impulse says of unit, sign and axis of the readings, and of the unit of the heights.
 
 use super::impact_speed_m_s;
 use super::record::{DropSet, Record};
@@ -11,6 +11,11 @@ const AROUND_S: f64 = 0.015;
 const FEWEST: usize = 3;
 /// Impulse over v0 of drops that rebound little or much.
 const DROP: [f64; 2] = [0.7, 2.0];
+/// Impulse over v0 of an axis across the fall, at the most.
+const ACROSS: f64 = 0.35;
+/// From here on heights may be centimetres, m; and v0 of one read as metres over that of the height.
+const TALL_M: f64 = 5.0;
+const CENTIMETRES_V0: f64 = 0.1;
 
 /// Readings that are not proper acceleration along the axis in g.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -37,27 +42,72 @@ pub enum Hint {
         /// Median impulse over the impact speed.
         over_v0: f64,
     },
+    /// Another axis.
+    #[error(
+        "the axis carries no impulse ({over_v0:.2} v0) and {axis} carries {of_axis:.2} v0: the axes are exchanged. Give --columns a={sign}{axis},{axis}=z,z={sign}{axis}, with the table's own names",
+        sign = if *.of_axis < 0.0 { "-" } else { "" }
+    )]
+    Exchanged {
+        /// Median impulse along the axis over the impact speed.
+        over_v0: f64,
+        /// x or y.
+        axis: char,
+        /// Its median impulse over the impact speed.
+        of_axis: f64,
+    },
+    /// Heights in another unit.
+    #[error("the heights look like cm, not m: from {height_m} m the impulse is {over_v0:.2} v0. Give --units cm")]
+    Centimetres {
+        /// Least height as it was read, m.
+        height_m: f64,
+        /// Median impulse over the impact speed.
+        over_v0: f64,
+    },
 }
 
 impl Hint {
     /// Of all records together; `None` where half of them can be drops as they are.
     pub fn of(set: &DropSet) -> Option<Self> {
-        let impulses = Spread::of(set.records().filter_map(over_v0)).filter(|spread| spread.count >= FEWEST)?;
+        let along = |record: &Record| over_v0(record, &record.accel_g);
+        let impulses = Spread::of(set.records().filter_map(along)).filter(|spread| spread.count >= FEWEST)?;
         let over_v0 = impulses.median;
-        let like = |factor: f64| [impulses.q1, impulses.q3].into_iter().all(|value| (DROP[0]..=DROP[1]).contains(&(value / factor)));
+        let like = |factor: f64| is_like(&impulses, factor);
+        let height_m = set.groups.iter().map(|group| group.height_m).fold(f64::INFINITY, f64::min);
         if like(GRAVITY_M_S2) {
             Some(Self::MetresPerSecondSquared { over_v0 })
         } else if like(-GRAVITY_M_S2) {
             Some(Self::InvertedMetresPerSecondSquared { over_v0 })
+        } else if like(-1.0) {
+            Some(Self::Inverted { over_v0 })
+        } else if height_m >= TALL_M && like(CENTIMETRES_V0) {
+            Some(Self::Centimetres { height_m, over_v0 })
+        } else if impulses.q1.abs().max(impulses.q3.abs()) <= ACROSS {
+            Self::exchanged(set, over_v0)
         } else {
-            like(-1.0).then_some(Self::Inverted { over_v0 })
+            None
         }
+    }
+
+    /// The one lateral axis that has the impulse of a drop, in most records.
+    fn exchanged(set: &DropSet, along_v0: f64) -> Option<Self> {
+        let impulses = |axis: usize| {
+            let of_axis = |record: &Record| over_v0(record, record.axes_g.as_ref().map(|axes| &axes[axis][..])?);
+            Spread::of(set.records().filter_map(of_axis)).filter(|spread| spread.count >= FEWEST)
+        };
+        let drops = |(axis, letter)| impulses(axis).filter(|spread| is_like(spread, 1.0) || is_like(spread, -1.0)).zip(Some(letter));
+        let mut found = [(0, 'x'), (1, 'y')].into_iter().filter_map(drops);
+        let (spread, axis) = found.next()?;
+        found.next().is_none().then_some(Self::Exchanged { over_v0: along_v0, axis, of_axis: spread.median })
     }
 }
 
-/// Impulse around the largest reading along the axis, over the impact speed. No trigger is asked: its level is in g.
-fn over_v0(record: &Record) -> Option<f64> {
-    let accel_g = &record.accel_g;
+/// Whether half of some impulses are so many times those of drops.
+fn is_like(impulses: &Spread, factor: f64) -> bool {
+    [impulses.q1, impulses.q3].into_iter().all(|value| (DROP[0]..=DROP[1]).contains(&(value / factor)))
+}
+
+/// Impulse around the largest reading of an axis, over the impact speed. No trigger is asked: its level is in g.
+fn over_v0(record: &Record, accel_g: &[f64]) -> Option<f64> {
     let peak = (0..record.len()).max_by(|a, b| accel_g[*a].abs().total_cmp(&accel_g[*b].abs()))?;
     let around = record.samples_in(AROUND_S);
     let (from, to) = (peak.saturating_sub(around), (peak + around).min(record.len() - 1));
@@ -71,35 +121,40 @@ mod tests {
     use super::*;
 
     #[test]
-    fn planted_units_and_signs_are_seen() {
-        let set = |factor: f64| {
+    fn planted_units_signs_and_axes_are_seen() {
+        let of = |factor: f64, height_m: f64, lateral: Option<[f64; 2]>| {
             // Half a sine of 10 ms, 1.3 v0 of 1 m.
             let top_g = 1.3 * impact_speed_m_s(1.0) / GRAVITY_M_S2 * std::f64::consts::PI / 0.02;
             let record = |trial: usize| {
-                let accel_g = (0..40).map(|at| {
-                    factor
-                        * top_g
-                        * libm::sin(std::f64::consts::PI * f64::from(at - 10) / 10.0)
-                        * f64::from(u8::from((10..20).contains(&at)))
-                });
+                let readings = |factor: f64| -> Vec<f64> {
+                    let pulse =
+                        |at: i32| if (10..20).contains(&at) { libm::sin(std::f64::consts::PI * f64::from(at - 10) / 10.0) } else { 0.0 };
+                    (0..40).map(|at| factor * top_g * pulse(at)).collect()
+                };
                 Record {
                     trial: trial.to_string(),
-                    height_m: 1.0,
+                    height_m,
                     frame: None,
                     session: None,
                     source: String::new(),
                     t_s: (0..40).map(|at| 1e-3 * f64::from(at)).collect(),
-                    accel_g: accel_g.collect(),
-                    axes_g: None,
+                    accel_g: readings(factor),
+                    axes_g: lateral.map(|[x, y]| [readings(x), readings(y), readings(factor)]),
                     columns: std::collections::BTreeMap::new(),
                     at_full_scale: 0,
                 }
             };
             DropSet::of((0..5).map(record).collect(), Vec::new())
         };
+        let set = |factor: f64| of(factor, 1.0, None);
         assert_eq!(Hint::of(&set(1.0)), None);
         assert!(matches!(Hint::of(&set(9.81)), Some(Hint::MetresPerSecondSquared { over_v0 }) if (12.0..14.0).contains(&over_v0)));
         assert!(matches!(Hint::of(&set(-0.85)), Some(Hint::Inverted { over_v0 }) if (-1.2..-1.0).contains(&over_v0)));
         assert!(matches!(Hint::of(&set(-9.81)), Some(Hint::InvertedMetresPerSecondSquared { .. })));
+        assert!(matches!(Hint::of(&of(1.0, 100.0, None)), Some(Hint::Centimetres { height_m: 100.0, over_v0 }) if over_v0 < 0.15));
+        let axes = |along: f64, x: f64, y: f64| Hint::of(&of(along, 1.0, Some([x, y]))).map(|hint| hint.to_string());
+        assert_eq!([axes(1.0, 0.0, 0.1), axes(0.0, 0.1, 0.2), axes(0.0, 1.0, 1.0), axes(0.8, 0.8, 0.0)], [None, None, None, None]);
+        let said = axes(0.0, 0.1, -1.0).expect("y has the impulse");
+        assert!(said.contains("y carries -1.3 v0") || said.contains("--columns a=-y,y=z,z=-y"), "{said}");
     }
 }

@@ -37,6 +37,12 @@ pub enum Fault {
     /// Nothing in it.
     #[error("is empty")]
     Empty,
+    /// Text of another encoding.
+    #[error("is {encoding} text")]
+    Encoding {
+        /// Its name.
+        encoding: &'static str,
+    },
     /// Too large for what it should be.
     #[error("has {bytes} bytes, more than the {most} of any record")]
     Huge {
@@ -164,8 +170,9 @@ impl Fault {
         match self {
             Self::Unreadable { .. } => "name files and folders that are there and may be read".into(),
             Self::Foreign { .. } | Self::NoRecords { .. } => {
-                "give .csv tables, .bin or .bhn files of the logger, or folders of them".into()
+                "give .tsv or .csv tables, .bin or .bhn files of the logger, or folders of them".into()
             }
+            Self::Encoding { .. } => "save it as UTF-8; spreadsheets call this CSV UTF-8".into(),
             Self::Empty => "leave it out, or copy it again from the logger".into(),
             Self::Huge { .. } => "split it: a drop of 2 s at 1 kHz has 20 000 bytes".into(),
             Self::Truncated { .. } => "copy it again from the logger, or leave it out".into(),
@@ -178,8 +185,12 @@ impl Fault {
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),
             Self::NoFolds { most, .. } => format!("write after how many folds it cracked, or `held` where it held {most}"),
+            Self::OutOfBounds { column: "height_m", .. } => "look at the unit: --units cm or --units mm reads other heights than m".into(),
             Self::OutOfBounds { .. } => "look at the unit".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
+            Self::Unsorted { before_s, t_s, .. } if t_s == before_s => {
+                "where a table's stamps are rounded, give its sampling rate in their place: --rate HZ; two drops need two names".into()
+            }
             Self::Unsorted { .. } => "sort the rows of each trial by t_s; two drops need two names".into(),
             Self::Varies { .. } => "a covariate is one value a drop: give it in a table of its own, a row a drop".into(),
             Self::TwoRows { .. } => "give each drop one row; where trials are numbered anew at each height, add height_m".into(),

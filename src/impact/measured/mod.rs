@@ -14,11 +14,14 @@ mod clock_trace;
 #[cfg(feature = "cli")]
 mod disk;
 mod drop_table;
+mod encoding;
 mod fall;
 mod fall_length;
 mod file_format;
+mod file_kind;
 mod flag;
 mod folds;
+mod free_fall_offset;
 mod hint;
 mod impact;
 mod judged;
@@ -31,8 +34,10 @@ mod session;
 mod sheet;
 mod shorth;
 mod spread;
+mod stamp_jitter;
 mod static_test;
 mod summary;
+mod symptom;
 mod table;
 mod table_format;
 mod table_header;
@@ -48,6 +53,7 @@ pub use flag::{Flag, flags};
 #[cfg(feature = "cli")]
 pub use folds::read_folds;
 pub use folds::{FoldReading, fold_readings};
+pub use free_fall_offset::FreeFallOffset;
 pub use hint::Hint;
 pub use impact::Impact;
 pub use judged::{Drop, JudgedDrops};
@@ -60,10 +66,12 @@ pub use scale::read_scale;
 pub use scale::{ScaleReading, scale_readings};
 pub use session::{Session, Zero};
 pub use spread::Spread;
+pub use stamp_jitter::StampJitter;
 pub use static_test::StaticTest;
 #[cfg(feature = "cli")]
 pub use static_test::read_static_test;
 pub use summary::Summary;
+pub use symptom::symptoms;
 pub use table_format::{Column, FormatError, Quantity, TableFormat};
 
 use crate::units::GRAVITY_M_S2;

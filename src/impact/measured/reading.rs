@@ -3,47 +3,17 @@
 use std::path::Path;
 
 use super::file_format::FileFormat;
-use super::hint::Hint;
+use super::file_kind::FileKind;
 use super::logger::{self, Label};
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
+use super::symptom::symptoms;
 use super::table;
 
-/// Largest file of a logger, bytes: half an hour at 1 kHz.
-const MOST_LOGGED: u64 = 20_000_000;
-/// Largest table, bytes.
-const MOST_TABLE: u64 = 2_000_000_000;
-
-/// What reads a file.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
-    Logger,
-    Table,
-}
-
-impl Kind {
-    /// The kind that a name's ending says.
-    pub(super) fn of(path: &Path) -> Option<Self> {
-        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
-            "bin" | "bhn" => Some(Self::Logger),
-            "csv" => Some(Self::Table),
-            _ => None,
-        }
-    }
-
-    /// The same for a file that has to be a record.
-    pub(super) fn known(path: &Path) -> Result<Self, Malformed> {
-        let foreign = || Fault::Foreign { what: "of no kind that is identified by its ending".into() };
-        Self::of(path).ok_or_else(|| malformed(path, SourcePosition::Whole, foreign()))
-    }
-
-    /// Largest file of the kind, bytes.
-    pub(super) fn most_bytes(self) -> u64 {
-        match self {
-            Self::Logger => MOST_LOGGED,
-            Self::Table => MOST_TABLE,
-        }
-    }
+/// The kind of a file that has to be a record.
+pub(super) fn known_kind(path: &Path) -> Result<FileKind, Malformed> {
+    let foreign = || Fault::Foreign { what: "of no kind that is identified by its ending".into() };
+    FileKind::of(path).ok_or_else(|| malformed(path, SourcePosition::Whole, foreign()))
 }
 
 pub(super) fn malformed(path: &Path, place: SourcePosition, fault: Fault) -> Malformed {
@@ -56,7 +26,7 @@ pub(super) type Read = (Vec<Record>, Vec<String>);
 /// Records of a file in a folder of this name; a logger's file has frame and height from the folder's name.
 pub(super) fn records(
     path: &Path,
-    kind: Kind,
+    kind: FileKind,
     folder: &str,
     format: &FileFormat,
     bytes: impl FnOnce() -> Result<Vec<u8>, Malformed>,
@@ -66,12 +36,12 @@ pub(super) fn records(
     let trial = path.file_stem().map_or(String::new(), |stem| stem.to_string_lossy().into_owned());
     let label = logger::frame_and_height(folder).map(|(frame, height_m)| Label { trial, source: source.clone(), frame, height_m });
     match kind {
-        Kind::Logger => {
+        FileKind::Logger => {
             let no_height = || malformed(path, SourcePosition::Whole, Fault::NoHeight { folder: folder.into() });
             let record = logger::record(&bytes()?, label.ok_or_else(no_height)?, &format.calibration).map_err(refused)?;
             Ok((vec![record], Vec::new()))
         }
-        Kind::Table => {
+        FileKind::Table => {
             let (records, others) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
             let note = (!others.is_empty()).then(|| format!("{source}: columns left aside: {}", others.join(", ")));
             Ok((records, note.into_iter().collect()))
@@ -88,7 +58,8 @@ pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Mal
         notes.extend(said);
     }
     let mut set = DropSet::of(records, notes);
-    set.notes.extend(Hint::of(&set).map(|hint| hint.to_string()));
+    let shown = symptoms(&set);
+    set.notes.extend(shown);
     Ok(set)
 }
 
@@ -100,7 +71,7 @@ pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Mal
 pub fn read_bytes(files: &[(String, Vec<u8>)], format: &FileFormat) -> Result<DropSet, Malformed> {
     let read = |(name, bytes): &(String, Vec<u8>)| {
         let path = Path::new(name);
-        let kind = Kind::known(path)?;
+        let kind = known_kind(path)?;
         let (most, len) = (kind.most_bytes(), bytes.len() as u64);
         if len > most {
             return Err(malformed(path, SourcePosition::Whole, Fault::Huge { bytes: len, most }));

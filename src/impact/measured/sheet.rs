@@ -1,5 +1,6 @@
 //! A short CSV table that a person wrote: one thing a row, columns in any order, remarks after `#`.
 
+use super::encoding::plain;
 use super::malformed::{Fault, SourcePosition};
 use super::table::refused;
 
@@ -26,7 +27,7 @@ pub(super) fn rows<T, const N: usize>(
     columns: &Columns<N>,
     read: impl Fn(&csv::ByteRecord, u64, Places<N>) -> Result<T, Fault>,
 ) -> Result<Vec<T>, (SourcePosition, Fault)> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = plain(bytes)?;
     let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
     let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());

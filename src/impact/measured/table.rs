@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+use super::encoding::plain;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
@@ -86,11 +87,12 @@ impl Builder<'_> {
             return Err(Fault::Unsorted { trial: record.trial.clone(), before_s, t_s });
         }
         record.t_s.push(t_s);
-        record.accel_g.push(accel_g);
+        let zero_g = self.format.zero_g;
         record.at_full_scale += usize::from(accel_g.abs() >= FULL_SCALE_G);
+        record.accel_g.push(accel_g - zero_g[2]);
         if let ([Some(x), Some(y), z], Some(all)) = (axes, &mut record.axes_g) {
-            for (axis, value) in all.iter_mut().zip([x, y, z.unwrap_or(accel_g)]) {
-                axis.push(value);
+            for ((axis, value), zero_g) in all.iter_mut().zip([x, y, z.unwrap_or(accel_g)]).zip(zero_g) {
+                axis.push(value - zero_g);
             }
         }
         Ok(())
@@ -198,7 +200,7 @@ pub(super) fn records(
     label: Option<&Label>,
     format: &TableFormat,
 ) -> Result<(Vec<Record>, Vec<String>), Refused> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = plain(bytes)?;
     if bytes.trim_ascii().is_empty() {
         return Err((SourcePosition::Whole, Fault::Empty));
     }
@@ -261,6 +263,13 @@ mod tests {
         assert!(
             (all[0].accel_g[0] - 10.0).abs() < 1e-9 && (all[0].accel_g[1] + 1.0).abs() < 1e-9 && (all[0].t_s[1] - 0.0015).abs() < 1e-12
         );
+        // What the sensor reads at 0 g is taken off after units and signs.
+        let format = TableFormat { zero_g: [0.5, 0.0, -1.0], accel_g: 1e-3, ..TableFormat::default() };
+        let text = "trial,height_m,t_s,accel_g,x,y,z\n1,1,0,2000,700,-300,4000\n";
+        let (all, _) = records(text.as_bytes(), "a.csv", None, &format).expect("reads");
+        let read = |at: usize| all[0].axes_g.as_ref().map(|axes| axes[at][0]);
+        assert_eq!((all[0].accel_g[0], read(1), read(2)), (3.0, Some(-0.3), Some(5.0)));
+        assert!((read(0).expect("was read") - 0.2).abs() < 1e-12);
         // One file a drop: the folder says frame and height, the rate says the time.
         let format = TableFormat { rate_hz: Some(2000.0), ..TableFormat::default() };
         let label = Label { trial: "7".into(), source: "7.csv".into(), frame: Some("soft".into()), height_m: 0.5 };

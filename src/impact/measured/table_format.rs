@@ -92,6 +92,8 @@ pub struct TableFormat {
     pub accel_g: f64,
     /// Metres in a unit of height.
     pub height_m: f64,
+    /// Readings of x, y and z in free fall, g, which are taken off; the third is that of the frame's axis, too.
+    pub zero_g: [f64; 3],
     /// Samples a second; the stamps are left aside.
     pub rate_hz: Option<f64>,
     /// Further columns whose values are kept with each drop, where a table has them.
@@ -100,7 +102,7 @@ pub struct TableFormat {
 
 impl Default for TableFormat {
     fn default() -> Self {
-        Self { columns: Vec::new(), time_s: 1.0, accel_g: 1.0, height_m: 1.0, rate_hz: None, kept: Vec::new() }
+        Self { columns: Vec::new(), time_s: 1.0, accel_g: 1.0, height_m: 1.0, zero_g: [0.0; 3], rate_hz: None, kept: Vec::new() }
     }
 }
 

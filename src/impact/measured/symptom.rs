@@ -1,0 +1,17 @@
+//! What records show together of how they were measured or written, each with what mends it.
+
+use super::free_fall_offset::FreeFallOffset;
+use super::hint::Hint;
+use super::record::DropSet;
+use super::stamp_jitter::StampJitter;
+
+/// In words, one a sentence or two; none where the records are as they should be.
+///
+/// Readings in another unit, of another axis or from heights in another unit are looked for first: what else they show is of no use.
+pub fn symptoms(set: &DropSet) -> Vec<String> {
+    let jitter = StampJitter::of(set).map(|jitter| jitter.to_string());
+    match Hint::of(set) {
+        Some(hint) => std::iter::once(hint.to_string()).chain(jitter).collect(),
+        None => FreeFallOffset::all(set).iter().map(ToString::to_string).chain(jitter).collect(),
+    }
+}
