@@ -92,7 +92,7 @@ fn all_frames() -> Vec<String> {
     let files = std::fs::read_dir(gallery).expect("is a folder").map(|entry| entry.expect("reads").path());
     let mut all: Vec<String> = files.map(|path| path.to_str().expect("is text").to_owned()).collect();
     all.sort();
-    all.extend(flexframe::params::preset::names().into_iter().map(String::from));
+    all.extend(flexframe::params::preset::names().map(String::from));
     all
 }
 

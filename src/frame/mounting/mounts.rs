@@ -412,7 +412,7 @@ pub static MOUNTS: [Mount; 29] = [
         ],
         stage: Stage::AfterFold,
         title: "Propellers",
-        text: "Of the four propellers two turn each way, as the arrows show. The raised edge of a blade goes first. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
+        text: "Two of the propellers turn each way, as the arrows show. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
         text_across: "",
         tool: "screwdriver or hands",
         caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),

@@ -42,9 +42,9 @@ fn colour_of(spin: Spin) -> usize {
 
 /// What the colours of the blades mean.
 pub fn key() -> String {
-    let blades = |spin: Spin| format!("Blades that are {} turn {}.", colour_words(colour_of(spin)), spin.words());
+    let blades = |spin: Spin| format!("in {} turn {}", colour_words(colour_of(spin)), spin.words());
     format!(
-        "{} {} The edge of a blade that goes first is white. The motors are {}, too.",
+        "Blades {}, {}. Their raised edge, in white, goes first. The motors are {}, too.",
         blades(Spin::Clockwise),
         blades(Spin::CounterClockwise),
         COLOUR_WORDS[MOTOR][0]
