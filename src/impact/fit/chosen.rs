@@ -17,7 +17,7 @@ pub enum FitError {
     #[error(transparent)]
     Readings(#[from] Hint),
     /// All left out.
-    #[error("none of the {count} drops can be fitted; `flexframe measure` says why{}", .symptoms.iter().map(|symptom| format!(". {symptom}")).collect::<String>())]
+    #[error("none of the {count} drops can be fitted{}", if .symptoms.is_empty() { "; `flexframe measure` says why".into() } else { format!(": {}", .symptoms.join("; ")) })]
     NoDrops {
         /// How many there were.
         count: usize,
