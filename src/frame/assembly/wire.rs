@@ -30,7 +30,7 @@ pub struct Wire {
     /// The bodies that it joins, the one where its way begins first; none of what is of several bodies.
     pub joins: Option<[&'static str; 2]>,
     /// What is done with both its ends, where it joins two bodies: sides between braces are those of a sleeve that lies along the frame,
-    /// and [`END`] is the body where its way ends.
+    /// and `{end}` is the body where its way ends.
     pub plugging: &'static str,
     /// Linear red, green, blue, alpha.
     pub colour: [f32; 4],

@@ -70,7 +70,7 @@ pub struct Mount {
     pub stage: Stage,
     /// In a few words.
     pub title: &'static str,
-    /// What a person does. Sides between braces are those of a sleeve that lies along the frame; [`PLUGGED`] stands for the sentences of
+    /// What a person does. Sides between braces are those of a sleeve that lies along the frame; `{cables}` stands for the sentences of
     /// the cables whose ends the step brings together.
     pub text: &'static str,
     /// A sentence more where the sleeve lies across.
