@@ -77,20 +77,20 @@ mod tests {
 
     #[test]
     fn analytic_bodies_are_pointed_at_where_they_are_seen() {
-        // From the front: a large plate hides the middle of a longer bar behind it, and all of a small block.
+        // From the front, where y is largest: a large plate hides the middle of a longer bar behind it, and all of a small block.
         let meshes = [
-            cuboid([-30.0, 0.0, -20.0], [30.0, 2.0, 20.0]),
-            cuboid([-30.0, 10.0, -4.0], [80.0, 14.0, 4.0]),
-            cuboid([-5.0, 10.0, -15.0], [5.0, 14.0, -8.0]),
+            cuboid([-30.0, 12.0, -20.0], [30.0, 14.0, 20.0]),
+            cuboid([-30.0, 0.0, -4.0], [80.0, 4.0, 4.0]),
+            cuboid([-5.0, 0.0, -15.0], [5.0, 4.0, -8.0]),
         ];
         let size = [400, 300];
         let items = [0, 1, 2].map(|at| Item { mesh: &meshes[at], pose: Isometry3::identity(), colour: [0.5, 0.5, 0.5, 1.0] });
         let camera = Camera::fit(View::Front, false, &corners(&items), size);
         let [plate, bar, block] = <[_; 3]>::try_from(seen_at(&items, &camera, size)).expect("three bodies");
-        let [x, y, _] = camera.project(&Point3::new(0.0, 0.0, 0.0));
+        let [x, y, _] = camera.project(&Point3::new(0.0, 14.0, 0.0));
         let plate = plate.expect("nothing is before it");
         assert!((plate[0] - x).abs() < 2.0 && (plate[1] - y).abs() < 2.0, "{plate:?} {x} {y}");
-        let [x, y, _] = camera.project(&Point3::new(55.0, 10.0, 0.0));
+        let [x, y, _] = camera.project(&Point3::new(55.0, 4.0, 0.0));
         let bar = bar.expect("half of it stands out");
         assert!((bar[0] - x).abs() < 3.0 && (bar[1] - y).abs() < 3.0, "{bar:?} {x} {y}");
         assert_eq!(block, None);
