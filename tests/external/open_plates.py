@@ -60,7 +60,8 @@ def on_bed(printer, low, high):
 
 def as_read(plate):
     """Name, lowest and highest corner on the bed, and size before it was turned, of every copy, as the slicer read them."""
-    again = plate.with_suffix(".again.3mf")
+    # Beside the folder: another run looks at every plate in it.
+    again = plate.parent.parent / f"{plate.stem}.again.3mf"
     command = ["prusa-slicer", "--dont-arrange", "--export-3mf", "--output", again, plate]
     subprocess.run(command, check=True, timeout=120, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     archive = zipfile.ZipFile(again)
