@@ -55,13 +55,13 @@ impl Catalogues {
                 let nearest = nearest(name, catalogue.keys().map(String::as_str));
                 return Err(file.refuse(key, Reason::UnknownName { kind: format!("entry of {table}"), name: name.into(), nearest }));
             }
+            let kind = if table == "parts" { "bought part" } else { table.trim_end_matches('s') };
+            in_one_line(file, key, kind, name)?;
             if !fields.iter().any(|known| known == field) {
                 let near = nearest(field, fields.iter().map(String::as_str));
                 let nearest = near.iter().map(|field| format!("override.{table}.{name}.{field}")).collect();
                 return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
             }
-            let kind = if table == "parts" { "bought part" } else { table.trim_end_matches('s') };
-            in_one_line(file, key, kind, name)?;
             within_bounds(figures, field, file, key, &entry.value)?;
             let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
             if let Some(own) = own.as_table_mut() {

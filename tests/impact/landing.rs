@@ -138,7 +138,7 @@ fn planted_a_sensor_whose_axes_point_along_the_legs_is_told() {
     }
     let (told, compared) = diagnosed(&plan, &read(&turned));
     assert!(!compared.landing.expect("lateral axes were measured").decides());
-    assert!(told.contains("x and y of the sensor point along the legs"), "{told}");
+    assert!(told.contains("turn the lateral readings by 45 degrees"), "{told}");
 }
 
 /// What needs a second height is not told as a number.

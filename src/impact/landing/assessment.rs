@@ -7,7 +7,7 @@ use super::LANDING_TILT;
 use super::attitude_assessment::AttitudeAssessment;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
-use super::gaps::{LandingGaps, held_out_gaps, left_out_gaps};
+use super::gaps::{LandingGaps, gaps_of_one_height, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::landing_scatter::LandingScatter;
 use super::legged_body::LeggedBody;
@@ -152,6 +152,7 @@ impl LandingAssessment {
         let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
         let gaps = match &held {
             Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, waves, touches, evidence.seed)?,
+            None if evidence.fitted.groups.len() < 2 => gaps_of_one_height(&problem, evidence.fitted, &fit)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
         };
         let estimates = problem.estimates(&fit, evidence.seed)?;
@@ -235,8 +236,8 @@ impl LandingAssessment {
         }
         if self.evidence.is_turned() {
             reasons.push(format!(
-                "{LANDING_TILT}: the first foot lies along x or y, and along a diagonal in {:.0} % only (p = {:.1e}): x and y of the sensor \
-                 point along the legs. Turn the lateral readings by 45 degrees about the axis, so that x points to the front and y to the left",
+                "{LANDING_TILT}: the first touch points along x or y, and along a diagonal in {:.0} % of the drops only (p = {:.1e}). Where x and \
+                 y of the sensor point along the legs, turn the lateral readings by 45 degrees, so that x points to the front and y to the left",
                 1e2 * self.evidence.along_diagonals,
                 self.evidence.along_axes_p
             ));

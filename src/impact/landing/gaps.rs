@@ -107,6 +107,12 @@ fn fitted_gap(problem: &LandingProblem, waves: &Waves, fit: &LandingFit) -> Opti
     Some(Gap::between(parts))
 }
 
+/// Of drops from one height: there is no other that could be predicted.
+pub(super) fn gaps_of_one_height(problem: &LandingProblem, waves: &Waves, fit: &LandingFit) -> Option<LandingGaps> {
+    let fitted = fitted_gap(problem, waves, fit)?;
+    Some(LandingGaps { fitted, held_out: Gap::UNKNOWN, given_touches: Gap::UNKNOWN, dealt_g: f64::NAN, dealt_p: 1.0 })
+}
+
 /// At heights that were named for it.
 pub fn held_out_gaps(
     problem: &LandingProblem,
