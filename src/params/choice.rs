@@ -1,6 +1,7 @@
 //! What a frame file chooses by name: materials, bought parts and the printer, from the catalogues and its own entries.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::figure::within_bounds;
@@ -16,6 +17,11 @@ const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];
 
 /// Kinds of materials, and what a message calls them.
 const MATERIAL_KINDS: [(&str, &str); 2] = [("printed", "a material that is printed"), ("rod", "a material of rods")];
+
+/// The fields that entries may have, made once: a search reads a frame many times.
+static PART_FIELDS: LazyLock<Vec<String>> = LazyLock::new(fields::<BoughtPart>);
+static MATERIAL_FIELDS: LazyLock<Vec<String>> = LazyLock::new(fields::<Material>);
+static PRINTER_FIELDS: LazyLock<Vec<String>> = LazyLock::new(fields::<Printer>);
 
 /// The catalogues with the frame file's own entries on top.
 pub(super) struct Catalogues {
@@ -40,9 +46,9 @@ impl Catalogues {
             }
             let place = key.strip_prefix(&format!("override.{table}.")).and_then(|rest| rest.rsplit_once('.'));
             let (catalogue, figures, fields, name, field) = match (table, place) {
-                ("parts", Some((name, field))) => (&mut all.parts, &BoughtPart::FIGURES[..], fields::<BoughtPart>(), name, field),
-                ("materials", Some((name, field))) => (&mut all.materials, &Material::FIGURES[..], fields::<Material>(), name, field),
-                ("printers", Some((name, field))) => (&mut all.printers, &Printer::FIGURES[..], fields::<Printer>(), name, field),
+                ("parts", Some((name, field))) => (&mut all.parts, &BoughtPart::FIGURES[..], &PART_FIELDS, name, field),
+                ("materials", Some((name, field))) => (&mut all.materials, &Material::FIGURES[..], &MATERIAL_FIELDS, name, field),
+                ("printers", Some((name, field))) => (&mut all.printers, &Printer::FIGURES[..], &PRINTER_FIELDS, name, field),
                 _ => {
                     let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
                     return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
