@@ -36,6 +36,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     decimals(value, usize::try_from(digits as i32 - 1 - magnitude).unwrap_or(0))
 }
 
+/// A number in hundredths, or a dash for one that could not be computed.
+pub fn hundredths(value: f64) -> String {
+    if value.is_finite() { format!("{value:.2}") } else { "-".into() }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

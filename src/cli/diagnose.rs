@@ -13,7 +13,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::figures::{PARAMETER_DIGITS, significant};
+use crate::figures::{PARAMETER_DIGITS, hundredths, significant};
 use crate::frame::assembly::{Design, mass};
 use crate::impact::diagnose::{ComparedAxes, Diagnosis, Gap, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
@@ -196,9 +196,8 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
         text += &format!("  {sentence}\n");
     }
     let (before, after) = (&found.before, &found.after);
-    let known = |value: f64| if value.is_finite() { format!("{value:.2}") } else { "-".into() };
     let row = |what: &str, before: &Gap, after: &Gap| {
-        format!("{what:<14} {:>8} {:>8} {:>8}\n", known(before.net_g), known(after.net_g), known(before.floor_g))
+        format!("{what:<14} {:>8} {:>8} {:>8}\n", hundredths(before.net_g), hundredths(after.net_g), hundredths(before.floor_g))
     };
     text += "\ngap, g           before    after    floor\n";
     text += &row("fitted", &before.fitted, &after.fitted);

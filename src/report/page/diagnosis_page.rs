@@ -1,7 +1,7 @@
 //! A diagnosis as a page to read.
 
 use super::landing_section;
-use crate::figures::{PARAMETER_DIGITS, significant};
+use crate::figures::{PARAMETER_DIGITS, hundredths, significant};
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::{CovariateEffect, Diagnosis, Point, Verdict, joined};
 use crate::report::chart::lines::{Lines, Series};
@@ -115,22 +115,17 @@ fn explained(compared: &Compared) -> Vec<Block> {
     blocks
 }
 
-/// A number, or a dash for one that could not be computed.
-fn known(value: f64) -> String {
-    if value.is_finite() { format!("{value:.2}") } else { "-".into() }
-}
-
 fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
     let held = if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" };
     let (before, after) = (&diagnosis.before, &diagnosis.after);
     let row = |what: &str, before: crate::impact::diagnose::Gap, after: crate::impact::diagnose::Gap| {
         vec![
             what.to_string(),
-            known(before.net_g),
-            known(after.net_g),
-            known(after.net_g / before.net_g.max(1e-9)),
-            known(before.floor_g),
-            format!("{} → {}", known(before.raw_g), known(after.raw_g)),
+            hundredths(before.net_g),
+            hundredths(after.net_g),
+            hundredths(after.net_g / before.net_g.max(1e-9)),
+            hundredths(before.floor_g),
+            format!("{} → {}", hundredths(before.raw_g), hundredths(after.raw_g)),
         ]
     };
     let rows = vec![
