@@ -15,12 +15,14 @@ use super::mount::MOUNT_LOW_PASS;
 use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
+use super::read_delays::ReadDelays;
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::shown::{HeightSpread, ShownDrop};
 use super::table::LandingTable;
 use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
 use super::turned_back;
+use super::uncertainty::FitUncertainty;
 use crate::impact::diagnose::{
     Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PRICE, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
 };
@@ -145,7 +147,7 @@ impl LandingAssessment {
         let without = PopulationFit::of(evidence, &rigid, first)?;
         let with = if without.adequacy.p < RARE { without.with_mount(evidence, &rigid) } else { None };
         let mounted = with.is_some();
-        let PopulationFit { fit, waves, adequacy, spread_p } = with.unwrap_or(without);
+        let PopulationFit { fit, waves, adequacy, uncertainty, spread_p } = with.unwrap_or(without);
         let problem = LandingProblem { waves: &waves, mounted, ..rigid };
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
@@ -155,7 +157,7 @@ impl LandingAssessment {
             None if evidence.fitted.groups.len() < 2 => gaps_of_one_height(&problem, evidence.fitted, &fit)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
         };
-        let estimates = problem.estimates(&fit, evidence.seed)?;
+        let estimates = uncertainty.estimates(&problem, &fit)?;
         let mount_steady_p = problem.mount_steady_p(&fit);
         let tables = problem.tables(&fit.legs)?;
         let attitude = match known {
@@ -233,6 +235,13 @@ impl LandingAssessment {
             reasons.push(format!("{LANDING_TILT}: {}", self.gates[0].found));
             let failed = self.gates.iter().filter(|gate| !gate.passed);
             reasons.extend(failed.map(|gate| format!("{LANDING_TILT} is not named by the test `{}`: {}", gate.id, gate.found)));
+            if diagnosis.verdict == Verdict::Named && self.touches_tell_drops() {
+                reasons.push(format!(
+                    "single drops depend on their touches, which {} does not explain: it is not named",
+                    joined(&diagnosis.chosen)
+                ));
+                return (Verdict::Ambiguous, reasons);
+            }
         }
         if self.evidence.is_turned() {
             reasons.push(format!(
@@ -243,6 +252,12 @@ impl LandingAssessment {
             ));
         }
         (diagnosis.verdict, reasons)
+    }
+
+    /// Whether single drops of heights that no fit saw are predicted from their touches: better than by the mean of their own height, and
+    /// better than with the touches of other drops.
+    fn touches_tell_drops(&self) -> bool {
+        self.gaps.dealt_p <= RARE && self.gaps.given_touches.records_g < self.gaps.held_out.template_g
     }
 
     fn gates(&self, diagnosis: &Diagnosis) -> Vec<Gate> {
@@ -282,7 +297,7 @@ impl LandingAssessment {
             ),
             gate(
                 "drops",
-                gaps.dealt_p <= RARE && gaps.given_touches.records_g < gaps.held_out.template_g,
+                self.touches_tell_drops(),
                 if gaps.given_touches.records_g.is_finite() {
                     format!(
                         "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g \
@@ -340,7 +355,8 @@ impl LandingAssessment {
 fn slopes_by_height(observed: &ObservedLandings, tables: &[LandingTable], fit: &LandingFit) -> Option<Vec<SlopesAtHeight>> {
     let one = |(height, table): (&HeightLandings, &LandingTable)| {
         let [_, (opposite_s, error_s), _] = height.opposite_quartiles_s()?;
-        let [predicted_s] = Population::of(table, &fit.slopes).read_delays_s(height.errors.as_ref(), [0.5]);
+        let weights = Population::of(table, &fit.slopes);
+        let [predicted_s] = ReadDelays::of(table, height.errors.as_ref()).quantiles_s(weights.weights(), [0.5]);
         Some(SlopesAtHeight { height_m: height.height_m, opposite_s, predicted_s, error_s })
     };
     observed.heights.iter().zip(tables).map(one).collect()
@@ -351,6 +367,7 @@ struct PopulationFit {
     fit: LandingFit,
     waves: FitProblem,
     adequacy: Adequacy,
+    uncertainty: FitUncertainty,
     spread_p: f64,
 }
 
@@ -366,8 +383,9 @@ impl PopulationFit {
         let bootstrap = scatter.bootstrap(&problem, &fit, evidence.seed)?;
         let left = waves.measured() - problem.mean_windows(&fit.legs, &fit.slopes)?;
         let adequacy = judge(&left, &seen, &bootstrap)?;
-        let spread_p = scatter.spread_p(&problem, &fit, evidence.fitted, evidence.seed)?;
-        Some(Self { fit, waves, adequacy, spread_p })
+        let uncertainty = FitUncertainty::of(&problem, &fit, evidence.seed)?;
+        let spread_p = scatter.spread_p(&problem, &fit, &uncertainty, evidence.fitted, evidence.seed)?;
+        Some(Self { fit, waves, adequacy, uncertainty, spread_p })
     }
 
     /// The same with a mount that gives way; `None` where that does not pay its price, or its numbers are none that a mount has.

@@ -10,7 +10,7 @@ use rand::seq::SliceRandom;
 use rand_pcg::Pcg64;
 use statrs::distribution::{Binomial, DiscreteCDF};
 
-use super::observed::{HeightLandings, ObservedLandings};
+use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
 
 /// A direction counts as a diagonal within so much, rad.
 const NEAR_RAD: f64 = 15.0 * std::f64::consts::PI / 180.0;
@@ -31,7 +31,11 @@ pub struct TouchEvidence {
     pub drops: usize,
     /// Those whose feet were all seen.
     pub seen: usize,
-    /// Fraction of the first spikes along a diagonal; a third under the null hypothesis.
+    /// Those whose first spike was seen, whatever the others are: all that a slow logger shows.
+    pub first_seen: usize,
+    /// p-value of so many of these along a diagonal under even directions.
+    pub first_along_diagonals_p: f64,
+    /// Fraction of the first spikes along a diagonal, where all feet were seen; a third under the null hypothesis.
     pub along_diagonals: f64,
     /// p-value of that under even directions.
     pub along_diagonals_p: f64,
@@ -53,14 +57,11 @@ impl TouchEvidence {
         let all = || observed.heights.iter().flat_map(|height| &height.drops);
         let seen = || observed.heights.iter().flat_map(HeightLandings::seen);
         let drops = all().count();
-        let along = seen().filter(|drop| off_diagonal_rad(drop.touches.direction_rad) <= NEAR_RAD).count();
-        let count = seen().count();
-        let even = Binomial::new(NULL_SHARE, count as u64).ok();
-        let along_p = match (along as u64).checked_sub(1).zip(even) {
-            Some((below, binomial)) => binomial.sf(below),
-            None => 1.0,
-        };
-        let along_axes_p = even.map_or(1.0, |binomial| binomial.cdf(along as u64));
+        let is_along = |drop: &&ObservedLanding| off_diagonal_rad(drop.touches.direction_rad) <= NEAR_RAD;
+        let (along, count) = (seen().filter(is_along).count(), seen().count());
+        let along_axes_p = even(count).map_or(1.0, |binomial| binomial.cdf(along as u64));
+        let first_seen = || all().filter(|drop| drop.touches.first_seen());
+        let first_count = first_seen().count();
         let heights: Vec<Vec<[f64; 2]>> = observed
             .heights
             .iter()
@@ -74,8 +75,10 @@ impl TouchEvidence {
         Self {
             drops,
             seen: count,
+            first_seen: first_count,
+            first_along_diagonals_p: so_many_p(first_seen().filter(is_along).count(), first_count),
             along_diagonals: along as f64 / count.max(1) as f64,
-            along_diagonals_p: along_p,
+            along_diagonals_p: so_many_p(along, count),
             along_axes_p,
             ratio,
             deviation_s,
@@ -89,9 +92,28 @@ impl TouchEvidence {
         self.along_diagonals_p < RARE && self.plane_p < RARE
     }
 
+    /// Whether first touches point along the diagonals, where the feet are: landings are not level then, also where the other touches cannot be
+    /// read.
+    pub fn shows_one_foot_first(&self) -> bool {
+        self.first_along_diagonals_p < VERY_RARE
+    }
+
     /// Whether the feet seem to lie along the sensor's x and y. Times that are read along diagonals say nothing of a plane then.
     pub fn is_turned(&self) -> bool {
         self.along_axes_p < VERY_RARE
+    }
+}
+
+/// How many of these directions lie along a diagonal where all are as frequent.
+fn even(count: usize) -> Option<Binomial> {
+    Binomial::new(NULL_SHARE, count as u64).ok()
+}
+
+/// p-value of so many or more of these along a diagonal.
+fn so_many_p(along: usize, count: usize) -> f64 {
+    match (along as u64).checked_sub(1).zip(even(count)) {
+        Some((below, binomial)) => binomial.sf(below),
+        None => 1.0,
     }
 }
 

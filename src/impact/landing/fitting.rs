@@ -8,35 +8,35 @@
 //! turning.
 
 use nalgebra::{DMatrix, DVector};
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg64;
 use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use super::LANDING_TILT;
-use super::fit_step::{FitStep, SLOPES};
+use super::fit_step::SLOPES;
 use super::legged_body::{LeggedBody, Legs, Slopes};
-use super::mount::{MOUNT_LOW_PASS, Mount};
-use super::observed::{HeightLandings, ObservedLanding, ObservedLandings, quartiles_with_errors_s};
+use super::mount::Mount;
+use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
 use super::table::LandingTable;
-use super::touched_slopes::{self, TouchedSlopes, decorrelated, left_of_quartiles};
-use crate::impact::diagnose::{EffectEstimate, PRICE};
+use super::touched_slopes::{self, TouchedSlopes, left_of_quartiles};
+use crate::impact::diagnose::PRICE;
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Minimum, at_bounds, inverse, minimise};
-use crate::impact::measured::Spread;
 
 /// What is fitted.
-struct Parameter {
-    key: &'static str,
-    unit: &'static str,
-    bounds: [f64; 2],
+pub struct Parameter {
+    /// Key.
+    pub key: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Bounds.
+    pub bounds: [f64; 2],
     /// Step of difference quotients, on the scale of the fit.
     step: f64,
     /// Where a fit begins.
     start: f64,
-    kind: Kind,
+    /// What it belongs to.
+    pub kind: Kind,
     /// Standard deviation of what the method itself is off, as a share of the value: what synthetic sets of a generator that shares no
     /// equation with this model show beyond how their drops vary (docs/diagnosis.md). 0 where it was not measured.
     method: f64,
@@ -44,9 +44,12 @@ struct Parameter {
 
 /// Legs and mount are fitted as logarithms, slopes as they are.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub enum Kind {
+    /// Of the legs and the body on them.
     Leg,
+    /// Of what carries the sensor.
     Mount,
+    /// Of the random slopes.
     Slope,
 }
 
@@ -60,17 +63,22 @@ impl Parameter {
     }
 
     /// A 95 % interval of changes by how drops vary, on the scale of the fit, widened by what the method is off at a value on it.
-    fn with_method(&self, [low, high]: [f64; 2], scaled: f64) -> [f64; 2] {
-        let share = if self.kind == Kind::Slope { scaled } else { 1.0 };
-        let off = NORMAL_95 * self.method * share;
+    pub fn with_method(&self, [low, high]: [f64; 2], scaled: f64) -> [f64; 2] {
+        let off = NORMAL_95 * self.method_at(scaled);
         [-libm::hypot(low.min(0.0), off), libm::hypot(high.max(0.0), off)]
+    }
+
+    /// Standard deviation of what the method is off at a value, both on the scale of the fit.
+    pub fn method_at(&self, scaled: f64) -> f64 {
+        self.method * if self.kind == Kind::Slope { scaled } else { 1.0 }
     }
 
     fn inward(&self, value: f64) -> f64 {
         if self.kind == Kind::Slope { value } else { libm::log(value) }
     }
 
-    fn outward(&self, scaled: f64) -> f64 {
+    /// A value from the scale of the fit.
+    pub fn outward(&self, scaled: f64) -> f64 {
         if self.kind == Kind::Slope { scaled } else { libm::exp(scaled) }
     }
 }
@@ -86,7 +94,7 @@ const PARAMETERS: [Parameter; 7] = [
     Parameter::new(RELEASE, "rad", touched_slopes::BOUNDS[1], touched_slopes::STEPS[1], 0.0, Kind::Slope),
 ];
 /// Key of the slope at release.
-const RELEASE: &str = "sigma_0_rad";
+pub const RELEASE: &str = "sigma_0_rad";
 /// Where the mount's begin.
 const MOUNT_AT: usize = 3;
 /// Frequencies at which a fit with a mount begins, Hz.
@@ -99,8 +107,6 @@ const MOST_TURNS: usize = 5;
 const SETTLED: f64 = 0.5;
 /// So many standard deviations on both sides of its mean hold 95 % of a normal law.
 const NORMAL_95: f64 = 1.96;
-/// Resampled sets of drops.
-const RESAMPLED: usize = 400;
 
 /// What is compared with what.
 #[derive(Clone, Debug)]
@@ -127,9 +133,9 @@ pub struct LandingFit {
     /// The slopes.
     pub slopes: Slopes,
     /// On the scale of the fit.
-    scaled: Vec<f64>,
+    pub(super) scaled: Vec<f64>,
     /// Which of them ended at a bound.
-    at_bound: Vec<bool>,
+    pub(super) at_bound: Vec<bool>,
     /// Sum of squares of what it leaves of the drops, in units of their heights' waves.
     sum: f64,
 }
@@ -142,7 +148,7 @@ impl LandingFit {
 }
 
 /// What numbers on the scale of the fit mean: those of the legs, of the mount where there are seven, and of the slopes.
-fn meaning(scaled: &[f64]) -> (Legs, Slopes) {
+pub fn meaning(scaled: &[f64]) -> (Legs, Slopes) {
     let [k, c, i] = [0, 1, 2].map(|at| libm::exp(scaled[at]));
     let mount = match scaled[MOUNT_AT..scaled.len() - SLOPES] {
         [f_hz, zeta] => Some(Mount { f_hz: libm::exp(f_hz), zeta: libm::exp(zeta) }),
@@ -154,11 +160,13 @@ fn meaning(scaled: &[f64]) -> (Legs, Slopes) {
 }
 
 impl LandingProblem<'_> {
-    fn parameters(&self) -> Vec<&'static Parameter> {
+    /// What is fitted, in its order.
+    pub fn parameters(&self) -> Vec<&'static Parameter> {
         PARAMETERS.iter().filter(|parameter| self.mounted || parameter.kind != Kind::Mount).collect()
     }
 
-    fn bounds(&self) -> Vec<[f64; 2]> {
+    /// Bounds on the scale of the fit.
+    pub fn bounds(&self) -> Vec<[f64; 2]> {
         self.parameters().iter().map(|parameter| parameter.bounds.map(|bound| parameter.inward(bound))).collect()
     }
 
@@ -180,7 +188,7 @@ impl LandingProblem<'_> {
     }
 
     /// The chosen heights' drops.
-    fn heights(&self) -> Vec<&HeightLandings> {
+    pub fn heights(&self) -> Vec<&HeightLandings> {
         self.waves.chosen.iter().map(|height| &self.observed.heights[*height]).collect()
     }
 
@@ -302,7 +310,7 @@ impl LandingProblem<'_> {
     }
 
     /// What the drops and what the touch times do, at a fit.
-    fn at_fit(&self, fit: &LandingFit) -> Option<[Minimum; 2]> {
+    pub fn at_fit(&self, fit: &LandingFit) -> Option<[Minimum; 2]> {
         let touches = |scaled: &[f64]| {
             let (legs, slopes) = meaning(scaled);
             left_of_quartiles(&self.heights(), &self.tables(&legs)?, &slopes)
@@ -337,51 +345,6 @@ impl LandingProblem<'_> {
         chi_squared -= weighed_sum.dot(&(inverse(&precision_sum)? * &weighed_sum));
         let freedom = columns.len() * heights.len().checked_sub(1).filter(|free| *free > 0)?;
         Some(ChiSquared::new(freedom as f64).ok()?.sf(chi_squared.max(0.0)))
-    }
-
-    /// The parameters of a population's fit with intervals, by drops drawn with replacement and one step of the fit for each set, and by
-    /// what the method itself is off.
-    ///
-    /// Slopes at release that are not fitted have the interval that the touch times allow. Wrong where the fit is far from linear within the
-    /// interval, or a height has few drops.
-    pub fn estimates(&self, fit: &LandingFit, seed: u64) -> Option<Vec<EffectEstimate>> {
-        let [drops, touches] = self.at_fit(fit)?;
-        let step = FitStep::of(&fit.at_bound, &drops.jacobian, &touches.jacobian)?;
-        let mut rng = Pcg64::seed_from_u64(seed);
-        let drawn = |_| Some(step.by(&self.change_by_drawing(&drops.residual, &mut rng)?));
-        let moved: Vec<DVector<f64>> = (0..RESAMPLED).filter_map(drawn).collect();
-        let most_at_release_rad = TouchedSlopes::most_at_release_rad(&self.heights(), &self.tables(&fit.legs)?)?;
-        let estimate = |(at, parameter): (usize, &&'static Parameter)| {
-            let Parameter { key, unit, bounds, kind, .. } = **parameter;
-            let effect = if kind == Kind::Mount { MOUNT_LOW_PASS } else { LANDING_TILT };
-            let scaled = fit.scaled[at];
-            let spread = Spread::middle(moved.iter().map(|step| step[at]), 0.95).unwrap_or([0.0; 2]);
-            let widened = parameter.with_method(spread, scaled);
-            let [low, mut high] = widened.map(|change| parameter.outward(scaled + change).clamp(bounds[0], bounds[1]));
-            if key == RELEASE && !self.at_release {
-                high = most_at_release_rad;
-            }
-            let value = parameter.outward(scaled);
-            EffectEstimate { effect, key, unit, value, ci95: [low, high], at_bound: fit.at_bound[at] && value > 0.0 }
-        };
-        Some(self.parameters().iter().enumerate().map(estimate).collect())
-    }
-
-    /// How what is left of the drops, and of the quartiles of their touch times, changes when drops are drawn with replacement.
-    fn change_by_drawing(&self, left: &DVector<f64>, rng: &mut Pcg64) -> Option<DVector<f64>> {
-        let samples = self.waves.expected.samples;
-        let (mut weights, mut delays) = (Vec::new(), Vec::new());
-        for here in self.heights() {
-            let picks: Vec<usize> = (0..here.drops.len()).map(|_| rng.random_range(0..here.drops.len())).collect();
-            let mut times = vec![-1.0; here.drops.len()];
-            picks.iter().for_each(|pick| times[*pick] += 1.0);
-            weights.extend(times);
-            let drawn = picks.iter().map(|pick| &here.drops[*pick]).filter(|drop| drop.touches.all_seen());
-            let (before, after) = (here.opposite_quartiles_s()?, quartiles_with_errors_s(drawn)?);
-            delays.extend(decorrelated(std::array::from_fn(|at| (after[at].0 - before[at].0) / before[at].1)));
-        }
-        let drops = left.iter().enumerate().map(|(row, left)| weights[row / samples] * left);
-        Some(DVector::from_iterator(left.len() + delays.len(), drops.chain(delays.iter().copied())))
     }
 }
 

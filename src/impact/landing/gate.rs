@@ -1,10 +1,12 @@
 //! The tests that a name has to pass.
 
+/// Ids of the tests of `landing_tilt`, in their order.
+pub static GATES: [&str; 7] = ["touches", "held_out", "drops", "constant", "plausible", "enough", "spread"];
+
 /// One of them.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Gate {
-    /// Its name: of `landing_tilt` `touches`, `held_out`, `drops`, `constant`, `plausible`, `enough` or `spread`; of `attitude_sensor` `pays`,
-    /// `mirrored`, `constant`, `held_out` or `plausible`.
+    /// Its name: of `landing_tilt` one of [`GATES`]; of `attitude_sensor` `pays`, `mirrored`, `constant`, `held_out` or `plausible`.
     pub id: &'static str,
     /// Whether it was passed.
     pub passed: bool,

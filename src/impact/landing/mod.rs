@@ -24,10 +24,12 @@ mod mount;
 mod observed;
 mod population;
 mod posterior;
+mod read_delays;
 mod read_drops;
 mod record_spread;
 mod sensor_attitude;
 mod shown;
+mod simulated_drops;
 mod simulation;
 mod slope_grid;
 mod spike;
@@ -38,6 +40,7 @@ mod touch_power;
 mod touched_slopes;
 mod touches;
 mod turned_back;
+mod uncertainty;
 
 pub use assessment::{LandingAssessment, LandingEvidence, SeparatingDrops, SlopesAtHeight};
 pub use attitude_assessment::AttitudeAssessment;
@@ -45,7 +48,7 @@ pub use cosine::CosineSize;
 pub use evidence::TouchEvidence;
 pub use fitting::{LandingFit, LandingProblem};
 pub use gaps::LandingGaps;
-pub use gate::Gate;
+pub use gate::{GATES, Gate};
 pub use landing_scatter::LandingScatter;
 pub use legged_body::{COGNIFLY_FOOT_RADIUS_M, LeggedBody, Legs, Slopes};
 pub use mount::{MOUNT_LOW_PASS, Mount};
@@ -57,6 +60,7 @@ pub use shown::{HeightSpread, ShownDrop};
 pub use simulation::{Landing, simulate};
 pub use table::LandingTable;
 pub use touches::{LegTouches, Touch};
+pub use uncertainty::FitUncertainty;
 
 /// The effect's id.
 pub const LANDING_TILT: &str = "landing_tilt";

@@ -3,9 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::legged_body::Slopes;
+use super::read_delays::ReadDelays;
 use super::table::LandingTable;
-use super::touch_errors::TouchErrors;
-use super::touches::LAST_S;
 
 /// Landings from one height whose slopes are random.
 #[derive(Clone, Debug)]
@@ -38,46 +37,14 @@ impl<'a> Population<'a> {
 
     /// Quantile of the time from the first foot to the opposite one, s, of the landings in which it touches as soon as it is looked for.
     pub fn opposite_delay_s(&self, share: f64) -> f64 {
-        let times = self.table.delays_s.iter().zip(self.weights.iter()).map(|(delays, weight)| (delays[0], *weight));
-        let [delay_s] = quantiles_s(times.collect(), [share]);
+        let [delay_s] = ReadDelays::of(self.table, None).quantiles_s(&self.weights, [share]);
         delay_s
-    }
-
-    /// The same quantiles of the times as they are read.
-    pub fn read_delays_s<const N: usize>(&self, errors: Option<&TouchErrors>, shares: [f64; N]) -> [f64; N] {
-        let times = self.table.delays_s.iter().zip(self.weights.iter()).enumerate();
-        let read = |(point, (delays, weight)): (usize, (&[f64; 3], &f64))| match errors {
-            Some(errors) => errors.read_s(point, delays[0]).map(|read_s| (read_s, *weight)).collect::<Vec<_>>(),
-            None => vec![(delays[0], *weight)],
-        };
-        quantiles_s(times.flat_map(read).collect(), shares)
     }
 
     /// How frequent each of the table's slopes is.
     pub fn weights(&self) -> &DVector<f64> {
         &self.weights
     }
-}
-
-/// Quantiles of times with weights, of those before [`LAST_S`].
-fn quantiles_s<const N: usize>(mut times: Vec<(f64, f64)>, shares: [f64; N]) -> [f64; N] {
-    times.retain(|(time_s, _)| *time_s < LAST_S);
-    times.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let all: f64 = times.iter().map(|(_, weight)| weight).sum();
-    shares.map(|share| {
-        // Half of a time's weight lies before it.
-        let (mut before, mut last) = (0.0, (0.0, 0.0));
-        for (time_s, weight) in &times {
-            let middle = (before + 0.5 * weight) / all;
-            if middle >= share {
-                let (left, left_s) = last;
-                return if middle > left { left_s + (time_s - left_s) * (share - left) / (middle - left) } else { *time_s };
-            }
-            before += weight;
-            last = (middle, *time_s);
-        }
-        last.1
-    })
 }
 
 /// Rayleigh's density times the slopes that each point stands for; the steepest one takes what lies beyond.

@@ -8,6 +8,8 @@ use super::touches::LegTouches;
 
 /// Times that belong to no touch lie evenly within this, s.
 const STRAY_S: f64 = 15e-3;
+/// A time that is off by more of its standard deviations is none of a touch.
+const FAR: f64 = 8.0;
 /// A spike of this size is as often a stray as not, g.
 const STRAY_G: f64 = 15.0;
 /// Part of the largest spikes that are strays.
@@ -34,13 +36,13 @@ pub fn given_touches(table: &LandingTable, population: &Population, touches: &Le
     let likelihood = |delays_s: &[f64; 3]| {
         let each = seen.iter().zip(stray).zip(delays_s).map(|((touch, stray), delay_s)| {
             let off = (touch.delay_s - delay_s) / read_s;
-            let read = libm::exp(-0.5 * off * off) / (read_s * (2.0 * std::f64::consts::PI).sqrt());
+            let read = if off.abs() < FAR { libm::exp(-0.5 * off * off) / (read_s * (2.0 * std::f64::consts::PI).sqrt()) } else { 0.0 };
             stray / STRAY_S + (1.0 - stray) * read
         });
         each.product::<f64>()
     };
-    let mut weights = DVector::from_iterator(table.points.len(), table.delays_s.iter().map(likelihood));
-    weights.component_mul_assign(population.weights());
+    let weighed = |(delays_s, weight): (&[f64; 3], &f64)| if *weight > 0.0 { weight * likelihood(delays_s) } else { 0.0 };
+    let weights = DVector::from_iterator(table.points.len(), table.delays_s.iter().zip(population.weights().iter()).map(weighed));
     let sum = weights.sum();
     let weights = if sum > 0.0 { weights / sum } else { population.weights().clone() };
     let moment = |power: i32| table.points.iter().zip(weights.iter()).map(|(point, w)| w * point.slope_rad.powi(power)).sum::<f64>();

@@ -11,19 +11,23 @@ use rand::{Rng, RngExt};
 
 use super::table::{LandingTable, NEVER_S};
 use super::touch_pattern::TouchPattern;
+use super::touches::LegTouches;
 
 /// Readings of each slope's landing.
-const READINGS: usize = 2;
+pub const READINGS: usize = 8;
 /// Slopes less frequent than this are read as they are.
 const RARE: f64 = 1e-7;
 /// Standard deviations of a normal law to its median deviation.
 const DEVIATIONS: f64 = 1.4826;
 
+/// A landing as it was read: its touches, and the delays that it had, s.
+type Reading = (LegTouches, [f64; 3]);
+
 /// Errors of the touch times of one height's landings.
 #[derive(Clone, Debug)]
 pub struct TouchErrors {
-    /// Of the opposite foot's delay, s, by the table's points; none of a reading in which a foot is not seen.
-    opposite_s: Vec<[Option<f64>; READINGS]>,
+    /// How landings are read, by the table's points: touches whose delays are those read. None of a reading without touches.
+    readings: Vec<[Option<Reading>; READINGS]>,
     /// Standard deviation of a delay that was read, by the median deviation, s.
     pub deviation_s: f64,
 }
@@ -32,20 +36,19 @@ impl TouchErrors {
     /// Reads the landings of a table, as frequent as `weights` says, like the drops of a height, whose patterns these are.
     pub fn of(patterns: &[&TouchPattern], table: &LandingTable, weights: &DVector<f64>, rng: &mut impl Rng) -> Option<Self> {
         let mut sizes: Vec<(f64, f64)> = Vec::new();
-        let mut read = |delays_s: &[f64; 3], weight: f64| -> Option<f64> {
+        let mut read = |delays_s: &[f64; 3], weight: f64| -> Option<Reading> {
             let pattern = patterns[rng.random_range(0..patterns.len())];
             let touches = pattern.read(*delays_s, rng.random_bool(0.5))?;
-            if !touches.all_seen() {
-                return None;
+            if touches.all_seen() {
+                sizes.extend(touches.delays_s().iter().zip(delays_s).map(|(read_s, true_s)| ((read_s - true_s).abs(), weight)));
             }
-            let read_s = touches.delays_s();
-            sizes.extend(read_s.iter().zip(delays_s).map(|(read_s, true_s)| ((read_s - true_s).abs(), weight)));
-            Some(read_s[0] - delays_s[0])
+            Some((touches, *delays_s))
         };
-        let mut opposite_s = Vec::with_capacity(weights.len());
+        let mut readings = Vec::with_capacity(weights.len());
         for (delays_s, weight) in table.delays_s.iter().zip(weights.iter()) {
             let known = *weight >= RARE && delays_s.iter().all(|delay_s| *delay_s < NEVER_S);
-            opposite_s.push(if known { std::array::from_fn(|_| read(delays_s, *weight)) } else { [Some(0.0); READINGS] });
+            let exact = (LegTouches::exact(*delays_s), *delays_s);
+            readings.push(if known { std::array::from_fn(|_| read(delays_s, *weight)) } else { [Some(exact); READINGS] });
         }
         sizes.sort_by(|a, b| a.0.total_cmp(&b.0));
         let half = 0.5 * sizes.iter().map(|(_, weight)| weight).sum::<f64>();
@@ -54,11 +57,18 @@ impl TouchErrors {
             before += weight;
             before >= half
         })?;
-        Some(Self { opposite_s, deviation_s: DEVIATIONS * median.0 })
+        Some(Self { readings, deviation_s: DEVIATIONS * median.0 })
     }
 
     /// Delays of the opposite foot as they would be read of a table's point, s.
     pub fn read_s(&self, point: usize, opposite_s: f64) -> impl Iterator<Item = f64> {
-        self.opposite_s[point].iter().flatten().map(move |error_s| (opposite_s + error_s).max(0.0))
+        let seen = self.readings[point].iter().flatten().filter(|(touches, _)| touches.all_seen());
+        seen.map(move |(touches, was_s)| (opposite_s + touches.opposite.delay_s - was_s[0]).max(0.0))
+    }
+
+    /// Touches of a table's point as they are read in one of its readings, if it has these delays now, s; `None` where none are seen.
+    pub fn touches(&self, point: usize, delays_s: [f64; 3], reading: usize) -> Option<LegTouches> {
+        let (touches, was_s) = self.readings[point][reading]?;
+        Some(touches.later_by(std::array::from_fn(|foot| delays_s[foot] - was_s[foot])))
     }
 }

@@ -6,7 +6,7 @@ use crate::impact::body::Feet;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{
     ChannelChoice, ComparedAxes, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage,
-    StaticComparison, confounded,
+    StaticComparison, Verdict, confounded,
 };
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
@@ -131,6 +131,8 @@ impl DiagnosisRequest<'_> {
             }
         } else if self.model.body.feet == Some(Feet::Rectangle) && observed.is_some() {
             found.reasons.push("the frame is longer than wide (rods.cage_side_ratio): landings that are not level were not judged".into());
+        } else if let Some(observed) = &observed {
+            self.warn_of_unjudged_landings(observed, &mut found);
         }
         compared.covariates = self.explained(&choice, &fitted, compared.landing.as_ref());
         compared.confounding = confounded(&choice.chosen, self.covariates);
@@ -150,6 +152,23 @@ impl DiagnosisRequest<'_> {
     ) -> Option<LandingAssessment> {
         let evidence = LandingEvidence { fitted, held_out, observed, model: &self.model, diagnosis: found, seed: self.seed };
         LandingAssessment::of(&evidence)
+    }
+
+    /// Says where first touches show that landings were not level, though they could not be judged. What is named along the vertical may stand
+    /// for them, so it is one of several explanations.
+    fn warn_of_unjudged_landings(&self, observed: &ObservedLandings, found: &mut Diagnosis) {
+        let evidence = TouchEvidence::of(observed, self.seed);
+        if !evidence.shows_one_foot_first() {
+            return;
+        }
+        let TouchEvidence { first_seen, first_along_diagonals_p: p, .. } = evidence;
+        found.reasons.push(format!(
+            "landings were not level, and could not be judged: of {first_seen} first touches so many point along a diagonal, where the feet are, \
+             that p = {p:.1e}. Effects along the vertical, and k and c with them, may stand for these landings; a logger of 1 kHz or more tells"
+        ));
+        if found.verdict == Verdict::Named {
+            found.verdict = Verdict::Ambiguous;
+        }
     }
 
     /// What the lateral axes are used for, or why they are not; nothing where there are none.

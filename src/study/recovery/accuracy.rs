@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use super::findings::LANDING_KEYS;
 use super::known_rows::{KnownRow, known_rows};
 use super::setting::Recovery;
 use super::share::Share;
+use super::truth::Truth;
+use crate::impact::landing::LANDING_TILT;
 use crate::impact::synthetic::ScatterLaw;
 use crate::study::outcomes::Outcomes;
 use crate::study::plan::Study;
@@ -66,6 +69,8 @@ pub fn accuracy(study: &Study, recovery: &Recovery, outcomes: &Outcomes) -> Accu
         table("Named first, by effect", "effect", lines(by_effect(recovery))),
         table("Named first, by strength", "strength", lines(by_strength(recovery))),
         table("Named first, by noncentrality", "noncentrality", lines(by_noncentrality())),
+        table("Landings named, by what they are", "landings", lines(by_landing(recovery))),
+        table("Landings that slope and are not named, by the first test that failed", "landings", lines(failed_tests(recovery))),
         table("Intervals that contain the truth, by parameter", "parameter", lines(by_parameter(recovery))),
         table("Detectable effects that were named wrongly", "effect", lines(mistaken(recovery))),
     ];
@@ -74,14 +79,14 @@ pub fn accuracy(study: &Study, recovery: &Recovery, outcomes: &Outcomes) -> Accu
 }
 
 /// The lines of the summary.
-const SUMMARY: [(&str, Says); 21] = [
+const SUMMARY: [(&str, Says); 25] = [
     ("named first, of those detectable (noncentrality > 30)", |rows| right(rows, |row| row.is_one() && row.is_detectable())),
     ("named first, of all strengths", |rows| right(rows, |row| row.is_one())),
     ("named first, of all strengths but the least", |rows| right(rows, |row| row.is_one() && !row.is_weakest)),
     ("first in the ranking whatever the verdict, of all strengths", |rows| of(rows, |row| row.is_one(), |row| row.is_first("first"))),
     ("right, of the verdicts `named`", |rows| right(rows, |row| row.is_one() && row.word("verdict") == Some("named"))),
     ("false alarms where nothing is hidden", |rows| of(rows, |row| row.is_nothing(), |row| row.is_right().map(|right| !right))),
-    ("p of their p-values being uniform", uniform),
+    ("p of their p-values being uniform", |rows| uniform(rows, "p.before")),
     ("pairs exactly right", |rows| right(rows, |row| row.is_pair())),
     ("the same, where each effect alone leaves more than 30", |rows| right(rows, |row| row.is_pair() && row.leaves("left.alone"))),
     ("the same, where every other set is more than 30 away", |rows| right(rows, |row| row.is_pair() && row.leaves("left.rival"))),
@@ -99,6 +104,10 @@ const SUMMARY: [(&str, Says); 21] = [
     ("with the generator's covariance: first in the ranking, of all strengths", |rows| {
         of(rows, |row| row.is_one() && row.word("known_covariance.first").is_some(), |row| row.is_first("known_covariance.first"))
     }),
+    ("landings that slope: `landing_tilt` named", |rows| right(rows, |row| row.slopes() == Some(true))),
+    ("level landings: `landing_tilt` named", |rows| of(rows, |row| row.slopes() == Some(false), |row| row.is_right().map(|right| !right))),
+    ("p of the p-values of `enough` being uniform where landings slope", |rows| uniform(rows, "landing.p.enough")),
+    ("the same of `spread`", |rows| uniform(rows, "landing.p.spread")),
     ("refused", |rows| Fact::Number(rows.iter().filter(|row| row.is_refused()).count() as f64)),
 ];
 
@@ -112,7 +121,7 @@ fn right(rows: &Rows, counts: impl Fn(&KnownRow) -> bool) -> Fact {
 }
 
 fn covered(rows: &Rows, parameter: Option<&str>) -> Fact {
-    let all = rows.iter().filter(|row| row.is_one()).flat_map(KnownRow::covered);
+    let all = rows.iter().filter(|row| row.is_one() || row.slopes() == Some(true)).flat_map(KnownRow::covered);
     Share::of(all.filter(|(key, _)| parameter.is_none_or(|of| of == key)).map(|(_, held)| held).collect()).map_or(Fact::None, Fact::Share)
 }
 
@@ -136,10 +145,11 @@ fn mean(rows: &Rows, name: &str, counts: impl Fn(&KnownRow) -> bool) -> Fact {
     if values.is_empty() { Fact::None } else { Fact::Number(values.iter().sum::<f64>() / values.len() as f64) }
 }
 
-/// p-value of the largest distance between the p-values of rows with nothing hidden and the even distribution on 0 to 1 (Kolmogorov's
+/// p-value of the largest distance between the p-values of rows that are what is tested and the even distribution on 0 to 1 (Kolmogorov's
 /// limit, with M. A. Stephens' factor for few values, J. R. Stat. Soc. B 32 (1970) 115).
-fn uniform(rows: &Rows) -> Fact {
-    let mut values: Vec<f64> = rows.iter().filter(|row| row.is_nothing()).filter_map(|row| row.figure("p.before")).collect();
+fn uniform(rows: &Rows, name: &str) -> Fact {
+    let is_tested = |row: &&KnownRow| row.is_nothing() || row.slopes() == Some(true);
+    let mut values: Vec<f64> = rows.iter().filter(is_tested).filter_map(|row| row.figure(name)).collect();
     if values.is_empty() {
         return Fact::None;
     }
@@ -181,8 +191,45 @@ fn by_noncentrality() -> Lines {
 
 fn by_parameter(recovery: &Recovery) -> Lines {
     let own = recovery.effects.iter().flat_map(|spec| spec.parameters.iter().map(|parameter| format!("{}.{}", spec.id, parameter.key)));
+    let slopes = LANDING_KEYS[2..].iter().map(|key| format!("{LANDING_TILT}.{key}"));
     let line = |key: String| -> Line { (key.clone(), Box::new(move |rows: &Rows| covered(rows, Some(&key)))) };
-    ["k".to_string(), "c".into()].into_iter().chain(own).map(line).collect()
+    ["k".to_string(), "c".into()].into_iter().chain(own).chain(slopes).map(line).collect()
+}
+
+/// The names of the landings of a study, each once.
+fn landings(recovery: &Recovery) -> Vec<String> {
+    let mut names: Vec<String> = Vec::new();
+    for case in recovery.cases.iter().filter(|case| matches!(case.truth, Truth::Landing(_))) {
+        if !names.contains(&case.truth.name()) {
+            names.push(case.truth.name());
+        }
+    }
+    names
+}
+
+fn by_landing(recovery: &Recovery) -> Lines {
+    let named =
+        |name: String| move |rows: &Rows| of(rows, |row| row.case.truth.name() == name, |row| Some(row.figure("landing.named")? == 1.0));
+    landings(recovery).into_iter().map(|name| -> Line { (name.clone(), Box::new(named(name))) }).collect()
+}
+
+fn failed_tests(recovery: &Recovery) -> Lines {
+    let line = |name: String| -> Line {
+        let of = name.clone();
+        let says = move |rows: &Rows| {
+            counted(rows.iter().filter(|row| row.slopes() == Some(true) && row.case.truth.name() == of), "landing.failed")
+        };
+        (name, Box::new(says))
+    };
+    landings(recovery).into_iter().map(line).collect()
+}
+
+/// How often each word of a column stands in these rows.
+fn counted<'a>(rows: impl Iterator<Item = &'a KnownRow<'a>>, column: &str) -> Fact {
+    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
+    rows.filter_map(|row| row.word(column)).for_each(|name| *names.entry(name).or_default() += 1);
+    let words: Vec<String> = names.into_iter().map(|(name, count)| format!("{name} {count}")).collect();
+    if words.is_empty() { Fact::None } else { Fact::Words(words.join(", ")) }
 }
 
 /// The wrong names of each effect, with how often.

@@ -1,18 +1,23 @@
 //! What comes out of a row of hidden effects: the diagnosis beside its truth.
 
 use super::ceiling::Share;
+use super::landing_truth::LandingTruth;
 use super::noise_free::{catalogue, clean, noncentrality, ranked_with_known_covariance, waves};
 use super::setting::{Case, Recovery};
 use super::truth::{Truth, Truths};
 use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
-use crate::impact::effects::Model;
-use crate::impact::fit::Expected;
-use crate::impact::synthetic::{Hidden, Plan};
+use crate::impact::effects::{Channel, Model};
+use crate::impact::fit::{Chosen, Expected, Keep};
+use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
+use crate::impact::measured::{self, FileFormat};
+use crate::impact::synthetic::{Hidden, Plan, records, table};
 
 /// The height at which models are compared with the truth and that no drop is made from, m.
 const HELD_OUT_M: f64 = 2.0;
 /// Parameters that have an estimate in the table: k, c, and those of a single hidden effect.
 pub(super) const PARAMETERS: usize = 5;
+/// Those of landings: k, c, and what takes the place of an effect's.
+pub(super) const LANDING_KEYS: [&str; PARAMETERS] = ["k", "c", "inertia_kg_m2", "sigma_r_rad_s", "sigma_0_rad"];
 
 /// What a row asks for; each takes time of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +34,8 @@ pub enum Asks {
     Ceiling,
     /// The ranking with the generator's covariance.
     KnownCovariance,
+    /// Landings, judged in drops with lateral axes.
+    Landings,
 }
 
 /// A parameter of the truth beside its estimate: the truth, the estimate and its 95 % interval.
@@ -38,6 +45,8 @@ pub(super) type Estimate = [Option<f64>; 4];
 pub(super) struct Findings<'a> {
     pub case: &'a Case,
     pub diagnosis: Option<Diagnosis>,
+    /// Where the row has lateral axes in which touches were seen.
+    pub landing: Option<LandingAssessment>,
     pub estimates: [Estimate; PARAMETERS],
     pub held_out_g: [Option<f64>; 2],
     pub noncentrality: Option<f64>,
@@ -58,6 +67,7 @@ fn plan(recovery: &Recovery, case: &Case) -> Result<Plan, String> {
         Truth::One(spec) => truths.one(spec.id, case.seed, strength, case.level),
         Truth::Two(specs) => truths.two(specs, case.seed, strength, case.level),
         Truth::Outside(hidden) => Some(Plan { hidden: Some(hidden), ..truths.plain(case.level, 5000 + case.seed) }),
+        Truth::Landing(landing) => Some(landing.plan(truths.plain(case.level, case.seed), case.seed)),
     };
     plan.ok_or_else(|| format!("within its bounds {} does not reach the strength {strength}", case.truth.name()))
 }
@@ -77,6 +87,9 @@ impl<'a> Findings<'a> {
     pub fn of(recovery: &Recovery, case: &'a Case, asked: &[Asks]) -> Result<Self, String> {
         let plan = plan(recovery, case)?;
         let asks = |what: Asks| asked.contains(&what);
+        if let Truth::Landing(truth) = case.truth {
+            return Self::of_landings(recovery, case, &plan, truth);
+        }
         let diagnosis = (asks(Asks::Diagnosis) || asks(Asks::HeldOut)).then(|| diagnosed(recovery, &plan)).transpose()?;
         let held_out_g = match &diagnosis {
             Some(diagnosis) if asks(Asks::HeldOut) => held_out_g(&plan, diagnosis),
@@ -96,7 +109,53 @@ impl<'a> Findings<'a> {
                 .then(|| ranked_with_known_covariance(&plan, &recovery.base))
                 .flatten(),
             diagnosis,
+            landing: None,
         })
+    }
+
+    /// Looks at a row whose drops have lateral axes: from two heights, with the highest one held out.
+    fn of_landings(recovery: &Recovery, case: &'a Case, plan: &Plan, truth: LandingTruth) -> Result<Self, String> {
+        let model = LandingTruth::diagnosed(plan);
+        let text = table(&records(plan));
+        let set = measured::read_bytes(&[("drops.csv".into(), text.into_bytes())], &FileFormat::default()).map_err(|e| e.to_string())?;
+        let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).map_err(|error| error.to_string())?;
+        let waves = chosen.waves().map_err(|error| error.to_string())?;
+        let highest_m = plan.heights_m.iter().copied().fold(0.0, f64::max);
+        let (fitted, held_out) = (waves.only(|height_m| height_m < highest_m), waves.only(|height_m| height_m >= highest_m));
+        let options = DiagnosisOptions::new(recovery.most_effects, plan.seed);
+        let mut diagnosis = diagnose(&fitted, Some(&held_out), &model, &options).map_err(|error| error.to_string())?;
+        let observed = ObservedLandings::of(&chosen, &waves);
+        let landing = observed.as_ref().and_then(|observed| {
+            let evidence = LandingEvidence {
+                fitted: &fitted,
+                held_out: Some(&held_out),
+                observed,
+                model: &model,
+                diagnosis: &diagnosis,
+                seed: plan.seed,
+            };
+            LandingAssessment::of(&evidence)
+        });
+        if let Some(landing) = &landing {
+            (diagnosis.verdict, diagnosis.reasons) = landing.verdict(&diagnosis);
+        }
+        Ok(Self {
+            case,
+            estimates: landing.as_ref().filter(|_| truth.is_sloped()).map_or([[None; 4]; PARAMETERS], |found| of_legs(plan, found)),
+            landing,
+            held_out_g: [None; 2],
+            noncentrality: None,
+            left_alone: None,
+            left_rival: None,
+            ceiling: None,
+            with_known_covariance: None,
+            diagnosis: Some(diagnosis),
+        })
+    }
+
+    /// Whether landings that are not level are the verdict; none of rows without lateral axes.
+    pub fn names_landings(&self) -> Option<bool> {
+        matches!(self.case.truth, Truth::Landing(_)).then(|| self.landing.as_ref().is_some_and(LandingAssessment::decides))
     }
 
     /// The effects that were named, the largest contribution first; none where nothing is missing.
@@ -113,6 +172,7 @@ impl<'a> Findings<'a> {
             Truth::One(spec) => self.named().first() == Some(&spec.id),
             Truth::Two(_) => diagnosis.chosen.ids() == self.case.truth.ids(),
             Truth::Outside(_) => matches!(diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous),
+            Truth::Landing(truth) => self.names_landings()? == truth.is_sloped(),
         })
     }
 
@@ -164,10 +224,28 @@ fn estimates(case: &Case, plan: &Plan, diagnosis: &Diagnosis) -> [Estimate; PARA
     all
 }
 
+/// Legs and slopes of the truth beside those that were found, in the order of [`LANDING_KEYS`].
+fn of_legs(plan: &Plan, found: &LandingAssessment) -> [Estimate; PARAMETERS] {
+    let truth = |key: &str| {
+        let landings = plan.landings.as_ref();
+        match key {
+            "inertia_kg_m2" => landings.map(|landings| landings.inertia_kg_m2),
+            "sigma_r_rad_s" => landings.map(|landings| landings.rate_rad_s),
+            "sigma_0_rad" => landings.map(|landings| landings.at_release_rad),
+            "k" => plan.model.value("linear_spring", "k"),
+            _ => plan.model.value("linear_damper", "c"),
+        }
+    };
+    LANDING_KEYS.map(|key| {
+        let one = found.estimates.iter().find(|one| one.key == key);
+        [truth(key), one.map(|one| one.value), one.map(|one| one.ci95[0]), one.map(|one| one.ci95[1])]
+    })
+}
+
 /// What is left of a truth without noise: by each effect of a pair alone, the least of it; and by the best set of one or two effects
 /// that is not the truth. Wear is not in the mean of drops, so nothing is known of it.
 fn left(case: &Case, plan: &Plan, base: &Model) -> [Option<f64>; 2] {
-    if matches!(case.truth, Truth::Nothing | Truth::One(_) | Truth::Outside(Hidden::Wear { .. })) {
+    if matches!(case.truth, Truth::Nothing | Truth::One(_) | Truth::Landing(_) | Truth::Outside(Hidden::Wear { .. })) {
         return [None; 2];
     }
     let Some(search) = catalogue(plan, base) else { return [None; 2] };

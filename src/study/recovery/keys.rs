@@ -1,5 +1,6 @@
 //! The plan of a study of hidden effects as typed, and what is wrong with it.
 
+use super::landing_truth::LandingTruth;
 use super::measure::{RECOVERY_MEASURES, RecoveryMeasure};
 use super::setting::{Case, Recovery};
 use super::strength::recorded;
@@ -12,12 +13,24 @@ use crate::params::{ImpactFile, LoadError};
 use crate::study::plan_keys::{impossible, named, only_known, whole, wholes};
 
 /// Keys beside the table `seeds`.
-const KEYS: [&str; 10] =
-    ["kind", "levels", "laws", "strengths", "pair_strength", "effects", "most_effects", "ceiling_gain", "measures", "description"];
+const KEYS: [&str; 11] = [
+    "kind",
+    "levels",
+    "laws",
+    "strengths",
+    "pair_strength",
+    "effects",
+    "rates_rad_s",
+    "most_effects",
+    "ceiling_gain",
+    "measures",
+    "description",
+];
 /// The model that is diagnosed.
 const BASE: &str = "paper";
-/// First seed, and the seed after the last, of drops with nothing, one effect, two, and something outside of the catalogue.
-const SEEDS: [&str; 4] = ["seeds.nothing", "seeds.one", "seeds.two", "seeds.outside"];
+/// First seed, and the seed after the last, of drops with nothing, one effect, two, something outside of the catalogue, landings that slope,
+/// and level ones that could be taken for them.
+const SEEDS: [&str; 6] = ["seeds.nothing", "seeds.one", "seeds.two", "seeds.outside", "seeds.sloped", "seeds.level"];
 /// Bounds of a seed: numbers that are made from it stay whole.
 const SEED: [f64; 2] = [0.0, 1e9];
 /// Bounds of a strength: what a noncentrality may be called.
@@ -28,6 +41,9 @@ const STRENGTHS: [f64; 5] = [5.0, 19.0, 71.0, 266.0, 1000.0];
 const PAIR_STRENGTH: f64 = 400.0;
 /// Effects that a diagnosis tries when a plan does not say.
 const MOST_EFFECTS: usize = 3;
+/// Standard deviations of the turning rate at release when a plan does not say, and their bounds, rad/s.
+const RATES_RAD_S: [f64; 3] = [0.15, 0.25, 0.4];
+const RATE_RAD_S: [f64; 2] = [0.001, 3.0];
 /// Most rows.
 const MOST_ROWS: usize = 1_000_000;
 
@@ -111,11 +127,15 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
     let levels = wholes(file, "levels", LEVELS)?.unwrap_or_else(|| vec![2]);
     let laws = laws(file)?;
     let pair_strength = file.number("pair_strength", STRENGTH, "1")?.unwrap_or(PAIR_STRENGTH);
-    let [nothing, one, two, outsiders] = SEEDS.map(|key| seeds(file, key));
-    let (nothing, one, two, outsiders) = (nothing?, one?, two?, outsiders?);
+    let rates =
+        if file.entries.contains_key("rates_rad_s") { file.numbers("rates_rad_s", RATE_RAD_S, "rad/s")? } else { RATES_RAD_S.to_vec() };
+    let landings = || rates.iter().map(|rate| LandingTruth::Sloped(*rate));
+    let [nothing, one, two, outsiders, sloped, level_ones] = SEEDS.map(|key| seeds(file, key));
+    let (nothing, one, two, outsiders, sloped, level_ones) = (nothing?, one?, two?, outsiders?, sloped?, level_ones?);
     let singles = || recovery.effects.iter().flat_map(|spec| recovery.strengths.iter().map(move |strength| (*spec, *strength)));
     let count = |seeds: &std::ops::Range<u64>| (seeds.end - seeds.start) as usize;
-    let a_level = count(&nothing) + count(&one) * singles().count() + count(&two) + count(&outsiders);
+    let effects = count(&nothing) + count(&one) * singles().count() + count(&two) + count(&outsiders);
+    let a_level = effects + count(&sloped) * rates.len() + count(&level_ones) * LandingTruth::LEVEL.len();
     if a_level == 0 || a_level * levels.len() * laws.len() > MOST_ROWS {
         let message = format!("the plan has {} rows", a_level * levels.len() * laws.len());
         let remedy = format!("state between one and {MOST_ROWS} by {}", SEEDS.join(", "));
@@ -128,6 +148,8 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
         cases.extend(one.clone().flat_map(|seed| singles().map(move |(spec, strength)| case(Truth::One(spec), Some(strength), seed))));
         cases.extend(two.clone().filter_map(|seed| Some(case(Truth::Two(pair(&recovery.effects, seed)?), Some(pair_strength), seed))));
         cases.extend(outsiders.clone().map(|seed| case(Truth::Outside(outside(seed)), None, seed)));
+        cases.extend(sloped.clone().flat_map(|seed| landings().map(move |landing| case(Truth::Landing(landing), None, seed))));
+        cases.extend(level_ones.clone().flat_map(|seed| LandingTruth::LEVEL.map(|landing| case(Truth::Landing(landing), None, seed))));
     }
     Ok(cases)
 }

@@ -3,8 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::ceiling::DETECTABLE;
+use super::findings::LANDING_KEYS;
 use super::setting::{Case, Recovery};
 use super::truth::Truth;
+use crate::impact::landing::LANDING_TILT;
 use crate::study::column::Column;
 use crate::study::outcomes::{Outcome, Outcomes};
 use crate::study::plan::Study;
@@ -66,6 +68,11 @@ impl KnownRow<'_> {
         matches!(self.case.truth, Truth::Outside(_)) && self.figure("left.rival").is_none_or(|left| left > DETECTABLE)
     }
 
+    /// Whether its landings slope, where it has lateral axes.
+    pub fn slopes(&self) -> Option<bool> {
+        if let Truth::Landing(landing) = self.case.truth { Some(landing.is_sloped()) } else { None }
+    }
+
     /// Whether its truth is this effect alone.
     pub fn is_of(&self, id: &str) -> bool {
         matches!(self.case.truth, Truth::One(spec) if spec.id == id)
@@ -93,6 +100,7 @@ impl KnownRow<'_> {
     /// The parameters whose truth and interval are known, and whether the one is in the other.
     pub fn covered(&self) -> Vec<(String, bool)> {
         let own = match self.case.truth {
+            Truth::Landing(_) => LANDING_KEYS[2..].iter().map(|key| format!("{LANDING_TILT}.{key}")).collect(),
             Truth::One(spec) => spec.parameters.iter().map(|parameter| format!("{}.{}", spec.id, parameter.key)).collect(),
             _ => Vec::new(),
         };

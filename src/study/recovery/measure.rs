@@ -3,6 +3,7 @@
 use super::findings::{Asks, Findings};
 use crate::impact::diagnose::Verdict;
 use crate::impact::effects::CATALOGUE;
+use crate::impact::landing::GATES;
 
 /// A column of a study of hidden effects.
 pub struct RecoveryMeasure {
@@ -45,9 +46,10 @@ impl RecoveryMeasure {
         Self::number(name, unit, Asks::Diagnosis, of)
     }
 
-    /// Whether every study has it that does not say what it asks for: those that are not take a multiple of the time.
+    /// Whether every study has it that does not say what it asks for: those that are not take a multiple of the time, or are of drops with
+    /// lateral axes alone.
     pub(super) fn is_usual(&self) -> bool {
-        !matches!(self.asks, Asks::Ceiling | Asks::KnownCovariance)
+        !matches!(self.asks, Asks::Ceiling | Asks::KnownCovariance | Asks::Landings)
     }
 
     /// Its figure of a row; none where the row has no such thing.
@@ -74,8 +76,14 @@ fn estimate<const PARAMETER: usize, const FIGURE: usize>(findings: &Findings) ->
     findings.estimates[PARAMETER][FIGURE]
 }
 
+/// The first test of landings that failed.
+fn failed(findings: &Findings) -> Option<f64> {
+    let failed = findings.landing.as_ref()?.gates.iter().find(|gate| !gate.passed)?.id;
+    GATES.iter().position(|id| *id == failed).map(|at| at as f64)
+}
+
 /// Every column that there is.
-pub static RECOVERY_MEASURES: [RecoveryMeasure; 43] = [
+pub static RECOVERY_MEASURES: [RecoveryMeasure; 48] = [
     RecoveryMeasure { name: "verdict", unit: "", words: Some(&VERDICT_WORDS), asks: Asks::Diagnosis, of: verdict },
     RecoveryMeasure::diagnosed("right", "", |row| row.is_right().map(|right| f64::from(u8::from(right)))),
     RecoveryMeasure::effect("named", Asks::Diagnosis, |row| named(row, 0)),
@@ -119,6 +127,11 @@ pub static RECOVERY_MEASURES: [RecoveryMeasure; 43] = [
     RecoveryMeasure::number("ceiling.detectable", "", Asks::Ceiling, |row| row.ceiling?.detectable),
     RecoveryMeasure::number("ceiling.single_records", "", Asks::Ceiling, |row| row.ceiling.map(|share| share.in_covariance)),
     RecoveryMeasure::effect("known_covariance.first", Asks::KnownCovariance, |row| place_of(row.with_known_covariance)),
+    RecoveryMeasure::number("landing.named", "", Asks::Landings, |row| row.names_landings().map(|named| f64::from(u8::from(named)))),
+    RecoveryMeasure { name: "landing.failed", unit: "", words: Some(&GATES), asks: Asks::Landings, of: failed },
+    RecoveryMeasure::number("landing.p.enough", "", Asks::Landings, |row| row.landing.as_ref().map(|landing| landing.adequacy.p)),
+    RecoveryMeasure::number("landing.p.spread", "", Asks::Landings, |row| row.landing.as_ref().map(|landing| landing.spread_p)),
+    RecoveryMeasure::number("landing.gap", "g", Asks::Landings, |row| row.landing.as_ref().map(|landing| landing.gaps.held_out.net_g)),
 ];
 
 #[cfg(test)]

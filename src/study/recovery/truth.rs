@@ -1,8 +1,10 @@
-//! What is hidden in the drops of a row: nothing, an effect at a stated strength, two, or something outside of the catalogue.
+//! What is hidden in the drops of a row: nothing, an effect at a stated strength, two, something outside of the catalogue, or landings that
+//! are not level.
 
 use rand::{Rng, RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
+use super::landing_truth::LandingTruth;
 use super::noise_free::noncentrality;
 use super::strength;
 use crate::impact::effects::{Model, Spec, by_id};
@@ -26,6 +28,8 @@ pub enum Truth {
     Two([&'static Spec; 2]),
     /// Something that the catalogue does not have.
     Outside(Hidden),
+    /// Landings, in drops with lateral axes.
+    Landing(LandingTruth),
 }
 
 impl Truth {
@@ -36,13 +40,14 @@ impl Truth {
             Self::One(spec) => spec.id.into(),
             Self::Two(_) => self.ids().join(" + "),
             Self::Outside(hidden) => hidden.name().into(),
+            Self::Landing(landing) => landing.name(),
         }
     }
 
     /// Ids of its effects, in the order of the catalogue.
     pub fn ids(&self) -> Vec<&'static str> {
         match self {
-            Self::Nothing | Self::Outside(_) => Vec::new(),
+            Self::Nothing | Self::Outside(_) | Self::Landing(_) => Vec::new(),
             Self::One(spec) => vec![spec.id],
             Self::Two(specs) => specs.map(|spec| spec.id).to_vec(),
         }

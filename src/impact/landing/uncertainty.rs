@@ -1,0 +1,93 @@
+//! How far the numbers of a population's fit may be from those that are true: by which drops were measured, and by what the method itself is
+//! off.
+
+use nalgebra::DVector;
+use rand::{RngExt, SeedableRng};
+use rand_distr::{Distribution, StandardNormal};
+use rand_pcg::Pcg64;
+
+use super::LANDING_TILT;
+use super::fit_step::{FitStep, SLOPES};
+use super::fitting::{Kind, LandingFit, LandingProblem, meaning};
+use super::legged_body::{Legs, Slopes};
+use super::mount::MOUNT_LOW_PASS;
+use super::observed::quartiles_with_errors_s;
+use super::touched_slopes::{SlopeNumber, TouchedSlopes, decorrelated};
+use crate::impact::diagnose::EffectEstimate;
+use crate::impact::measured::Spread;
+
+/// Resampled sets of drops.
+const RESAMPLED: usize = 400;
+
+/// Changes of a fit's numbers, on its scale, with drops that are drawn with replacement.
+#[derive(Clone, Debug)]
+pub struct FitUncertainty {
+    changes: Vec<DVector<f64>>,
+}
+
+impl FitUncertainty {
+    /// By one step of the fit for each set of drawn drops; `None` where the fit is degenerate.
+    pub fn of(problem: &LandingProblem, fit: &LandingFit, seed: u64) -> Option<Self> {
+        let [drops, touches] = problem.at_fit(fit)?;
+        let step = FitStep::of(&fit.at_bound, &drops.jacobian, &touches.jacobian)?;
+        let mut rng = Pcg64::seed_from_u64(seed);
+        let drawn = |_| Some(step.by(&change_by_drawing(problem, &drops.residual, &mut rng)?));
+        Some(Self { changes: (0..RESAMPLED).filter_map(drawn).collect() })
+    }
+
+    /// The parameters with 95 % intervals.
+    ///
+    /// A number of the slopes that is zero has the interval that the touch times allow. Wrong where the fit is far from linear within the
+    /// interval, or a height has few drops.
+    pub fn estimates(&self, problem: &LandingProblem, fit: &LandingFit) -> Option<Vec<EffectEstimate>> {
+        let parameters = problem.parameters();
+        let first_slope = parameters.len() - SLOPES;
+        let mut estimates = Vec::with_capacity(parameters.len());
+        for (at, parameter) in parameters.into_iter().enumerate() {
+            let effect = if parameter.kind == Kind::Mount { MOUNT_LOW_PASS } else { LANDING_TILT };
+            let (scaled, value) = (fit.scaled[at], parameter.outward(fit.scaled[at]));
+            let spread = Spread::middle(self.changes.iter().map(|change| change[at]), 0.95).unwrap_or([0.0; 2]);
+            let [low, mut high] = parameter
+                .with_method(spread, scaled)
+                .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
+            if parameter.kind == Kind::Slope && value == 0.0 {
+                high = TouchedSlopes::most(SlopeNumber::ALL[at - first_slope], &problem.heights(), &problem.tables(&fit.legs)?)?;
+            }
+            let at_bound = fit.at_bound[at] && value > 0.0;
+            estimates.push(EffectEstimate { effect, key: parameter.key, unit: parameter.unit, value, ci95: [low, high], at_bound });
+        }
+        Some(estimates)
+    }
+
+    /// Legs and slopes that may be the true ones: a number of them, as frequent as they are likely.
+    pub fn drawn(&self, problem: &LandingProblem, fit: &LandingFit, count: usize, seed: u64) -> Vec<(Legs, Slopes)> {
+        let mut rng = Pcg64::new(u128::from(seed), 3);
+        let (parameters, bounds) = (problem.parameters(), problem.bounds());
+        let one = |change: &DVector<f64>| {
+            let number = |(at, scaled): (usize, &f64)| {
+                let normal: f64 = StandardNormal.sample(&mut rng);
+                let off = parameters[at].method_at(*scaled) * normal;
+                (scaled + change[at] + off).clamp(bounds[at][0], bounds[at][1])
+            };
+            meaning(&fit.scaled.iter().enumerate().map(number).collect::<Vec<f64>>())
+        };
+        self.changes.iter().take(count).map(one).collect()
+    }
+}
+
+/// How what is left of the drops, and of the quartiles of their touch times, changes when drops are drawn with replacement.
+fn change_by_drawing(problem: &LandingProblem, left: &DVector<f64>, rng: &mut Pcg64) -> Option<DVector<f64>> {
+    let samples = problem.waves.expected.samples;
+    let (mut weights, mut delays) = (Vec::new(), Vec::new());
+    for here in problem.heights() {
+        let picks: Vec<usize> = (0..here.drops.len()).map(|_| rng.random_range(0..here.drops.len())).collect();
+        let mut times = vec![-1.0; here.drops.len()];
+        picks.iter().for_each(|pick| times[*pick] += 1.0);
+        weights.extend(times);
+        let drawn = picks.iter().map(|pick| &here.drops[*pick]).filter(|drop| drop.touches.all_seen());
+        let (before, after) = (here.opposite_quartiles_s()?, quartiles_with_errors_s(drawn)?);
+        delays.extend(decorrelated(std::array::from_fn(|at| (after[at].0 - before[at].0) / before[at].1)));
+    }
+    let drops = left.iter().enumerate().map(|(row, left)| weights[row / samples] * left);
+    Some(DVector::from_iterator(left.len() + delays.len(), drops.chain(delays.iter().copied())))
+}

@@ -1,0 +1,88 @@
+//! Drops with lateral axes: landings that slope at random, and level ones that could be taken for them.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64;
+
+use crate::impact::effects::{Channel, Model, Sensor, by_id};
+use crate::impact::synthetic::{Landings, Plan};
+
+/// Drops a height.
+const DROPS: usize = 40;
+/// Legs of all four feet together at rest, N/m and N s/m, before they are varied by seed.
+const LEGS: [f64; 2] = [20_000.0, 45.0];
+/// Least and greatest moment of inertia about a horizontal axis, kg m².
+const INERTIA_KG_M2: [f64; 2] = [6e-4, 1e-3];
+/// From the vertical axis to each foot, m: that of CogniFly.
+const FOOT_RADIUS_M: f64 = 0.1445;
+/// Mean height of the spike of a touch, and of sideways ringing, g.
+const TOUCH_G: f64 = 70.0;
+const RINGING_G: f64 = 60.0;
+/// Cutoff of the sensor of the real drops, Hz.
+const CUTOFF_HZ: f64 = 500.0;
+/// A payload on a spring of its own: its share of the mass, its frequency in Hz, and its damping ratio.
+const PAYLOAD_MODE: [f64; 3] = [0.3, 110.0, 0.05];
+
+/// What the landings of a row are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LandingTruth {
+    /// They turn while they fall: standard deviation of the rate about each horizontal axis, rad/s.
+    Sloped(f64),
+    /// Level, with a spike where the feet touch.
+    Level,
+    /// Level, and the frame rings sideways.
+    Ringing,
+    /// Level, with a payload on a spring of its own.
+    PayloadMode,
+}
+
+impl LandingTruth {
+    /// Landings that must not be named.
+    pub const LEVEL: [Self; 3] = [Self::Level, Self::Ringing, Self::PayloadMode];
+
+    /// Its name in the table.
+    pub fn name(self) -> String {
+        match self {
+            Self::Sloped(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s"),
+            Self::Level => "level".into(),
+            Self::Ringing => "level, ringing".into(),
+            Self::PayloadMode => "level, payload_mode".into(),
+        }
+    }
+
+    /// Whether they are what `landing_tilt` means.
+    pub fn is_sloped(self) -> bool {
+        matches!(self, Self::Sloped(_))
+    }
+
+    /// Its drops. Legs and inertia differ from seed to seed.
+    pub(super) fn plan(self, plain: Plan, seed: u64) -> Plan {
+        let mut rng = Pcg64::seed_from_u64(seed ^ 0x7117);
+        let mut around_one = || rng.random_range(0.8..1.25);
+        let [k, c] = LEGS.map(|value| value * around_one());
+        let inertia_kg_m2 = rng.random_range(INERTIA_KG_M2[0]..INERTIA_KG_M2[1]);
+        let sensor = Sensor { cutoff_hz: CUTOFF_HZ, channel: Channel::Axial, ..plain.model.sensor };
+        let feet_lift = by_id("unilateral_contact").expect("is in the catalogue");
+        let mut model = Model::base(plain.model.body.clone(), sensor, k, c).with(feet_lift, &[0.0], 0);
+        if self == Self::PayloadMode {
+            model = model.with(by_id("payload_mode").expect("is in the catalogue"), &PAYLOAD_MODE, 0);
+        }
+        let ringing = self == Self::Ringing;
+        let landings = Landings {
+            rate_rad_s: if let Self::Sloped(rate_rad_s) = self { rate_rad_s } else { 0.0 },
+            at_release_rad: 0.0,
+            inertia_kg_m2,
+            foot_radius_m: FOOT_RADIUS_M,
+            touch_g: if ringing { 0.0 } else { TOUCH_G },
+            sensor_lean_rad: [0.0; 2],
+            ringing_g: if ringing { RINGING_G } else { 0.0 },
+        };
+        Plan { model, drops: DROPS, landings: Some(landings), seed, ..plain }
+    }
+
+    /// The model that is diagnosed: the truth's, whose spring and damper are starting values, without what is hidden.
+    pub(super) fn diagnosed(plan: &Plan) -> Model {
+        let mut model = plan.model.clone();
+        model.effects.retain(|listed| listed.spec.id != "payload_mode");
+        model
+    }
+}
