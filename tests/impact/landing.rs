@@ -3,10 +3,13 @@
 
 use crate::case;
 use flexframe::impact::body::Feet;
-use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate, Verdict};
+use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate, PreparedDrops, Verdict};
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
-use flexframe::impact::landing::{ATTITUDE_SENSOR, LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence};
+use flexframe::impact::landing::{
+    ATTITUDE_SENSOR, FitUncertainty, LandingAssessment, LandingEvidence, LandingFit, LandingProblem, LandingScatter, LeggedBody,
+    ObservedLandings, TouchEvidence,
+};
 use flexframe::impact::measured::{self, DropSet, FileFormat};
 use flexframe::impact::synthetic::{Landings, Plan, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data::{self, Compared};
@@ -122,6 +125,47 @@ fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
         let drawn: Vec<f64> = diagnosis.chosen_points.iter().filter(|at| at.height_m == *height_m).map(|at| at.model_g).collect();
         assert_eq!(drawn, predicted[..drawn.len()]);
     }
+}
+
+/// Legs twice as stiff have other records, whatever their mean waves are.
+#[test]
+fn planted_records_spread_as_those_of_their_own_legs_and_no_others() {
+    let plan = Plan { heights_m: vec![0.5, 1.0], ..plan(Landings { rate_rad_s: 0.3, ..LEVEL }, 21) };
+    let set = read(&records(&plan));
+    let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
+    let waves = chosen.waves().expect("usable");
+    let touches = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
+    let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
+    let body = LeggedBody::of(&plan.model).expect("four legs");
+    let plain =
+        LandingProblem { body, model: &plan.model, waves: &prepared.problem, observed: &touches, mounted: false, at_release: false };
+    let rough = plain.fitted(None).expect("can be fitted");
+    let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes, 1);
+    let problem = LandingProblem { observed: &touches, ..plain };
+    let fit = problem.fitted(Some(&rough)).expect("can be fitted");
+    let spread_p = |fit: &LandingFit| {
+        let scatter = LandingScatter::of(&waves, &problem, fit).expect("drops that vary");
+        let uncertainty = FitUncertainty::of(&problem, fit, 1).expect("is determined");
+        scatter.spread_p(&problem, fit, &uncertainty, &waves, 1).expect("can be simulated")
+    };
+    let own = spread_p(&fit);
+    assert!(own > 0.05, "{own}");
+    let mut stiff = fit.legs;
+    stiff.stiffness_n_m *= 2.0;
+    let other = spread_p(&problem.ended_at(stiff, fit.slopes));
+    assert!(other <= 0.01, "{other}");
+}
+
+/// The first touch has a direction where a logger is too slow for the others: what is found along the vertical is not named.
+#[test]
+fn planted_landings_of_a_slow_logger_are_told_and_nothing_is_named_instead() {
+    let tilted = Plan { rate_hz: 400.0, ..plan(Landings { rate_rad_s: 0.25, ..LEVEL }, 3) };
+    let (told, compared) = diagnosed(&tilted, &read(&records(&tilted)));
+    assert!(compared.landing.is_none() && told.contains("landings were not level, and could not be judged"), "{told}");
+    assert!(!told.starts_with("named"), "{told}");
+    let level = Plan { rate_hz: 400.0, ..plan(Landings { ringing_g: 60.0, touch_g: 0.0, ..LEVEL }, 3) };
+    let (told, _) = diagnosed(&level, &read(&records(&level)));
+    assert!(!told.contains("landings were not level"), "{told}");
 }
 
 /// The same drops with x and y along the legs: what is wrong with the directions is said.

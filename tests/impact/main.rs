@@ -16,6 +16,7 @@ mod landing;
 mod paper;
 mod published;
 mod random_models;
+mod recorded_falls;
 mod records_random;
 mod recovery;
 mod reproduction;

@@ -11,7 +11,7 @@ use super::parameter::{Parameter, Scale};
 use super::spec::{Availability, Spec, Stage, singles};
 
 /// Its record.
-pub(super) const SPEC: Spec = Spec {
+pub const SPEC: Spec = Spec {
     id: "drop_height_error",
     title: "drop-height error",
     stage: Stage::Arrangement,

@@ -42,6 +42,7 @@ mod unilateral_contact;
 
 pub use arrangement::{Arrangement, AttachedMass, Feet, SpringCurve};
 pub use catalogue::{CATALOGUE, by_id, states, working};
+pub use drop_height_error::SPEC as DROP_HEIGHT_ERROR;
 pub use effect::{Effect, MotionState, Reach, Threshold};
 pub use fall::Fall;
 pub use frame_curve::{FrameCurve, POINTS, REACH_MM};

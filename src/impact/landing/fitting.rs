@@ -212,6 +212,16 @@ impl LandingProblem<'_> {
         self.fitted_from(from.map_or_else(plain, |fit: &LandingFit| fit.scaled.clone()), MOST_TURNS)
     }
 
+    /// A population that was not fitted, as the end of a fit.
+    pub fn ended_at(&self, legs: Legs, slopes: Slopes) -> LandingFit {
+        let mount = legs.mount.iter().flat_map(|mount| [mount.f_hz, mount.zeta]);
+        let of_legs = [legs.stiffness_n_m, legs.damping_n_s_m, legs.inertia_kg_m2].into_iter().chain(mount);
+        let values = of_legs.chain([slopes.rate_rad_s, slopes.at_release_rad]);
+        let scaled: Vec<f64> = self.parameters().iter().zip(values).map(|(parameter, value)| parameter.inward(value)).collect();
+        let at_bound = at_bounds(&scaled, &self.bounds());
+        LandingFit { legs, slopes, scaled, at_bound, sum: f64::NAN }
+    }
+
     /// Fits a population from another fit's end, with slopes at release where these explain so much more of the touch times as a parameter
     /// has to.
     pub fn fitted_with_release_if_it_pays(self, from: &LandingFit) -> Option<(Self, LandingFit)> {

@@ -38,15 +38,25 @@ impl Fall {
         let spread = Spread::of(all.iter().filter_map(Drop::clean).filter_map(|impact| impact.fall_s))?;
         // A normal quantity's quartiles lie 1.349 standard deviations apart, the standard error of its median is 1.253 of the mean's.
         let error_s = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
-        let expected_s = (2.0 * group.height_m / GRAVITY_M_S2).sqrt();
+        let expected_s = lasting_s(group.height_m);
         let fall = Self { height_m: group.height_m, drops: spread.count, fall_s: spread.median, error_s, expected_s };
         (spread.count >= FEWEST).then_some(fall)
     }
 
     /// Whether the fall lasted as long as its height says, within the release and three standard errors.
     pub fn agrees(&self) -> bool {
-        (self.fall_s - self.expected_s).abs() <= RELEASE_S + 3.0 * self.error_s
+        self.agrees_with(self.height_m)
     }
+
+    /// Whether it lasted as long as a fall from another height, m, would have.
+    pub fn agrees_with(&self, height_m: f64) -> bool {
+        (self.fall_s - lasting_s(height_m)).abs() <= RELEASE_S + 3.0 * self.error_s
+    }
+}
+
+/// How long a free fall lasts, s; from below the ground not at all.
+fn lasting_s(height_m: f64) -> f64 {
+    (2.0 * height_m.max(0.0) / GRAVITY_M_S2).sqrt()
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use crate::impact::diagnose::{
     ChannelChoice, ComparedAxes, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage,
     StaticComparison, Verdict, confounded,
 };
-use crate::impact::effects::{Channel, Model};
+use crate::impact::effects::{Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
 use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence};
 use crate::impact::measured::{DropSet, Fall, Session, StaticTest};
@@ -117,6 +117,12 @@ impl DiagnosisRequest<'_> {
         let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
         let mut found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
         let mut compared = self.compared(&choice);
+        if let Some(reason) = contradiction_by_falls(&found, &compared.falls) {
+            found.reasons.push(reason);
+            if found.verdict != Verdict::NothingMissing {
+                found.verdict = Verdict::NoneSuffices;
+            }
+        }
         compared.landing = observed.as_ref().and_then(|observed| self.landing(observed, &fitted, held_out, &found));
         if let Some(lateral) = self.lateral(&choice, observed.as_ref(), compared.landing.is_some()) {
             compared.channel_reason += &format!("; {lateral}");
@@ -233,6 +239,19 @@ impl DiagnosisRequest<'_> {
             separating: None,
         }
     }
+}
+
+/// What the recorded falls say against an error of the drop heights that was found; nothing where they agree with it, or none was found.
+fn contradiction_by_falls(found: &Diagnosis, falls: &[Fall]) -> Option<String> {
+    let dh_m = found.estimates.iter().find(|one| one.effect == DROP_HEIGHT_ERROR.id && found.verdict != Verdict::NothingMissing)?.value;
+    let fall = falls.iter().find(|fall| !fall.agrees_with(fall.height_m + dh_m))?;
+    Some(format!(
+        "{} of {dh_m:.2} m contradicts the recorded falls: from {} m they lasted {:.0} ± {:.0} ms",
+        DROP_HEIGHT_ERROR.id,
+        fall.height_m,
+        1e3 * fall.fall_s,
+        1e3 * fall.error_s
+    ))
 }
 
 fn word(channel: Channel) -> &'static str {

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::export::ExportError;
 use crate::export::table::csv;
 use crate::impact::fit::LeftOut;
-use crate::impact::frame_fit::{FrameFit, Height, MeasuredHeights, Predicted};
+use crate::impact::frame_fit::{FrameFit, Height, MaterialEstimate, MeasuredHeights, Predicted};
 
 /// What was fitted.
 pub struct Fitted<'a> {
@@ -76,20 +76,21 @@ pub fn predictions_csv(found: &Fitted) -> Result<String, ExportError> {
 
 /// Head of the file of numbers.
 pub fn remark(found: &Fitted) -> String {
-    let [modulus, loss] = &found.fit.estimates;
+    let numbers: Vec<String> = found.fit.estimates.iter().map(in_words).collect();
     let heights: Vec<String> = found.measured.heights.iter().map(|height| height.height_m.to_string()).collect();
     format!(
-        "impact_modulus {:.3} ({:.3} to {:.3}) and impact_loss {:.3} ({:.3} to {:.3}) from drops of {} from {} m:\n\
+        "{} from drops of {} from {} m:\n\
          median peaks and impulses along the axis. They compensate for everything that the level-landing model leaves out, and apply to this print and ground only.",
-        modulus.value,
-        modulus.ci95[0],
-        modulus.ci95[1],
-        loss.value,
-        loss.ci95[0],
-        loss.ci95[1],
+        numbers.join(" and "),
         found.frame,
         heights.join(", ")
     )
+}
+
+/// A number with its interval; at its bound the drops ask for one beyond it.
+fn in_words(estimate: &MaterialEstimate) -> String {
+    let ([low, high], bound) = (estimate.ci95, if estimate.at_bound { ", at its bound" } else { "" });
+    format!("{} {:.3} ({low:.3} to {high:.3}{bound})", estimate.key, estimate.value)
 }
 
 /// What a person reads.
