@@ -308,17 +308,15 @@ impl LandingAssessment {
                     ONE_HEIGHT.into()
                 },
             ),
-            gate(
-                "constant",
-                steady_p >= UNSTEADY && self.mount_steady_p.is_none_or(|p| p >= UNSTEADY),
+            gate("constant", steady_p >= UNSTEADY && self.mount_steady_p.is_none_or(|p| p >= UNSTEADY), {
+                let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
+                let of_slopes = format!("one turning rate for all heights {left} the touch times within their errors (p = {steady_p:.1e})");
                 match self.mount_steady_p {
-                    None => format!("one turning rate for all heights leaves the touch times within their errors (p = {steady_p:.1e})"),
-                    Some(p) => format!(
-                        "one turning rate for all heights leaves the touch times within their errors (p = {steady_p:.1e}), and one mount \
-                         fits them all (p = {p:.1e})"
-                    ),
-                },
-            ),
+                    None => of_slopes,
+                    Some(p) if p < UNSTEADY => format!("{of_slopes}, and no one mount fits them all (p = {p:.1e})"),
+                    Some(p) => format!("{of_slopes}, and one mount fits them all (p = {p:.1e})"),
+                }
+            }),
             gate(
                 "plausible",
                 at_bound.is_empty(),

@@ -266,6 +266,33 @@ mod tests {
     }
 
     #[test]
+    fn analytic_landings_are_counted_by_what_they_are() {
+        let plan = "kind = \"recovery\"\nrates_rad_s = [0.2]\nmeasures = [\"right\", \"landing.named\", \"landing.failed\", \"parameter.2.true\", \
+                    \"parameter.2.least\", \"parameter.2.most\"]\n[seeds]\nsloped = [1, 4]\nlevel = [1, 2]\n";
+        let files = Memory([("s.toml".into(), plan.as_bytes().to_vec())].into_iter().collect());
+        let study = crate::study::load("s.toml", &files).expect("is a plan");
+        let crate::study::Subject::Recovery(recovery) = &study.subject else { panic!("is none") };
+        let mut outcomes = Outcomes::none(6);
+        let rate = |least: f64| {
+            [("right", 1.0), ("landing.named", 1.0), ("parameter.2.true", 0.2), ("parameter.2.least", least), ("parameter.2.most", 0.3)]
+        };
+        outcomes.learn(0, learnt(&study, &rate(0.1)));
+        outcomes.learn(1, learnt(&study, &rate(0.25)));
+        outcomes.learn(2, learnt(&study, &[("right", 0.0), ("landing.named", 0.0), ("landing.failed", 6.0)]));
+        outcomes.learn(3, learnt(&study, &[("right", 1.0), ("landing.named", 0.0)]));
+        outcomes.learn(4, learnt(&study, &[("right", 0.0), ("landing.named", 1.0)]));
+        let found = accuracy(&study, recovery, &outcomes);
+        let share = |good, all| Fact::Share(Share { good, all });
+        assert_eq!(fact(&found, "Summary", "landings that slope: `landing_tilt` named"), &share(2, 3));
+        assert_eq!(fact(&found, "Summary", "level landings: `landing_tilt` named"), &share(1, 2));
+        assert_eq!(fact(&found, "Landings named, by what they are", "level, ringing"), &share(1, 1));
+        let failed = fact(&found, "Landings that slope and are not named, by the first test that failed", "landing_tilt 0.2 rad/s");
+        assert_eq!(failed, &Fact::Words("spread 1".into()));
+        let parameter = fact(&found, "Intervals that contain the truth, by parameter", "landing_tilt.sigma_r_rad_s");
+        assert_eq!(parameter, &share(1, 2));
+    }
+
+    #[test]
     fn analytic_shares_are_counted_by_kind_strength_and_verdict() {
         let plan = "kind = \"recovery\"\nstrengths = [5, 100]\neffects = [\"preload\"]\n[seeds]\nnothing = [1, 5]\none = [1, 3]\noutside = [0, 4]\n";
         let files = Memory([("s.toml".into(), plan.as_bytes().to_vec())].into_iter().collect());

@@ -260,3 +260,27 @@ fn left(case: &Case, plan: &Plan, base: &Model) -> [Option<f64>; 2] {
     let rival = others.min_by(|a, b| a.score.total_cmp(&b.score));
     [least_alone, rival.map(|one| one.fitted.chi2())]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::ImpactFile;
+    use crate::params::files::Memory;
+    use crate::study::recovery::setting;
+
+    #[test]
+    fn planted_rows_of_landings_are_named_where_they_slope_and_not_where_they_are_level() {
+        let plan = "kind = \"recovery\"\nrates_rad_s = [0.25]\nmost_effects = 1\n[seeds]\nsloped = [6104, 6105]\nlevel = [6104, 6105]\n";
+        let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
+        let recovery = setting(&file, &Memory::default()).expect("is a plan");
+        let found = |at: usize| Findings::of(&recovery, &recovery.cases[at], &[Asks::Landings]).expect("drops that can be diagnosed");
+        let sloped = found(0);
+        assert_eq!(sloped.names_landings(), Some(true), "{:?}", sloped.landing.map(|landing| landing.gates));
+        let [truth, value, least, most] = sloped.estimates[3].map(|figure| figure.expect("a turning rate"));
+        assert!(truth == 0.25 && least < truth && truth < most && (0.8..1.2).contains(&(value / truth)), "{value} ({least} to {most})");
+        for level in 1..4 {
+            let found = found(level);
+            assert_eq!((found.names_landings(), found.is_right()), (Some(false), Some(true)), "{}", found.case.truth.name());
+        }
+    }
+}

@@ -159,6 +159,17 @@ mod tests {
     use super::*;
     use crate::params::files::Memory;
 
+    #[test]
+    fn analytic_landings_have_a_row_for_each_seed_and_rate_or_kind() {
+        let plan = "kind = \"recovery\"\nrates_rad_s = [0.2, 0.3]\n[seeds]\nsloped = [1, 4]\nlevel = [7, 9]\n";
+        let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
+        let recovery = setting(&file, &Memory::default()).expect("is a plan");
+        let names: Vec<String> = recovery.cases.iter().map(|case| format!("{} {}", case.seed, case.truth.name())).collect();
+        assert_eq!(names.len(), 3 * 2 + 2 * 3);
+        assert_eq!(names[..2], ["1 landing_tilt 0.2 rad/s", "1 landing_tilt 0.3 rad/s"]);
+        assert_eq!(names[9..], ["8 level", "8 level, ringing", "8 level, payload_mode"]);
+    }
+
     /// A set of two is named as a diagnosis names it, whatever the order in the plan.
     #[test]
     fn regress_pairs_are_in_the_order_of_the_catalogue() {
