@@ -11,7 +11,7 @@ use flexframe::impact::landing::{
     ObservedLandings, TouchEvidence,
 };
 use flexframe::impact::measured::{self, DropSet, FileFormat};
-use flexframe::impact::synthetic::{Landings, Plan, SyntheticRecord, records};
+use flexframe::impact::synthetic::{Landings, Plan, Stalls, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data::{self, Compared};
 use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
 
@@ -125,6 +125,23 @@ fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
         let drawn: Vec<f64> = diagnosis.chosen_points.iter().filter(|at| at.height_m == *height_m).map(|at| at.model_g).collect();
         assert_eq!(drawn, predicted[..drawn.len()]);
     }
+}
+
+/// As the real drops are: whole records of a logger whose clock stalls in a quarter of them, and landings that slope.
+#[test]
+fn planted_landings_are_named_beside_records_whose_clock_stalled() {
+    let stalls = Stalls { lost_s: 0.060, sector: 409.6, catch_up: 2.7, record_s: 2.0 };
+    let plan = Plan { stalls: Some(stalls), drops: 60, ..plan(Landings { rate_rad_s: 0.25, ..LEVEL }, 31) };
+    let all = records(&plan);
+    let stalled = all.iter().filter(|record| record.stalled).count();
+    assert!((20..80).contains(&stalled), "{stalled} of {}", all.len());
+    let (verdict, compared) = diagnosed(&plan, &read(&all));
+    let landing = compared.landing.expect("lateral axes were measured");
+    assert!(landing.decides() && verdict.starts_with("named"), "{verdict}\n{:#?}", landing.gates);
+    let found = estimate(&landing, "sigma_r_rad_s");
+    assert!((0.8..1.2).contains(&(found.value / 0.25)), "{found:?}");
+    let left_out = compared.left_out.iter().filter(|one| one.reason.contains("clock")).count();
+    assert!(left_out as f64 > 0.8 * stalled as f64, "{left_out} of {stalled}: {:?}", compared.left_out);
 }
 
 /// Legs twice as stiff have other records, whatever their mean waves are.

@@ -73,7 +73,10 @@ impl<'a> ChannelChoice<'a> {
 /// The axes that drops support, and why.
 fn supported(chosen: &Chosen, model: &Model) -> Result<(ComparedAxes, String), FitError> {
     if !chosen.has_lateral_axes() {
-        return Ok((ComparedAxes::Axial, "the drops have one axis only, so that is compared".into()));
+        return Ok((
+            ComparedAxes::Axial,
+            "the drops have one axis only, so that is compared; landings that are not level cannot be told from effects along it".into(),
+        ));
     }
     if !chosen.has_all_axes() {
         return Ok((ComparedAxes::All, "some drops have one axis only, so the axial component is compared".into()));

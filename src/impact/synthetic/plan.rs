@@ -182,7 +182,7 @@ fn stalls(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> R
     Ok((stalls.record_s > 0.0).then_some(stalls))
 }
 
-/// Lateral axes. A landing that is not level knows spring and damper alone, and writes no whole records.
+/// Lateral axes. A landing that is not level knows spring and damper alone; a sensor that leans writes no whole records.
 fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<Landings>, Refusal> {
     let landings = Landings {
         rate_rad_s: number("landing.rate_rad_s")?,
@@ -198,8 +198,11 @@ fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) ->
         let message = format!("`landing` and `{key}` are both given; they cannot be combined");
         file.refuse(key, Reason::Impossible { message, remedy: format!("take `{key}` out, or the table `landing`") })
     };
-    if stated.is_some() && number("logger.record_s")? > 0.0 {
-        return Err(clash("logger.record_s"));
+    let leans = landings.sensor_lean_rad != [0.0; 2];
+    if leans && number("logger.record_s")? > 0.0 {
+        let key = if landings.sensor_lean_rad[0] != 0.0 { "landing.sensor_lean_x_deg" } else { "landing.sensor_lean_y_deg" };
+        let message = format!("`{key}` and `logger.record_s` are both given; they cannot be combined");
+        return Err(file.refuse(key, Reason::Impossible { message, remedy: format!("take `{key}` out, or `logger.record_s`") }));
     }
     if stated.is_some() && landings.is_tilted() && file.entries.contains_key(KIND) {
         return Err(clash(KIND));

@@ -25,10 +25,14 @@ pub fn records(plan: &Plan) -> Vec<SyntheticRecord> {
             let fine = own.as_ref().map(|own| wave(own, *height_m));
             let Some(fine) = fine.as_ref().or(common.as_ref()) else { continue };
             let place = Place { height_m: *height_m, trial: name(*height_m, trial) };
-            all.push(match (&plan.stalls, &plan.landings) {
-                (Some(stalls), _) => stalls.record(plan, (shape, fine, FINE_S), *height_m, place.trial, &mut rng),
-                (None, Some(landings)) => landed(plan, landings, shape, fine, place, &mut rng),
-                (None, None) => record(plan, shape, fine, None, place, &mut rng),
+            let axes = plan.landings.as_ref().map(|landings| landed(landings, shape, fine, *height_m, &mut rng));
+            let (along, lateral) = match &axes {
+                Some([x, y, z]) => (z, Some([&x[..], &y[..]])),
+                None => (fine, None),
+            };
+            all.push(match &plan.stalls {
+                Some(stalls) => stalls.record(plan, (shape, along, FINE_S), lateral, (*height_m, place.trial), &mut rng),
+                None => record(plan, shape, along, lateral, place, &mut rng),
             });
         }
     }
@@ -56,17 +60,10 @@ struct Place {
     trial: String,
 }
 
-/// A record with lateral axes.
-fn landed(
-    plan: &Plan,
-    landings: &Landings,
-    trajectory: &ReferenceTrajectory,
-    level: &[f64],
-    place: Place,
-    rng: &mut impl Rng,
-) -> SyntheticRecord {
+/// What the body of a landing reads along x, y and its axis, g.
+fn landed(landings: &Landings, trajectory: &ReferenceTrajectory, level: &[f64], height_m: f64, rng: &mut impl Rng) -> [Vec<f64>; 3] {
     let [mut x, mut y, z] = if landings.is_tilted() {
-        landings.tilted(&trajectory.vertical(place.height_m), FINE_S, level.len(), rng)
+        landings.tilted(&trajectory.vertical(height_m), FINE_S, level.len(), rng)
     } else {
         [vec![0.0; level.len()], vec![0.0; level.len()], level.to_vec()]
     };
@@ -75,7 +72,7 @@ fn landed(
         x.iter_mut().zip(along_x).for_each(|(sum, ringing)| *sum += ringing);
         y.iter_mut().zip(along_y).for_each(|(sum, ringing)| *sum += ringing);
     }
-    record(plan, trajectory, &z, Some([&x, &y]), place, rng)
+    [x, y, z]
 }
 
 fn record(

@@ -13,6 +13,8 @@ use crate::units::GRAVITY_M_S2;
 
 /// Bandwidth of the sensor's noise, Hz: what is sampled faster is correlated.
 const NOISE_HZ: f64 = 500.0;
+/// Its correlation time, s.
+const NOISE_S: f64 = 0.5 / (std::f64::consts::PI * NOISE_HZ);
 /// Relative variation of the lost time.
 const LOST_VARIES: f64 = 0.1;
 /// The touch lies so long after the begin of the fall's earliest begin, and before the end of the record, s.
@@ -74,6 +76,12 @@ impl Course {
         let hits = self.rebounds.iter().map(|(touch_s, size)| size * wave(t_s - touch_s)).sum::<f64>();
         (wave(t_s - self.touch_s) + hits, false)
     }
+
+    /// Proper acceleration along a lateral axis, g: where feet touch, at later touches in proportion.
+    fn lateral_g(&self, fine: &[f64], t_s: f64) -> f64 {
+        let wave = |since_s: f64| if (0.0..AFTER_S).contains(&since_s) { at(fine, since_s) } else { 0.0 };
+        wave(t_s - self.touch_s) + self.rebounds.iter().map(|(touch_s, size)| size * wave(t_s - touch_s)).sum::<f64>()
+    }
 }
 
 impl Stalls {
@@ -101,8 +109,8 @@ impl Stalls {
         &self,
         plan: &Plan,
         (trajectory, fine, fine_s): (&ReferenceTrajectory, &[f64], f64),
-        height_m: f64,
-        trial: String,
+        lateral: Option<[&[f64]; 2]>,
+        (height_m, trial): (f64, String),
         rng: &mut impl Rng,
     ) -> SyntheticRecord {
         let step_s = 1.0 / plan.rate_hz;
@@ -118,9 +126,7 @@ impl Stalls {
         for t_s in &times {
             // Three Markov processes in true time.
             let kept = |time_s: f64| libm::exp((before_s - t_s) / time_s);
-            for (value, time_s) in
-                [(&mut factor, plan.scatter.correlation_s), (&mut noise, 0.5 / (std::f64::consts::PI * NOISE_HZ)), (&mut tremor, TREMOR[1])]
-            {
+            for (value, time_s) in [(&mut factor, plan.scatter.correlation_s), (&mut noise, NOISE_S), (&mut tremor, TREMOR[1])] {
                 let (kept, fresh): (f64, f64) = (kept(time_s), StandardNormal.sample(rng));
                 *value = kept * *value + (1.0 - kept * kept).sqrt() * fresh;
             }
@@ -138,8 +144,21 @@ impl Stalls {
             accel_g.push((reading * plan.counts_per_g).round() / plan.counts_per_g);
         }
         let stalled = stalled(&times, step_s, &course);
+        let mut sideways = |fine: &[f64]| -> Vec<f64> {
+            let (mut noise, mut before_s) = (0.0, f64::NEG_INFINITY);
+            let mut reading = |t_s: &f64| {
+                let kept = libm::exp((before_s - t_s) / NOISE_S);
+                let fresh: f64 = StandardNormal.sample(rng);
+                noise = kept * noise + (1.0 - kept * kept).sqrt() * fresh;
+                before_s = *t_s;
+                let limited = course.lateral_g(fine, *t_s).clamp(-trajectory.limit_g(), trajectory.limit_g());
+                ((limited + plan.noise_g * noise) * plan.counts_per_g).round() / plan.counts_per_g
+            };
+            times.iter().map(&mut reading).collect()
+        };
+        let lateral_g = lateral.map(|axes| axes.map(&mut sideways));
         let t_s = (0..times.len()).map(|i| i as f64 * step_s).collect();
-        SyntheticRecord { trial, height_m, t_s, accel_g, lateral_g: None, stalled }
+        SyntheticRecord { trial, height_m, t_s, accel_g, lateral_g, stalled }
     }
 }
 

@@ -150,12 +150,13 @@ pub(super) static FIRST_NOZZLE: Known = known(
     keys(&["material_print_temperature_layer_0"]),
 );
 
-pub(super) static BED: Known = known("bed, °C", keys(&["bed_temperature"]), keys(&["hot_plate_temp"]), keys(&["material_bed_temperature"]));
+pub(super) static BED: Known =
+    known("bed, °C", keys(&["bed_temperature"]), keys(&["hot_plate_temp", "textured_plate_temp"]), keys(&["material_bed_temperature"]));
 
 pub(super) static FIRST_BED: Known = known(
     "bed at the first layer, °C",
     keys(&["first_layer_bed_temperature"]),
-    keys(&["hot_plate_temp_initial_layer"]),
+    keys(&["hot_plate_temp_initial_layer", "textured_plate_temp_initial_layer"]),
     keys(&["material_bed_temperature_layer_0"]),
 );
 

@@ -278,7 +278,7 @@ mod tests {
         assert_eq!(sloped.names_landings(), Some(true), "{:?}", sloped.landing.map(|landing| landing.gates));
         let [truth, value, least, most] = sloped.estimates[3].map(|figure| figure.expect("a turning rate"));
         assert!(truth == 0.25 && least < truth && truth < most && (0.8..1.2).contains(&(value / truth)), "{value} ({least} to {most})");
-        for level in 1..4 {
+        for level in 1..5 {
             let found = found(level);
             assert_eq!((found.names_landings(), found.is_right()), (Some(false), Some(true)), "{}", found.case.truth.name());
         }

@@ -165,9 +165,9 @@ mod tests {
         let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
         let recovery = setting(&file, &Memory::default()).expect("is a plan");
         let names: Vec<String> = recovery.cases.iter().map(|case| format!("{} {}", case.seed, case.truth.name())).collect();
-        assert_eq!(names.len(), 3 * 2 + 2 * 3);
+        assert_eq!(names.len(), 3 * 2 + 2 * 4);
         assert_eq!(names[..2], ["1 landing_tilt 0.2 rad/s", "1 landing_tilt 0.3 rad/s"]);
-        assert_eq!(names[9..], ["8 level", "8 level, ringing", "8 level, payload_mode"]);
+        assert_eq!(names[10..], ["8 level", "8 level, ringing", "8 level, payload_mode", "8 level, stalls"]);
     }
 
     /// A set of two is named as a diagnosis names it, whatever the order in the plan.

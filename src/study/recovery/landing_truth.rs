@@ -4,7 +4,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::impact::effects::{Channel, Model, Sensor, by_id};
-use crate::impact::synthetic::{Landings, Plan};
+use crate::impact::synthetic::{Landings, Plan, Stalls};
 
 /// Drops a height.
 const DROPS: usize = 40;
@@ -19,6 +19,8 @@ const TOUCH_G: f64 = 70.0;
 const RINGING_G: f64 = 60.0;
 /// Cutoff of the sensor of the real drops, Hz.
 const CUTOFF_HZ: f64 = 500.0;
+/// The real logger's clock.
+const STALLS: Stalls = Stalls { lost_s: 0.060, sector: 409.6, catch_up: 2.7, record_s: 2.0 };
 /// A payload on a spring of its own: its share of the mass, its frequency in Hz, and its damping ratio.
 const PAYLOAD_MODE: [f64; 3] = [0.3, 110.0, 0.05];
 
@@ -33,11 +35,13 @@ pub enum LandingTruth {
     Ringing,
     /// Level, with a payload on a spring of its own.
     PayloadMode,
+    /// Level, by a logger whose clock stalls.
+    Stalls,
 }
 
 impl LandingTruth {
     /// Landings that must not be named.
-    pub const LEVEL: [Self; 3] = [Self::Level, Self::Ringing, Self::PayloadMode];
+    pub const LEVEL: [Self; 4] = [Self::Level, Self::Ringing, Self::PayloadMode, Self::Stalls];
 
     /// Its name in the table.
     pub fn name(self) -> String {
@@ -46,6 +50,7 @@ impl LandingTruth {
             Self::Level => "level".into(),
             Self::Ringing => "level, ringing".into(),
             Self::PayloadMode => "level, payload_mode".into(),
+            Self::Stalls => "level, stalls".into(),
         }
     }
 
@@ -76,7 +81,8 @@ impl LandingTruth {
             sensor_lean_rad: [0.0; 2],
             ringing_g: if ringing { RINGING_G } else { 0.0 },
         };
-        Plan { model, drops: DROPS, landings: Some(landings), seed, ..plain }
+        let stalls = (self == Self::Stalls).then_some(STALLS);
+        Plan { model, drops: DROPS, landings: Some(landings), stalls, seed, ..plain }
     }
 
     /// The model that is diagnosed: the truth's, whose spring and damper are starting values, without what is hidden.
