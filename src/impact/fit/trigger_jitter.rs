@@ -127,7 +127,8 @@ impl Missed {
         let (low, high) = ((-TRIGGER_G - mean_g) / sd_g, (TRIGGER_G - mean_g) / sd_g);
         let density = |z: f64| libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
         let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
-        let ends = |z: f64| if z.is_finite() { z * density(z) } else { 0.0 };
-        Self { probability: below(high) - below(low), first: density(low) - density(high), second: ends(low) - ends(high) }
+        let (at_low, at_high) = (density(low), density(high));
+        let ends = |z: f64, density: f64| if z.is_finite() { z * density } else { 0.0 };
+        Self { probability: below(high) - below(low), first: at_low - at_high, second: ends(low, at_low) - ends(high, at_high) }
     }
 }

@@ -10,6 +10,7 @@
 mod assessment;
 mod attitude_assessment;
 mod attitude_fit;
+mod bell;
 mod cosine;
 mod deciding;
 mod evidence;
