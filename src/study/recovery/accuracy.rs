@@ -217,31 +217,28 @@ fn failed_tests(recovery: &Recovery) -> Lines {
     let line = |name: String| -> Line {
         let of = name.clone();
         let says = move |rows: &Rows| {
-            counted(rows.iter().filter(|row| row.slopes() == Some(true) && row.case.truth.name() == of), "landing.failed")
+            let sloped = rows.iter().filter(|row| row.slopes() == Some(true) && row.case.truth.name() == of);
+            counted(sloped.filter_map(|row| row.word("landing.failed")))
         };
         (name, Box::new(says))
     };
     landings(recovery).into_iter().map(line).collect()
 }
 
-/// How often each word of a column stands in these rows.
-fn counted<'a>(rows: impl Iterator<Item = &'a KnownRow<'a>>, column: &str) -> Fact {
-    let mut names: BTreeMap<&str, usize> = BTreeMap::new();
-    rows.filter_map(|row| row.word(column)).for_each(|name| *names.entry(name).or_default() += 1);
-    let words: Vec<String> = names.into_iter().map(|(name, count)| format!("{name} {count}")).collect();
-    if words.is_empty() { Fact::None } else { Fact::Words(words.join(", ")) }
+/// How often each of these words occurs.
+fn counted<'a>(words: impl Iterator<Item = &'a str>) -> Fact {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    words.for_each(|word| *counts.entry(word).or_default() += 1);
+    let listed: Vec<String> = counts.into_iter().map(|(word, count)| format!("{word} {count}")).collect();
+    if listed.is_empty() { Fact::None } else { Fact::Words(listed.join(", ")) }
 }
 
 /// The wrong names of each effect, with how often.
 fn mistaken(recovery: &Recovery) -> Lines {
     let line = |id: &'static str| -> Line {
         let says = move |rows: &Rows| {
-            let mut names: BTreeMap<&str, usize> = BTreeMap::new();
-            for row in rows.iter().filter(|row| row.is_of(id) && row.is_detectable() && row.is_right() == Some(false)) {
-                *names.entry(row.word("named").unwrap_or("nothing")).or_default() += 1;
-            }
-            let words: Vec<String> = names.into_iter().map(|(name, count)| format!("{name} {count}")).collect();
-            if words.is_empty() { Fact::None } else { Fact::Words(words.join(", ")) }
+            let wrong = rows.iter().filter(|row| row.is_of(id) && row.is_detectable() && row.is_right() == Some(false));
+            counted(wrong.map(|row| row.word("named").unwrap_or("nothing")))
         };
         (id.into(), Box::new(says))
     };

@@ -264,6 +264,7 @@ fn left(case: &Case, plan: &Plan, base: &Model) -> [Option<f64>; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::impact::landing::GATES;
     use crate::params::ImpactFile;
     use crate::params::files::Memory;
     use crate::study::recovery::setting;
@@ -275,6 +276,8 @@ mod tests {
         let recovery = setting(&file, &Memory::default()).expect("is a plan");
         let found = |at: usize| Findings::of(&recovery, &recovery.cases[at], &[Asks::Landings]).expect("drops that can be diagnosed");
         let sloped = found(0);
+        let tests: Vec<&str> = sloped.landing.iter().flat_map(|landing| &landing.gates).map(|gate| gate.id).collect();
+        assert_eq!(tests, GATES);
         assert_eq!(sloped.names_landings(), Some(true), "{:?}", sloped.landing.map(|landing| landing.gates));
         let [truth, value, least, most] = sloped.estimates[3].map(|figure| figure.expect("a turning rate"));
         assert!(truth == 0.25 && least < truth && truth < most && (0.8..1.2).contains(&(value / truth)), "{value} ({least} to {most})");
