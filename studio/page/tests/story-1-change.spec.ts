@@ -40,6 +40,44 @@ test("a preset is chosen, values change the frame, and each can be reset", async
   await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("90");
 });
 
+test("presets chosen one right after the other are steps of their own; quick changes of a value are one", async ({
+  page,
+}) => {
+  await start(page);
+  const first = await mass(page);
+  // As if everything after this took no time.
+  await page.evaluate(() => {
+    const moment = performance.now();
+    performance.now = () => moment;
+  });
+  const preset = page.getByLabel("Preset");
+  const undo = page.getByRole("button", { name: "Undo" });
+  for (const name of ["cognifly-mini", "cognifly"]) {
+    await preset.selectOption(name);
+    await settled(page);
+  }
+  await undo.click();
+  await settled(page);
+  await expect(preset).toHaveValue("cognifly-mini");
+  await undo.click();
+  await settled(page);
+  expect(await mass(page)).toBe(first);
+  await expect(undo).toBeDisabled();
+  for (const length of ["90", "91", "92"]) await setNumber(page, "rods.arm_rod_length_mm", length);
+  await undo.click();
+  await settled(page);
+  expect(await mass(page)).toBe(first);
+  await expect(undo).toBeDisabled();
+  // A value that is set and at once set back leaves no step.
+  await setNumber(page, "rods.arm_rod_length_mm", "90");
+  const strut = await (await openField(page, "rods.strut_rod_length_mm")).inputValue();
+  for (const length of ["51", strut]) await setNumber(page, "rods.strut_rod_length_mm", length);
+  await undo.click();
+  await settled(page);
+  expect(await mass(page)).toBe(first);
+  await expect(undo).toBeDisabled();
+});
+
 test("parameters are found by words, and what differs is listed", async ({ page }) => {
   await start(page);
   await page.getByLabel("Search parameters").fill("hinge thickness");

@@ -22,12 +22,13 @@ export function Source() {
     timer.current = setTimeout(() => read(next), REST_MS);
   };
   const read = (next: string) => {
-    take({
+    const edited = {
       ...doc.value,
       text: next,
       preset: presetNamed(baseName(next)) ?? doc.value.preset,
       name: doc.value.name === doc.value.preset ? `my-${doc.value.preset}` : doc.value.name,
-    });
+    };
+    take(edited, { group: "text" });
   };
   const goTo = () => {
     if (!area.current || line === null) return;

@@ -19,8 +19,10 @@ export class History {
     this.#last = { group, at: now };
     const kept = this.#docs.value.slice(0, this.#at.value + (together && this.#at.value > 0 ? 0 : 1));
     const top = kept.at(-1);
-    if (top && top.text === doc.text && top.name === doc.name && top.preset === doc.preset) return;
-    this.#docs.value = [...kept, doc].slice(-LONGEST);
+    const same = top && top.text === doc.text && top.name === doc.name && top.preset === doc.preset;
+    // What is the same as the step before is no step; a step that it ended together with others is none any more, either.
+    if (same && !together) return;
+    this.#docs.value = same ? kept : [...kept, doc].slice(-LONGEST);
     this.#at.value = this.#docs.value.length - 1;
   }
 

@@ -91,20 +91,20 @@ export function set(values: Record<string, Setting | null>): void {
   });
 }
 
-/** Takes another document: an edited text, another preset. */
-export function take(next: Doc, record = true): void {
+/** Takes another document: an edited text, another preset. Quick changes of one `group` are one step of undo. */
+export function take(next: Doc, { record = true, group = null as string | null } = {}): void {
   pending.value = {};
-  want({ doc: next, set: {}, record, group: next.text === doc.value.text ? null : "text", begun: performance.now() });
+  want({ doc: next, set: {}, record, group, begun: performance.now() });
 }
 
 export function undo(): void {
   const former = history.undo();
-  if (former) take(former, false);
+  if (former) take(former, { record: false });
 }
 
 export function redo(): void {
   const next = history.redo();
-  if (next) take(next, false);
+  if (next) take(next, { record: false });
 }
 
 function want(next: Wanted): void {
