@@ -47,10 +47,14 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
     assert!(given.net_g <= 3.5, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    // Landings on one foot, with a mount of the sensor, pass every test, and come nearer to 150 cm than any set along the vertical. 6 g is the
-    // aim (8.6 measured).
+    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (9.0 measured).
     let population = study.landing.gaps.held_out.net_g;
-    assert!(study.landing.named() && population < 0.6 * study.judged.before.held_out.net_g && population < after.net_g, "{population}");
+    assert!(population < 0.6 * study.judged.before.held_out.net_g && population < after.net_g, "{population}");
+    // They pass every test but `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
+    // were passed until that was looked at; the mount does not make it smaller.
+    let failed: Vec<&str> = study.landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
+    assert_eq!(failed, ["enough"]);
+    assert!(study.landing.rubs() && study.landing.given_touches.p < 0.01 && study.landing.refused.is_some());
     let kept = include_str!("../../docs/case-study.md");
     assert!(study.page() == kept, "docs/case-study.md is out of date: cargo run --release --example case_study");
 }

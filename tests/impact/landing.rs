@@ -7,11 +7,11 @@ use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate, PreparedDrops, V
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
 use flexframe::impact::landing::{
-    ATTITUDE_SENSOR, FitUncertainty, LandingAssessment, LandingEvidence, LandingFit, LandingProblem, LandingScatter, LeggedBody,
-    ObservedLandings, TouchEvidence,
+    ATTITUDE_SENSOR, COULOMB_FRICTION, FOOT_MODE, FitUncertainty, LANDING_TILT, LandingAssessment, LandingEvidence, LandingFit,
+    LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence,
 };
 use flexframe::impact::measured::{self, DropSet, FileFormat};
-use flexframe::impact::synthetic::{Landings, Plan, Stalls, SyntheticRecord, records};
+use flexframe::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data::{self, Compared};
 use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
 
@@ -23,6 +23,7 @@ const LEVEL: Landings = Landings {
     touch_g: 70.0,
     sensor_lean_rad: [0.0; 2],
     ringing_g: 0.0,
+    heavy_feet: None,
 };
 
 /// Drops of a base model whose legs are those of the real frame, 40 a height.
@@ -85,6 +86,25 @@ fn planted_landings_on_one_foot_are_found_with_their_turning_rate() {
         assert!((0.9..1.1).contains(&(stiffness / 20_000.0)), "{rate_rad_s}: {stiffness}");
         assert!(landing.gaps.given_touches.records_g < 0.7 * landing.gaps.held_out.template_g, "{:?}", landing.gaps);
     }
+}
+
+/// As the real drops are: legs with dry friction, and feet with mass of their own, 15 % of the whole, at 250 Hz.
+#[test]
+fn planted_friction_of_legs_and_mass_of_feet_are_named_beside_the_slopes() {
+    let heavy_feet = Some(HeavyFeet { share: 0.15, f_hz: 250.0, zeta: 0.06 });
+    let mut plan = Plan { drops: 60, ..plan(Landings { rate_rad_s: 0.3, heavy_feet, ..LEVEL }, 21) };
+    let diagnosed_model = plan.model.clone();
+    plan.model = plan.model.with(by_id(COULOMB_FRICTION).expect("an effect"), &[60.0], 0);
+    let set = read(&records(&plan));
+    plan.model = diagnosed_model;
+    let (verdict, compared) = diagnosed(&plan, &set);
+    let landing = compared.landing.expect("lateral axes were measured");
+    assert_eq!(landing.ids(), [LANDING_TILT, COULOMB_FRICTION, FOOT_MODE], "{verdict}\n{:#?}", landing.gates);
+    for (key, truth) in [("k", 20_000.0), ("f_c_n", 60.0), ("foot_share", 0.15), ("foot_f_hz", 250.0), ("sigma_r_rad_s", 0.3)] {
+        let found = estimate(&landing, key);
+        assert!((0.75..1.3).contains(&(found.value / truth)), "{key}: {found:?}");
+    }
+    assert!(landing.given_touches.p >= 0.01, "{:?}", landing.given_touches);
 }
 
 /// Whatever explains the mean waves along the vertical as well: it is the landings that predict single drops. All that is said of the model
@@ -154,8 +174,16 @@ fn planted_records_spread_as_those_of_their_own_legs_and_no_others() {
     let touches = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
     let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
     let body = LeggedBody::of(&plan.model).expect("four legs");
-    let plain =
-        LandingProblem { body, model: &plan.model, waves: &prepared.problem, observed: &touches, mounted: false, at_release: false };
+    let plain = LandingProblem {
+        body,
+        model: &plan.model,
+        waves: &prepared.problem,
+        observed: &touches,
+        rubbing: false,
+        heavy_feet: false,
+        mounted: false,
+        at_release: false,
+    };
     let rough = plain.fitted(None).expect("can be fitted");
     let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes, 1);
     let problem = LandingProblem { observed: &touches, ..plain };

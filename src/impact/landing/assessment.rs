@@ -7,10 +7,11 @@ use super::LANDING_TILT;
 use super::attitude_assessment::AttitudeAssessment;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
+use super::foot_mode::FOOT_MODE;
 use super::gaps::{LandingGaps, gaps_of_one_height, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::landing_scatter::LandingScatter;
-use super::legged_body::LeggedBody;
+use super::legged_body::{COULOMB_FRICTION, LeggedBody};
 use super::mount::MOUNT_LOW_PASS;
 use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
@@ -19,12 +20,13 @@ use super::read_delays::ReadDelays;
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::shown::{HeightSpread, ShownDrop};
 use super::table::LandingTable;
+use super::touch_adequacy::TouchAdequacy;
 use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
 use super::turned_back;
 use super::uncertainty::FitUncertainty;
 use crate::impact::diagnose::{
-    Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PRICE, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
+    Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
 };
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Waves};
@@ -51,6 +53,28 @@ pub struct SeparatingDrops {
     pub drops: Option<usize>,
 }
 
+/// An effect that explains single drops of the fitted heights better, and those of heights that no fit saw worse.
+#[derive(Clone, Copy, Debug, serde::Serialize)]
+pub struct RefusedEffect {
+    /// Which.
+    pub id: &'static str,
+    /// Root mean square of what is left of single drops that no fit saw, given their touches, with it, g.
+    pub with_g: f64,
+    /// The same without it, g.
+    pub without_g: f64,
+}
+
+impl RefusedEffect {
+    /// In a sentence.
+    pub fn sentence(&self) -> String {
+        format!(
+            "{} explains more of the fitted drops, but single drops from heights that no fit saw are predicted within {:.1} g with it, and \
+             within {:.1} g without it: it is left out",
+            self.id, self.with_g, self.without_g
+        )
+    }
+}
+
 /// Everything that was found.
 #[derive(Clone, Debug)]
 pub struct LandingAssessment {
@@ -64,10 +88,14 @@ pub struct LandingAssessment {
     pub heights: Vec<SlopesAtHeight>,
     /// Gaps.
     pub gaps: LandingGaps,
-    /// p-value of one mount for all heights, where there is a mount.
-    pub mount_steady_p: Option<f64>,
+    /// p-value of the numbers of friction, feet and mount being those of every height, where there are such.
+    pub effects_steady_p: Option<f64>,
+    /// What explains the fitted heights better, and those that no fit saw worse.
+    pub refused: Option<RefusedEffect>,
     /// p-values of what the population leaves of the mean waves.
     pub adequacy: Adequacy,
+    /// What touches leave of single drops of the fitted heights.
+    pub given_touches: TouchAdequacy,
     /// p-value of how single records spread, under the population.
     pub spread_p: f64,
     /// What the touches may explain of the variation between drops.
@@ -109,6 +137,9 @@ pub struct LandingEvidence<'a> {
     pub seed: u64,
 }
 
+/// p-value of what touches leave of single drops below which more effects are tried.
+const DOUBTED: f64 = 0.05;
+
 /// What is said of a test that needs heights that no fit saw.
 const ONE_HEIGHT: &str = "not tested, as all drops are from one height: drops from a second one would test it";
 
@@ -137,37 +168,60 @@ impl LandingAssessment {
             model: evidence.model,
             waves: &prepared.problem,
             observed: &touches,
+            rubbing: false,
+            heavy_feet: false,
             mounted: false,
             at_release: false,
         };
         // How touches are read depends on the landings, and little on whether these are those of the last fit.
         let rough = plain.fitted(None)?;
-        let fitted_touches = touches.with_errors(&plain.tables(&rough.legs)?, &rough.slopes, evidence.seed);
-        let (rigid, first) = LandingProblem { observed: &fitted_touches, ..plain }.fitted_with_release_if_it_pays(&rough)?;
-        let without = PopulationFit::of(evidence, &rigid, first)?;
-        let with = if without.adequacy.p < RARE { without.with_mount(evidence, &rigid) } else { None };
-        let mounted = with.is_some();
-        let PopulationFit { fit, waves, adequacy, uncertainty, spread_p } = with.unwrap_or(without);
-        let problem = LandingProblem { waves: &waves, mounted, ..rigid };
+        let as_read = |fit: &LandingFit| Some(touches.with_errors(&plain.tables(&fit.legs)?, &fit.slopes, evidence.seed));
+        let of_rough = as_read(&rough)?;
+        let (without, first) = LandingProblem { observed: &of_rough, ..plain.clone() }.fitted_with_release_if_it_pays(&rough)?;
+        let rubbing = without.fitted_with_friction_if_it_pays(&first);
+        let of_rubbing = rubbing.as_ref().and_then(|(_, fit)| as_read(fit));
+        let fitted_touches = of_rubbing.as_ref().unwrap_or(&of_rough);
+        let (rigid, first) = match rubbing {
+            Some((rubbing, fit)) => LandingProblem { observed: fitted_touches, ..rubbing }.fitted_with_release_if_it_pays(&fit)?,
+            None => (without, first),
+        };
+        // More is looked for where single drops seem to miss something.
+        let adequacy = TouchAdequacy::of(&rigid, &first, evidence.fitted.step_s, evidence.seed)?;
+        let more = if adequacy.p < DOUBTED { rigid.fitted_with_feet_or_mount_if_they_pay(&first) } else { None };
+        let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
+        // How far single drops of heights that no fit saw lie from what their touches predict, g.
+        let unseen_g = |problem: &LandingProblem, fit: &LandingFit| {
+            let (waves, touches) = held.as_ref()?;
+            Some(held_out_gaps(problem, evidence.fitted, fit, waves, touches, evidence.seed)?.given_touches.records_g)
+        };
+        let mut refused = None;
+        let more = more.filter(|(problem, fit)| {
+            let (Some(with_g), Some(without_g)) = (unseen_g(problem, fit), unseen_g(&rigid, &first)) else { return true };
+            let id = if problem.heavy_feet { FOOT_MODE } else { MOUNT_LOW_PASS };
+            refused = (with_g > without_g).then_some(RefusedEffect { id, with_g, without_g });
+            refused.is_none()
+        });
+        let (chosen, fit) = more.unwrap_or((rigid, first));
+        let PopulationFit { fit, waves, adequacy, given_touches, uncertainty, spread_p } = PopulationFit::of(evidence, &chosen, fit)?;
+        let problem = chosen.at(&waves);
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
         let touched = TouchEvidence::of(evidence.observed, evidence.seed);
-        let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
         let gaps = match &held {
             Some((waves, touches)) => held_out_gaps(&problem, evidence.fitted, &fit, waves, touches, evidence.seed)?,
             None if evidence.fitted.groups.len() < 2 => gaps_of_one_height(&problem, evidence.fitted, &fit)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
         };
         let estimates = uncertainty.estimates(&problem, &fit)?;
-        let mount_steady_p = problem.mount_steady_p(&fit);
+        let effects_steady_p = problem.effects_steady_p(&fit);
         let tables = problem.tables(&fit.legs)?;
         let attitude = match known {
             Some(known) => known,
             None => AttitudeAssessment::of(&problem, &tables, &fit, held.as_ref().map(|(_, touches)| touches), evidence.seed)?,
         };
-        let covariates = covariates(evidence.fitted, &fitted_touches, &tables, &fit);
+        let covariates = covariates(evidence.fitted, fitted_touches, &tables, &fit);
         let separating = separating(&problem, evidence.observed, &fit, evidence.seed);
         let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &fit));
-        let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
+        let heights = slopes_by_height(fitted_touches, &tables, &fit)?;
         let spreads = fitted_touches.heights.iter().zip(&tables).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
         let spreads = spreads.collect();
         let samples = prepared.problem.expected.samples;
@@ -186,8 +240,10 @@ impl LandingAssessment {
             estimates,
             heights,
             gaps,
-            mount_steady_p,
+            effects_steady_p,
+            refused,
             adequacy,
+            given_touches,
             spread_p,
             covariates,
             separating,
@@ -210,11 +266,18 @@ impl LandingAssessment {
         self.gates.iter().all(|gate| gate.passed)
     }
 
-    /// The effects: slopes, a mount where the mean waves need one, and a lean of the sensor where single drops show one.
+    /// The effects: slopes; friction of the legs, mass of the feet, a mount and a lean of the sensor where single drops show them.
     pub fn ids(&self) -> Vec<&'static str> {
         let mount = self.fit.legs.mount.map(|_| MOUNT_LOW_PASS);
         let attitude = self.attitude.named().map(|_| ATTITUDE_SENSOR);
-        [LANDING_TILT].into_iter().chain(mount).chain(attitude).collect()
+        let friction = self.rubs().then_some(COULOMB_FRICTION);
+        let feet = self.fit.legs.feet.map(|_| FOOT_MODE);
+        [LANDING_TILT].into_iter().chain(friction).chain(feet).chain(mount).chain(attitude).collect()
+    }
+
+    /// Whether the legs have dry friction.
+    pub fn rubs(&self) -> bool {
+        self.fit.legs.friction_n > 0.0
     }
 
     /// Whether it is what the drops miss: something is missing, and every test was passed. One of them is that no set of effects along the
@@ -235,6 +298,7 @@ impl LandingAssessment {
             reasons.push(format!("{LANDING_TILT}: {}", self.gates[0].found));
             let failed = self.gates.iter().filter(|gate| !gate.passed);
             reasons.extend(failed.map(|gate| format!("{LANDING_TILT} is not named by the test `{}`: {}", gate.id, gate.found)));
+            reasons.extend(self.refused.iter().map(RefusedEffect::sentence));
             if diagnosis.verdict == Verdict::Named && self.touches_tell_drops() {
                 reasons.push(format!(
                     "single drops depend on their touches, which {} does not explain: it is not named",
@@ -287,9 +351,11 @@ impl LandingAssessment {
                 gaps.held_out.net_g < base.min(best),
                 if gaps.held_out.net_g.is_finite() {
                     format!(
-                        "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead",
+                        "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead; \
+                         {:.2} g with the slopes that their own touch times show",
                         gaps.held_out.net_g,
-                        joined(&diagnosis.chosen)
+                        joined(&diagnosis.chosen),
+                        gaps.own_slopes.net_g
                     )
                 } else {
                     ONE_HEIGHT.into()
@@ -308,13 +374,14 @@ impl LandingAssessment {
                     ONE_HEIGHT.into()
                 },
             ),
-            gate("constant", steady_p >= UNSTEADY && self.mount_steady_p.is_none_or(|p| p >= UNSTEADY), {
+            gate("constant", steady_p >= UNSTEADY && self.effects_steady_p.is_none_or(|p| p >= UNSTEADY), {
+                let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
                 let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
                 let of_slopes = format!("one turning rate for all heights {left} the touch times within their errors (p = {steady_p:.1e})");
-                match self.mount_steady_p {
+                match self.effects_steady_p {
                     None => of_slopes,
-                    Some(p) if p < UNSTEADY => format!("{of_slopes}, and no one mount fits them all (p = {p:.1e})"),
-                    Some(p) => format!("{of_slopes}, and one mount fits them all (p = {p:.1e})"),
+                    Some(p) if p < UNSTEADY => format!("{of_slopes}, and {effects} differs from height to height (p = {p:.1e})"),
+                    Some(p) => format!("{of_slopes}, and {effects} is the same at all heights (p = {p:.1e})"),
                 }
             }),
             gate(
@@ -326,11 +393,7 @@ impl LandingAssessment {
                     format!("{} ended at its bound", at_bound.join(", "))
                 },
             ),
-            gate(
-                "enough",
-                self.adequacy.p >= RARE,
-                format!("what {} leaves of the mean waves has p = {:.3} under trial variation", self.ids().join(" + "), self.adequacy.p),
-            ),
+            gate("enough", self.adequacy.p >= RARE && self.given_touches.p >= RARE, self.left_over()),
             gate(
                 "spread",
                 self.spread_p >= RARE,
@@ -340,6 +403,18 @@ impl LandingAssessment {
                 ),
             ),
         ]
+    }
+
+    /// What is left of mean waves, and of single drops given their touches, in a sentence.
+    fn left_over(&self) -> String {
+        let TouchAdequacy { p, height_m, at_s, left_g, error_g } = self.given_touches;
+        format!(
+            "what {} leaves of the mean waves has p = {:.3} under trial variation; of single drops, given their touches, it leaves at most {left_g:.1} \
+             ± {error_g:.1} g in mean, {:.0} ms behind the trigger from {height_m} m (p = {p:.3})",
+            self.ids().join(" + "),
+            self.adequacy.p,
+            1e3 * at_s
+        )
     }
 
     /// p-value of the median touch times by height under one pair of numbers for the slopes.
@@ -365,6 +440,7 @@ struct PopulationFit {
     fit: LandingFit,
     waves: FitProblem,
     adequacy: Adequacy,
+    given_touches: TouchAdequacy,
     uncertainty: FitUncertainty,
     spread_p: f64,
 }
@@ -383,19 +459,8 @@ impl PopulationFit {
         let adequacy = judge(&left, &seen, &bootstrap)?;
         let uncertainty = FitUncertainty::of(&problem, &fit, evidence.seed)?;
         let spread_p = scatter.spread_p(&problem, &fit, &uncertainty, evidence.fitted, evidence.seed)?;
-        Some(Self { fit, waves, adequacy, uncertainty, spread_p })
-    }
-
-    /// The same with a mount that gives way; `None` where that does not pay its price, or its numbers are none that a mount has.
-    fn with_mount(&self, evidence: &LandingEvidence, rigid: &LandingProblem) -> Option<Self> {
-        let problem = LandingProblem { mounted: true, ..rigid.at(&self.waves) };
-        let mounted = problem.fitted_with_mount(&self.fit)?;
-        let paid = problem.left_of_waves(&mounted)? + 2.0 * PRICE < problem.left_of_waves(&self.fit)?;
-        if !paid || mounted.has_mount_at_bound() {
-            return None;
-        }
-        let first = LandingProblem { mounted: true, ..rigid.clone() };
-        Self::of(evidence, &first, mounted)
+        let given_touches = TouchAdequacy::of(&problem, &fit, evidence.fitted.step_s, evidence.seed)?;
+        Some(Self { fit, waves, adequacy, given_touches, uncertainty, spread_p })
     }
 }
 

@@ -3,9 +3,9 @@
 use nalgebra::DMatrix;
 
 use super::assessment::LandingAssessment;
-use super::legged_body::Legs;
+use super::legged_body::{COULOMB_FRICTION, Legs};
 use crate::impact::diagnose::{Diagnosis, EffectEstimate, Gap, Gaps, Point, joined};
-use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, Model, Spec};
+use crate::impact::effects::{LINEAR_DAMPER, LINEAR_SPRING, Model, Spec, by_id};
 
 impl LandingAssessment {
     /// Puts the landings in the place of the best set along the vertical, which stays among the ranked ones. What is only known of that set,
@@ -47,9 +47,17 @@ fn named_as_the_base(estimate: &EffectEstimate) -> EffectEstimate {
     EffectEstimate { effect, ..estimate.clone() }
 }
 
-/// The base model with the stiffness and the damping of these legs: a level landing of theirs.
+/// The base model with the stiffness, the damping and the friction of these legs, as much of it as a model file may state: a level landing of
+/// theirs.
 fn level(base: &Model, legs: &Legs) -> Model {
     let word = |spec: &Spec| base.effects.iter().find(|listed| listed.spec.id == spec.id).map_or(0, |listed| listed.word);
     let [spring, damper] = [&LINEAR_SPRING, &LINEAR_DAMPER].map(word);
-    base.clone().with(&LINEAR_SPRING, &[legs.stiffness_n_m], spring).with(&LINEAR_DAMPER, &[legs.damping_n_s_m], damper)
+    let level = base.clone().with(&LINEAR_SPRING, &[legs.stiffness_n_m], spring).with(&LINEAR_DAMPER, &[legs.damping_n_s_m], damper);
+    match by_id(COULOMB_FRICTION) {
+        Some(friction) if legs.friction_n > 0.0 => {
+            let most_n = friction.parameters.iter().map(|parameter| parameter.max).fold(f64::INFINITY, f64::min);
+            level.with(friction, &[legs.friction_n.min(most_n)], word(friction))
+        }
+        _ => level,
+    }
 }

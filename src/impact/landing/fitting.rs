@@ -4,7 +4,7 @@
 //! the landing that its own touch times show. Mean waves are predicted, not fitted. They depend on the few steepest landings: legs that were
 //! fitted to the means of forty records a height came out a third off, where single drops give them within a twentieth.
 //!
-//! *When it is wrong:* legs that are not linear or not alike; slopes at release so small that the touch times do not pay for them count as
+//! *When it is wrong:* legs that are not alike, or whose springs and dampers are not linear; slopes at release so small that the touch times do not pay for them count as
 //! turning.
 
 use nalgebra::{DMatrix, DVector};
@@ -12,7 +12,8 @@ use rayon::prelude::*;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::fit_step::SLOPES;
-use super::legged_body::{LeggedBody, Legs, Slopes};
+use super::foot_mode::FootMode;
+use super::legged_body::{LeggedBody, Legs, Slopes, fall};
 use super::mount::Mount;
 use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
 use super::population::Population;
@@ -42,11 +43,15 @@ pub struct Parameter {
     method: f64,
 }
 
-/// Legs and mount are fitted as logarithms, slopes as they are.
+/// Legs, feet and mount are fitted as logarithms, friction and slopes as they are.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Of the legs and the body on them.
     Leg,
+    /// Of the legs' dry friction.
+    Friction,
+    /// Of the feet's own mass.
+    Feet,
     /// Of what carries the sensor.
     Mount,
     /// Of the random slopes.
@@ -70,33 +75,52 @@ impl Parameter {
 
     /// Standard deviation of what the method is off at a value, both on the scale of the fit.
     pub fn method_at(&self, scaled: f64) -> f64 {
-        self.method * if self.kind == Kind::Slope { scaled } else { 1.0 }
+        self.method * if self.is_logarithmic() { 1.0 } else { scaled }
     }
 
     fn inward(&self, value: f64) -> f64 {
-        if self.kind == Kind::Slope { value } else { libm::log(value) }
+        if self.is_logarithmic() { libm::log(value) } else { value }
     }
 
     /// A value from the scale of the fit.
     pub fn outward(&self, scaled: f64) -> f64 {
-        if self.kind == Kind::Slope { scaled } else { libm::exp(scaled) }
+        if self.is_logarithmic() { libm::exp(scaled) } else { scaled }
+    }
+
+    fn is_logarithmic(&self) -> bool {
+        matches!(self.kind, Kind::Leg | Kind::Feet | Kind::Mount)
     }
 }
 
-/// Legs, mount, slopes, in this order; the mount may be left out.
-const PARAMETERS: [Parameter; 7] = [
+/// Legs, their friction, feet, mount, slopes, in this order; friction, feet and mount may be left out.
+static PARAMETERS: [Parameter; 11] = [
     Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, Kind::Leg).off_by(0.03),
     Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg).off_by(0.07),
     Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg).off_by(0.115),
+    Parameter::new("f_c_n", "N", [0.0, 200.0], 1.0, 0.0, Kind::Friction),
+    Parameter::new("foot_share", "1", [0.01, 0.6], 0.05, FEET[0], Kind::Feet),
+    Parameter::new("foot_f_hz", "Hz", [50.0, 500.0], 0.02, 200.0, Kind::Feet),
+    Parameter::new("foot_zeta", "1", [0.002, 1.5], 0.1, FEET[1], Kind::Feet),
     Parameter::new("f_hz", "Hz", [50.0, 1500.0], 0.02, 160.0, Kind::Mount),
-    Parameter::new("zeta", "1", [0.02, 1.5], 0.02, 0.3, Kind::Mount),
+    Parameter::new("zeta", "1", [0.02, 1.5], 0.02, MOUNT_ZETA, Kind::Mount),
     Parameter::new("sigma_r_rad_s", "rad/s", touched_slopes::BOUNDS[0], touched_slopes::STEPS[0], 0.0, Kind::Slope).off_by(0.06),
     Parameter::new(RELEASE, "rad", touched_slopes::BOUNDS[1], touched_slopes::STEPS[1], 0.0, Kind::Slope),
 ];
 /// Key of the slope at release.
 pub const RELEASE: &str = "sigma_0_rad";
-/// Where the mount's begin.
-const MOUNT_AT: usize = 3;
+/// The place of their damping.
+const DAMPING: usize = 1;
+/// How many are the legs' without friction, and the place of friction.
+const LEGS: usize = 3;
+/// How many are the mount's, which stand just before the slopes.
+const MOUNTS: usize = 2;
+/// Share and damping ratio at which a fit with heavy feet begins, and frequencies, Hz.
+const FEET: [f64; 2] = [0.12, 0.1];
+const FEET_HZ: [f64; 2] = [150.0, 250.0];
+/// Friction at which a fit begins, N.
+const FRICTION_N: f64 = 15.0;
+/// Damping ratio at which a fit with a mount begins.
+const MOUNT_ZETA: f64 = 0.3;
 /// Frequencies at which a fit with a mount begins, Hz.
 const MOUNTS_HZ: [f64; 2] = [120.0, 200.0];
 /// Most steps of the legs' fit.
@@ -119,6 +143,10 @@ pub struct LandingProblem<'a> {
     pub waves: &'a FitProblem,
     /// Touches, the same heights.
     pub observed: &'a ObservedLandings,
+    /// Whether the legs have dry friction.
+    pub rubbing: bool,
+    /// Whether the feet have mass of their own.
+    pub heavy_feet: bool,
     /// Whether the sensor has a mount that gives way.
     pub mounted: bool,
     /// Whether landings may slope at release, not only by turning while they fall.
@@ -140,29 +168,41 @@ pub struct LandingFit {
     sum: f64,
 }
 
-impl LandingFit {
-    /// Whether a number of the mount ended at its bound.
-    pub fn has_mount_at_bound(&self) -> bool {
-        self.at_bound[MOUNT_AT..].iter().rev().skip(SLOPES).any(|at_bound| *at_bound)
-    }
-}
-
-/// What numbers on the scale of the fit mean: those of the legs, of the mount where there are seven, and of the slopes.
-pub fn meaning(scaled: &[f64]) -> (Legs, Slopes) {
-    let [k, c, i] = [0, 1, 2].map(|at| libm::exp(scaled[at]));
-    let mount = match scaled[MOUNT_AT..scaled.len() - SLOPES] {
-        [f_hz, zeta] => Some(Mount { f_hz: libm::exp(f_hz), zeta: libm::exp(zeta) }),
-        _ => None,
-    };
-    let slopes = &scaled[scaled.len() - SLOPES..];
-    let legs = Legs { stiffness_n_m: k, damping_n_s_m: c, inertia_kg_m2: i, mount };
-    (legs, Slopes { rate_rad_s: slopes[0], at_release_rad: slopes[1] })
+/// Of some drops and parameters: the sums of squares of the drops' derivatives, of their scores, and the scores.
+struct ScoreSums {
+    normal: DMatrix<f64>,
+    scatter: DMatrix<f64>,
+    right: DVector<f64>,
 }
 
 impl LandingProblem<'_> {
+    /// What numbers on the scale of the fit mean.
+    pub fn meaning(&self, scaled: &[f64]) -> (Legs, Slopes) {
+        let values: Vec<f64> = self.parameters().iter().zip(scaled).map(|(parameter, scaled)| parameter.outward(*scaled)).collect();
+        let (legs, slopes) = values.split_at(values.len() - SLOPES);
+        let (own, more) = legs.split_at(LEGS);
+        let (friction, more) = more.split_at(usize::from(self.rubbing));
+        let (feet, mount) = more.split_at(if self.heavy_feet { 3 } else { 0 });
+        let legs = Legs {
+            stiffness_n_m: own[0],
+            damping_n_s_m: own[1],
+            inertia_kg_m2: own[2],
+            friction_n: friction.first().copied().unwrap_or(0.0),
+            feet: if let [share, f_hz, zeta] = *feet { Some(FootMode { share, f_hz, zeta }) } else { None },
+            mount: if let [f_hz, zeta] = *mount { Some(Mount { f_hz, zeta }) } else { None },
+        };
+        (legs, Slopes { rate_rad_s: slopes[0], at_release_rad: slopes[1] })
+    }
+
     /// What is fitted, in its order.
     pub fn parameters(&self) -> Vec<&'static Parameter> {
-        PARAMETERS.iter().filter(|parameter| self.mounted || parameter.kind != Kind::Mount).collect()
+        let fitted = |parameter: &&Parameter| match parameter.kind {
+            Kind::Friction => self.rubbing,
+            Kind::Feet => self.heavy_feet,
+            Kind::Mount => self.mounted,
+            Kind::Leg | Kind::Slope => true,
+        };
+        PARAMETERS.iter().filter(fitted).collect()
     }
 
     /// Bounds on the scale of the fit.
@@ -200,12 +240,6 @@ impl LandingProblem<'_> {
         Some(DVector::from_vec(parts))
     }
 
-    /// Sum of squares of what a fit leaves of the mean waves, in units of their standard errors.
-    pub fn left_of_waves(&self, fit: &LandingFit) -> Option<f64> {
-        let predicted = self.mean_windows(&fit.legs, &fit.slopes)?;
-        Some(self.waves.whitened(&(self.waves.measured() - predicted)).norm_squared())
-    }
-
     /// Fits a population, from another fit's end where there is one.
     pub fn fitted(&self, from: Option<&LandingFit>) -> Option<LandingFit> {
         let plain = || self.parameters().iter().map(|parameter| parameter.inward(parameter.start)).collect();
@@ -215,8 +249,13 @@ impl LandingProblem<'_> {
     /// A population that was not fitted, as the end of a fit.
     pub fn ended_at(&self, legs: Legs, slopes: Slopes) -> LandingFit {
         let mount = legs.mount.iter().flat_map(|mount| [mount.f_hz, mount.zeta]);
-        let of_legs = [legs.stiffness_n_m, legs.damping_n_s_m, legs.inertia_kg_m2].into_iter().chain(mount);
-        let values = of_legs.chain([slopes.rate_rad_s, slopes.at_release_rad]);
+        let of_legs = [legs.stiffness_n_m, legs.damping_n_s_m, legs.inertia_kg_m2].into_iter();
+        let feet = legs.feet.iter().flat_map(|feet| [feet.share, feet.f_hz, feet.zeta]);
+        let values = of_legs
+            .chain(self.rubbing.then_some(legs.friction_n))
+            .chain(feet)
+            .chain(mount)
+            .chain([slopes.rate_rad_s, slopes.at_release_rad]);
         let scaled: Vec<f64> = self.parameters().iter().zip(values).map(|(parameter, value)| parameter.inward(value)).collect();
         let at_bound = at_bounds(&scaled, &self.bounds());
         LandingFit { legs, slopes, scaled, at_bound, sum: f64::NAN }
@@ -236,13 +275,71 @@ impl LandingProblem<'_> {
         Some((released, fit))
     }
 
-    /// Fits a population with a mount: from the end of one without, and from several frequencies of the mount.
-    pub fn fitted_with_mount(&self, without: &LandingFit) -> Option<LandingFit> {
-        let (legs, slopes) = without.scaled.split_at(without.scaled.len() - SLOPES);
-        let start = |f_hz: f64| [legs, &[libm::log(f_hz), libm::log(PARAMETERS[MOUNT_AT + 1].start)], slopes].concat();
-        let fits = MOUNTS_HZ.iter().filter_map(|f_hz| self.fitted_from(start(*f_hz), 1));
-        let best = fits.min_by(|a, b| a.sum.total_cmp(&b.sum))?;
-        self.fitted(Some(&best))
+    /// Fits a population whose legs have dry friction from the end of one whose legs have none; `None` where friction does not pay its price.
+    pub fn fitted_with_friction_if_it_pays(&self, without: &LandingFit) -> Option<(Self, LandingFit)> {
+        let rubbing = Self { rubbing: true, ..self.clone() };
+        let fit = rubbing.fitted(Some(&rubbing.begun_with(without, LEGS, &[vec![FRICTION_N]])?))?;
+        rubbing.friction_pays(without, &fit)?.then_some((rubbing, fit))
+    }
+
+    /// Fits a population whose feet have mass of their own from the end of one without, and one with a mount that gives way, and takes the
+    /// better one; `None` where neither pays its price, or their numbers end at a bound. Friction that does not pay any more beside it is left
+    /// out.
+    pub fn fitted_with_feet_or_mount_if_they_pay(&self, without: &LandingFit) -> Option<(Self, LandingFit)> {
+        let (slopes, feet) = (without.scaled.len() - SLOPES, LEGS + usize::from(self.rubbing));
+        let heavy = Self { heavy_feet: true, ..self.clone() };
+        let starts = FEET_HZ.map(|f_hz| [FEET[0], f_hz, FEET[1]].map(libm::log).to_vec());
+        let heavy = heavy.begun_with(without, feet, &starts).map(|fit| (heavy, fit, feet..feet + starts[0].len()));
+        let mounted = Self { mounted: true, ..self.clone() };
+        let starts = MOUNTS_HZ.map(|f_hz| [f_hz, MOUNT_ZETA].map(libm::log).to_vec());
+        let mounted = mounted.begun_with(without, slopes, &starts).map(|fit| (mounted, fit, slopes..slopes + MOUNTS));
+        let priced = |(problem, fit, own): &(Self, LandingFit, std::ops::Range<usize>)| {
+            problem.by_one(fit).map_or(f64::INFINITY, |by_one| fit.sum + own.len() as f64 * PRICE * by_one)
+        };
+        let (problem, begun, own) = [heavy, mounted].into_iter().flatten().min_by(|a, b| priced(a).total_cmp(&priced(b)))?;
+        let fit = problem.fitted(Some(&begun))?;
+        let best = (problem, fit, own);
+        if priced(&best) >= without.sum || best.1.at_bound[best.2.clone()].contains(&true) {
+            return None;
+        }
+        let (problem, fit, _) = best;
+        if problem.rubbing {
+            let smooth = Self { rubbing: false, ..problem.clone() };
+            let mut start = fit.scaled.clone();
+            start.remove(LEGS);
+            let without = smooth.fitted_from(start, MOST_TURNS)?;
+            if !problem.friction_pays(&without, &fit)? {
+                return Some((smooth, without));
+            }
+        }
+        Some((problem, fit))
+    }
+
+    /// A turn of a fit with more parameters from the end of a fit without them: from each start, at this place among the others, the best one.
+    fn begun_with(&self, without: &LandingFit, at: usize, starts: &[Vec<f64>]) -> Option<LandingFit> {
+        let (before, behind) = without.scaled.split_at(at);
+        let fits = starts.iter().filter_map(|start| self.fitted_from([before, start, behind].concat(), 1));
+        fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
+    }
+
+    /// Whether friction pays its price, and is more than what the method is off of the damper's force at first touch: the two resist alike.
+    fn friction_pays(&self, without: &LandingFit, with: &LandingFit) -> Option<bool> {
+        let heights = &self.waves.chosen;
+        let speeds = heights.iter().map(|height| fall(self.model, self.waves.means[*height].height_m)[0]);
+        let speed_m_s = speeds.sum::<f64>() / heights.len() as f64;
+        let off_n = NORMAL_95 * PARAMETERS[DAMPING].method * with.legs.damping_n_s_m * speed_m_s;
+        let paid = without.sum - with.sum > PRICE * self.by_one(with)?;
+        Some(!with.at_bound[LEGS] && with.legs.friction_n > off_n && paid)
+    }
+
+    /// What a parameter without meaning takes off the sum of squares of single drops, in mean: by how drops differ, as what is left of one drop
+    /// is no white noise (K. Takeuchi's criterion; see H. White, Econometrica 50 (1982) 1).
+    fn by_one(&self, fit: &LandingFit) -> Option<f64> {
+        let [drops, _] = self.at_fit(fit)?;
+        let columns: Vec<usize> = (0..fit.scaled.len() - SLOPES).filter(|column| !fit.at_bound[*column]).collect();
+        let count = self.heights().iter().map(|height| height.drops.len()).sum();
+        let ScoreSums { normal, scatter, .. } = self.scores(&drops, 0..count, &columns);
+        Some((inverse(&normal)? * scatter).trace() / columns.len() as f64)
     }
 
     /// Slopes and legs in turn, until the legs stay.
@@ -264,21 +361,21 @@ impl LandingProblem<'_> {
         }
         let Minimum { sum, .. } = best?;
         let scaled = self.with_touched_slopes(&scaled)?;
-        let (legs, slopes) = meaning(&scaled);
+        let (legs, slopes) = self.meaning(&scaled);
         let at_bound = at_bounds(&scaled, &bounds);
         Some(LandingFit { legs, slopes, scaled, at_bound, sum })
     }
 
     /// The same legs with the slopes that the touch times show.
     fn with_touched_slopes(&self, scaled: &[f64]) -> Option<Vec<f64>> {
-        let tables = self.tables(&meaning(scaled).0)?;
+        let tables = self.tables(&self.meaning(scaled).0)?;
         let Slopes { rate_rad_s, at_release_rad } = TouchedSlopes::of(&self.heights(), &tables, self.at_release)?.slopes;
         Some([&scaled[..scaled.len() - SLOPES], &[rate_rad_s, at_release_rad]].concat())
     }
 
     /// What the predictions from their touches leave of all drops, one below the other, in units of their heights' waves.
     fn left_of_drops(&self, scaled: &[f64]) -> Option<DVector<f64>> {
-        let (legs, slopes) = meaning(scaled);
+        let (legs, slopes) = self.meaning(scaled);
         let tables = self.tables(&legs)?;
         let mut all = Vec::new();
         for (height, table) in self.waves.chosen.iter().zip(&tables) {
@@ -308,7 +405,7 @@ impl LandingProblem<'_> {
     /// Change of the predicted mean windows, g, with each parameter on the scale of the fit.
     pub fn sensitivity(&self, fit: &LandingFit) -> Option<DMatrix<f64>> {
         let mean_windows = |scaled: &[f64]| {
-            let (legs, slopes) = meaning(scaled);
+            let (legs, slopes) = self.meaning(scaled);
             Some(-self.mean_windows(&legs, &slopes)?)
         };
         Some(self.looked_at(mean_windows, fit)?.jacobian)
@@ -322,30 +419,43 @@ impl LandingProblem<'_> {
     /// What the drops and what the touch times do, at a fit.
     pub fn at_fit(&self, fit: &LandingFit) -> Option<[Minimum; 2]> {
         let touches = |scaled: &[f64]| {
-            let (legs, slopes) = meaning(scaled);
+            let (legs, slopes) = self.meaning(scaled);
             left_of_quartiles(&self.heights(), &self.tables(&legs)?, &slopes)
         };
         Some([self.looked_at(|scaled| self.left_of_drops(scaled), fit)?, self.looked_at(touches, fit)?])
     }
 
-    /// p-value of one mount for all heights: how far a step of the fit to each height's drops alone, with the mount's numbers free, leads away
-    /// from their common values. Errors are by how the drops of a height differ. `None` without a mount, or from one height alone.
-    pub fn mount_steady_p(&self, fit: &LandingFit) -> Option<f64> {
-        fit.legs.mount?;
+    /// Sums over drops, by their places below each other, for some of the parameters.
+    fn scores(&self, drops: &Minimum, places: std::ops::Range<usize>, columns: &[usize]) -> ScoreSums {
+        let (samples, count) = (self.waves.expected.samples, columns.len());
+        let mut sums =
+            ScoreSums { normal: DMatrix::zeros(count, count), scatter: DMatrix::zeros(count, count), right: DVector::zeros(count) };
+        for place in places {
+            let jacobian = drops.jacobian.rows(place * samples, samples).select_columns(columns);
+            let score = jacobian.transpose() * drops.residual.rows(place * samples, samples);
+            sums.normal += jacobian.transpose() * &jacobian;
+            sums.scatter += &score * score.transpose();
+            sums.right += score;
+        }
+        sums
+    }
+
+    /// p-value of one friction, one mass of the feet and one mount for all heights: how far a step of the fit to each height's drops alone, with
+    /// these numbers free, leads away from their common values. Errors are by how the drops of a height differ. `None` without any of them, or
+    /// from one height alone.
+    pub fn effects_steady_p(&self, fit: &LandingFit) -> Option<f64> {
+        let is_effect = |parameter: &Parameter| matches!(parameter.kind, Kind::Friction | Kind::Feet | Kind::Mount);
+        let columns: Vec<usize> = self.parameters().iter().enumerate().filter(|(_, one)| is_effect(one)).map(|(at, _)| at).collect();
+        if columns.is_empty() {
+            return None;
+        }
         let [drops, _] = self.at_fit(fit)?;
-        let (samples, columns) = (self.waves.expected.samples, [MOUNT_AT, MOUNT_AT + 1]);
         let heights = self.heights();
-        let (mut precision_sum, mut weighed_sum, mut chi_squared, mut row) = (DMatrix::zeros(2, 2), DVector::zeros(2), 0.0, 0);
+        let (mut precision_sum, mut weighed_sum) = (DMatrix::zeros(columns.len(), columns.len()), DVector::zeros(columns.len()));
+        let (mut chi_squared, mut first) = (0.0, 0);
         for height in &heights {
-            let (mut normal, mut scatter, mut right) = (DMatrix::zeros(2, 2), DMatrix::zeros(2, 2), DVector::zeros(2));
-            for _ in &height.drops {
-                let jacobian = drops.jacobian.rows(row, samples).select_columns(&columns);
-                let score = jacobian.transpose() * drops.residual.rows(row, samples);
-                normal += jacobian.transpose() * &jacobian;
-                scatter += &score * score.transpose();
-                right += score;
-                row += samples;
-            }
+            let ScoreSums { normal, scatter, right } = self.scores(&drops, first..first + height.drops.len(), &columns);
+            first += height.drops.len();
             let step = inverse(&normal)? * right;
             let precision = &normal * inverse(&scatter)? * &normal;
             chi_squared += step.dot(&(&precision * &step));
@@ -361,6 +471,16 @@ impl LandingProblem<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::impact::effects::by_id;
+    use crate::impact::landing::legged_body::COULOMB_FRICTION;
+
+    #[test]
+    fn analytic_the_friction_of_legs_is_the_effect_of_the_catalogue() {
+        let spec = by_id(COULOMB_FRICTION).expect("is in the catalogue");
+        let own = PARAMETERS.iter().find(|parameter| parameter.kind == Kind::Friction).expect("is fitted");
+        let [of_catalogue] = spec.parameters else { panic!("has one number") };
+        assert_eq!((own.key, own.unit, own.bounds[0]), (of_catalogue.key, of_catalogue.unit, of_catalogue.min));
+    }
 
     #[test]
     fn analytic_what_the_method_is_off_adds_to_an_interval_in_squares() {
@@ -369,6 +489,8 @@ mod tests {
         let off = NORMAL_95 * of("k").method;
         assert!((low * low - 0.04 * 0.04 - off * off).abs() < 1e-12 && low < 0.0);
         assert!((high * high - 0.08 * 0.08 - off * off).abs() < 1e-12);
+        assert_eq!(PARAMETERS[DAMPING].key, "c");
+        assert!(of("f_c_n").with_method([-3.0, 4.0], 50.0) == [-3.0, 4.0]);
         // Of a slope it is a share of the slope.
         let [low, _] = of("sigma_r_rad_s").with_method([0.0, 0.0], 0.5);
         assert!((low + 0.5 * NORMAL_95 * of("sigma_r_rad_s").method).abs() < 1e-12);

@@ -9,6 +9,7 @@ use super::fitting::{LandingFit, LandingProblem};
 use super::observed::{ObservedLanding, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
+use super::touched_slopes::TouchedSlopes;
 use crate::impact::diagnose::{Gap, errors};
 use crate::impact::fit::{FitProblem, MeanWave, WaveGroup, Waves};
 
@@ -22,6 +23,9 @@ pub struct LandingGaps {
     pub fitted: Gap,
     /// The same at held-out heights, or at each height, fitted to the others.
     pub held_out: Gap,
+    /// The same with the slopes that the touch times of the predicted height itself show: what is left without releases that differ from height
+    /// to height.
+    pub own_slopes: Gap,
     /// Single drops there, each predicted from its own touches.
     pub given_touches: Gap,
     /// Root mean square of the same when touches are dealt to other drops of the height, median, g.
@@ -34,6 +38,7 @@ pub struct LandingGaps {
 struct Unseen {
     group: WaveGroup,
     predicted: Vec<f64>,
+    own_slopes: Vec<f64>,
     left: Vec<DVector<f64>>,
     dealt: Vec<f64>,
 }
@@ -48,6 +53,8 @@ impl Unseen {
         let left = own.left_by_drops(height, &tables[0], &fit.slopes);
         let population = Population::of(&tables[0], &fit.slopes);
         let landings = &problem.observed.heights[height];
+        let touched = TouchedSlopes::of(&[landings], &tables, problem.at_release)?;
+        let own_slopes = Population::of(&tables[0], &touched.slopes).mean_window().as_slice().to_vec();
         let (drops, read_s) = (&landings.drops, landings.read_s());
         let waves: Vec<DVector<f64>> =
             drops.iter().map(|drop| given_touches(&tables[0], &population, &drop.touches, read_s).window).collect();
@@ -59,15 +66,18 @@ impl Unseen {
             drops.iter().zip(&order).map(one).sum::<f64>()
         });
         let dealt = dealt.collect();
-        Some(Self { group: group.clone(), predicted, left, dealt })
+        Some(Self { group: group.clone(), predicted, own_slopes, left, dealt })
     }
 }
 
 fn gaps_of(unseen: &[Unseen], fitted: Gap) -> LandingGaps {
     let means: Vec<Vec<f64>> = unseen.iter().map(|one| errors(&one.group)).collect();
-    let held_out = Gap::between(
-        unseen.iter().zip(&means).map(|(one, errors)| (&one.group.mean[..], &one.predicted[..], &errors[..], one.group.windows.len())),
-    );
+    let of_means = |predicted: fn(&Unseen) -> &[f64]| {
+        Gap::between(
+            unseen.iter().zip(&means).map(|(one, errors)| (&one.group.mean[..], predicted(one), &errors[..], one.group.windows.len())),
+        )
+    };
+    let (held_out, own_slopes) = (of_means(|one| &one.predicted), of_means(|one| &one.own_slopes));
     let groups: Vec<WaveGroup> = unseen.iter().map(residual_group).collect();
     let left_errors: Vec<Vec<f64>> = groups.iter().map(errors).collect();
     let zeros = vec![0.0; groups.first().map_or(0, |group| group.mean.len())];
@@ -82,6 +92,7 @@ fn gaps_of(unseen: &[Unseen], fitted: Gap) -> LandingGaps {
     LandingGaps {
         fitted,
         held_out,
+        own_slopes,
         given_touches,
         dealt_g: (dealt[PERMUTED / 2] / count.max(1) as f64).sqrt(),
         dealt_p: (as_small + 1) as f64 / (PERMUTED + 1) as f64,
@@ -110,7 +121,14 @@ fn fitted_gap(problem: &LandingProblem, waves: &Waves, fit: &LandingFit) -> Opti
 /// Of drops from one height: there is no other that could be predicted.
 pub(super) fn gaps_of_one_height(problem: &LandingProblem, waves: &Waves, fit: &LandingFit) -> Option<LandingGaps> {
     let fitted = fitted_gap(problem, waves, fit)?;
-    Some(LandingGaps { fitted, held_out: Gap::UNKNOWN, given_touches: Gap::UNKNOWN, dealt_g: f64::NAN, dealt_p: 1.0 })
+    Some(LandingGaps {
+        fitted,
+        held_out: Gap::UNKNOWN,
+        own_slopes: Gap::UNKNOWN,
+        given_touches: Gap::UNKNOWN,
+        dealt_g: f64::NAN,
+        dealt_p: 1.0,
+    })
 }
 
 /// At heights that were named for it.

@@ -1,11 +1,15 @@
 //! What lands: a rigid body on four legs, and how its slope varies between drops.
 
+use super::foot_mode::FootMode;
 use super::mount::Mount;
 use crate::impact::effects::Fall;
 use crate::impact::effects::Model;
 
 /// From the hub's axis to a foot of CogniFly v8, m. Source: its parts as measured; 0.14 m to the middle of the foot's contact.
 pub const COGNIFLY_FOOT_RADIUS_M: f64 = 0.1445;
+
+/// Id of the friction of legs: that of the effect of the catalogue, which acts in each leg here.
+pub const COULOMB_FRICTION: &str = "coulomb_friction";
 
 /// From the lower ring up to the arms of CogniFly v8, m, near which the centre of mass lies.
 pub const COGNIFLY_CENTRE_HEIGHT_M: f64 = 0.043;
@@ -38,8 +42,12 @@ pub struct Legs {
     pub stiffness_n_m: f64,
     /// Damping of all four together, N s/m.
     pub damping_n_s_m: f64,
-    /// Moment of inertia of the body about a horizontal axis, kg m².
+    /// Dry friction of all four together, against the speed at which each is pressed, N; 0 for none.
+    pub friction_n: f64,
+    /// Moment of inertia about a horizontal axis, with the feet, kg m².
     pub inertia_kg_m2: f64,
+    /// Mass of the feet themselves; `None` for legs without mass.
+    pub feet: Option<FootMode>,
     /// What carries the sensor; `None` for one that is fixed to the body.
     pub mount: Option<Mount>,
 }

@@ -2,17 +2,23 @@
 //!
 //! The body's height above the ground of a level landing, and its slopes along the two diagonals, are three coordinates. A foot stands
 //! d = z + r sin p - h (1 - cos p cos q) below the ground, r being its radius and h the height of the centre of mass, and its force acts on
-//! each coordinate by d's derivative with respect to it. A foot is pressed by (stiffness/4) d + (damping/4) d', d being how far it stands below the ground, and never pulled. In
-//! every step the forces are taken at its middle (the explicit midpoint method, order 2).
+//! each coordinate by d's derivative with respect to it. A foot is pressed by
+//! (stiffness/4) d + (damping/4) d' + (friction/4) d'/√(d'² + w²), w = 0.05 m/s, d being how far it stands below the ground, and never pulled.
+//! Dry friction is that of hinges and sockets, and of feet that slide apart; the root in place of the sign is the same for fast legs, and
+//! creeps where slower ones would stick. Feet may have mass of their own, which then meets the ground ([`FootMode`]). In every step the forces are taken at its middle (the explicit midpoint method, order 2).
 //!
 //! *When it is wrong:* beyond slopes of about 0.3 rad along both diagonals, as turns about the two are taken to be independent; where feet slide
 //! far; where the frame between the feet and the hub bends long after the touch.
 
+use super::foot_mode::{FootForces, FootMode};
 use super::legged_body::{LeggedBody, Legs};
 use crate::units::GRAVITY_M_S2;
 
 /// Time between the points of a wave, s.
 pub use crate::impact::fit::FINE_S as STEP_S;
+
+/// Speed over which friction changes its sign, m/s.
+const TURN_M_S: f64 = 0.05;
 
 /// Feet: at the positive and the negative end of the first diagonal, then of the second.
 pub const FEET: usize = 4;
@@ -26,10 +32,15 @@ pub struct Landing {
     pub touch_s: [Option<f64>; FEET],
 }
 
-/// Height, the slopes' sines and cosines, and rates: z, sin p, cos p, sin q, cos q, z', p', q'; z in m, downward from where a level body's
-/// feet touch; each of several landings. Sines and cosines are followed as coordinates of their own (sin' = cos p', cos' = -sin p'), which
-/// costs no function calls.
-type State<const N: usize> = [[f64; N]; 8];
+/// Motion of each of several landings.
+#[derive(Clone, Copy)]
+struct State<const N: usize> {
+    /// Height, the slopes' sines and cosines, and rates: z, sin p, cos p, sin q, cos q, z', p', q'; z in m, downward from where a level body's
+    /// feet touch. Sines and cosines are followed as coordinates of their own (sin' = cos p', cos' = -sin p'), which costs no function calls.
+    body: [[f64; N]; 8],
+    /// How far each foot stands below its place on the body, m, and its rate; zero where feet have no mass.
+    feet: [[[f64; N]; FEET]; 2],
+}
 
 /// Lands with a speed, m/s, and slopes along the two diagonals, rad; followed for so many points.
 ///
@@ -57,15 +68,53 @@ pub fn simulate_each<const N: usize>(
     points: usize,
     axis: SensorAxis,
 ) -> [Option<Landing>; N] {
-    let mut state = touching(body, speed_m_s, slopes);
+    let begin = touching(body, speed_m_s, slopes);
+    match legs.feet {
+        Some(_) => followed::<N, true>(&Mechanics::of(body, legs), begin, points, axis),
+        None => followed::<N, false>(&Mechanics::of(body, legs), begin, points, axis),
+    }
+}
+
+/// Masses, springs and dampers of a body on its legs.
+struct Mechanics {
+    legs: Legs,
+    foot_radius_m: f64,
+    centre_height_m: f64,
+    /// Without the mass of the feet.
+    mass_kg: f64,
+    inertia_kg_m2: f64,
+    foot: FootForces,
+}
+
+impl Mechanics {
+    fn of(body: &LeggedBody, legs: &Legs) -> Self {
+        let share = legs.feet.map_or(0.0, |feet| feet.share);
+        Self {
+            legs: *legs,
+            foot_radius_m: body.foot_radius_m,
+            centre_height_m: body.centre_height_m,
+            mass_kg: (1.0 - share) * body.mass_kg,
+            inertia_kg_m2: legs.inertia_kg_m2 - 0.5 * share * body.mass_kg * body.foot_radius_m * body.foot_radius_m,
+            foot: legs.feet.unwrap_or(FootMode { share: 0.0, f_hz: 1.0, zeta: 0.0 }).forces(body.mass_kg),
+        }
+    }
+}
+
+/// From a state on; `FREE` where feet have mass.
+fn followed<const N: usize, const FREE: bool>(
+    mechanics: &Mechanics,
+    mut state: State<N>,
+    points: usize,
+    axis: SensorAxis,
+) -> [Option<Landing>; N] {
     let mut accel_g = Vec::with_capacity(points);
     let mut touch_s = [[None; FEET]; N];
     for point in 0..points {
-        let (rate, pressed_n, depth_m) = change(body, legs, &state);
+        let (rate, pressed_n, depth_m) = change::<N, FREE>(mechanics, &state);
         let mut read_g = [0.0; N];
         for at in 0..N {
-            let upright_g = pressed_n[at] / body.mass_kg / GRAVITY_M_S2;
-            read_g[at] = if axis == SensorAxis::Body { upright_g * state[2][at] * state[4][at] } else { upright_g };
+            let upright_g = pressed_n[at] / mechanics.mass_kg / GRAVITY_M_S2;
+            read_g[at] = if axis == SensorAxis::Body { upright_g * state.body[2][at] * state.body[4][at] } else { upright_g };
             for foot in 0..FEET {
                 if depth_m[foot][at] >= -1e-12 && touch_s[at][foot].is_none() {
                     touch_s[at][foot] = Some(point as f64 * STEP_S);
@@ -73,61 +122,87 @@ pub fn simulate_each<const N: usize>(
             }
         }
         accel_g.push(read_g);
-        let middle = moved(&state, &rate, 0.5 * STEP_S);
-        state = moved(&state, &change(body, legs, &middle).0, STEP_S);
+        let middle = moved::<N, FREE>(&state, &rate, 0.5 * STEP_S);
+        state = moved::<N, FREE>(&state, &change::<N, FREE>(mechanics, &middle).0, STEP_S);
     }
+    // Feet that have all of the moment of inertia leave the body none.
+    let possible = mechanics.inertia_kg_m2 > 0.0;
     std::array::from_fn(|at| {
         let landing = || Landing { accel_g: accel_g.iter().map(|accel_g| accel_g[at]).collect(), touch_s: touch_s[at] };
-        state.iter().all(|value| value[at].is_finite()).then(landing)
+        let followed = state.body.iter().chain(state.feet.iter().flatten()).all(|value| value[at].is_finite());
+        (possible && followed).then(landing)
     })
 }
 
 /// When the lowest foot touches.
 fn touching<const N: usize>(body: &LeggedBody, speed_m_s: f64, slopes: &[[f64; 2]; N]) -> State<N> {
-    let mut state = [[0.0; N]; 8];
+    let mut state = State { body: [[0.0; N]; 8], feet: [[[0.0; N]; FEET]; 2] };
     for (at, [p, q]) in slopes.iter().enumerate() {
         let [(sin_p, cos_p), (sin_q, cos_q)] = [libm::sincos(*p), libm::sincos(*q)];
         let raised_m = body.centre_height_m * (1.0 - cos_p * cos_q);
         let lowest_m = body.foot_radius_m * sin_p.abs().max(sin_q.abs()) - raised_m;
         let here = [-lowest_m, sin_p, cos_p, sin_q, cos_q, speed_m_s, 0.0, 0.0];
-        state.iter_mut().zip(here).for_each(|(values, value)| values[at] = value);
+        state.body.iter_mut().zip(here).for_each(|(values, value)| values[at] = value);
     }
     state
 }
 
-/// Rates of change, the force of all feet, N, and how far each foot stands below the ground, m.
+/// Rates of change, the force of all feet on the body, N, and how far each foot stands below the ground, m.
 ///
 /// Written by the place in arrays and without closures: so the compiler computes several landings with one instruction.
 #[inline(always)]
-fn change<const N: usize>(body: &LeggedBody, legs: &Legs, state: &State<N>) -> (State<N>, [f64; N], [[f64; N]; FEET]) {
-    let (mut rate, mut pressed_n, mut depth_m) = ([[0.0; N]; 8], [0.0; N], [[0.0; N]; FEET]);
-    let (r, h) = (body.foot_radius_m, body.centre_height_m);
+fn change<const N: usize, const FREE: bool>(mechanics: &Mechanics, state: &State<N>) -> (State<N>, [f64; N], [[f64; N]; FEET]) {
+    let mut rate = State { body: [[0.0; N]; 8], feet: [[[0.0; N]; FEET]; 2] };
+    let (mut pressed_n, mut depth_m) = ([0.0; N], [[0.0; N]; FEET]);
+    let Mechanics { legs, foot_radius_m: r, centre_height_m: h, mass_kg, inertia_kg_m2, foot } = mechanics;
     for at in 0..N {
-        let (sin_p, cos_p, sin_q, cos_q) = (state[1][at], state[2][at], state[3][at], state[4][at]);
-        let (z_rate, p_rate, q_rate) = (state[5][at], state[6][at], state[7][at]);
-        let sunk_m = state[0][at] - h * (1.0 - cos_p * cos_q);
-        let depths_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
+        let body = &state.body;
+        let (sin_p, cos_p, sin_q, cos_q) = (body[1][at], body[2][at], body[3][at], body[4][at]);
+        let (z_rate, p_rate, q_rate) = (body[5][at], body[6][at], body[7][at]);
+        let sunk_m = body[0][at] - h * (1.0 - cos_p * cos_q);
+        let mut depths_m = [sunk_m + r * sin_p, sunk_m - r * sin_p, sunk_m + r * sin_q, sunk_m - r * sin_q];
         // How each slope lowers all feet, and the two at the ends of its own diagonal.
         let (all_p, all_q) = (-h * sin_p * cos_q, -h * cos_p * sin_q);
         let (own_p, own_q) = (r * cos_p, r * cos_q);
         let common_m_s = z_rate + all_p * p_rate + all_q * q_rate;
         let (along_p, along_q) = (own_p * p_rate, own_q * q_rate);
-        let a = pressed(legs, depths_m[0], common_m_s + along_p);
-        let b = pressed(legs, depths_m[1], common_m_s - along_p);
-        let c = pressed(legs, depths_m[2], common_m_s + along_q);
-        let d = pressed(legs, depths_m[3], common_m_s - along_q);
-        let all_n = a + b + c + d;
-        rate[0][at] = z_rate;
-        rate[1][at] = cos_p * p_rate;
-        rate[2][at] = -sin_p * p_rate;
-        rate[3][at] = cos_q * q_rate;
-        rate[4][at] = -sin_q * q_rate;
-        rate[5][at] = GRAVITY_M_S2 - all_n / body.mass_kg;
-        rate[6][at] = -(own_p * (a - b) + all_p * all_n) / legs.inertia_kg_m2;
-        rate[7][at] = -(own_q * (c - d) + all_q * all_n) / legs.inertia_kg_m2;
+        let mut speeds_m_s = [common_m_s + along_p, common_m_s - along_p, common_m_s + along_q, common_m_s - along_q];
+        if FREE {
+            for i in 0..FEET {
+                depths_m[i] += state.feet[0][i][at];
+                speeds_m_s[i] += state.feet[1][i][at];
+            }
+        }
+        let mut ground_n = [0.0; FEET];
+        let mut body_n = [0.0; FEET];
+        for i in 0..FEET {
+            ground_n[i] = pressed(legs, depths_m[i], speeds_m_s[i]);
+            body_n[i] =
+                if FREE { -(foot.stiffness_n_m * state.feet[0][i][at] + foot.damping_n_s_m * state.feet[1][i][at]) } else { ground_n[i] };
+        }
+        let all_n = body_n[0] + body_n[1] + body_n[2] + body_n[3];
+        let z_turn = GRAVITY_M_S2 - all_n / mass_kg;
+        let p_turn = -(own_p * (body_n[0] - body_n[1]) + all_p * all_n) / inertia_kg_m2;
+        let q_turn = -(own_q * (body_n[2] - body_n[3]) + all_q * all_n) / inertia_kg_m2;
+        rate.body[0][at] = z_rate;
+        rate.body[1][at] = cos_p * p_rate;
+        rate.body[2][at] = -sin_p * p_rate;
+        rate.body[3][at] = cos_q * q_rate;
+        rate.body[4][at] = -sin_q * q_rate;
+        rate.body[5][at] = z_turn;
+        rate.body[6][at] = p_turn;
+        rate.body[7][at] = q_turn;
+        if FREE {
+            let common = z_turn + all_p * p_turn + all_q * q_turn;
+            let places = [common + own_p * p_turn, common - own_p * p_turn, common + own_q * q_turn, common - own_q * q_turn];
+            for i in 0..FEET {
+                rate.feet[0][i][at] = state.feet[1][i][at];
+                rate.feet[1][i][at] = GRAVITY_M_S2 + (body_n[i] - ground_n[i]) / foot.mass_kg - places[i];
+            }
+        }
         pressed_n[at] = all_n;
-        for foot in 0..FEET {
-            depth_m[foot][at] = depths_m[foot];
+        for i in 0..FEET {
+            depth_m[i][at] = depths_m[i];
         }
     }
     (rate, pressed_n, depth_m)
@@ -136,16 +211,25 @@ fn change<const N: usize>(body: &LeggedBody, legs: &Legs, state: &State<N>) -> (
 /// Force of a foot, N.
 #[inline(always)]
 fn pressed(legs: &Legs, depth_m: f64, speed_m_s: f64) -> f64 {
-    let pressed_n = 0.25 * (legs.stiffness_n_m * depth_m + legs.damping_n_s_m * speed_m_s);
+    let against = speed_m_s / (speed_m_s * speed_m_s + TURN_M_S * TURN_M_S).sqrt();
+    let pressed_n = 0.25 * (legs.stiffness_n_m * depth_m + legs.damping_n_s_m * speed_m_s + legs.friction_n * against);
     if (depth_m > 0.0) & (pressed_n > 0.0) { pressed_n } else { 0.0 }
 }
 
 #[inline(always)]
-fn moved<const N: usize>(state: &State<N>, rate: &State<N>, step_s: f64) -> State<N> {
+fn moved<const N: usize, const FREE: bool>(state: &State<N>, rate: &State<N>, step_s: f64) -> State<N> {
     let mut moved = *state;
     for i in 0..8 {
         for at in 0..N {
-            moved[i][at] += step_s * rate[i][at];
+            moved.body[i][at] += step_s * rate.body[i][at];
+        }
+    }
+    if FREE {
+        for i in 0..2 * FEET {
+            let (order, foot) = (i / FEET, i % FEET);
+            for at in 0..N {
+                moved.feet[order][foot][at] += step_s * rate.feet[order][foot][at];
+            }
         }
     }
     moved
@@ -156,7 +240,7 @@ mod tests {
     use super::*;
 
     const BODY: LeggedBody = LeggedBody { mass_kg: 0.241, foot_radius_m: 0.1445, centre_height_m: 0.05 };
-    const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, inertia_kg_m2: 1e-3, mount: None };
+    const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, friction_n: 0.0, inertia_kg_m2: 1e-3, feet: None, mount: None };
 
     #[test]
     fn analytic_a_level_landing_is_that_of_one_spring_and_damper() {
@@ -203,6 +287,36 @@ mod tests {
         assert!(upright[1] > 1.0 && (turned[1] / upright[1] - libm::cos(slope)).abs() < 1e-5, "{} {}", turned[1], upright[1]);
         // Cosines are followed as coordinates, to the method's order.
         assert!(turned.iter().zip(&upright).all(|(turned, upright)| *turned <= upright * 1.001));
+    }
+
+    #[test]
+    fn analytic_feet_with_mass_throw_the_body_back_and_have_a_part_of_the_inertia() {
+        let feet = |share: f64| Legs { damping_n_s_m: 0.0, feet: Some(FootMode { share, f_hz: 250.0, zeta: 0.0 }), ..LEGS };
+        let landing = simulate(&BODY, &feet(0.15), 2.0, [0.0; 2], 600).expect("it lands");
+        let impulse = landing.accel_g.iter().sum::<f64>() * STEP_S * GRAVITY_M_S2;
+        // Without dampers the body comes back nearly as fast; gravity and the feet's swing make the rest.
+        assert!((3.0..4.4).contains(&impulse), "{impulse}");
+        // Feet that have more than all of the moment of inertia are none.
+        assert_eq!(simulate(&BODY, &Legs { inertia_kg_m2: 1e-4, ..feet(0.4) }, 2.0, [0.0; 2], 10), None);
+    }
+
+    #[test]
+    fn analytic_the_first_blow_of_a_foot_is_that_of_its_own_mass() {
+        // A foot alone meets the ground: its own mass on the leg and on its spring, both held by a body that hardly moves yet.
+        let legs = Legs { damping_n_s_m: 0.0, feet: Some(FootMode { share: 0.04, f_hz: 300.0, zeta: 0.0 }), ..LEGS };
+        let landing = simulate(&BODY, &legs, 4.0, [0.1, 0.0], 30).expect("it lands");
+        let foot_kg = 0.01 * BODY.mass_kg;
+        let held = foot_kg * (std::f64::consts::TAU * 300.0).powi(2);
+        let swing = ((held + 0.25 * LEGS.stiffness_n_m) / foot_kg).sqrt();
+        // u'' + swing² u = -k v t / 4 m_f: the leg is pressed by v t + u.
+        let push = 0.25 * LEGS.stiffness_n_m * 4.0 / foot_kg;
+        for point in [8, 12] {
+            let t = f64::from(point) * STEP_S;
+            let u = -push / (swing * swing) * (t - libm::sin(swing * t) / swing);
+            let expected = -held * u / (0.96 * BODY.mass_kg) / GRAVITY_M_S2;
+            let read = landing.accel_g[point as usize];
+            assert!((read / expected - 1.0).abs() < 0.06, "{point}: {read} {expected}");
+        }
     }
 
     #[test]

@@ -8,8 +8,9 @@ use rand_pcg::Pcg64;
 
 use super::LANDING_TILT;
 use super::fit_step::{FitStep, SLOPES};
-use super::fitting::{Kind, LandingFit, LandingProblem, meaning};
-use super::legged_body::{Legs, Slopes};
+use super::fitting::{Kind, LandingFit, LandingProblem};
+use super::foot_mode::FOOT_MODE;
+use super::legged_body::{COULOMB_FRICTION, Legs, Slopes};
 use super::mount::MOUNT_LOW_PASS;
 use super::observed::quartiles_with_errors_s;
 use super::touched_slopes::{SlopeNumber, TouchedSlopes, decorrelated};
@@ -44,7 +45,12 @@ impl FitUncertainty {
         let first_slope = parameters.len() - SLOPES;
         let mut estimates = Vec::with_capacity(parameters.len());
         for (at, parameter) in parameters.into_iter().enumerate() {
-            let effect = if parameter.kind == Kind::Mount { MOUNT_LOW_PASS } else { LANDING_TILT };
+            let effect = match parameter.kind {
+                Kind::Friction => COULOMB_FRICTION,
+                Kind::Feet => FOOT_MODE,
+                Kind::Mount => MOUNT_LOW_PASS,
+                Kind::Leg | Kind::Slope => LANDING_TILT,
+            };
             let (scaled, value) = (fit.scaled[at], parameter.outward(fit.scaled[at]));
             let spread = Spread::middle(self.changes.iter().map(|change| change[at]), 0.95).unwrap_or([0.0; 2]);
             let [low, mut high] = parameter
@@ -69,7 +75,7 @@ impl FitUncertainty {
                 let off = parameters[at].method_at(*scaled) * normal;
                 (scaled + change[at] + off).clamp(bounds[at][0], bounds[at][1])
             };
-            meaning(&fit.scaled.iter().enumerate().map(number).collect::<Vec<f64>>())
+            problem.meaning(&fit.scaled.iter().enumerate().map(number).collect::<Vec<f64>>())
         };
         self.changes.iter().take(count).map(one).collect()
     }

@@ -24,5 +24,5 @@ pub use records::records;
 pub use scatter_law::ScatterLaw;
 pub use stalls::Stalls;
 pub use synthetic_record::{SyntheticRecord, table};
-pub use tilted_landing::Landings;
+pub use tilted_landing::{HeavyFeet, Landings};
 pub use trajectory::ReferenceTrajectory;

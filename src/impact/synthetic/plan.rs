@@ -1,7 +1,7 @@
 //! A plan of synthetic drops, from a file.
 
-use super::{Hidden, Landings, ScatterLaw, Stalls};
-use crate::impact::effects::Model;
+use super::{HeavyFeet, Hidden, Landings, ScatterLaw, Stalls};
+use crate::impact::effects::{Generator, Model, Spec};
 use crate::params::refusal::{Reason, Refusal, nearest};
 use crate::params::{ImpactFile, LoadError};
 
@@ -50,7 +50,7 @@ pub struct Plan {
 }
 
 /// A plain number of a plan: key, bounds, unit, and default.
-pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 23] = [
+pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 26] = [
     ("drops.count", [2.0, 100_000.0], "1", 20.0),
     ("drops.seed", [0.0, 9e15], "1", 1.0),
     ("scatter.share", [0.0, 2.0], "1", 0.1),
@@ -69,6 +69,9 @@ pub const PLAN_NUMBERS: [(&str, [f64; 2], &str, f64); 23] = [
     ("landing.at_release_rad", [0.0, 0.5], "rad", 0.0),
     ("landing.inertia_kg_m2", [1e-5, 0.1], "kg m2", 8e-4),
     ("landing.foot_radius_mm", [20.0, 1000.0], "mm", 144.5),
+    ("landing.foot_share", [0.0, 0.6], "1", 0.0),
+    ("landing.foot_f_hz", [20.0, 2000.0], "Hz", 250.0),
+    ("landing.foot_zeta", [0.0, 2.0], "1", 0.05),
     ("landing.touch_g", [0.0, 500.0], "g", 0.0),
     ("landing.ringing_g", [0.0, 500.0], "g", 0.0),
     ("landing.sensor_lean_x_deg", [-30.0, 30.0], "deg", 0.0),
@@ -151,6 +154,7 @@ impl Plan {
             damping: number("scatter.damping")?,
             tilt_deg: number("scatter.tilt_deg")?,
         };
+        let landings = landings(file, &number, &model)?;
         Ok(Self {
             model,
             hidden: hidden(file, number("hidden.loss")?)?,
@@ -161,7 +165,7 @@ impl Plan {
             counts_per_g: number("logger.counts_per_g")?,
             rate_hz: number("logger.rate_hz")?,
             stalls: stalls(file, &number)?,
-            landings: landings(file, &number)?,
+            landings,
             seed: whole("drops.seed")?,
         })
     }
@@ -182,8 +186,8 @@ fn stalls(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> R
     Ok((stalls.record_s > 0.0).then_some(stalls))
 }
 
-/// Lateral axes. A landing that is not level knows spring and damper alone; a sensor that leans writes no whole records.
-fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<Landings>, Refusal> {
+/// Lateral axes. A landing that is not level knows spring, damper and forces that depend on motion alone; a sensor that leans writes no whole records.
+fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>, model: &Model) -> Result<Option<Landings>, Refusal> {
     let landings = Landings {
         rate_rad_s: number("landing.rate_rad_s")?,
         at_release_rad: number("landing.at_release_rad")?,
@@ -192,6 +196,7 @@ fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) ->
         touch_g: number("landing.touch_g")?,
         sensor_lean_rad: [number("landing.sensor_lean_x_deg")?.to_radians(), number("landing.sensor_lean_y_deg")?.to_radians()],
         ringing_g: number("landing.ringing_g")?,
+        heavy_feet: heavy_feet(number)?,
     };
     let stated = file.entries.keys().find(|key| key.starts_with("landing.")).cloned();
     let clash = |key: &str| -> Refusal {
@@ -204,10 +209,32 @@ fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) ->
         let message = format!("`{key}` and `logger.record_s` are both given; they cannot be combined");
         return Err(file.refuse(key, Reason::Impossible { message, remedy: format!("take `{key}` out, or `logger.record_s`") }));
     }
-    if stated.is_some() && landings.is_tilted() && file.entries.contains_key(KIND) {
+    if stated.is_some() && landings.is_in_space() && file.entries.contains_key(KIND) {
         return Err(clash(KIND));
     }
+    if stated.is_some() && landings.is_in_space() {
+        let not_in_space = model.effects.iter().map(|listed| listed.spec).find(|spec| !knows_feet(spec));
+        let stated = |id: &str| file.entries.keys().find(|key| key.split('.').any(|part| part == id)).cloned();
+        if let Some(key) = not_in_space.and_then(|spec| stated(spec.id)) {
+            return Err(clash(&key));
+        }
+    }
     Ok(stated.map(|_| landings))
+}
+
+/// Whether an effect acts in each foot, or on fall and sensor.
+fn knows_feet(spec: &Spec) -> bool {
+    match spec.generator {
+        Generator::Force(_) => true,
+        Generator::Branch(_) | Generator::Stop(_) => false,
+        Generator::Conditions(_) => !["payload_mode", "foot_stagger", "frame_force_curve"].contains(&spec.id),
+    }
+}
+
+/// Feet with mass of their own.
+fn heavy_feet(number: &dyn Fn(&str) -> Result<f64, Refusal>) -> Result<Option<HeavyFeet>, Refusal> {
+    let feet = HeavyFeet { share: number("landing.foot_share")?, f_hz: number("landing.foot_f_hz")?, zeta: number("landing.foot_zeta")? };
+    Ok((feet.share > 0.0).then_some(feet))
 }
 
 fn hidden(file: &ImpactFile, loss: f64) -> Result<Option<Hidden>, Refusal> {

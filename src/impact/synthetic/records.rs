@@ -62,7 +62,7 @@ struct Place {
 
 /// What the body of a landing reads along x, y and its axis, g.
 fn landed(landings: &Landings, trajectory: &ReferenceTrajectory, level: &[f64], height_m: f64, rng: &mut impl Rng) -> [Vec<f64>; 3] {
-    let [mut x, mut y, z] = if landings.is_tilted() {
+    let [mut x, mut y, z] = if landings.is_in_space() {
         landings.tilted(&trajectory.vertical(height_m), FINE_S, level.len(), rng)
     } else {
         [vec![0.0; level.len()], vec![0.0; level.len()], level.to_vec()]

@@ -36,12 +36,25 @@ pub struct Landings {
     pub inertia_kg_m2: f64,
     /// From the vertical axis to each foot, m.
     pub foot_radius_m: f64,
+    /// Mass that the feet carry themselves; `None` for none.
+    pub heavy_feet: Option<HeavyFeet>,
     /// Mean height of a touch's spike, g; 0 for none.
     pub touch_g: f64,
     /// The sensor's lean against the body: how far its axis points toward x and toward y, rad.
     pub sensor_lean_rad: [f64; 2],
     /// Sideways ringing from first touch on, in any direction, standard deviation of its height, g.
     pub ringing_g: f64,
+}
+
+/// Feet with mass, each on a spring and damper between it and the body, along the body's axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HeavyFeet {
+    /// Of all four, as a part of the whole mass.
+    pub share: f64,
+    /// Frequency of a foot on a body that is held, Hz.
+    pub f_hz: f64,
+    /// Damping over the critical one.
+    pub zeta: f64,
 }
 
 /// Readings along the sensor's x, y and z, g, evenly spaced from first touch on.
@@ -51,6 +64,11 @@ impl Landings {
     /// Whether landings differ in slope.
     pub fn is_tilted(&self) -> bool {
         self.rate_rad_s > 0.0 || self.at_release_rad > 0.0
+    }
+
+    /// Whether they are followed in space: they slope, or their feet have mass.
+    pub fn is_in_space(&self) -> bool {
+        self.is_tilted() || self.heavy_feet.is_some()
     }
 
     /// What a sensor that leans reads of an acceleration in the body's axes.
@@ -124,6 +142,9 @@ struct Body {
     acceleration_m_s2: f64,
     filtered: Vec<f64>,
     touched_s: [Option<f64>; 4],
+    heavy: Option<HeavyFeet>,
+    /// Of each foot with mass: how far it stands below its place on the body, m, and how fast it goes down there, m/s.
+    swing: [[f64; 2]; 4],
 }
 
 impl Body {
@@ -132,7 +153,9 @@ impl Body {
         let feet = [(1.0, 1.0), (-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0)].map(|(x, y)| Vector3::new(x * side, y * side, -BELOW_M));
         let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(slopes[0], slopes[1], 0.0));
         let lowest = feet.iter().map(|foot| (attitude * foot).z).fold(f64::INFINITY, f64::min);
-        let i = landings.inertia_kg_m2;
+        // What of the moment of inertia the feet do not have. About the vertical axis nothing turns.
+        let of_feet = landings.heavy_feet.map_or(0.0, |feet| 0.5 * feet.share * drop.mass_kg * landings.foot_radius_m.powi(2));
+        let i = landings.inertia_kg_m2 - of_feet;
         Self {
             feet,
             radius_m: landings.foot_radius_m,
@@ -144,6 +167,8 @@ impl Body {
             acceleration_m_s2: -GRAVITY_M_S2,
             filtered: vec![0.0; drop.stages],
             touched_s: [None; 4],
+            heavy: landings.heavy_feet,
+            swing: [[0.0; 2]; 4],
         }
     }
 
@@ -155,23 +180,42 @@ impl Body {
     fn step(&mut self, drop: &VerticalConditions, t_s: f64) {
         let turning = self.attitude * self.turning_rad_s;
         let (mut lift_n, mut torque) = (0.0, Vector3::zeros());
-        for (foot, touched_s) in self.feet.iter().zip(&mut self.touched_s) {
+        let share = self.heavy.map_or(0.0, |feet| feet.share);
+        let mut onto_feet = [0.0; 4];
+        for (i, foot) in self.feet.iter().enumerate() {
             let arm = self.attitude * foot;
-            let above_m = self.height_m + arm.z;
-            if above_m > 0.0 {
-                continue;
+            let [below_m, falling_m_s] = self.swing[i];
+            let above_m = self.height_m + arm.z - below_m;
+            let mut push_n = 0.0;
+            if above_m <= 0.0 {
+                self.touched_s[i].get_or_insert(t_s);
+                let sinking_m_s = falling_m_s - (self.speed_m_s + turning.cross(&arm).z);
+                push_n = drop.foot_n(-above_m, sinking_m_s);
             }
-            touched_s.get_or_insert(t_s);
-            let sinking_m_s = -(self.speed_m_s + turning.cross(&arm).z);
-            let push_n = (0.25 * drop.stiffness_n_m * -above_m + 0.25 * drop.damping_n_s_m * sinking_m_s).max(0.0);
+            if let Some(feet) = self.heavy {
+                let (mass_kg, circular) = (0.25 * share * drop.mass_kg, 2.0 * std::f64::consts::PI * feet.f_hz);
+                let held_n = -mass_kg * circular * (circular * below_m + 2.0 * feet.zeta * falling_m_s);
+                // Downward, of the foot alone in space.
+                onto_feet[i] = (held_n - push_n) / mass_kg + GRAVITY_M_S2;
+                push_n = held_n;
+            }
             lift_n += push_n;
             torque += arm.cross(&Vector3::new(0.0, 0.0, push_n));
         }
-        self.acceleration_m_s2 = lift_n / drop.mass_kg - GRAVITY_M_S2;
+        self.acceleration_m_s2 = lift_n / ((1.0 - share) * drop.mass_kg) - GRAVITY_M_S2;
         let own = self.attitude.inverse() * torque;
         let spin = self.turning_rad_s.cross(&(self.inertia * self.turning_rad_s));
         let inverse = self.inertia.map_diagonal(|i| 1.0 / i);
-        self.turning_rad_s += STEP_S * (own - spin).component_mul(&inverse);
+        let gained_rad_s = STEP_S * (own - spin).component_mul(&inverse);
+        self.turning_rad_s += gained_rad_s;
+        if self.heavy.is_some() {
+            let gained_rad_s = self.attitude * gained_rad_s;
+            for (i, foot) in self.feet.iter().enumerate() {
+                let place_m_s = STEP_S * self.acceleration_m_s2 + gained_rad_s.cross(&(self.attitude * foot)).z;
+                self.swing[i][1] += STEP_S * onto_feet[i] + place_m_s;
+                self.swing[i][0] += STEP_S * self.swing[i][1];
+            }
+        }
         self.speed_m_s += STEP_S * self.acceleration_m_s2;
         self.height_m += STEP_S * self.speed_m_s;
         self.attitude *= UnitQuaternion::from_scaled_axis(STEP_S * self.turning_rad_s);

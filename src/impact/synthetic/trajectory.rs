@@ -40,9 +40,10 @@ impl Term {
     }
 }
 
-/// What a landing in space takes of a plan's model: spring, damper, fall and sensor.
+/// What a landing in space takes of a plan's model: spring, damper, the other forces that depend on motion alone, fall and sensor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct VerticalConditions {
+pub(super) struct VerticalConditions<'a> {
+    forces: &'a [Term],
     pub mass_kg: f64,
     pub stiffness_n_m: f64,
     pub damping_n_s_m: f64,
@@ -52,6 +53,14 @@ pub(super) struct VerticalConditions {
     pub filter_1_s: f64,
     pub stages: usize,
     pub gain: f64,
+}
+
+impl VerticalConditions<'_> {
+    /// Force of a foot that carries a quarter of the frame, N, pressed by x, m, at v, m/s; it never pulls.
+    pub(super) fn foot_n(&self, x: f64, v: f64) -> f64 {
+        let others: f64 = self.forces.iter().map(|term| term.at(GeneratorState { x, v, q: 0.0 })).sum();
+        (0.25 * (self.stiffness_n_m * x + self.damping_n_s_m * v + others)).max(0.0)
+    }
 }
 
 /// A drop with a known truth: the numbers of a model, ready to run.
@@ -111,8 +120,9 @@ impl ReferenceTrajectory {
     }
 
     /// What a landing in space takes of it. The fall's duration is that without drag.
-    pub(super) fn vertical(&self, stated_m: f64) -> VerticalConditions {
+    pub(super) fn vertical(&self, stated_m: f64) -> VerticalConditions<'_> {
         VerticalConditions {
+            forces: &self.forces,
             mass_kg: self.mass_kg,
             stiffness_n_m: self.conditions.stiffness_n_m,
             damping_n_s_m: self.conditions.damping_n_s_m,

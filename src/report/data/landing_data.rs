@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use crate::impact::diagnose::EffectEstimate;
-use crate::impact::landing::{ATTITUDE_SENSOR, AttitudeAssessment, LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS};
+use crate::impact::landing::{
+    ATTITUDE_SENSOR, AttitudeAssessment, COULOMB_FRICTION, FOOT_MODE, LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS, RefusedEffect,
+};
 
 /// Everything that was found of landings.
 pub fn landing(assessment: &LandingAssessment) -> Value {
@@ -18,6 +20,8 @@ pub fn landing(assessment: &LandingAssessment) -> Value {
     all["heights"] = json!(heights);
     all["gap"] = json!(gaps);
     all["lack_of_fit_p"] = json!(adequacy.p);
+    all["left_given_touches"] = json!(assessment.given_touches);
+    all["refused"] = json!(assessment.refused);
     all["gates"] = json!(gates);
     all[ATTITUDE_SENSOR] = attitude(&assessment.attitude);
     all
@@ -57,7 +61,8 @@ pub fn lean(found: &AttitudeAssessment) -> String {
 pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
     let gates = assessment.gates.iter().map(|gate| format!("{}: {}", gate.id, gate.found));
     let attitude = [lean(&assessment.attitude), assessment.attitude.reason()];
-    std::iter::once(spread(assessment)).chain(gates).chain(attitude).collect()
+    let refused = assessment.refused.iter().map(RefusedEffect::sentence);
+    std::iter::once(spread(assessment)).chain(gates).chain(refused).chain(attitude).collect()
 }
 
 /// How landings vary, in a sentence.
@@ -71,8 +76,18 @@ pub fn spread(assessment: &LandingAssessment) -> String {
         Some(_) => format!("; what carries the sensor swings at {}, with a damping of {}", value("f_hz"), value("zeta")),
         None => String::new(),
     };
+    let feet = match assessment.fit.legs.feet {
+        Some(_) => format!(
+            "; the feet have {} of the mass, swing against the body at {} and lose {} of the critical damping",
+            value("foot_share"),
+            value("foot_f_hz"),
+            value("foot_zeta")
+        ),
+        None => String::new(),
+    };
+    let friction = if assessment.rubs() { format!("; the legs rub with {}", value("f_c_n")) } else { String::new() };
     format!(
-        "landings slope by {} at release along a diagonal, and turn at {} while they fall{mount}",
+        "landings slope by {} at release along a diagonal, and turn at {} while they fall{friction}{feet}{mount}",
         value("sigma_0_rad"),
         value("sigma_r_rad_s")
     )
@@ -91,6 +106,12 @@ pub fn effects(assessment: &LandingAssessment) -> Value {
         json!({ "id": ATTITUDE_SENSOR, "parameters": parameters })
     };
     let mut all = vec![listed(LANDING_TILT, &|estimate| estimate.key.starts_with("sigma"))];
+    if assessment.rubs() {
+        all.push(listed(COULOMB_FRICTION, &|estimate| estimate.effect == COULOMB_FRICTION));
+    }
+    if assessment.fit.legs.feet.is_some() {
+        all.push(listed(FOOT_MODE, &|estimate| estimate.effect == FOOT_MODE));
+    }
     if assessment.fit.legs.mount.is_some() {
         all.push(listed(MOUNT_LOW_PASS, &|estimate| estimate.effect == MOUNT_LOW_PASS));
     }

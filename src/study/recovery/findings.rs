@@ -8,7 +8,7 @@ use super::truth::{Truth, Truths};
 use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit::{Chosen, Expected, Keep};
-use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings};
+use crate::impact::landing::{COULOMB_FRICTION, LandingAssessment, LandingEvidence, ObservedLandings};
 use crate::impact::measured::{self, FileFormat};
 use crate::impact::synthetic::{Hidden, Plan, records, table};
 
@@ -158,6 +158,15 @@ impl<'a> Findings<'a> {
         matches!(self.case.truth, Truth::Landing(_)).then(|| self.landing.as_ref().is_some_and(LandingAssessment::decides))
     }
 
+    /// Dry friction of legs beside landings that are not level, as it is and as it was found, N; none of rows without such landings.
+    pub fn friction(&self) -> Option<Estimate> {
+        let Truth::Landing(truth) = self.case.truth else { return None };
+        let found = self.landing.as_ref()?.estimates.iter().find(|one| one.effect == COULOMB_FRICTION);
+        let figures = found.map_or([None; 3], |one| [one.value, one.ci95[0], one.ci95[1]].map(Some));
+        let [value, least, most] = figures;
+        truth.is_sloped().then_some([Some(truth.friction_n()), value, least, most])
+    }
+
     /// The effects that were named, the largest contribution first; none where nothing is missing.
     pub fn named(&self) -> Vec<&'static str> {
         let diagnosis = self.diagnosis.iter().filter(|diagnosis| diagnosis.verdict != Verdict::NothingMissing);
@@ -172,7 +181,12 @@ impl<'a> Findings<'a> {
             Truth::One(spec) => self.named().first() == Some(&spec.id),
             Truth::Two(_) => diagnosis.chosen.ids() == self.case.truth.ids(),
             Truth::Outside(_) => matches!(diagnosis.verdict, Verdict::NoneSuffices | Verdict::Ambiguous),
-            Truth::Landing(truth) => self.names_landings()? == truth.is_sloped(),
+            Truth::Landing(truth) => {
+                let rubs = self.landing.as_ref().is_some_and(LandingAssessment::rubs);
+                let heavy_feet = self.landing.as_ref().is_some_and(|landing| landing.fit.legs.feet.is_some());
+                let same = rubs == truth.rubs() && heavy_feet == truth.has_heavy_feet();
+                self.names_landings()? == truth.is_sloped() && (!truth.is_sloped() || same)
+            }
         })
     }
 

@@ -29,8 +29,17 @@ const KEYS: [&str; 11] = [
 /// The model that is diagnosed.
 const BASE: &str = "paper";
 /// First seed, and the seed after the last, of drops with nothing, one effect, two, something outside of the catalogue, landings that slope,
-/// and level ones that could be taken for them.
-const SEEDS: [&str; 6] = ["seeds.nothing", "seeds.one", "seeds.two", "seeds.outside", "seeds.sloped", "seeds.level"];
+/// landings that slope on legs with dry friction, the same on feet with mass of their own, and level ones that could be taken for them.
+const SEEDS: [&str; 8] = [
+    "seeds.nothing",
+    "seeds.one",
+    "seeds.two",
+    "seeds.outside",
+    "seeds.sloped",
+    "seeds.sloped_with_friction",
+    "seeds.sloped_on_heavy_feet",
+    "seeds.level",
+];
 /// Bounds of a seed: numbers that are made from it stay whole.
 const SEED: [f64; 2] = [0.0, 1e9];
 /// Bounds of a strength: what a noncentrality may be called.
@@ -129,13 +138,14 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
     let pair_strength = file.number("pair_strength", STRENGTH, "1")?.unwrap_or(PAIR_STRENGTH);
     let rates =
         if file.entries.contains_key("rates_rad_s") { file.numbers("rates_rad_s", RATE_RAD_S, "rad/s")? } else { RATES_RAD_S.to_vec() };
-    let landings = || rates.iter().map(|rate| LandingTruth::Sloped(*rate));
-    let [nothing, one, two, outsiders, sloped, level_ones] = SEEDS.map(|key| seeds(file, key));
-    let (nothing, one, two, outsiders, sloped, level_ones) = (nothing?, one?, two?, outsiders?, sloped?, level_ones?);
+    let [nothing, one, two, outsiders, sloped, rubbing, heavy, level_ones] = SEEDS.map(|key| seeds(file, key));
+    let (nothing, one, two, outsiders) = (nothing?, one?, two?, outsiders?);
+    let (sloped, rubbing, heavy, level_ones) = (sloped?, rubbing?, heavy?, level_ones?);
     let singles = || recovery.effects.iter().flat_map(|spec| recovery.strengths.iter().map(move |strength| (*spec, *strength)));
     let count = |seeds: &std::ops::Range<u64>| (seeds.end - seeds.start) as usize;
     let effects = count(&nothing) + count(&one) * singles().count() + count(&two) + count(&outsiders);
-    let a_level = effects + count(&sloped) * rates.len() + count(&level_ones) * LandingTruth::LEVEL.len();
+    let a_level =
+        effects + (count(&sloped) + count(&rubbing) + count(&heavy)) * rates.len() + count(&level_ones) * LandingTruth::LEVEL.len();
     if a_level == 0 || a_level * levels.len() * laws.len() > MOST_ROWS {
         let message = format!("the plan has {} rows", a_level * levels.len() * laws.len());
         let remedy = format!("state between one and {MOST_ROWS} by {}", SEEDS.join(", "));
@@ -148,7 +158,12 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
         cases.extend(one.clone().flat_map(|seed| singles().map(move |(spec, strength)| case(Truth::One(spec), Some(strength), seed))));
         cases.extend(two.clone().filter_map(|seed| Some(case(Truth::Two(pair(&recovery.effects, seed)?), Some(pair_strength), seed))));
         cases.extend(outsiders.clone().map(|seed| case(Truth::Outside(outside(seed)), None, seed)));
-        cases.extend(sloped.clone().flat_map(|seed| landings().map(move |landing| case(Truth::Landing(landing), None, seed))));
+        let kinds: [(_, fn(f64) -> _); 3] =
+            [(&sloped, LandingTruth::Sloped), (&rubbing, LandingTruth::SlopedWithFriction), (&heavy, LandingTruth::SlopedOnHeavyFeet)];
+        for (seeds, landing) in kinds {
+            let rates = |seed| rates.iter().map(move |rate| case(Truth::Landing(landing(*rate)), None, seed));
+            cases.extend(seeds.clone().flat_map(rates));
+        }
         cases.extend(level_ones.clone().flat_map(|seed| LandingTruth::LEVEL.map(|landing| case(Truth::Landing(landing), None, seed))));
     }
     Ok(cases)
@@ -161,13 +176,15 @@ mod tests {
 
     #[test]
     fn analytic_landings_have_a_row_for_each_seed_and_rate_or_kind() {
-        let plan = "kind = \"recovery\"\nrates_rad_s = [0.2, 0.3]\n[seeds]\nsloped = [1, 4]\nlevel = [7, 9]\n";
+        let plan =
+            "kind = \"recovery\"\nrates_rad_s = [0.2, 0.3]\n[seeds]\nsloped = [1, 4]\nsloped_with_friction = [4, 5]\nlevel = [7, 9]\n";
         let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
         let recovery = setting(&file, &Memory::default()).expect("is a plan");
         let names: Vec<String> = recovery.cases.iter().map(|case| format!("{} {}", case.seed, case.truth.name())).collect();
-        assert_eq!(names.len(), 3 * 2 + 2 * 4);
+        assert_eq!(names.len(), 3 * 2 + 2 + 2 * 4);
+        assert_eq!(names[6..8], ["4 landing_tilt 0.2 rad/s, coulomb_friction", "4 landing_tilt 0.3 rad/s, coulomb_friction"]);
         assert_eq!(names[..2], ["1 landing_tilt 0.2 rad/s", "1 landing_tilt 0.3 rad/s"]);
-        assert_eq!(names[10..], ["8 level", "8 level, ringing", "8 level, payload_mode", "8 level, stalls"]);
+        assert_eq!(names[12..], ["8 level", "8 level, ringing", "8 level, payload_mode", "8 level, stalls"]);
     }
 
     /// A set of two is named as a diagnosis names it, whatever the order in the plan.

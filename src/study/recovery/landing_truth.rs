@@ -4,7 +4,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64;
 
 use crate::impact::effects::{Channel, Model, Sensor, by_id};
-use crate::impact::synthetic::{Landings, Plan, Stalls};
+use crate::impact::landing::COULOMB_FRICTION;
+use crate::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls};
 
 /// Drops a height.
 const DROPS: usize = 40;
@@ -24,11 +25,21 @@ const STALLS: Stalls = Stalls { lost_s: 0.060, sector: 409.6, catch_up: 2.7, rec
 /// A payload on a spring of its own: its share of the mass, its frequency in Hz, and its damping ratio.
 const PAYLOAD_MODE: [f64; 3] = [0.3, 110.0, 0.05];
 
+/// Dry friction of all four legs together, N: about that of the real drops.
+const FRICTION_N: f64 = 50.0;
+
+/// Feet with mass of their own, about as those of the real drops.
+const HEAVY_FEET: HeavyFeet = HeavyFeet { share: 0.15, f_hz: 250.0, zeta: 0.06 };
+
 /// What the landings of a row are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LandingTruth {
     /// They turn while they fall: standard deviation of the rate about each horizontal axis, rad/s.
     Sloped(f64),
+    /// The same, and the legs have dry friction.
+    SlopedWithFriction(f64),
+    /// The same on feet with mass of their own.
+    SlopedOnHeavyFeet(f64),
     /// Level, with a spike where the feet touch.
     Level,
     /// Level, and the frame rings sideways.
@@ -47,6 +58,8 @@ impl LandingTruth {
     pub fn name(self) -> String {
         match self {
             Self::Sloped(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s"),
+            Self::SlopedWithFriction(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s, coulomb_friction"),
+            Self::SlopedOnHeavyFeet(rate_rad_s) => format!("landing_tilt {rate_rad_s} rad/s, coulomb_friction, foot_mode"),
             Self::Level => "level".into(),
             Self::Ringing => "level, ringing".into(),
             Self::PayloadMode => "level, payload_mode".into(),
@@ -56,7 +69,29 @@ impl LandingTruth {
 
     /// Whether they are what `landing_tilt` means.
     pub fn is_sloped(self) -> bool {
-        matches!(self, Self::Sloped(_))
+        self.rate_rad_s() > 0.0
+    }
+
+    /// Whether legs have dry friction beside it.
+    pub fn rubs(self) -> bool {
+        matches!(self, Self::SlopedWithFriction(_)) || self.has_heavy_feet()
+    }
+
+    /// Whether feet have mass of their own beside it.
+    pub fn has_heavy_feet(self) -> bool {
+        matches!(self, Self::SlopedOnHeavyFeet(_))
+    }
+
+    /// Dry friction of all legs together, N.
+    pub fn friction_n(self) -> f64 {
+        if self.rubs() { FRICTION_N } else { 0.0 }
+    }
+
+    fn rate_rad_s(self) -> f64 {
+        match self {
+            Self::Sloped(rate_rad_s) | Self::SlopedWithFriction(rate_rad_s) | Self::SlopedOnHeavyFeet(rate_rad_s) => rate_rad_s,
+            Self::Level | Self::Ringing | Self::PayloadMode | Self::Stalls => 0.0,
+        }
     }
 
     /// Its drops. Legs and inertia differ from seed to seed.
@@ -71,15 +106,19 @@ impl LandingTruth {
         if self == Self::PayloadMode {
             model = model.with(by_id("payload_mode").expect("is in the catalogue"), &PAYLOAD_MODE, 0);
         }
+        if self.rubs() {
+            model = model.with(by_id(COULOMB_FRICTION).expect("is in the catalogue"), &[self.friction_n()], 0);
+        }
         let ringing = self == Self::Ringing;
         let landings = Landings {
-            rate_rad_s: if let Self::Sloped(rate_rad_s) = self { rate_rad_s } else { 0.0 },
+            rate_rad_s: self.rate_rad_s(),
             at_release_rad: 0.0,
             inertia_kg_m2,
             foot_radius_m: FOOT_RADIUS_M,
             touch_g: if ringing { 0.0 } else { TOUCH_G },
             sensor_lean_rad: [0.0; 2],
             ringing_g: if ringing { RINGING_G } else { 0.0 },
+            heavy_feet: self.has_heavy_feet().then_some(HEAVY_FEET),
         };
         let stalls = (self == Self::Stalls).then_some(STALLS);
         Plan { model, drops: DROPS, landings: Some(landings), stalls, seed, ..plain }
@@ -88,7 +127,7 @@ impl LandingTruth {
     /// The model that is diagnosed: the truth's, whose spring and damper are starting values, without what is hidden.
     pub(super) fn diagnosed(plan: &Plan) -> Model {
         let mut model = plan.model.clone();
-        model.effects.retain(|listed| listed.spec.id != "payload_mode");
+        model.effects.retain(|listed| !["payload_mode", COULOMB_FRICTION].contains(&listed.spec.id));
         model
     }
 }

@@ -76,6 +76,11 @@ fn estimate<const PARAMETER: usize, const FIGURE: usize>(findings: &Findings) ->
     findings.estimates[PARAMETER][FIGURE]
 }
 
+/// A figure of the legs' dry friction: the truth, the estimate, and the ends of its interval.
+fn friction<const FIGURE: usize>(findings: &Findings) -> Option<f64> {
+    findings.friction()?[FIGURE]
+}
+
 /// The first test of landings that failed.
 fn failed(findings: &Findings) -> Option<f64> {
     let failed = findings.landing.as_ref()?.gates.iter().find(|gate| !gate.passed)?.id;
@@ -83,7 +88,7 @@ fn failed(findings: &Findings) -> Option<f64> {
 }
 
 /// Every column that there is.
-pub static RECOVERY_MEASURES: [RecoveryMeasure; 48] = [
+pub static RECOVERY_MEASURES: [RecoveryMeasure; 55] = [
     RecoveryMeasure { name: "verdict", unit: "", words: Some(&VERDICT_WORDS), asks: Asks::Diagnosis, of: verdict },
     RecoveryMeasure::diagnosed("right", "", |row| row.is_right().map(|right| f64::from(u8::from(right)))),
     RecoveryMeasure::effect("named", Asks::Diagnosis, |row| named(row, 0)),
@@ -130,7 +135,20 @@ pub static RECOVERY_MEASURES: [RecoveryMeasure; 48] = [
     RecoveryMeasure::number("landing.named", "", Asks::Landings, |row| row.names_landings().map(|named| f64::from(u8::from(named)))),
     RecoveryMeasure { name: "landing.failed", unit: "", words: Some(&GATES), asks: Asks::Landings, of: failed },
     RecoveryMeasure::number("landing.p.enough", "", Asks::Landings, |row| row.landing.as_ref().map(|landing| landing.adequacy.p)),
+    RecoveryMeasure::number("landing.p.given_touches", "", Asks::Landings, |row| {
+        row.landing.as_ref().map(|landing| landing.given_touches.p)
+    }),
     RecoveryMeasure::number("landing.p.spread", "", Asks::Landings, |row| row.landing.as_ref().map(|landing| landing.spread_p)),
+    RecoveryMeasure::number("landing.mount", "", Asks::Landings, |row| {
+        Some(f64::from(u8::from(row.landing.as_ref()?.fit.legs.mount.is_some())))
+    }),
+    RecoveryMeasure::number("landing.feet", "", Asks::Landings, |row| {
+        Some(f64::from(u8::from(row.landing.as_ref()?.fit.legs.feet.is_some())))
+    }),
+    RecoveryMeasure::number("landing.friction.true", "N", Asks::Landings, friction::<0>),
+    RecoveryMeasure::number("landing.friction.found", "N", Asks::Landings, friction::<1>),
+    RecoveryMeasure::number("landing.friction.least", "N", Asks::Landings, friction::<2>),
+    RecoveryMeasure::number("landing.friction.most", "N", Asks::Landings, friction::<3>),
     RecoveryMeasure::number("landing.gap", "g", Asks::Landings, |row| row.landing.as_ref().map(|landing| landing.gaps.held_out.net_g)),
 ];
 
