@@ -8,7 +8,7 @@ use rand_pcg::Pcg64;
 
 use super::LANDING_TILT;
 use super::fit_step::{FitStep, SLOPES};
-use super::fitting::{Kind, LandingFit, LandingProblem};
+use super::fitting::{Kind, LandingFit, LandingProblem, Parameter};
 use super::foot_mode::FOOT_MODE;
 use super::legged_body::{COULOMB_FRICTION, Legs, Slopes};
 use super::mount::MOUNT_LOW_PASS;
@@ -53,8 +53,7 @@ impl FitUncertainty {
             };
             let (scaled, value) = (fit.scaled[at], parameter.outward(fit.scaled[at]));
             let spread = Spread::middle(self.changes.iter().map(|change| change[at]), 0.95).unwrap_or([0.0; 2]);
-            let [low, mut high] = parameter
-                .with_method(spread, scaled)
+            let [low, mut high] = Parameter::with_method(spread, problem.method_at(parameter, scaled))
                 .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
             if parameter.kind == Kind::Slope && value == 0.0 {
                 high = TouchedSlopes::most(SlopeNumber::ALL[at - first_slope], &problem.heights(), &problem.tables(&fit.legs)?)?;

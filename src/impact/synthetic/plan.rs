@@ -276,6 +276,17 @@ mod tests {
         }
     }
 
+    /// A stop is no force of a foot; a level landing is not followed in space.
+    #[test]
+    fn planted_effect_that_no_foot_has_is_refused_beside_landings_that_slope() {
+        let reason = refusal(&format!("{PLAN}\n[landing]\nrate_rad_s = 0.3\n")).reason;
+        assert!(reason.to_string().starts_with("`landing` and `effects.bottoming."), "{reason}");
+        let reason = refusal(&format!("{PLAN}\n[landing]\nfoot_share = 0.1\n")).reason;
+        assert!(reason.to_string().starts_with("`landing` and `effects.bottoming."), "{reason}");
+        let level = ImpactFile::parse("plan.toml", &format!("{PLAN}\n[landing]\ntouch_g = 70.0\n")).expect("is TOML");
+        assert!(Plan::resolve(&level).is_ok());
+    }
+
     #[test]
     fn planted_plain_number_out_of_bounds_is_told_without_a_unit() {
         let reason = refusal(&PLAN.replace("share = 0.1 ", "share = 5.0 ")).reason;
