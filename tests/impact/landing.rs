@@ -174,16 +174,7 @@ fn planted_records_spread_as_those_of_their_own_legs_and_no_others() {
     let touches = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
     let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
     let body = LeggedBody::of(&plan.model).expect("four legs");
-    let plain = LandingProblem {
-        body,
-        model: &plan.model,
-        waves: &prepared.problem,
-        observed: &touches,
-        rubbing: false,
-        heavy_feet: false,
-        mounted: false,
-        at_release: false,
-    };
+    let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
     let rough = plain.fitted(None).expect("can be fitted");
     let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes, 1);
     let problem = LandingProblem { observed: &touches, ..plain };

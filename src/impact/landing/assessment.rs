@@ -163,16 +163,7 @@ impl LandingAssessment {
         };
         let touches = heights_of(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
-        let plain = LandingProblem {
-            body: LeggedBody::of(evidence.model)?,
-            model: evidence.model,
-            waves: &prepared.problem,
-            observed: &touches,
-            rubbing: false,
-            heavy_feet: false,
-            mounted: false,
-            at_release: false,
-        };
+        let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &prepared.problem, &touches);
         // How touches are read depends on the landings, and little on whether these are those of the last fit.
         let rough = plain.fitted(None)?;
         let as_read = |fit: &LandingFit| Some(touches.with_errors(&plain.tables(&fit.legs)?, &fit.slopes, evidence.seed));

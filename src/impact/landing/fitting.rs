@@ -183,6 +183,13 @@ struct ScoreSums {
     right: DVector<f64>,
 }
 
+impl<'a> LandingProblem<'a> {
+    /// Landings on legs of a spring and a damper, of which nothing else is asked.
+    pub fn plain(body: LeggedBody, model: &'a Model, waves: &'a FitProblem, observed: &'a ObservedLandings) -> Self {
+        Self { body, model, waves, observed, rubbing: false, heavy_feet: false, mounted: false, at_release: false }
+    }
+}
+
 impl LandingProblem<'_> {
     /// What numbers on the scale of the fit mean.
     pub fn meaning(&self, scaled: &[f64]) -> (Legs, Slopes) {

@@ -219,8 +219,25 @@ fn landings(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>, mo
             return Err(clash(&key));
         }
     }
+    if let Some(feet) = landings.heavy_feet {
+        let impossible =
+            |message: String, remedy: &str| Err(file.refuse("landing.foot_share", Reason::Impossible { message, remedy: remedy.into() }));
+        if feet.share < LEAST_FOOT_SHARE {
+            let message = format!("`landing.foot_share` = {} is too little for the steps of a landing", feet.share);
+            return impossible(message, "give 0 for feet without mass, or at least 0.01");
+        }
+        let of_feet = landings.inertia_of_feet_kg_m2(model.body.mass_kg);
+        if of_feet >= landings.inertia_kg_m2 {
+            let message =
+                format!("the feet alone have a moment of inertia of {of_feet:.2e} kg m2, the whole has {:.2e}", landings.inertia_kg_m2);
+            return impossible(message, "give a smaller `landing.foot_share`, or a larger `landing.inertia_kg_m2`");
+        }
+    }
     Ok(stated.map(|_| landings))
 }
+
+/// Least part of the mass that feet may have: lighter ones are thrown about by their dampers within one step of the generator.
+const LEAST_FOOT_SHARE: f64 = 0.01;
 
 /// Whether an effect acts in each foot, or on fall and sensor.
 fn knows_feet(spec: &Spec) -> bool {
@@ -278,11 +295,16 @@ mod tests {
 
     /// A stop is no force of a foot; a level landing is not followed in space.
     #[test]
-    fn planted_effect_that_no_foot_has_is_refused_beside_landings_that_slope() {
+    fn planted_what_no_foot_has_is_refused_beside_landings_that_slope() {
         let reason = refusal(&format!("{PLAN}\n[landing]\nrate_rad_s = 0.3\n")).reason;
         assert!(reason.to_string().starts_with("`landing` and `effects.bottoming."), "{reason}");
         let reason = refusal(&format!("{PLAN}\n[landing]\nfoot_share = 0.1\n")).reason;
         assert!(reason.to_string().starts_with("`landing` and `effects.bottoming."), "{reason}");
+        let free = PLAN.replace("[effects.bottoming]\nx_b_mm = 11.0\nk_b = 1.0e6\n", "");
+        let reason = refusal(&format!("{free}\n[landing]\nfoot_share = 0.5\n")).reason;
+        assert!(reason.to_string().starts_with("the feet alone have a moment of inertia of 1.26e-3"), "{reason}");
+        let reason = refusal(&format!("{free}\n[landing]\nfoot_share = 1e-6\n")).reason;
+        assert!(reason.to_string().contains("too little"), "{reason}");
         let level = ImpactFile::parse("plan.toml", &format!("{PLAN}\n[landing]\ntouch_g = 70.0\n")).expect("is TOML");
         assert!(Plan::resolve(&level).is_ok());
     }

@@ -71,6 +71,11 @@ impl Landings {
         self.is_tilted() || self.heavy_feet.is_some()
     }
 
+    /// What the feet have of the moment of inertia about a horizontal axis, kg m²: two of them stand on each diagonal.
+    pub(super) fn inertia_of_feet_kg_m2(&self, whole_kg: f64) -> f64 {
+        self.heavy_feet.map_or(0.0, |feet| 0.5 * feet.share * whole_kg * self.foot_radius_m.powi(2))
+    }
+
     /// What a sensor that leans reads of an acceleration in the body's axes.
     pub(super) fn read_by_sensor(&self, acceleration_g: [f64; 3]) -> [f64; 3] {
         let [toward_x, toward_y] = self.sensor_lean_rad;
@@ -154,8 +159,7 @@ impl Body {
         let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(slopes[0], slopes[1], 0.0));
         let lowest = feet.iter().map(|foot| (attitude * foot).z).fold(f64::INFINITY, f64::min);
         // What of the moment of inertia the feet do not have. About the vertical axis nothing turns.
-        let of_feet = landings.heavy_feet.map_or(0.0, |feet| 0.5 * feet.share * drop.mass_kg * landings.foot_radius_m.powi(2));
-        let i = landings.inertia_kg_m2 - of_feet;
+        let i = landings.inertia_kg_m2 - landings.inertia_of_feet_kg_m2(drop.mass_kg);
         Self {
             feet,
             radius_m: landings.foot_radius_m,
