@@ -15,9 +15,10 @@ use super::session;
 use super::terminal;
 use crate::figures::{PARAMETER_DIGITS, hundredths, significant};
 use crate::frame::assembly::{Design, mass};
-use crate::impact::diagnose::{ComparedAxes, Diagnosis, Gap, Stage, Verdict};
+use crate::impact::diagnose::{ComparedAxes, Diagnosis, EffectEstimate, Gap, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
+use crate::impact::landing::LandingAssessment;
 use crate::impact::measured;
 use crate::impact::measured::{DropSet, DropTable, StaticTest};
 use crate::impact::sim::HEIGHTS_M;
@@ -195,24 +196,39 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     for sentence in compared.explained() {
         text += &format!("  {sentence}\n");
     }
+    text += &gaps(found, compared.landings_beside());
+    text += &estimates("parameter", &found.estimates);
+    if let Some(landings) = compared.landings_beside() {
+        text += &estimates(&format!("parameter of {}", landings.ids().join(" + ")), &landings.estimates);
+    } else if let Some(next) = found.experiments.first() {
+        text += &format!("\nnext: {} (distinguishes {} from {})\n", next.what, next.between[0], next.between[1]);
+    }
+    text.push('\n');
+    text
+}
+
+/// Gaps without and with the effects along the vertical, and with random slopes beside them.
+fn gaps(found: &Diagnosis, landings: Option<&LandingAssessment>) -> String {
     let (before, after) = (&found.before, &found.after);
-    let row = |what: &str, before: &Gap, after: &Gap| {
-        format!("{what:<14} {:>8} {:>8} {:>8}\n", hundredths(before.net_g), hundredths(after.net_g), hundredths(before.floor_g))
+    let row = |what: &str, before: &Gap, after: &Gap, beside: Option<&Gap>| {
+        let beside = beside.map_or_else(String::new, |gap| format!("   {}", hundredths(gap.net_g)));
+        format!("{what:<14} {:>8} {:>8} {:>8}{beside}\n", hundredths(before.net_g), hundredths(after.net_g), hundredths(before.floor_g))
     };
-    text += "\ngap, g           before    after    floor\n";
-    text += &row("fitted", &before.fitted, &after.fitted);
-    text += &row("held out", &before.held_out, &after.held_out);
-    text += "\nparameter                             value   95 %\n";
-    for one in &found.estimates {
+    let beside = landings.map_or_else(String::new, |landings| format!("   {}", landings.ids().join(" + ")));
+    let head = format!("\ngap, g           before    after    floor{beside}\n");
+    let fitted = row("fitted", &before.fitted, &after.fitted, landings.map(|landings| &landings.gaps.fitted));
+    head + &fitted + &row("held out", &before.held_out, &after.held_out, landings.map(|landings| &landings.gaps.held_out))
+}
+
+/// A table of parameters with their intervals.
+fn estimates(head: &str, estimates: &[EffectEstimate]) -> String {
+    let mut text = format!("\n{head:<32} {:>10}   95 %\n", "value");
+    for one in estimates {
         let [low, high] = one.ci95;
         let [value, low, high] = [one.value, low, high].map(|value| significant(value, PARAMETER_DIGITS));
         let (unit, bound) = (if one.unit == "1" { "" } else { one.unit }, if one.at_bound { ", at its bound" } else { "" });
         text += format!("{:<32} {value:>10}   {low} to {high} {unit}", format!("{}.{}", one.effect, one.key)).trim_end();
         text += &format!("{bound}\n");
     }
-    if let Some(next) = found.experiments.first() {
-        text += &format!("\nnext: {} (distinguishes {} from {})\n", next.what, next.between[0], next.between[1]);
-    }
-    text.push('\n');
     text
 }

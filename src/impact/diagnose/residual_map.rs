@@ -23,6 +23,19 @@ pub enum Phase {
     Flight,
 }
 
+impl Phase {
+    /// For people.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::FirstTouch => "first touch",
+            Self::Loading => "loading",
+            Self::Peak => "peak",
+            Self::Unloading => "unloading",
+            Self::Flight => "flight",
+        }
+    }
+}
+
 /// One sample of one height.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Point {

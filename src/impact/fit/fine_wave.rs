@@ -4,6 +4,8 @@ use super::waves::TRIGGER_G;
 
 /// Time between the points of a wave, s.
 pub const FINE_S: f64 = 5e-5;
+/// Points in a second.
+const PER_S: f64 = 1.0 / FINE_S;
 /// Longest time from first touch to the trigger that is followed, s.
 pub(super) const ONSET_S: f64 = 5e-3;
 
@@ -26,7 +28,7 @@ impl<'a> FineWave<'a> {
         if t_s <= 0.0 {
             return 0.0;
         }
-        let place = t_s / FINE_S;
+        let place = t_s * PER_S;
         let at = (place as usize).min(self.wave.len() - 2);
         self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at])
     }

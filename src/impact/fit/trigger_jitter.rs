@@ -61,11 +61,11 @@ impl TriggerJitter {
     pub fn shift(&self, fine: &FineWave, step_s: f64, Lags(kept): &Lags) -> Vec<f64> {
         let samples = kept.len();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
-        let mut sum = vec![0.0; samples];
+        let (mut sum, mut wave) = (vec![0.0; samples], vec![0.0; first + LATEST + samples]);
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
-            let wave: Vec<f64> =
-                (0..first + LATEST + samples).map(|i| fine.at(fine.crossing_s + step_s * (part + i as f64 - first as f64))).collect();
+            let time_s = |i: usize| fine.crossing_s + step_s * (part + i as f64 - first as f64);
+            wave.iter_mut().enumerate().for_each(|(i, reading)| *reading = fine.at(time_s(i)));
             Record { wave: &wave, kept, sd: self.variance().sqrt() }.aligned(first, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
         }
@@ -94,10 +94,10 @@ impl Record<'_> {
             let hit = if last { open } else { open * (1.0 - missed.probability) };
             if hit > NEVER {
                 let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.probability) };
-                for (i, sum) in sum.iter_mut().enumerate() {
-                    let kept = i.checked_sub(BEFORE).map_or(0.0, |lag| self.kept[lag]);
-                    let reading = if i + 1 == BEFORE { before } else { self.wave[at + i - BEFORE] };
-                    *sum += hit * reading * (1.0 + self.sd * kept * factor);
+                let (early, late) = sum.split_at_mut(BEFORE);
+                early[BEFORE - 1] += hit * before;
+                for ((sum, reading), kept) in late.iter_mut().zip(&self.wave[at..]).zip(self.kept) {
+                    *sum += hit * reading * (1.0 + self.sd * factor * kept);
                 }
             }
             open -= hit;

@@ -17,6 +17,7 @@ use super::observed::{HeightLandings, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
 use super::read_delays::ReadDelays;
+use super::refused_effect::RefusedEffect;
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::shown::{HeightSpread, ShownDrop};
 use super::table::LandingTable;
@@ -51,28 +52,6 @@ pub struct SeparatingDrops {
     pub heights_m: [f64; 2],
     /// So many each; `None` where more than two hundred are needed.
     pub drops: Option<usize>,
-}
-
-/// An effect that explains single drops of the fitted heights better, and those of heights that no fit saw worse.
-#[derive(Clone, Copy, Debug, serde::Serialize)]
-pub struct RefusedEffect {
-    /// Which.
-    pub id: &'static str,
-    /// Root mean square of what is left of single drops that no fit saw, given their touches, with it, g.
-    pub with_g: f64,
-    /// The same without it, g.
-    pub without_g: f64,
-}
-
-impl RefusedEffect {
-    /// In a sentence.
-    pub fn sentence(&self) -> String {
-        format!(
-            "{} explains more of the fitted drops, but single drops from heights that no fit saw are predicted within {:.1} g with it, and \
-             within {:.1} g without it: it is left out",
-            self.id, self.with_g, self.without_g
-        )
-    }
 }
 
 /// Everything that was found.
@@ -187,9 +166,7 @@ impl LandingAssessment {
         };
         let mut refused = None;
         let more = more.filter(|(problem, fit)| {
-            let (Some(with_g), Some(without_g)) = (unseen_g(problem, fit), unseen_g(&rigid, &first)) else { return true };
-            let id = if problem.heavy_feet { FOOT_MODE } else { MOUNT_LOW_PASS };
-            refused = (with_g > without_g).then_some(RefusedEffect { id, with_g, without_g });
+            refused = RefusedEffect::of([(problem, fit), (&rigid, &first)], unseen_g);
             refused.is_none()
         });
         let (chosen, fit) = more.unwrap_or((rigid, first));
@@ -277,6 +254,11 @@ impl LandingAssessment {
         self.decides
     }
 
+    /// Whether touches show landings on one foot first, and the verdict is another one: their gap stands beside that of the best vertical set.
+    pub fn stands_beside(&self) -> bool {
+        self.evidence.feet_in_one_plane() && !self.decides
+    }
+
     /// What the diagnosis says with this beside the effects along the vertical: verdict and reasons.
     pub fn verdict(&self, diagnosis: &Diagnosis) -> (Verdict, Vec<String>) {
         let mut reasons = diagnosis.reasons.clone();
@@ -285,7 +267,7 @@ impl LandingAssessment {
             reasons = self.gates.iter().map(|gate| format!("{effects}: {}", gate.found)).collect();
             return (Verdict::Named, reasons);
         }
-        if self.evidence.feet_in_one_plane() {
+        if self.stands_beside() {
             reasons.push(format!("{LANDING_TILT}: {}", self.gates[0].found));
             let failed = self.gates.iter().filter(|gate| !gate.passed);
             reasons.extend(failed.map(|gate| format!("{LANDING_TILT} is not named by the test `{}`: {}", gate.id, gate.found)));

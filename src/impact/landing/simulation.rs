@@ -69,10 +69,14 @@ pub fn simulate_each<const N: usize>(
     axis: SensorAxis,
 ) -> [Option<Landing>; N] {
     let begin = touching(body, speed_m_s, slopes);
-    match legs.feet {
-        Some(_) => followed::<N, true>(&Mechanics::of(body, legs), begin, points, axis),
-        None => followed::<N, false>(&Mechanics::of(body, legs), begin, points, axis),
-    }
+    let mechanics = Mechanics::of(body, legs);
+    let follow = match (legs.feet.is_some(), legs.friction_n > 0.0) {
+        (false, false) => followed::<N, false, false>,
+        (false, true) => followed::<N, false, true>,
+        (true, false) => followed::<N, true, false>,
+        (true, true) => followed::<N, true, true>,
+    };
+    follow(&mechanics, begin, points, axis)
 }
 
 /// Masses, springs and dampers of a body on its legs.
@@ -100,8 +104,8 @@ impl Mechanics {
     }
 }
 
-/// From a state on; `FREE` where feet have mass.
-fn followed<const N: usize, const FREE: bool>(
+/// From a state on; `FREE` where feet have mass, `RUBS` where legs have friction: what is absent costs nothing.
+fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
     mechanics: &Mechanics,
     mut state: State<N>,
     points: usize,
@@ -110,7 +114,7 @@ fn followed<const N: usize, const FREE: bool>(
     let mut accel_g = Vec::with_capacity(points);
     let mut touch_s = [[None; FEET]; N];
     for point in 0..points {
-        let (rate, pressed_n, depth_m) = change::<N, FREE>(mechanics, &state);
+        let (rate, pressed_n, depth_m) = change::<N, FREE, RUBS>(mechanics, &state);
         let mut read_g = [0.0; N];
         for at in 0..N {
             let upright_g = pressed_n[at] / mechanics.mass_kg / GRAVITY_M_S2;
@@ -123,7 +127,7 @@ fn followed<const N: usize, const FREE: bool>(
         }
         accel_g.push(read_g);
         let middle = moved::<N, FREE>(&state, &rate, 0.5 * STEP_S);
-        state = moved::<N, FREE>(&state, &change::<N, FREE>(mechanics, &middle).0, STEP_S);
+        state = moved::<N, FREE>(&state, &change::<N, FREE, RUBS>(mechanics, &middle).0, STEP_S);
     }
     // Feet that have all of the moment of inertia leave the body none.
     let possible = mechanics.inertia_kg_m2 > 0.0;
@@ -151,7 +155,10 @@ fn touching<const N: usize>(body: &LeggedBody, speed_m_s: f64, slopes: &[[f64; 2
 ///
 /// Written by the place in arrays and without closures: so the compiler computes several landings with one instruction.
 #[inline(always)]
-fn change<const N: usize, const FREE: bool>(mechanics: &Mechanics, state: &State<N>) -> (State<N>, [f64; N], [[f64; N]; FEET]) {
+fn change<const N: usize, const FREE: bool, const RUBS: bool>(
+    mechanics: &Mechanics,
+    state: &State<N>,
+) -> (State<N>, [f64; N], [[f64; N]; FEET]) {
     let mut rate = State { body: [[0.0; N]; 8], feet: [[[0.0; N]; FEET]; 2] };
     let (mut pressed_n, mut depth_m) = ([0.0; N], [[0.0; N]; FEET]);
     let Mechanics { legs, foot_radius_m: r, centre_height_m: h, mass_kg, inertia_kg_m2, foot } = mechanics;
@@ -176,7 +183,7 @@ fn change<const N: usize, const FREE: bool>(mechanics: &Mechanics, state: &State
         let mut ground_n = [0.0; FEET];
         let mut body_n = [0.0; FEET];
         for i in 0..FEET {
-            ground_n[i] = pressed(legs, depths_m[i], speeds_m_s[i]);
+            ground_n[i] = pressed::<RUBS>(legs, depths_m[i], speeds_m_s[i]);
             body_n[i] =
                 if FREE { -(foot.stiffness_n_m * state.feet[0][i][at] + foot.damping_n_s_m * state.feet[1][i][at]) } else { ground_n[i] };
         }
@@ -210,9 +217,12 @@ fn change<const N: usize, const FREE: bool>(mechanics: &Mechanics, state: &State
 
 /// Force of a foot, N.
 #[inline(always)]
-fn pressed(legs: &Legs, depth_m: f64, speed_m_s: f64) -> f64 {
-    let against = speed_m_s / (speed_m_s * speed_m_s + TURN_M_S * TURN_M_S).sqrt();
-    let pressed_n = 0.25 * (legs.stiffness_n_m * depth_m + legs.damping_n_s_m * speed_m_s + legs.friction_n * against);
+fn pressed<const RUBS: bool>(legs: &Legs, depth_m: f64, speed_m_s: f64) -> f64 {
+    let mut all_n = legs.stiffness_n_m * depth_m + legs.damping_n_s_m * speed_m_s;
+    if RUBS {
+        all_n += legs.friction_n * (speed_m_s / (speed_m_s * speed_m_s + TURN_M_S * TURN_M_S).sqrt());
+    }
+    let pressed_n = 0.25 * all_n;
     if (depth_m > 0.0) & (pressed_n > 0.0) { pressed_n } else { 0.0 }
 }
 

@@ -4,6 +4,7 @@
 //! in polar coordinates, need an eighth of the circle only.
 
 use std::f64::consts::FRAC_PI_4;
+use std::sync::LazyLock;
 
 /// Largest slope, rad: beyond it lies one landing in a thousand of those that were measured.
 const STEEPEST_RAD: f64 = 0.5;
@@ -32,7 +33,12 @@ pub fn simulated() -> Vec<[f64; 2]> {
 }
 
 /// The points between them.
-pub fn points() -> Vec<GridPoint> {
+pub fn points() -> &'static [GridPoint] {
+    static POINTS: LazyLock<Vec<GridPoint>> = LazyLock::new(computed_points);
+    &POINTS
+}
+
+fn computed_points() -> Vec<GridPoint> {
     let counts: [usize; 2] = std::array::from_fn(|axis| (SIMULATED[axis] - 1) * BETWEEN[axis]);
     let along = |axis: usize, at: usize| {
         let place = at as f64 / BETWEEN[axis] as f64;
@@ -91,7 +97,7 @@ mod tests {
         let points = points();
         let all: f64 = points.iter().map(|point| point.cell).sum();
         assert!((all - STEEPEST_RAD).abs() < 1e-9, "{all}");
-        for point in &points {
+        for point in points {
             assert!((point.around.iter().map(|(_, weight)| weight).sum::<f64>() - 1.0).abs() < 1e-12);
             assert!(point.around.iter().all(|(at, weight)| *at < simulated().len() && *weight >= 0.0));
         }

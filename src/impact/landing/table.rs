@@ -16,7 +16,7 @@ pub const NEVER_S: f64 = 0.03;
 #[derive(Clone, Debug)]
 pub struct LandingTable {
     /// The slopes.
-    pub points: Vec<GridPoint>,
+    pub points: &'static [GridPoint],
     /// A column for each: readings of a trigger-aligned record, averaged over the clock's phase, g.
     pub windows: DMatrix<f64>,
     /// Touch times of each, s: the foot opposite to the first, the two beside it, the earlier one first.

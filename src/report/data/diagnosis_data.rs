@@ -51,6 +51,11 @@ pub struct Compared {
 }
 
 impl Compared {
+    /// Landings on one foot first that touches show, where the verdict is another one.
+    pub fn landings_beside(&self) -> Option<&LandingAssessment> {
+        self.landing.as_ref().filter(|landing| landing.stands_beside())
+    }
+
     /// How the readings of each height are compared, in sentences.
     pub fn sampling(&self) -> Vec<String> {
         self.sampling.iter().map(|(height_m, decimation)| format!("readings from {height_m} m: {decimation}")).collect()

@@ -3,7 +3,7 @@
 use super::landing_section;
 use crate::figures::{PARAMETER_DIGITS, hundredths, significant};
 use crate::frame::assembly::Design;
-use crate::impact::diagnose::{CovariateEffect, Diagnosis, Point, Verdict, joined};
+use crate::impact::diagnose::{CovariateEffect, Diagnosis, Gap, Point, Verdict, joined};
 use crate::report::chart::lines::{Lines, Series};
 use crate::report::chart::plot::{PlotError, files};
 use crate::report::data::diagnosis_data::Compared;
@@ -31,7 +31,7 @@ pub fn title(diagnosis: &Diagnosis, compared: &Compared) -> String {
 pub fn blocks(diagnosis: &Diagnosis, compared: &Compared, design: Option<&Design>) -> Result<Vec<Block>, PlotError> {
     let mut blocks = vec![Block::List(diagnosis.reasons.clone())];
     blocks.extend(drops(diagnosis, compared));
-    blocks.extend(gaps(diagnosis));
+    blocks.extend(gaps(diagnosis, compared));
     blocks.extend(waves(diagnosis)?);
     if let Some(landing) = &compared.landing {
         blocks.extend(landing_section::blocks(landing, diagnosis, design)?);
@@ -41,7 +41,10 @@ pub fn blocks(diagnosis: &Diagnosis, compared: &Compared, design: Option<&Design
     blocks.extend(ranking(diagnosis));
     blocks.extend(estimates(diagnosis));
     blocks.extend(residual(diagnosis));
-    blocks.extend(next(diagnosis));
+    // What landings leave open is told with what varies between drops; to tell two vertical sets apart that both fail is no help there.
+    if compared.landings_beside().is_none() {
+        blocks.extend(next(diagnosis));
+    }
     blocks.extend(left_out(compared));
     Ok(blocks)
 }
@@ -115,25 +118,31 @@ fn explained(compared: &Compared) -> Vec<Block> {
     blocks
 }
 
-fn gaps(diagnosis: &Diagnosis) -> Vec<Block> {
+fn gaps(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     let held = if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" };
     let (before, after) = (&diagnosis.before, &diagnosis.after);
-    let row = |what: &str, before: crate::impact::diagnose::Gap, after: crate::impact::diagnose::Gap| {
-        vec![
+    let landings = compared.landings_beside();
+    let row = |what: &str, before: Gap, after: Gap, landings_g: Option<f64>| {
+        let mut row = vec![
             what.to_string(),
             hundredths(before.net_g),
             hundredths(after.net_g),
             hundredths(after.net_g / before.net_g.max(1e-9)),
             hundredths(before.floor_g),
             format!("{} → {}", hundredths(before.raw_g), hundredths(after.raw_g)),
-        ]
+        ];
+        if landings.is_some() {
+            row.push(landings_g.map_or("-".into(), hundredths));
+        }
+        row
     };
     let rows = vec![
-        row("fitted heights", before.fitted, after.fitted),
-        row(held, before.held_out, after.held_out),
-        row("every second drop, predicted from the others", before.trials, after.trials),
+        row("fitted heights", before.fitted, after.fitted, landings.map(|landings| landings.gaps.fitted.net_g)),
+        row(held, before.held_out, after.held_out, landings.map(|landings| landings.gaps.held_out.net_g)),
+        row("every second drop, predicted from the others", before.trials, after.trials, None),
     ];
-    let head = cells(["mean wave against model", "before, g", "after, g", "ratio", "floor, g", "raw, g"]);
+    let mut head = cells(["mean wave against model", "before, g", "after, g", "ratio", "floor, g", "raw, g"]);
+    head.extend(landings.map(|landings| format!("{}, g", landings.ids().join(" + "))));
     vec![
         Block::Heading("The gap, before and after".into()),
         Block::Text(
@@ -221,12 +230,7 @@ fn residual_map(diagnosis: &Diagnosis) -> Vec<Block> {
         .cells
         .iter()
         .map(|cell| {
-            vec![
-                format!("{}", cell.height_m),
-                format!("{:?}", cell.phase),
-                format!("{:.2}", cell.residual_g),
-                format!("{:.2}", cell.error_g),
-            ]
+            vec![format!("{}", cell.height_m), cell.phase.words().into(), format!("{:.2}", cell.residual_g), format!("{:.2}", cell.error_g)]
         })
         .collect();
     let (worst, same) = (&diagnosis.residual_map.worst, &diagnosis.residual_map.same_in);

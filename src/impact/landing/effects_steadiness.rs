@@ -1,0 +1,38 @@
+//! Whether the numbers of friction, feet and mount are those of every height.
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::fitting::{LandingFit, LandingProblem};
+use super::parameter::{Kind, Parameter};
+use super::score_sums::ScoreSums;
+use crate::impact::fit::inverse;
+
+impl LandingProblem<'_> {
+    /// p-value of one friction, one mass of the feet and one mount for all heights: how far a step of the fit to each height's drops alone, with
+    /// these numbers free, leads away from their common values. Errors are by how the drops of a height differ. `None` without any of them, or
+    /// from one height alone.
+    pub fn effects_steady_p(&self, fit: &LandingFit) -> Option<f64> {
+        let is_effect = |parameter: &Parameter| matches!(parameter.kind, Kind::Friction | Kind::Feet | Kind::Mount);
+        let columns: Vec<usize> = self.parameters().iter().enumerate().filter(|(_, one)| is_effect(one)).map(|(at, _)| at).collect();
+        if columns.is_empty() {
+            return None;
+        }
+        let [drops, _] = self.at_fit(fit)?;
+        let (heights, samples) = (self.heights(), self.waves.expected.samples);
+        let (mut precision_sum, mut weighed_sum) = (DMatrix::zeros(columns.len(), columns.len()), DVector::zeros(columns.len()));
+        let (mut chi_squared, mut first) = (0.0, 0);
+        for height in &heights {
+            let ScoreSums { normal, scatter, right } = ScoreSums::of(&drops, samples, first..first + height.drops.len(), &columns);
+            first += height.drops.len();
+            let step = inverse(&normal)? * right;
+            let precision = &normal * inverse(&scatter)? * &normal;
+            chi_squared += step.dot(&(&precision * &step));
+            weighed_sum += &precision * step;
+            precision_sum += precision;
+        }
+        chi_squared -= weighed_sum.dot(&(inverse(&precision_sum)? * &weighed_sum));
+        let freedom = columns.len() * heights.len().checked_sub(1).filter(|free| *free > 0)?;
+        Some(ChiSquared::new(freedom as f64).ok()?.sf(chi_squared.max(0.0)))
+    }
+}
