@@ -18,7 +18,6 @@ use crate::frame::assembly::{Design, mass};
 use crate::impact::diagnose::{ComparedAxes, Diagnosis, EffectEstimate, Gap, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
-use crate::impact::landing::LandingAssessment;
 use crate::impact::measured;
 use crate::impact::measured::{DropSet, DropTable, StaticTest};
 use crate::impact::sim::HEIGHTS_M;
@@ -196,7 +195,7 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
     for sentence in compared.explained() {
         text += &format!("  {sentence}\n");
     }
-    text += &gaps(found, compared.landings_beside());
+    text += &gaps(found, compared);
     text += &estimates("parameter", &found.estimates);
     if let Some(landings) = compared.landings_beside() {
         text += &estimates(&format!("parameter of {}", landings.ids().join(" + ")), &landings.estimates);
@@ -208,8 +207,8 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
 }
 
 /// Gaps without and with the effects along the vertical, and with random slopes beside them.
-fn gaps(found: &Diagnosis, landings: Option<&LandingAssessment>) -> String {
-    let (before, after) = (&found.before, &found.after);
+fn gaps(found: &Diagnosis, compared: &Compared) -> String {
+    let (before, after, landings) = (&found.before, &found.after, compared.landings_beside());
     let row = |what: &str, before: &Gap, after: &Gap, beside: Option<&Gap>| {
         let beside = beside.map_or_else(String::new, |gap| format!("   {}", hundredths(gap.net_g)));
         format!("{what:<14} {:>8} {:>8} {:>8}{beside}\n", hundredths(before.net_g), hundredths(after.net_g), hundredths(before.floor_g))

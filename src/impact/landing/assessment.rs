@@ -1,15 +1,16 @@
 //! The effect `landing_tilt`, put to the tests that a named effect has to pass.
 
 use nalgebra::DMatrix;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::LANDING_TILT;
 use super::attitude_assessment::AttitudeAssessment;
+use super::chosen_model::ChosenModel;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
 use super::gaps::{LandingGaps, gaps_of_one_height, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
+use super::landing_evidence::LandingEvidence;
 use super::landing_scatter::LandingScatter;
 use super::legged_body::{COULOMB_FRICTION, LeggedBody};
 use super::mount::MOUNT_LOW_PASS;
@@ -26,9 +27,7 @@ use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
 use super::turned_back;
 use super::uncertainty::FitUncertainty;
-use crate::impact::diagnose::{
-    Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, UNSTEADY, Verdict, joined, judge,
-};
+use crate::impact::diagnose::{Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, Verdict, joined, judge};
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Waves};
 
@@ -99,29 +98,6 @@ pub struct LandingAssessment {
     decides: bool,
 }
 
-/// What is judged.
-#[derive(Clone, Copy)]
-pub struct LandingEvidence<'a> {
-    /// The drops that were fitted.
-    pub fitted: &'a Waves,
-    /// Drops of heights that no fit sees.
-    pub held_out: Option<&'a Waves>,
-    /// Touches of all of them.
-    pub observed: &'a ObservedLandings,
-    /// The base model: body, fall and sensor.
-    pub model: &'a Model,
-    /// What the diagnosis of the vertical found.
-    pub diagnosis: &'a Diagnosis,
-    /// Of everything that is drawn.
-    pub seed: u64,
-}
-
-/// p-value of what touches leave of single drops below which more effects are tried.
-const DOUBTED: f64 = 0.05;
-
-/// What is said of a test that needs heights that no fit saw.
-const ONE_HEIGHT: &str = "not tested, as all drops are from one height: drops from a second one would test it";
-
 impl LandingAssessment {
     /// Judges; `None` where no fit is possible. Readings of a sensor whose lean is named are turned back, and judged once more.
     pub fn of(evidence: &LandingEvidence) -> Option<Self> {
@@ -136,40 +112,12 @@ impl LandingAssessment {
 
     /// Judges readings as they are, with an attitude that is known, or with that which they show.
     fn judged(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
-        let heights_of = |waves: &Waves| {
-            let same = |height_m: f64| waves.groups.iter().any(|group| group.height_m == height_m);
-            evidence.observed.only(same)
-        };
-        let touches = heights_of(evidence.fitted);
+        let touches = evidence.observed.of_heights(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
         let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &prepared.problem, &touches);
-        // How touches are read depends on the landings, and little on whether these are those of the last fit.
-        let rough = plain.fitted(None)?;
-        let as_read = |fit: &LandingFit| Some(touches.with_errors(&plain.tables(&fit.legs)?, &fit.slopes, evidence.seed));
-        let of_rough = as_read(&rough)?;
-        let (without, first) = LandingProblem { observed: &of_rough, ..plain.clone() }.fitted_with_release_if_it_pays(&rough)?;
-        let rubbing = without.fitted_with_friction_if_it_pays(&first);
-        let of_rubbing = rubbing.as_ref().and_then(|(_, fit)| as_read(fit));
-        let fitted_touches = of_rubbing.as_ref().unwrap_or(&of_rough);
-        let (rigid, first) = match rubbing {
-            Some((rubbing, fit)) => LandingProblem { observed: fitted_touches, ..rubbing }.fitted_with_release_if_it_pays(&fit)?,
-            None => (without, first),
-        };
-        // More is looked for where single drops seem to miss something.
-        let adequacy = TouchAdequacy::of(&rigid, &first, evidence.fitted.step_s, evidence.seed)?;
-        let more = if adequacy.p < DOUBTED { rigid.fitted_with_feet_or_mount_if_they_pay(&first) } else { None };
-        let held = evidence.held_out.map(|waves| (waves, heights_of(waves)));
-        // How far single drops of heights that no fit saw lie from what their touches predict, g.
-        let unseen_g = |problem: &LandingProblem, fit: &LandingFit| {
-            let (waves, touches) = held.as_ref()?;
-            Some(held_out_gaps(problem, evidence.fitted, fit, waves, touches, evidence.seed)?.given_touches.records_g)
-        };
-        let mut refused = None;
-        let more = more.filter(|(problem, fit)| {
-            refused = RefusedEffect::of([(problem, fit), (&rigid, &first)], unseen_g);
-            refused.is_none()
-        });
-        let (chosen, fit) = more.unwrap_or((rigid, first));
+        let held = evidence.held_out.map(|waves| (waves, evidence.observed.of_heights(waves)));
+        let ChosenModel { touches: fitted_touches, parts, fit, refused } = ChosenModel::of(&plain, evidence, held.as_ref())?;
+        let chosen = LandingProblem { observed: &fitted_touches, ..plain.with(parts) };
         let PopulationFit { fit, waves, adequacy, given_touches, uncertainty, spread_p } = PopulationFit::of(evidence, &chosen, fit)?;
         let problem = chosen.at(&waves);
         let predicted = problem.mean_windows(&fit.legs, &fit.slopes)?;
@@ -186,10 +134,10 @@ impl LandingAssessment {
             Some(known) => known,
             None => AttitudeAssessment::of(&problem, &tables, &fit, held.as_ref().map(|(_, touches)| touches), evidence.seed)?,
         };
-        let covariates = covariates(evidence.fitted, fitted_touches, &tables, &fit);
+        let covariates = covariates(evidence.fitted, &fitted_touches, &tables, &fit);
         let separating = separating(&problem, evidence.observed, &fit, evidence.seed);
         let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &fit));
-        let heights = slopes_by_height(fitted_touches, &tables, &fit)?;
+        let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
         let spreads = fitted_touches.heights.iter().zip(&tables).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
         let spreads = spreads.collect();
         let samples = prepared.problem.expected.samples;
@@ -293,108 +241,8 @@ impl LandingAssessment {
 
     /// Whether single drops of heights that no fit saw are predicted from their touches: better than by the mean of their own height, and
     /// better than with the touches of other drops.
-    fn touches_tell_drops(&self) -> bool {
+    pub(super) fn touches_tell_drops(&self) -> bool {
         self.gaps.dealt_p <= RARE && self.gaps.given_touches.records_g < self.gaps.held_out.template_g
-    }
-
-    fn gates(&self, diagnosis: &Diagnosis) -> Vec<Gate> {
-        let (touched, gaps) = (&self.evidence, &self.gaps);
-        let (base, best) = (diagnosis.before.held_out.net_g, diagnosis.after.held_out.net_g);
-        let steady_p = self.steady_p();
-        let at_bound: Vec<&str> = self.estimates.iter().filter(|estimate| estimate.at_bound).map(|estimate| estimate.key).collect();
-        let gate = |id: &'static str, passed: bool, found: String| Gate { id, passed, found };
-        vec![
-            gate(
-                "touches",
-                touched.feet_in_one_plane(),
-                format!(
-                    "{} of {} drops show the touch of each foot; the first lies along a diagonal in {:.0} % (p = {:.1e}), and the times are \
-                     those of feet in one plane within {:.2} ms, permuted {:.2} ms (p = {:.3})",
-                    touched.seen,
-                    touched.drops,
-                    1e2 * touched.along_diagonals,
-                    touched.along_diagonals_p,
-                    1e3 * touched.deviation_s,
-                    1e3 * touched.permuted_deviation_s,
-                    touched.plane_p
-                ),
-            ),
-            gate(
-                "held_out",
-                gaps.held_out.net_g < base.min(best),
-                if gaps.held_out.net_g.is_finite() {
-                    format!(
-                        "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead; \
-                         {:.2} g with the slopes that their own touch times show",
-                        gaps.held_out.net_g,
-                        joined(&diagnosis.chosen),
-                        gaps.own_slopes.net_g
-                    )
-                } else {
-                    ONE_HEIGHT.into()
-                },
-            ),
-            gate(
-                "drops",
-                self.touches_tell_drops(),
-                if gaps.given_touches.records_g.is_finite() {
-                    format!(
-                        "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g \
-                         with touches of other drops (p = {:.3})",
-                        gaps.given_touches.records_g, gaps.held_out.template_g, gaps.dealt_g, gaps.dealt_p
-                    )
-                } else {
-                    ONE_HEIGHT.into()
-                },
-            ),
-            gate("constant", steady_p >= UNSTEADY && self.effects_steady_p.is_none_or(|p| p >= UNSTEADY), {
-                let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
-                let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
-                let of_slopes = format!("one turning rate for all heights {left} the touch times within their errors (p = {steady_p:.1e})");
-                match self.effects_steady_p {
-                    None => of_slopes,
-                    Some(p) if p < UNSTEADY => format!("{of_slopes}, and {effects} differs from height to height (p = {p:.1e})"),
-                    Some(p) => format!("{of_slopes}, and {effects} is the same at all heights (p = {p:.1e})"),
-                }
-            }),
-            gate(
-                "plausible",
-                at_bound.is_empty(),
-                if at_bound.is_empty() {
-                    "no parameter ended at its bound".into()
-                } else {
-                    format!("{} ended at its bound", at_bound.join(", "))
-                },
-            ),
-            gate("enough", self.adequacy.p >= RARE && self.given_touches.p >= RARE, self.left_over()),
-            gate(
-                "spread",
-                self.spread_p >= RARE,
-                format!(
-                    "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {:.3}",
-                    self.spread_p
-                ),
-            ),
-        ]
-    }
-
-    /// What is left of mean waves, and of single drops given their touches, in a sentence.
-    fn left_over(&self) -> String {
-        let TouchAdequacy { p, height_m, at_s, left_g, error_g } = self.given_touches;
-        format!(
-            "what {} leaves of the mean waves has p = {:.3} under trial variation; of single drops, given their touches, it leaves at most {left_g:.1} \
-             ± {error_g:.1} g in mean, {:.0} ms behind the trigger from {height_m} m (p = {p:.3})",
-            self.ids().join(" + "),
-            self.adequacy.p,
-            1e3 * at_s
-        )
-    }
-
-    /// p-value of the median touch times by height under one pair of numbers for the slopes.
-    fn steady_p(&self) -> f64 {
-        let sum: f64 = self.heights.iter().map(|height| ((height.opposite_s - height.predicted_s) / height.error_s).powi(2)).sum();
-        let freedom = (self.heights.len() as f64 - 1.0).max(1.0);
-        ChiSquared::new(freedom).map_or(1.0, |law| law.sf(sum))
     }
 }
 

@@ -30,6 +30,19 @@ pub const MOST_TURNS: usize = 5;
 /// A turn that moves the legs by less, in steps of difference quotients, is the last.
 const SETTLED: f64 = 0.5;
 
+/// What a model of landings has beside legs of a spring and a damper, and slopes that grow while they fall.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ModelParts {
+    /// Whether the legs have dry friction.
+    pub rubbing: bool,
+    /// Whether the feet have mass of their own.
+    pub heavy_feet: bool,
+    /// Whether the sensor has a mount that gives way.
+    pub mounted: bool,
+    /// Whether landings may slope at release, not only by turning while they fall.
+    pub at_release: bool,
+}
+
 /// What is compared with what.
 #[derive(Clone, Debug)]
 pub struct LandingProblem<'a> {
@@ -41,14 +54,8 @@ pub struct LandingProblem<'a> {
     pub waves: &'a FitProblem,
     /// Touches, the same heights.
     pub observed: &'a ObservedLandings,
-    /// Whether the legs have dry friction.
-    pub rubbing: bool,
-    /// Whether the feet have mass of their own.
-    pub heavy_feet: bool,
-    /// Whether the sensor has a mount that gives way.
-    pub mounted: bool,
-    /// Whether landings may slope at release, not only by turning while they fall.
-    pub at_release: bool,
+    /// What it has beside legs and turning slopes.
+    pub parts: ModelParts,
 }
 
 /// A fit.
@@ -69,7 +76,7 @@ pub struct LandingFit {
 impl<'a> LandingProblem<'a> {
     /// Landings on legs of a spring and a damper, of which nothing else is asked.
     pub fn plain(body: LeggedBody, model: &'a Model, waves: &'a FitProblem, observed: &'a ObservedLandings) -> Self {
-        Self { body, model, waves, observed, rubbing: false, heavy_feet: false, mounted: false, at_release: false }
+        Self { body, model, waves, observed, parts: ModelParts::default() }
     }
 }
 
@@ -79,8 +86,8 @@ impl LandingProblem<'_> {
         let values: Vec<f64> = self.parameters().iter().zip(scaled).map(|(parameter, scaled)| parameter.outward(*scaled)).collect();
         let (legs, slopes) = values.split_at(values.len() - SLOPES);
         let (own, more) = legs.split_at(LEGS);
-        let (friction, more) = more.split_at(usize::from(self.rubbing));
-        let (feet, mount) = more.split_at(if self.heavy_feet { 3 } else { 0 });
+        let (friction, more) = more.split_at(usize::from(self.parts.rubbing));
+        let (feet, mount) = more.split_at(if self.parts.heavy_feet { 3 } else { 0 });
         let legs = Legs {
             stiffness_n_m: own[0],
             damping_n_s_m: own[1],
@@ -95,9 +102,9 @@ impl LandingProblem<'_> {
     /// What is fitted, in its order.
     pub fn parameters(&self) -> Vec<&'static Parameter> {
         let fitted = |parameter: &&Parameter| match parameter.kind {
-            Kind::Friction => self.rubbing,
-            Kind::Feet => self.heavy_feet,
-            Kind::Mount => self.mounted,
+            Kind::Friction => self.parts.rubbing,
+            Kind::Feet => self.parts.heavy_feet,
+            Kind::Mount => self.parts.mounted,
             Kind::Leg | Kind::Slope => true,
         };
         PARAMETERS.iter().filter(fitted).collect()
@@ -117,6 +124,12 @@ impl LandingProblem<'_> {
         let table =
             |height: &usize| LandingTable::of(&self.body, legs, self.model, &self.waves.expected, self.waves.means[*height].height_m);
         self.waves.chosen.iter().map(table).collect()
+    }
+
+    /// The same with other parts.
+    #[must_use]
+    pub fn with(&self, parts: ModelParts) -> Self {
+        Self { parts, ..self.clone() }
     }
 
     /// The same at some heights alone.
@@ -150,7 +163,7 @@ impl LandingProblem<'_> {
         let of_legs = [legs.stiffness_n_m, legs.damping_n_s_m, legs.inertia_kg_m2].into_iter();
         let feet = legs.feet.iter().flat_map(|feet| [feet.share, feet.f_hz, feet.zeta]);
         let values = of_legs
-            .chain(self.rubbing.then_some(legs.friction_n))
+            .chain(self.parts.rubbing.then_some(legs.friction_n))
             .chain(feet)
             .chain(mount)
             .chain([slopes.rate_rad_s, slopes.at_release_rad]);
@@ -186,7 +199,7 @@ impl LandingProblem<'_> {
     /// The same legs with the slopes that the touch times show.
     fn with_touched_slopes(&self, scaled: &[f64]) -> Option<Vec<f64>> {
         let tables = self.tables(&self.meaning(scaled).0)?;
-        let Slopes { rate_rad_s, at_release_rad } = TouchedSlopes::of(&self.heights(), &tables, self.at_release)?.slopes;
+        let Slopes { rate_rad_s, at_release_rad } = TouchedSlopes::of(&self.heights(), &tables, self.parts.at_release)?.slopes;
         Some([&scaled[..scaled.len() - SLOPES], &[rate_rad_s, at_release_rad]].concat())
     }
 

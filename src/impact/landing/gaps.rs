@@ -53,7 +53,7 @@ impl Unseen {
         let left = own.left_by_drops(height, &tables[0], &fit.slopes);
         let population = Population::of(&tables[0], &fit.slopes);
         let landings = &problem.observed.heights[height];
-        let touched = TouchedSlopes::of(&[landings], &tables, problem.at_release)?;
+        let touched = TouchedSlopes::of(&[landings], &tables, problem.parts.at_release)?;
         let own_slopes = Population::of(&tables[0], &touched.slopes).mean_window().as_slice().to_vec();
         let (drops, read_s) = (&landings.drops, landings.read_s());
         let waves: Vec<DVector<f64>> =

@@ -106,10 +106,11 @@ impl ObservedLandings {
         self.heights.iter().map(HeightLandings::read_s).fold(0.0, f64::max)
     }
 
-    /// Those heights alone for which the answer is yes.
+    /// Those of the heights of some waves alone.
     #[must_use]
-    pub fn only(&self, keep: impl Fn(f64) -> bool) -> Self {
-        Self { heights: self.heights.iter().filter(|height| keep(height.height_m)).cloned().collect() }
+    pub fn of_heights(&self, waves: &Waves) -> Self {
+        let kept = |height: &&HeightLandings| waves.groups.iter().any(|group| group.height_m == height.height_m);
+        Self { heights: self.heights.iter().filter(kept).cloned().collect() }
     }
 }
 

@@ -2,7 +2,7 @@
 //! friction of the legs, and mass of the feet or a mount of the sensor.
 
 use super::fit_step::SLOPES;
-use super::fitting::{LandingFit, LandingProblem, MOST_TURNS};
+use super::fitting::{LandingFit, LandingProblem, MOST_TURNS, ModelParts};
 use super::legged_body::fall;
 use super::parameter::{FEET, FEET_HZ, FRICTION_N, LEGS, MOUNT_ZETA, MOUNTS, MOUNTS_HZ, Parameter};
 use super::score_sums::ScoreSums;
@@ -20,14 +20,14 @@ impl LandingProblem<'_> {
         if left(true)? + PRICE >= left(false)? {
             return Some((self, first));
         }
-        let released = Self { at_release: true, ..self };
+        let released = self.with(ModelParts { at_release: true, ..self.parts });
         let fit = released.fitted(Some(&first))?;
         Some((released, fit))
     }
 
     /// Fits a population whose legs have dry friction from the end of one whose legs have none; `None` where friction does not pay its price.
     pub fn fitted_with_friction_if_it_pays(&self, without: &LandingFit) -> Option<(Self, LandingFit)> {
-        let rubbing = Self { rubbing: true, ..self.clone() };
+        let rubbing = self.with(ModelParts { rubbing: true, ..self.parts });
         let fit = rubbing.fitted(Some(&rubbing.begun_with(without, LEGS, &[vec![FRICTION_N]])?))?;
         rubbing.friction_pays(without, &fit)?.then_some((rubbing, fit))
     }
@@ -36,11 +36,11 @@ impl LandingProblem<'_> {
     /// better one; `None` where neither pays its price, or their numbers end at a bound. Friction that does not pay any more beside it is left
     /// out.
     pub fn fitted_with_feet_or_mount_if_they_pay(&self, without: &LandingFit) -> Option<(Self, LandingFit)> {
-        let (slopes, feet) = (without.scaled.len() - SLOPES, LEGS + usize::from(self.rubbing));
-        let heavy = Self { heavy_feet: true, ..self.clone() };
+        let (slopes, feet) = (without.scaled.len() - SLOPES, LEGS + usize::from(self.parts.rubbing));
+        let heavy = self.with(ModelParts { heavy_feet: true, ..self.parts });
         let starts = FEET_HZ.map(|f_hz| [FEET[0], f_hz, FEET[1]].map(libm::log).to_vec());
         let heavy = heavy.begun_with(without, feet, &starts).map(|fit| (heavy, fit, feet..feet + starts[0].len()));
-        let mounted = Self { mounted: true, ..self.clone() };
+        let mounted = self.with(ModelParts { mounted: true, ..self.parts });
         let starts = MOUNTS_HZ.map(|f_hz| [f_hz, MOUNT_ZETA].map(libm::log).to_vec());
         let mounted = mounted.begun_with(without, slopes, &starts).map(|fit| (mounted, fit, slopes..slopes + MOUNTS));
         let priced = |(problem, fit, own): &(Self, LandingFit, std::ops::Range<usize>)| {
@@ -53,8 +53,8 @@ impl LandingProblem<'_> {
             return None;
         }
         let (problem, fit, _) = best;
-        if problem.rubbing {
-            let smooth = Self { rubbing: false, ..problem.clone() };
+        if problem.parts.rubbing {
+            let smooth = problem.with(ModelParts { rubbing: false, ..problem.parts });
             let mut start = fit.scaled.clone();
             start.remove(LEGS);
             let without = smooth.fitted_from(start, MOST_TURNS)?;

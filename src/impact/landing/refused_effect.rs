@@ -40,7 +40,7 @@ impl RefusedEffect {
         [with, without]: [(&LandingProblem<'a>, &LandingFit); 2],
         unseen_g: impl Fn(&LandingProblem<'a>, &LandingFit) -> Option<f64>,
     ) -> Option<Self> {
-        let id = if with.0.heavy_feet { FOOT_MODE } else { MOUNT_LOW_PASS };
+        let id = if with.0.parts.heavy_feet { FOOT_MODE } else { MOUNT_LOW_PASS };
         let unseen = unseen_g(with.0, with.1).zip(unseen_g(without.0, without.1));
         let worse = unseen.filter(|(with_g, without_g)| with_g > without_g);
         let worse = worse.map(|(with_g, without_g)| Reason::Unseen { with_g, without_g });

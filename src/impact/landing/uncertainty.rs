@@ -54,7 +54,7 @@ impl FitUncertainty {
             };
             let (scaled, value) = (fit.scaled[at], parameter.outward(fit.scaled[at]));
             let spread = Spread::middle(self.changes.iter().map(|change| change[at]), 0.95).unwrap_or([0.0; 2]);
-            let [low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.rubbing))
+            let [low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.parts.rubbing))
                 .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
             if parameter.kind == Kind::Slope && value == 0.0 {
                 high = TouchedSlopes::most(SlopeNumber::ALL[at - first_slope], &problem.heights(), &problem.tables(&fit.legs)?)?;
@@ -72,7 +72,7 @@ impl FitUncertainty {
         let one = |change: &DVector<f64>| {
             let number = |(at, scaled): (usize, &f64)| {
                 let normal: f64 = StandardNormal.sample(&mut rng);
-                let off = parameters[at].method_at(*scaled, problem.rubbing) * normal;
+                let off = parameters[at].method_at(*scaled, problem.parts.rubbing) * normal;
                 (scaled + change[at] + off).clamp(bounds[at][0], bounds[at][1])
             };
             problem.meaning(&fit.scaled.iter().enumerate().map(number).collect::<Vec<f64>>())

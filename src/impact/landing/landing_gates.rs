@@ -1,0 +1,115 @@
+//! The tests that slopes, and what is named beside them, have to pass.
+
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use super::assessment::LandingAssessment;
+use super::gate::Gate;
+use super::sensor_attitude::ATTITUDE_SENSOR;
+use super::touch_adequacy::TouchAdequacy;
+use crate::impact::diagnose::{Diagnosis, RARE, UNSTEADY, joined};
+
+/// What is said of a test that needs heights that no fit saw.
+const ONE_HEIGHT: &str = "not tested, as all drops are from one height: drops from a second one would test it";
+
+impl LandingAssessment {
+    /// Each test, beside the best set of effects along the vertical.
+    pub(super) fn gates(&self, diagnosis: &Diagnosis) -> Vec<Gate> {
+        let (touched, gaps) = (&self.evidence, &self.gaps);
+        let (base, best) = (diagnosis.before.held_out.net_g, diagnosis.after.held_out.net_g);
+        let steady_p = self.steady_p();
+        let at_bound: Vec<&str> = self.estimates.iter().filter(|estimate| estimate.at_bound).map(|estimate| estimate.key).collect();
+        let gate = |id: &'static str, passed: bool, found: String| Gate { id, passed, found };
+        vec![
+            gate(
+                "touches",
+                touched.feet_in_one_plane(),
+                format!(
+                    "{} of {} drops show the touch of each foot; the first lies along a diagonal in {:.0} % (p = {:.1e}), and the times are \
+                     those of feet in one plane within {:.2} ms, permuted {:.2} ms (p = {:.3})",
+                    touched.seen,
+                    touched.drops,
+                    1e2 * touched.along_diagonals,
+                    touched.along_diagonals_p,
+                    1e3 * touched.deviation_s,
+                    1e3 * touched.permuted_deviation_s,
+                    touched.plane_p
+                ),
+            ),
+            gate(
+                "held_out",
+                gaps.held_out.net_g < base.min(best),
+                if gaps.held_out.net_g.is_finite() {
+                    format!(
+                        "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead; \
+                         {:.2} g with the slopes that their own touch times show",
+                        gaps.held_out.net_g,
+                        joined(&diagnosis.chosen),
+                        gaps.own_slopes.net_g
+                    )
+                } else {
+                    ONE_HEIGHT.into()
+                },
+            ),
+            gate(
+                "drops",
+                self.touches_tell_drops(),
+                if gaps.given_touches.records_g.is_finite() {
+                    format!(
+                        "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g \
+                         with touches of other drops (p = {:.3})",
+                        gaps.given_touches.records_g, gaps.held_out.template_g, gaps.dealt_g, gaps.dealt_p
+                    )
+                } else {
+                    ONE_HEIGHT.into()
+                },
+            ),
+            gate("constant", steady_p >= UNSTEADY && self.effects_steady_p.is_none_or(|p| p >= UNSTEADY), {
+                let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
+                let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
+                let of_slopes = format!("one turning rate for all heights {left} the touch times within their errors (p = {steady_p:.1e})");
+                match self.effects_steady_p {
+                    None => of_slopes,
+                    Some(p) if p < UNSTEADY => format!("{of_slopes}, and {effects} differs from height to height (p = {p:.1e})"),
+                    Some(p) => format!("{of_slopes}, and {effects} is the same at all heights (p = {p:.1e})"),
+                }
+            }),
+            gate(
+                "plausible",
+                at_bound.is_empty(),
+                if at_bound.is_empty() {
+                    "no parameter ended at its bound".into()
+                } else {
+                    format!("{} ended at its bound", at_bound.join(", "))
+                },
+            ),
+            gate("enough", self.adequacy.p >= RARE && self.given_touches.p >= RARE, self.left_over()),
+            gate(
+                "spread",
+                self.spread_p >= RARE,
+                format!(
+                    "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {:.3}",
+                    self.spread_p
+                ),
+            ),
+        ]
+    }
+
+    /// What is left of mean waves, and of single drops given their touches, in a sentence.
+    fn left_over(&self) -> String {
+        let TouchAdequacy { p, height_m, at_s, left_g, error_g } = self.given_touches;
+        format!(
+            "what {} leaves of the mean waves has p = {:.3} under trial variation; of single drops, given their touches, it leaves at most {left_g:.1} \
+             ± {error_g:.1} g in mean, {:.0} ms behind the trigger from {height_m} m (p = {p:.3})",
+            self.ids().join(" + "),
+            self.adequacy.p,
+            1e3 * at_s
+        )
+    }
+
+    /// p-value of the median touch times by height under one pair of numbers for the slopes.
+    fn steady_p(&self) -> f64 {
+        let sum: f64 = self.heights.iter().map(|height| ((height.opposite_s - height.predicted_s) / height.error_s).powi(2)).sum();
+        let freedom = (self.heights.len() as f64 - 1.0).max(1.0);
+        ChiSquared::new(freedom).map_or(1.0, |law| law.sf(sum))
+    }
+}
