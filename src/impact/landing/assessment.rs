@@ -28,7 +28,6 @@ use super::touches::LegTouches;
 use super::turned_back;
 use super::uncertainty::FitUncertainty;
 use crate::impact::diagnose::{Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, Verdict, joined, judge};
-use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Waves};
 
 /// A height with the spread of slopes that its touch times show.
