@@ -14,6 +14,10 @@ const EARNS: f64 = 6.0;
 const TRIES: usize = 4;
 /// Steps of a fit from a start.
 const STEPS: usize = 14;
+/// Springs from which the best sets are fitted again, over the fitted one.
+const SPRINGS: [f64; 2] = [0.35, 2.5];
+/// Further steps of a set that is carried on: at a place that is no minimum, what the set leaves would be taken for what its parameters can do.
+const MORE_STEPS: usize = 80;
 
 /// A model with effects on top of the base, fitted.
 #[derive(Clone, Debug)]
@@ -48,6 +52,25 @@ impl Candidate {
         fits.min_by(|a, b| a.chi2().total_cmp(&b.chi2())).map(Self::of)
     }
 
+    /// The same at its minimum, where a fit from a start ended before it.
+    #[must_use]
+    pub fn settled(self, problem: &FitProblem) -> Self {
+        if self.fitted.minimum.settled {
+            return self;
+        }
+        problem.fit(self.fitted.layout.clone(), MORE_STEPS).map_or(self, Self::of)
+    }
+
+    /// The best of this and of fits from softer and stiffer springs: a force that sets in at a compression leaves a minimum on each side of it.
+    #[must_use]
+    pub fn restarted(self, problem: &FitProblem) -> Self {
+        let again = Self::best(problem, SPRINGS.map(|factor| self.model().scaled([factor, 1.0])));
+        match again.map(|again| again.settled(problem)) {
+            Some(again) if again.score < self.score => again,
+            _ => self,
+        }
+    }
+
     /// The same with parameters free that otherwise keep their default (a stop's damping, a payload's), where that earns
     /// more than its price.
     #[must_use]
@@ -56,7 +79,7 @@ impl Candidate {
         if layout.free.len() == self.fitted.layout.free.len() {
             return self;
         }
-        match problem.fit(layout, STEPS).map(Self::of) {
+        match problem.fit(layout, MORE_STEPS).map(Self::of) {
             Some(freed) if freed.score < self.score - EARNS => freed,
             _ => self,
         }
@@ -72,6 +95,7 @@ impl Candidate {
             ..Model::base(model.body.clone(), model.sensor, k, c)
         };
         Self::best(problem, [with(k, c), with(k, 0.4 * c), with(0.5 * k, 1.5 * c), with(2.0 * k, 0.7 * c)])
+            .map(|base| base.settled(problem))
     }
 }
 

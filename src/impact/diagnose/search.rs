@@ -67,9 +67,8 @@ impl Search {
         let adequacy = setting.adequacy(&base, &dictionary)?;
         let singles = setting.singles(&base, &dictionary)?;
         let mut levels = vec![Level { candidates: vec![base], adequacy }];
-        let mut candidates = singles;
+        let mut candidates = setting.freed(singles);
         for size in 1..=setting.most {
-            candidates = setting.freed(candidates);
             let best = candidates.first()?;
             dictionary = Dictionary::on(setting.problem, best.model(), setting.catalogue)?;
             let adequacy = setting.adequacy(best, &dictionary)?;
@@ -79,14 +78,14 @@ impl Search {
                 break;
             }
             (setting.stage)(Stage::Effects(size + 1));
-            candidates = setting.larger(&levels[size].candidates)?;
+            candidates = setting.freed(setting.larger(&levels[size].candidates)?);
             if setting.dropped(&candidates, &mut levels[size].candidates) {
                 let best = levels[size].candidates.first()?;
                 levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model(), setting.catalogue)?)?;
                 if levels[size].adequacy.p >= RARE && setting.may_be(&levels[size].candidates[0]) {
                     break;
                 }
-                candidates = setting.larger(&levels[size].candidates)?;
+                candidates = setting.freed(setting.larger(&levels[size].candidates)?);
             }
         }
         Some(Self { levels })
@@ -102,9 +101,10 @@ impl SearchContext<'_> {
         judge(&deviation, &seen, self.bootstrap)
     }
 
-    /// Frees defaults of the best sets.
+    /// Takes the best sets to their minima, and frees defaults there.
     fn freed(&self, candidates: Vec<Candidate>) -> Vec<Candidate> {
-        let one = |(at, candidate): (usize, Candidate)| if at < CARRIED { candidate.freed(self.problem) } else { candidate };
+        let best = |candidate: Candidate| candidate.settled(self.problem).restarted(self.problem).freed(self.problem);
+        let one = |(at, candidate): (usize, Candidate)| if at < CARRIED { best(candidate) } else { candidate };
         self.ranked(candidates.into_par_iter().enumerate().map(one).collect())
     }
 
@@ -117,6 +117,7 @@ impl SearchContext<'_> {
                 let mut model = from.model().clone();
                 model.effects.retain(|listed| listed.spec.id != id);
                 let Some(again) = Candidate::best(self.problem, [model]) else { continue };
+                let again = again.settled(self.problem);
                 match smaller.iter_mut().find(|known| known.ids() == again.ids()) {
                     Some(known) if known.score > again.score => *known = again,
                     Some(_) => {}

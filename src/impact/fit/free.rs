@@ -66,7 +66,7 @@ impl Free {
 
     fn least(&self) -> f64 {
         let parameter = &self.spec.parameters[self.at];
-        parameter.min.max(LEAST * parameter.max)
+        if parameter.min > 0.0 { parameter.min } else { LEAST * parameter.max }
     }
 }
 

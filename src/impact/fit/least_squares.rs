@@ -17,6 +17,8 @@ pub struct Minimum {
     pub sum: f64,
     /// Which parameters lie at a bound.
     pub at_bound: Vec<bool>,
+    /// Whether no step was left that lowers the sum; otherwise more steps were needed than were allowed.
+    pub settled: bool,
 }
 
 /// Fall of the sum of squares, absolute, below which a step is the last: far below what any decision rests on.
@@ -42,22 +44,30 @@ pub fn minimise(
     let mut sum = here.norm_squared();
     let mut damping = DAMPING;
     let mut jacobian = quotients(&residual, &at, &here, bounds, steps);
+    let mut settled = false;
     for _ in 0..most_steps {
-        let Some((next, there)) = step(&residual, &at, &here, &jacobian, bounds, &mut damping) else { break };
+        let Some((next, there)) = step(&residual, &at, &here, &jacobian, bounds, &mut damping) else {
+            settled = true;
+            break;
+        };
         let fell = sum - there.norm_squared();
         (at, here, sum) = (next, there.clone(), there.norm_squared());
         jacobian = quotients(&residual, &at, &here, bounds, steps);
         if fell < ENOUGH {
+            settled = true;
             break;
         }
     }
     let at_bound = at_bounds(&at, bounds);
-    Some(Minimum { at, residual: here, jacobian, sum, at_bound })
+    Some(Minimum { at, residual: here, jacobian, sum, at_bound, settled })
 }
 
-/// Which values lie at a bound, to a millionth of the room between both.
+/// Part of the room between two bounds that still belongs to a bound: a fit that runs towards it ends a little before.
+const NEAR_BOUND: f64 = 2e-4;
+
+/// Which values lie at a bound.
 pub fn at_bounds(at: &[f64], bounds: &[[f64; 2]]) -> Vec<bool> {
-    at.iter().zip(bounds).map(|(value, [min, max])| (value - min).min(max - value) <= 1e-6 * (max - min)).collect()
+    at.iter().zip(bounds).map(|(value, [min, max])| (value - min).min(max - value) <= NEAR_BOUND * (max - min)).collect()
 }
 
 /// A step that lowers the sum; `None` where there is none.

@@ -59,7 +59,8 @@ impl FitUncertainty {
             if parameter.kind == Kind::Slope && value == 0.0 {
                 high = TouchedSlopes::most(SlopeNumber::ALL[at - first_slope], &problem.heights(), &problem.tables(&fit.legs)?)?;
             }
-            let at_bound = fit.at_bound[at] && value > 0.0;
+            // Slopes may well be none.
+            let at_bound = fit.at_bound[at] && (parameter.kind != Kind::Slope || value > 0.5 * parameter.bounds[1]);
             estimates.push(EffectEstimate { effect, key: parameter.key, unit: parameter.unit, value, ci95: [low, high], at_bound });
         }
         Some(estimates)
