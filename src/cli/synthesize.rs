@@ -44,6 +44,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             "parameters": listed.spec.parameters.iter().zip(&listed.values).map(|(parameter, value)| (parameter.key.to_string(), json!(value))).collect::<serde_json::Map<_, _>>(),
         })).collect::<Vec<_>>(),
         "hidden": plan.hidden.map(|hidden| hidden.name()),
+        "hidden_numbers": plan.hidden.map(|hidden| hidden.numbers().into_iter().collect::<std::collections::BTreeMap<_, _>>()),
         "k": plan.model.stiffness_and_damping()[0],
         "c": plan.model.stiffness_and_damping()[1],
         "seed": plan.seed,
@@ -54,6 +55,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         ("drops/drops.csv".to_string(), table(&all).into_bytes()),
         ("truth/truth.json".to_string(), format!("{truth:#}\n").into_bytes()),
         ("truth/model.toml".to_string(), plan.model.to_toml().into_bytes()),
+        ("truth/plan.toml".to_string(), plan.to_toml().into_bytes()),
     ];
     drop(working);
     let place = output::write_folder(&args.output, &name, &files)?;

@@ -85,6 +85,12 @@ impl Candidate {
         }
     }
 
+    /// A model with the effects that it has already; `None` where it has none, or cannot be fitted.
+    pub fn given(problem: &FitProblem, model: &Model) -> Option<Self> {
+        let has_effects = model.effects.iter().any(|listed| !listed.spec.is_base());
+        has_effects.then(|| Self::best(problem, [model.clone()]))?.map(|given| given.settled(problem))
+    }
+
     /// The base model on its own.
     pub fn base(problem: &FitProblem, model: &Model) -> Option<Self> {
         let [k, c] = model.stiffness_and_damping();

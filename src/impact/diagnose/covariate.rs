@@ -40,6 +40,8 @@ pub struct CovariateEffect {
     pub p: Option<f64>,
     /// Drops of which it is known.
     pub drops: usize,
+    /// All drops.
+    pub of: usize,
 }
 
 impl Covariate {
@@ -84,9 +86,10 @@ impl Covariate {
             windows.push(window);
         }
         let drops = windows.iter().map(Vec::len).sum();
+        let of = waves.groups.iter().map(|group| group.windows.len()).sum();
         let id = self.id.clone();
         if values.iter().all(|height| height.windows(2).all(|pair| pair[0] == pair[1])) {
-            return CovariateEffect { id, explained: None, p: None, drops };
+            return CovariateEffect { id, explained: None, p: None, drops, of };
         }
         let explained = explained(&values, &windows);
         let mut rng = Pcg64::seed_from_u64(seed);
@@ -97,18 +100,20 @@ impl Covariate {
                 self::explained(&dealt, &windows) >= explained
             })
             .count();
-        CovariateEffect { id, explained: Some(explained), p: Some((as_much + 1) as f64 / (PERMUTED + 1) as f64), drops }
+        CovariateEffect { id, explained: Some(explained), p: Some((as_much + 1) as f64 / (PERMUTED + 1) as f64), drops, of }
     }
 }
 
 impl CovariateEffect {
     /// In a sentence.
     pub fn sentence(&self) -> String {
-        match (self.explained, self.p) {
+        let Self { id, explained, p, drops, of } = self;
+        let known = if drops < of { format!("{id}, known of {drops} of {of} drops,") } else { id.clone() };
+        match (explained, p) {
             (Some(explained), Some(p)) => {
-                format!("{} explains {:.0} % of the variation between drops of one height (p = {p:.3})", self.id, 1e2 * explained)
+                format!("{known} explains {:.0} % of the variation between drops of one height (p = {p:.3})", 1e2 * explained)
             }
-            _ => format!("{} is the same for all drops of each height: what it explains cannot be told", self.id),
+            _ => format!("{known} is the same for all drops of each height: what it explains cannot be told"),
         }
     }
 }

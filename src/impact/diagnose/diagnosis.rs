@@ -238,18 +238,20 @@ fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &Diagn
         alternatives: &alternatives,
         steady: steady.as_ref(),
         trend,
+        not_enough: search.not_enough.as_ref(),
     });
     let (estimates, correlations) = estimates(&chosen, &level.adequacy)?;
     let gaps = |candidate: &Candidate| gaps(problem, fitted, held_out, candidate);
     let (before, after) = (gaps(&base)?, gaps(&chosen)?);
     let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
-    let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or(search.levels.get(1)?.candidates.first());
+    let larger = || search.levels.get(1).and_then(|level| level.candidates.first());
+    let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or_else(larger);
     let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &prepared.trial_covariance, &chosen, rival));
     let residual_force = if verdict == Verdict::NoneSuffices { residual_force(&chosen_points, model.body.mass_kg) } else { Vec::new() };
     Some(Diagnosis {
         verdict,
         reasons,
-        contributions: contributions(&search, &chosen),
+        contributions: if nothing { Vec::new() } else { contributions(&search, &chosen) },
         estimates,
         correlations,
         alternatives: alternatives.into_iter().filter(|alternative| alternative.weight >= SLIGHT).collect(),
@@ -294,10 +296,22 @@ struct Evidence<'a> {
     alternatives: &'a [Alternative],
     steady: Option<&'a Constancy>,
     trend: f64,
+    not_enough: Option<&'a (Candidate, f64)>,
 }
 
 fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
-    let Evidence { nothing, adequacy, chosen, alternatives, steady, trend } = evidence;
+    let (verdict, mut reasons) = verdict_without_the_models_own(evidence);
+    if let Some((given, p)) = evidence.not_enough {
+        reasons.push(format!(
+            "the model's own {} leaves more than trial variation (p = {p:.3}): effects were looked for on its spring, damper and sensor alone",
+            joined(given)
+        ));
+    }
+    (verdict, reasons)
+}
+
+fn verdict_without_the_models_own(evidence: &Evidence) -> (Verdict, Vec<String>) {
+    let Evidence { nothing, adequacy, chosen, alternatives, steady, trend, .. } = evidence;
     let mut reasons = Vec::new();
     if *trend < TREND {
         reasons.push(format!(
@@ -305,7 +319,8 @@ fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
         ));
     }
     if *nothing {
-        reasons.push(format!("the residual of the base model is within trial variation (p = {:.3})", adequacy.p));
+        let model = if chosen.ids().is_empty() { "the base model".into() } else { format!("the model with its own {}", joined(chosen)) };
+        reasons.push(format!("the residual of {model} is within trial variation (p = {:.3})", adequacy.p));
         return (if *trend < TREND { Verdict::NoneSuffices } else { Verdict::NothingMissing }, reasons);
     }
     if adequacy.p < RARE {

@@ -38,8 +38,10 @@ type Promised = (Vec<&'static str>, Vec<(f64, Model)>);
 /// All that was looked at.
 #[derive(Clone, Debug)]
 pub struct Search {
-    /// The base model first, then sets of one effect, of two …
+    /// The base model first, then sets of one effect, of two …; the model as it was given alone, where that is enough.
     pub levels: Vec<Level>,
+    /// The effects that the model had already, with the p-value of what they leave, where they are not enough.
+    pub not_enough: Option<(Candidate, f64)>,
 }
 
 /// What a search needs.
@@ -61,6 +63,10 @@ pub struct SearchContext<'a> {
 impl Search {
     /// Searches from a model's base on; `None` when the base cannot be fitted.
     pub fn run(setting: &SearchContext, model: &Model) -> Option<Self> {
+        let not_enough = match setting.given(model) {
+            Some(level) if level.adequacy.p >= RARE && !setting.limit_seen => return Some(Self { levels: vec![level], not_enough: None }),
+            given => given.map(|Level { mut candidates, adequacy }| (candidates.remove(0), adequacy.p)),
+        };
         let base = Candidate::base(setting.problem, model)?;
         let mut dictionary = Dictionary::on(setting.problem, base.model(), setting.catalogue)?;
         (setting.stage)(Stage::Effects(1));
@@ -88,7 +94,7 @@ impl Search {
                 candidates = setting.freed(setting.larger(&levels[size].candidates)?);
             }
         }
-        Some(Self { levels })
+        Some(Self { levels, not_enough })
     }
 }
 
@@ -99,6 +105,13 @@ impl SearchContext<'_> {
         let seen = LinearisedFit { jacobian, effects: dictionary.columns.clone(), samples: self.problem.expected.samples };
         let deviation = self.problem.measured() - self.problem.prediction(candidate.model())?;
         judge(&deviation, &seen, self.bootstrap)
+    }
+
+    /// A model with the effects that it has already.
+    fn given(&self, model: &Model) -> Option<Level> {
+        let given = Candidate::given(self.problem, model)?;
+        let adequacy = self.adequacy(&given, &Dictionary::on(self.problem, given.model(), self.catalogue)?)?;
+        Some(Level { candidates: vec![given], adequacy })
     }
 
     /// Takes the best sets to their minima, and frees defaults there.

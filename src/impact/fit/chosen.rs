@@ -2,7 +2,7 @@
 
 use super::waves::{Unusable, Waves};
 use crate::impact::effects::Channel;
-use crate::impact::measured::{Drop, DropSet, Flag, Hint, JudgedDrops, Record, symptoms};
+use crate::impact::measured::{Drop, DropSet, Flag, Hint, JudgedDrops, Record, Spread, symptoms};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -87,6 +87,9 @@ pub struct Chosen<'a> {
     pub impulses_kept: bool,
 }
 
+/// Steps between samples that differ by less are of one rate.
+const ONE_RATE: f64 = 1e-2;
+
 /// Flags that no objective can do without.
 fn is_unusable(flag: &Flag) -> bool {
     matches!(flag, Flag::NoImpact | Flag::TooShort { .. } | Flag::Rate { .. } | Flag::Gap { .. })
@@ -123,8 +126,10 @@ impl<'a> Chosen<'a> {
             let weakest = (keep == Keep::Clean && 2 * of_height > drops.len()).then(|| {
                 format!("{of_height} of {} drops from {} m are saturated, the others are the weakest", drops.len(), group.height_m)
             });
+            let step_s = Spread::of(drops.iter().filter_map(|drop| drop.record.step_s())).map(|steps| steps.median);
             for drop in drops {
                 let reason = drop.flags.iter().find(|flag| unwanted(flag)).map(ToString::to_string).or_else(|| weakest.clone());
+                let reason = reason.or_else(|| sampled_apart(drop.record, step_s?));
                 match reason {
                     Some(reason) => left_out.push(LeftOut { trial: drop.record.trial.clone(), reason }),
                     None => kept.push(drop),
@@ -173,6 +178,13 @@ impl<'a> Chosen<'a> {
     pub fn has_all_axes(&self) -> bool {
         self.drops.iter().all(|drop| drop.record.axes_g.is_some())
     }
+}
+
+/// Says of a record that its samples are not as far apart as those of most drops of its height, s.
+fn sampled_apart(record: &Record, of_height_s: f64) -> Option<String> {
+    let own_s = record.step_s()?;
+    let differs = (own_s / of_height_s - 1.0).abs() > ONE_RATE;
+    differs.then(|| format!("sampled every {:.4} ms, most drops of this height every {:.4} ms", 1e3 * own_s, 1e3 * of_height_s))
 }
 
 fn is_saturated(drop: &Drop) -> bool {

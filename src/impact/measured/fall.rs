@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::DropGroup;
+use super::flag::Flag;
 use super::judged::{Drop, JudgedDrops};
 use super::record::DropSet;
 use super::spread::Spread;
@@ -29,13 +30,15 @@ pub struct Fall {
 }
 
 impl Fall {
-    /// Of every height from which releases were recorded. Clean drops alone: others may have touched something.
+    /// Of every height from which releases were recorded. Clean drops alone, as others may have touched something; but an impulse that no fall
+    /// from the stated height has says nothing against the fall's duration.
     pub fn of(set: &DropSet) -> Vec<Self> {
         JudgedDrops::of(set).groups.into_iter().filter_map(|(group, all)| Self::of_group(group, &all)).collect()
     }
 
     fn of_group(group: &DropGroup, all: &[Drop]) -> Option<Self> {
-        let spread = Spread::of(all.iter().filter_map(Drop::clean).filter_map(|impact| impact.fall_s))?;
+        let fell = |drop: &&Drop| drop.flags.iter().all(|flag| matches!(flag, Flag::Impulse { .. }));
+        let spread = Spread::of(all.iter().filter(fell).filter_map(|drop| drop.impact.as_ref()?.fall_s))?;
         // A normal quantity's quartiles lie 1.349 standard deviations apart, the standard error of its median is 1.253 of the mean's.
         let error_s = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
         let expected_s = lasting_s(group.height_m);
@@ -46,6 +49,11 @@ impl Fall {
     /// Whether the fall lasted as long as its height says, within the release and three standard errors.
     pub fn agrees(&self) -> bool {
         self.agrees_with(self.height_m)
+    }
+
+    /// The height of a free fall that lasts as long, m.
+    pub fn fallen_m(&self) -> f64 {
+        0.5 * GRAVITY_M_S2 * self.fall_s * self.fall_s
     }
 
     /// Whether it lasted as long as a fall from another height, m, would have.

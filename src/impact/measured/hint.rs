@@ -26,6 +26,12 @@ pub enum Hint {
         /// Median impulse over the impact speed.
         over_v0: f64,
     },
+    /// A smaller unit.
+    #[error("the readings look like mg, not g: the impulse is {over_v0:.0} v0. Give --units mg")]
+    MilliG {
+        /// Median impulse over the impact speed.
+        over_v0: f64,
+    },
     /// The other unit and the other direction.
     #[error(
         "the readings look like m/s², not g, and the axis is inverted: the impulse is {over_v0:.1} v0. Give --units m/s2 and --columns a=-NAME"
@@ -76,6 +82,8 @@ impl Hint {
         let height_m = set.groups.iter().map(|group| group.height_m).fold(f64::INFINITY, f64::min);
         if like(GRAVITY_M_S2) {
             Some(Self::MetresPerSecondSquared { over_v0 })
+        } else if like(1e3) {
+            Some(Self::MilliG { over_v0 })
         } else if like(-GRAVITY_M_S2) {
             Some(Self::InvertedMetresPerSecondSquared { over_v0 })
         } else if like(-1.0) {
@@ -150,6 +158,7 @@ mod tests {
         let set = |factor: f64| of(factor, 1.0, None);
         assert_eq!(Hint::of(&set(1.0)), None);
         assert!(matches!(Hint::of(&set(9.81)), Some(Hint::MetresPerSecondSquared { over_v0 }) if (12.0..14.0).contains(&over_v0)));
+        assert!(matches!(Hint::of(&set(1000.0)), Some(Hint::MilliG { .. })));
         assert!(matches!(Hint::of(&set(-0.85)), Some(Hint::Inverted { over_v0 }) if (-1.2..-1.0).contains(&over_v0)));
         assert!(matches!(Hint::of(&set(-9.81)), Some(Hint::InvertedMetresPerSecondSquared { .. })));
         assert!(matches!(Hint::of(&of(1.0, 100.0, None)), Some(Hint::Centimetres { height_m: 100.0, over_v0 }) if over_v0 < 0.15));

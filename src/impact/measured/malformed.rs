@@ -183,15 +183,24 @@ impl Fault {
             Self::NoColumn { known, .. } => format!("the first line names the columns, with commas: {known}"),
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
-            Self::NoNumber { .. } => "give a finite number with a decimal point, or leave the row out".into(),
+            Self::NoNumber { .. } => {
+                "give a finite number with a decimal point; leave a drop that lost a reading out as a whole, any other row alone".into()
+            }
             Self::NoFolds { most, .. } => format!("write after how many folds it cracked, or `held` where it held {most}"),
             Self::OutOfBounds { column: "height_m", .. } => "look at the unit: --units cm or --units mm reads other heights than m".into(),
+            Self::OutOfBounds { column: "accel_g" | "x" | "y" | "z", .. } => {
+                "look at the unit: --units mg or --units m/s2 reads other readings than g".into()
+            }
             Self::OutOfBounds { .. } => "look at the unit".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
             Self::Unsorted { before_s, t_s, .. } if t_s == before_s => {
                 "where a table's stamps are rounded, give its sampling rate in their place: --rate HZ; two drops need two names".into()
             }
-            Self::Unsorted { .. } => "sort the rows of each trial by t_s; two drops need two names".into(),
+            Self::Unsorted { .. } => {
+                "where stamps jitter, give the sampling rate in their place: --rate HZ; where rows are mixed up, sort those of each trial by t_s; \
+                 two drops need two names"
+                    .into()
+            }
             Self::Varies { .. } => "a covariate is one value a drop: give it in a table of its own, a row a drop".into(),
             Self::TwoRows { .. } => "give each drop one row; where trials are numbered anew at each height, add height_m".into(),
             Self::MixedHeights { .. } => "give each drop a name of its own, and one height".into(),

@@ -11,6 +11,7 @@ mod clock_check;
 mod clock_period;
 mod clock_sign;
 mod clock_trace;
+mod copied_records;
 #[cfg(feature = "cli")]
 mod disk;
 mod drop_table;

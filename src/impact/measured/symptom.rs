@@ -1,5 +1,6 @@
 //! What records show together of how they were measured or written, each with what mends it.
 
+use super::copied_records::CopiedRecords;
 use super::free_fall_offset::FreeFallOffset;
 use super::hint::Hint;
 use super::record::DropSet;
@@ -10,8 +11,9 @@ use super::stamp_jitter::StampJitter;
 /// Readings in another unit, of another axis or from heights in another unit are looked for first: what else they show is of no use.
 pub fn symptoms(set: &DropSet) -> Vec<String> {
     let jitter = StampJitter::of(set).map(|jitter| jitter.to_string());
+    let others = jitter.into_iter().chain(CopiedRecords::of(set).map(|copied| copied.to_string()));
     match Hint::of(set) {
-        Some(hint) => std::iter::once(hint.to_string()).chain(jitter).collect(),
-        None => FreeFallOffset::all(set).iter().map(ToString::to_string).chain(jitter).collect(),
+        Some(hint) => std::iter::once(hint.to_string()).chain(others).collect(),
+        None => FreeFallOffset::all(set).iter().map(ToString::to_string).chain(others).collect(),
     }
 }

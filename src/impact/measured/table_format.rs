@@ -69,6 +69,16 @@ pub enum FormatError {
         /// What was given.
         given: String,
     },
+    /// Twice the same quantity, or two units of one.
+    #[error("--{option}: {first} and {second} are both given, and say the same thing twice: leave one of them out")]
+    Twice {
+        /// Which option.
+        option: &'static str,
+        /// The one.
+        first: String,
+        /// The other.
+        second: String,
+    },
     /// No rate.
     #[error("--rate {given}: give samples a second, 1 to 1000000")]
     Rate {
@@ -106,6 +116,29 @@ impl Default for TableFormat {
     }
 }
 
+/// What a column says: speed at first touch and height say the same.
+fn quantity_of(quantity: Quantity) -> &'static str {
+    if quantity == Quantity::Speed { Quantity::Height.column() } else { quantity.column() }
+}
+
+/// What a unit is of, as far as it is known.
+fn dimension_of(unit: &str) -> &'static str {
+    match unit.trim() {
+        "s" | "ms" | "us" | "µs" => "time",
+        "m" | "cm" | "mm" => "height",
+        _ => "acceleration",
+    }
+}
+
+/// Refuses two that say the same, by what each of them is of.
+fn twice(option: &'static str, given: &[String], of: &[&str]) -> Result<(), FormatError> {
+    let again = (0..of.len()).find_map(|at| Some((of[..at].iter().position(|before| *before == of[at])?, at)));
+    match again {
+        Some((first, second)) => Err(FormatError::Twice { option, first: given[first].clone(), second: given[second].clone() }),
+        None => Ok(()),
+    }
+}
+
 /// Metres a second squared in one g, by definition.
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
@@ -116,6 +149,8 @@ impl TableFormat {
     /// [`FormatError`] with the first that cannot be.
     pub fn new(columns: &[String], units: &[String], rate_hz: Option<f64>) -> Result<Self, FormatError> {
         let mut format = Self { columns: columns.iter().map(|given| column(given)).collect::<Result<_, _>>()?, ..Self::default() };
+        twice("columns", columns, &format.columns.iter().map(|column| quantity_of(column.quantity)).collect::<Vec<_>>())?;
+        twice("units", units, &units.iter().map(|unit| dimension_of(unit)).collect::<Vec<_>>())?;
         for unit in units {
             match unit.trim() {
                 "g" => format.accel_g = 1.0,

@@ -39,6 +39,18 @@ impl Hidden {
     /// Names in plans.
     pub const NAMES: [&str; 4] = ["two_stage", "two_modes", "wear", "snap"];
 
+    /// Its numbers, by their keys in a plan.
+    pub fn numbers(&self) -> Vec<(&'static str, f64)> {
+        match *self {
+            Self::TwoStage { x1_m, stiffness_n_m, loss } => vec![("x1_mm", x1_m * 1e3), ("stiffness_n_m", stiffness_n_m), ("loss", loss)],
+            Self::TwoModes { shares, f_hz, zeta } => {
+                vec![("share_1", shares[0]), ("share_2", shares[1]), ("f_1_hz", f_hz[0]), ("f_2_hz", f_hz[1]), ("zeta", zeta)]
+            }
+            Self::Wear { loss } => vec![("loss", loss)],
+            Self::Snap { x1_m, loss } => vec![("x1_mm", x1_m * 1e3), ("loss", loss)],
+        }
+    }
+
     /// Its name.
     pub fn name(&self) -> &'static str {
         match self {

@@ -158,7 +158,7 @@ impl Plan {
         Ok(Self {
             model,
             hidden: hidden(file, number("hidden.loss")?)?,
-            heights_m: file.numbers(HEIGHTS, HEIGHT_BOUNDS_M, "m")?,
+            heights_m: heights_m(file)?,
             drops: whole("drops.count")? as usize,
             scatter,
             noise_g: number("logger.noise_g")?,
@@ -168,6 +168,22 @@ impl Plan {
             landings,
             seed: whole("drops.seed")?,
         })
+    }
+}
+
+/// The heights, each once: drops are told apart by height and number.
+fn heights_m(file: &ImpactFile) -> Result<Vec<f64>, Refusal> {
+    let heights_m = file.numbers(HEIGHTS, HEIGHT_BOUNDS_M, "m")?;
+    let again = (0..heights_m.len()).find(|at| heights_m[..*at].contains(&heights_m[*at]));
+    match again {
+        Some(at) => {
+            let message = format!("`{HEIGHTS}` has {} m twice", heights_m[at]);
+            Err(file.refuse(
+                HEIGHTS,
+                Reason::Impossible { message, remedy: "give each height once, and more drops a height by `drops.count`".into() },
+            ))
+        }
+        None => Ok(heights_m),
     }
 }
 
@@ -182,6 +198,13 @@ fn stalls(file: &ImpactFile, number: &dyn Fn(&str) -> Result<f64, Refusal>) -> R
     if stalls.lost_s > 0.0 && stalls.record_s == 0.0 {
         let message = "`logger.stall_ms` needs whole records, and `logger.record_s` is 0".into();
         return Err(file.refuse("logger.stall_ms", Reason::Impossible { message, remedy: "give `logger.record_s`, such as 2".into() }));
+    }
+    let highest_m = file.numbers(HEIGHTS, HEIGHT_BOUNDS_M, "m")?.into_iter().fold(0.0, f64::max);
+    let least_s = Stalls::least_record_s(highest_m);
+    if stalls.record_s > 0.0 && stalls.record_s < least_s {
+        let message = format!("`logger.record_s` = {} s does not hold a fall from {highest_m} m and its impact", stalls.record_s);
+        let remedy = format!("give at least {least_s:.2}, or 0 for the impact alone");
+        return Err(file.refuse("logger.record_s", Reason::Impossible { message, remedy }));
     }
     Ok((stalls.record_s > 0.0).then_some(stalls))
 }
@@ -307,6 +330,21 @@ mod tests {
         assert!(reason.to_string().contains("too little"), "{reason}");
         let level = ImpactFile::parse("plan.toml", &format!("{PLAN}\n[landing]\ntouch_g = 70.0\n")).expect("is TOML");
         assert!(Plan::resolve(&level).is_ok());
+    }
+
+    #[test]
+    fn planted_heights_twice_and_records_that_are_too_short_are_refused() {
+        let heights = PLAN.lines().find(|line| line.starts_with("heights_m")).expect("is stated");
+        let reason = refusal(&PLAN.replace(heights, "heights_m = [1.0, 0.5, 1.0]")).reason;
+        assert_eq!(reason.to_string(), "`drops.heights_m` has 1 m twice");
+        let short = |record_s: f64| {
+            let text = PLAN.replace(heights, "heights_m = [1.0]");
+            assert!(text.contains("[logger]"), "{text}");
+            text.replace("[logger]", &format!("[logger]\nrecord_s = {record_s}"))
+        };
+        let reason = refusal(&short(0.9)).reason;
+        assert!(reason.remedy().starts_with("give at least 0.95"), "{}", reason.remedy());
+        assert!(ImpactFile::parse("plan.toml", &short(0.96)).and_then(|file| Plan::resolve(&file)).is_ok());
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! A plan of synthetic drops as a file.
 
-use super::{Hidden, Plan};
+use super::{HeavyFeet, Landings, Plan, Stalls};
 
 impl Plan {
-    /// The plan as a file that `flexframe synthesize` reads. Lateral axes and whole records are not in it.
+    /// The plan as a file that `flexframe synthesize` reads.
     pub fn to_toml(&self) -> String {
         let heights: Vec<String> = self.heights_m.iter().map(|height_m| format!("{height_m:?}")).collect();
         let scatter = &self.scatter;
@@ -14,31 +14,41 @@ impl Plan {
         text += &format!("damping = {:?}\ntilt_deg = {:?}\n", scatter.damping, scatter.tilt_deg);
         text +=
             &format!("\n[logger]\nnoise_g = {:?}\ncounts_per_g = {:?}\nrate_hz = {:?}\n", self.noise_g, self.counts_per_g, self.rate_hz);
+        if let Some(Stalls { lost_s, sector, catch_up, record_s }) = self.stalls {
+            text +=
+                &format!("record_s = {record_s:?}\nstall_ms = {:?}\nsector_samples = {sector:?}\ncatch_up = {catch_up:?}\n", lost_s * 1e3);
+        }
+        text += &self.landings.as_ref().map(landing).unwrap_or_default();
         if let Some(hidden) = &self.hidden {
-            text += &format!("\n[hidden]\nkind = \"{}\"\n{}", hidden.name(), numbers(hidden));
+            text += &format!("\n[hidden]\nkind = \"{}\"\n", hidden.name());
+            hidden.numbers().iter().for_each(|(key, value)| text += &format!("{key} = {value:?}\n"));
         }
         text
     }
 }
 
-fn numbers(hidden: &Hidden) -> String {
-    match hidden {
-        Hidden::TwoStage { x1_m, stiffness_n_m, loss } => {
-            format!("x1_mm = {:?}\nstiffness_n_m = {stiffness_n_m:?}\nloss = {loss:?}\n", x1_m * 1e3)
-        }
-        Hidden::TwoModes { shares: [one, two], f_hz: [low, high], zeta } => {
-            format!("share_1 = {one:?}\nshare_2 = {two:?}\nf_1_hz = {low:?}\nf_2_hz = {high:?}\nzeta = {zeta:?}\n")
-        }
-        Hidden::Wear { loss } => format!("loss = {loss:?}\n"),
-        Hidden::Snap { x1_m, loss } => format!("x1_mm = {:?}\nloss = {loss:?}\n", x1_m * 1e3),
-    }
+fn landing(landings: &Landings) -> String {
+    let feet = landings.heavy_feet.map_or_else(String::new, |HeavyFeet { share, f_hz, zeta }| {
+        format!("foot_share = {share:?}\nfoot_f_hz = {f_hz:?}\nfoot_zeta = {zeta:?}\n")
+    });
+    let [lean_x, lean_y] = landings.sensor_lean_rad.map(f64::to_degrees);
+    format!(
+        "\n[landing]\nrate_rad_s = {:?}\nat_release_rad = {:?}\ninertia_kg_m2 = {:?}\nfoot_radius_mm = {:?}\ntouch_g = {:?}\nringing_g = {:?}\n\
+         sensor_lean_x_deg = {lean_x:?}\nsensor_lean_y_deg = {lean_y:?}\n{feet}",
+        landings.rate_rad_s,
+        landings.at_release_rad,
+        landings.inertia_kg_m2,
+        landings.foot_radius_m * 1e3,
+        landings.touch_g,
+        landings.ringing_g
+    )
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::impact::effects::Model;
-    use crate::impact::synthetic::{ScatterLaw, TrialVariation, records};
+    use crate::impact::synthetic::{Hidden, ScatterLaw, TrialVariation, records};
     use crate::params::ImpactFile;
 
     /// What is written is the same plan: it gives the same drops, to the last bit.
@@ -69,6 +79,25 @@ mod tests {
             };
             let read = ImpactFile::parse("plan.toml", &plan.to_toml()).and_then(|file| Plan::resolve(&file)).expect("reads");
             assert_eq!(records(&plan), records(&read), "{hidden:?}");
+        }
+    }
+
+    /// The same of lateral axes, of feet with mass, and of a logger whose clock stalls.
+    #[test]
+    fn analytic_landings_and_whole_records_are_written_too() {
+        let plan = |tables: &str| {
+            let text = format!(
+                "mass_kg = 0.25\ngap_mm = 16.0\n[sensor]\ncutoff_hz = 500.0\norder = 1\nlimit_g = 230.0\n[effects.linear_spring]\nk = 20000.0\n[effects.linear_damper]\nc = 40.0\n\n[drops]\nheights_m = [1.0]\ncount = 3\n{tables}"
+            );
+            ImpactFile::parse("plan.toml", &text).and_then(|file| Plan::resolve(&file)).expect("reads")
+        };
+        for tables in [
+            "[landing]\nrate_rad_s = 0.3\ntouch_g = 70.0\nfoot_share = 0.125\ninertia_kg_m2 = 2e-3\n",
+            "[logger]\nrecord_s = 2.0\nstall_ms = 16.0\n",
+        ] {
+            let first = plan(tables);
+            let read = ImpactFile::parse("plan.toml", &first.to_toml()).and_then(|file| Plan::resolve(&file)).expect("reads");
+            assert_eq!(records(&first), records(&read), "{tables}");
         }
     }
 }

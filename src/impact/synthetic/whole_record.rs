@@ -7,6 +7,7 @@ use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::fine_wave::{AFTER_S, at};
+use super::stalls::ROOM_S;
 use super::synthetic_record::SyntheticRecord;
 use super::{Plan, ReferenceTrajectory, Stalls};
 use crate::units::GRAVITY_M_S2;
@@ -17,8 +18,6 @@ const NOISE_HZ: f64 = 500.0;
 const NOISE_S: f64 = 0.5 / (std::f64::consts::PI * NOISE_HZ);
 /// Relative variation of the lost time.
 const LOST_VARIES: f64 = 0.1;
-/// The touch lies so long after the begin of the fall's earliest begin, and before the end of the record, s.
-const ROOM_S: [f64; 2] = [0.15, 0.35];
 /// A hand lets go within, s.
 const RELEASE_S: [f64; 2] = [0.002, 0.010];
 /// Tremor of the hand: standard deviation, g, and correlation time, s.

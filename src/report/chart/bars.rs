@@ -27,8 +27,20 @@ pub(in crate::report) struct Bars {
 /// Where the legend begins, pixels.
 const LEGEND: (i32, i32) = (780, 24);
 
+/// Room below the lowest bar where one is negative, %.
+const BELOW_PERCENT: f64 = 4.0;
+
 /// Width of a bar, of a group's 1.
 const WIDTH: f64 = 0.38;
+
+impl Bars {
+    /// Where the axis begins, %: at 0, or below what is negative.
+    fn lowest(&self) -> f64 {
+        let below = |shares: &Vec<f64>| shares.iter().filter(|share| **share < 0.0).sum::<f64>();
+        let lowest = self.groups.iter().flat_map(|group| &group.shares).map(below).fold(0.0, f64::min);
+        if lowest < 0.0 { lowest - BELOW_PERCENT } else { 0.0 }
+    }
+}
 
 impl Chart for Bars {
     fn draw<B: DrawingBackend>(&self, area: &Area<B>) -> Drawn<B> {
@@ -40,7 +52,7 @@ impl Chart for Bars {
             .x_label_area_size(44)
             .y_label_area_size(60)
             .margin_right(200)
-            .build_cartesian_2d(0.0..count, 0.0..106.0_f64)?;
+            .build_cartesian_2d(0.0..count, self.lowest()..106.0_f64)?;
         let across = format!("drop height, m; left bar: {}, right bar: {}", self.sides[0], self.sides[1]);
         let name = |at: &f64| {
             let group = self.groups.get(at.floor() as usize).filter(|_| (at - at.floor() - 0.5).abs() < 1e-6);
@@ -54,7 +66,8 @@ impl Chart for Bars {
             let bars = self.groups.iter().enumerate().flat_map(|(at, group)| {
                 group.shares.iter().enumerate().map(move |(side, shares)| {
                     let left = at as f64 + 0.5 + (side as f64 - 1.0) * (WIDTH + 0.02) + 0.01;
-                    let below: f64 = shares[..part].iter().sum();
+                    // What is negative hangs below the axis, and nothing stands on it.
+                    let below: f64 = shares[..part].iter().filter(|share| (**share < 0.0) == (shares[part] < 0.0)).sum();
                     Rectangle::new([(left, below), (left + WIDTH, below + shares[part])], style)
                 })
             });

@@ -11,7 +11,7 @@ use crate::impact::diagnose::{
 use crate::impact::effects::{Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
 use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence};
-use crate::impact::measured::{DropSet, Fall, Session, StaticTest};
+use crate::impact::measured::{DropSet, Fall, FreeFallOffset, Session, StaticTest, symptoms};
 
 /// Most effects on top of spring and damper.
 pub const MOST_EFFECTS: usize = 3;
@@ -75,6 +75,9 @@ pub enum RequestError {
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
 }
+
+/// Readings so much beyond a sensor's stated limit are not its, g.
+const ABOVE_LIMIT_G: f64 = 3.0;
 
 /// What the drops need so that touches can be read.
 const TOUCHES_NEED: &str = "the feet's touches need eight drops a height whose lateral axes go on for 15 ms from first touch";
@@ -140,6 +143,7 @@ impl DiagnosisRequest<'_> {
         } else if let Some(observed) = &observed {
             self.warn_of_unjudged_landings(observed, &mut found);
         }
+        self.warn_of_the_records(waves, &compared.falls, &mut found);
         compared.covariates = self.explained(&choice, &fitted, compared.landing.as_ref());
         compared.confounding = confounded(&choice.chosen, self.covariates);
         compared.separating = SeparatingExperiment::of(&compared.confounding, &fitted, &found, compared.landing.as_ref(), self.seed);
@@ -174,6 +178,29 @@ impl DiagnosisRequest<'_> {
         ));
         if found.verdict == Verdict::Named {
             found.verdict = Verdict::Ambiguous;
+        }
+    }
+
+    /// Says what of the records themselves contradicts what is named: their unit, zero and time stamps, copies, falls that are not those of their
+    /// heights, and readings beyond the sensor's limit.
+    fn warn_of_the_records(&self, waves: &Waves, falls: &[Fall], found: &mut Diagnosis) {
+        found.reasons.extend(symptoms(self.drops));
+        found.reasons.extend(beyond_limit(waves, self.model.sensor.limit_g));
+        let dh_m = found.estimates.iter().find(|one| one.effect == DROP_HEIGHT_ERROR.id).map_or(0.0, |one| one.value);
+        let explained = |fall: &&Fall| fall.agrees() || (dh_m != 0.0 && fall.agrees_with(fall.height_m + dh_m));
+        if let Some(fall) = falls.iter().find(|fall| !explained(fall)) {
+            let reason = format!(
+                "the fall from {} m lasted {:.0} ± {:.0} ms, which is that from {:.2} m: what is found rests on heights that were not those stated. \
+                 Correct the heights, or tell why the release was not free",
+                fall.height_m,
+                1e3 * fall.fall_s,
+                1e3 * fall.error_s,
+                fall.fallen_m()
+            );
+            found.reasons.insert(0, reason);
+            if found.verdict == Verdict::Named {
+                found.verdict = Verdict::NoneSuffices;
+            }
         }
     }
 
@@ -230,7 +257,7 @@ impl DiagnosisRequest<'_> {
             left_out: chosen.left_out.clone(),
             held_out_heights_m: self.hold_out_heights_m.to_vec(),
             seed: self.seed,
-            falls: Fall::of(self.drops),
+            falls: if FreeFallOffset::all(self.drops).is_empty() { Fall::of(self.drops) } else { Vec::new() },
             static_test: None,
             frame_mode: None,
             landing: None,
@@ -239,6 +266,20 @@ impl DiagnosisRequest<'_> {
             separating: None,
         }
     }
+}
+
+/// Says that readings lie beyond the limit of the model's sensor, which then cannot be theirs.
+fn beyond_limit(waves: &Waves, limit_g: f64) -> Option<String> {
+    let beyond = |window: &&Vec<f64>| window.iter().any(|reading| reading.abs() > limit_g + ABOVE_LIMIT_G);
+    let windows = || waves.groups.iter().flat_map(|group| &group.windows);
+    let (count, all) = (windows().filter(beyond).count(), windows().count());
+    let largest_g = windows().flatten().map(|reading| reading.abs()).fold(0.0, f64::max);
+    (count > 0).then(|| {
+        format!(
+            "{count} of {all} drops read more than the {limit_g} g at which the model's sensor ends, up to {largest_g:.0} g: state its limit \
+             (limit_g of the model's sensor), or what is found stands for that"
+        )
+    })
 }
 
 /// What the recorded falls say against an error of the drop heights that was found; nothing where they agree with it, or none was found.

@@ -158,8 +158,11 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
     let mut heights: Vec<f64> = diagnosis.base_points.iter().map(|point| point.height_m).collect();
     heights.dedup();
     for height_m in &heights {
+        // All at the times of the base model's first touch: samples are compared by their place behind the trigger, whatever the onset of a model.
         let of = |points: &[Point], value: &dyn Fn(&Point) -> f64| -> Vec<(f64, f64)> {
-            points.iter().filter(|point| point.height_m == *height_m).map(|point| (point.t_ms, value(point))).collect()
+            let own = |points: &&Point| points.height_m == *height_m;
+            let times_ms = diagnosis.base_points.iter().filter(own).map(|point| point.t_ms);
+            times_ms.zip(points.iter().filter(own).map(value)).collect()
         };
         let line = |label: &str, colour: usize, width: u32, marked: bool, points: Vec<(f64, f64)>| Series {
             label: Some(label.into()),
@@ -170,7 +173,7 @@ fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {
         };
         let chart = Lines {
             title: format!("Mean wave from {height_m} m"),
-            across: "time from first touch, ms",
+            across: "time from first touch in the model before, ms",
             up: "acceleration, g",
             series: vec![
                 line("measured", 6, 1, true, of(&diagnosis.base_points, &|point| point.measured_g)),

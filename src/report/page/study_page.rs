@@ -145,7 +145,15 @@ impl StudyReport<'_> {
             reasons.into_iter().take(LISTED).map(|(why, count)| vec![why.to_string(), count.to_string()]).collect();
         let head = |words: &[&str]| words.iter().map(ToString::to_string).collect();
         let mut blocks = Vec::new();
-        if by_rule.is_empty() && reasons.is_empty() {
+        // A study may count violations without a margin of each rule.
+        let counted = self.study.columns.iter().position(|column| matches!(column, Column::Violations));
+        let violating =
+            counted.map_or(0, |at| (0..rows).filter(|row| self.outcomes.figure(*row, at).is_some_and(|count| count > 0.0)).count());
+        if violating > 0 {
+            let which = if by_rule.is_empty() { "; give the measures `margin.RULE` to see which" } else { "" };
+            blocks.push(Block::Text(format!("{violating} of {rows} rows violate a limit{which}.")));
+        }
+        if violating == 0 && by_rule.is_empty() && reasons.is_empty() {
             blocks.push(Block::Text("Nothing that the study looks at.".into()));
         }
         if !by_rule.is_empty() {
