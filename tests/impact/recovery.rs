@@ -1,7 +1,7 @@
 //! Hidden effects found again, through the program: synthetic drops in, a name out.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::effect_cases::CASES;
 use assert_cmd::Command;
@@ -145,6 +145,87 @@ fn planted_strangers_are_not_named() {
     };
     let faults: Vec<String> = cases.par_iter().enumerate().filter_map(one).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+/// Writes a plan's drops into a folder; their table.
+fn synthesized(folder: &Path, plan: &str) -> PathBuf {
+    let file = folder.join("truth.toml");
+    fs::write(&file, plan).expect("written");
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder).assert().success();
+    folder.join("synthesize-truth/drops/drops.csv")
+}
+
+/// Diagnoses drops with a model into a folder.
+fn diagnosed(folder: &Path, drops: &[&Path], model: &str) -> Value {
+    let out = program().args(["diagnose", "--json", "--model", model, "-o"]).arg(folder).args(drops).output().expect("run");
+    serde_json::from_slice(&out.stdout).expect("JSON")
+}
+
+#[test]
+fn planted_a_model_with_the_effect_that_was_found_lacks_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let drops = synthesized(folder.path(), &plan(&table("quadratic_damping", "c2 = 8.0"), 5));
+    assert_eq!(ids(&diagnosed(folder.path(), &[&drops], "paper")), ["quadratic_damping"]);
+    let after = folder.path().join("diagnose-paper/model.toml");
+    let again = diagnosed(folder.path(), &[&drops], after.to_str().expect("is text"));
+    assert_eq!((&again["verdict"], ids(&again)), (&Value::from("nothing_missing"), Vec::new()), "{}", again["reasons"]);
+    // Another effect than that of the drops is not enough, and said so.
+    let wrong = folder.path().join("wrong.toml");
+    let text = fs::read_to_string(&after).expect("is there");
+    let own = text.find("[effects.quadratic_damping]").expect("has the effect");
+    fs::write(&wrong, format!("{}{}", &text[..own], table("preload", "f0_n = 5.0"))).expect("written");
+    let again = diagnosed(folder.path(), &[&drops], wrong.to_str().expect("is text"));
+    assert_eq!(ids(&again), ["quadratic_damping"]);
+    assert!(again["reasons"].to_string().contains("the model's own preload leaves more than trial variation"), "{}", again["reasons"]);
+}
+
+/// A fit that stopped before its minimum once left the stiffness a quarter too small, and was taken for enough.
+#[test]
+fn regress_stiff_frames_that_the_ground_does_not_pull_are_fitted_to_the_end() {
+    let plan = |seed: u64| {
+        format!(
+            "mass_kg = 0.241\ngap_mm = 16.0\n[sensor]\ncutoff_hz = 500.0\norder = 1\nlimit_g = 230.0\nchannel = \"axial\"\n\
+             [effects.linear_spring]\nk = 40000.0\n[effects.linear_damper]\nc = 60.0\n[effects.unilateral_contact]\ntension_factor = 0.0\n\
+             [drops]\nheights_m = [0.5, 1.0, 1.5]\ncount = 20\nseed = {seed}\n[scatter]\nshare = 0.06\n"
+        )
+    };
+    let one =
+        |seed: u64| {
+            let folder = tempfile::tempdir().expect("a folder");
+            let found = diagnosed(folder.path(), &[&synthesized(folder.path(), &plan(seed))], "paper-corrected");
+            let k = found["base"]["after"]["k"]["value"].as_f64().expect("a number");
+            (found["verdict"] == "named" && ids(&found) == ["unilateral_contact"] && (k / 4e4 - 1.0).abs() < 0.05)
+                .then_some(())
+                .ok_or(format!("seed {seed}: {} {:?}, k {k}", found["verdict"], ids(&found)))
+        };
+    let faults: Vec<String> = (1..=8).into_par_iter().filter_map(|seed| one(seed).err()).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn planted_records_that_contradict_a_name_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let whole = plan("", 9).replace("correlation_ms = 1.5\n", "correlation_ms = 1.5\n[logger]\nrecord_s = 1.6\n");
+    let drops = synthesized(folder.path(), &whole);
+    let text = fs::read_to_string(&drops).expect("is there");
+    // Heights that are stated a fifth too large: all falls are too short.
+    let higher = |line: &str| {
+        let mut fields: Vec<String> = line.split(',').map(String::from).collect();
+        if let Ok(height_m) = fields[1].parse::<f64>() {
+            fields[1] = (1.2 * height_m).to_string();
+        }
+        fields.join(",")
+    };
+    let wrong = folder.path().join("wrong.csv");
+    fs::write(&wrong, text.lines().map(higher).collect::<Vec<_>>().join("\n")).expect("written");
+    let found = diagnosed(folder.path(), &[&wrong], "paper");
+    assert_ne!(found["verdict"], "named", "{}", found["reasons"]);
+    assert!(found["reasons"][0].as_str().is_some_and(|reason| reason.contains("which is that from 0.")), "{}", found["reasons"]);
+    // The same file under another name.
+    let copy = folder.path().join("copy.csv");
+    fs::write(&copy, &text).expect("written");
+    let found = diagnosed(folder.path(), &[&drops, &copy], "paper");
+    assert!(found["reasons"].to_string().contains("80 records have the readings of another one"), "{}", found["reasons"]);
 }
 
 #[test]
