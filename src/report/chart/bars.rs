@@ -27,6 +27,8 @@ pub(in crate::report) struct Bars {
 /// Where the legend begins, pixels.
 const LEGEND: (i32, i32) = (780, 24);
 
+/// Room above the highest bar for a group's label, %.
+const LABEL_PERCENT: f64 = 6.0;
 /// Room below the lowest bar where one is negative, %.
 const BELOW_PERCENT: f64 = 4.0;
 
@@ -34,6 +36,12 @@ const BELOW_PERCENT: f64 = 4.0;
 const WIDTH: f64 = 0.38;
 
 impl Bars {
+    /// The top of the highest bar, %: 100, or more where something is negative.
+    fn highest(&self) -> f64 {
+        let above = |shares: &Vec<f64>| shares.iter().filter(|share| **share > 0.0).sum::<f64>();
+        self.groups.iter().flat_map(|group| &group.shares).map(above).fold(100.0, f64::max)
+    }
+
     /// Where the axis begins, %: at 0, or below what is negative.
     fn lowest(&self) -> f64 {
         let below = |shares: &Vec<f64>| shares.iter().filter(|share| **share < 0.0).sum::<f64>();
@@ -52,7 +60,7 @@ impl Chart for Bars {
             .x_label_area_size(44)
             .y_label_area_size(60)
             .margin_right(200)
-            .build_cartesian_2d(0.0..count, self.lowest()..106.0_f64)?;
+            .build_cartesian_2d(0.0..count, self.lowest()..self.highest() + LABEL_PERCENT)?;
         let across = format!("drop height, m; left bar: {}, right bar: {}", self.sides[0], self.sides[1]);
         let name = |at: &f64| {
             let group = self.groups.get(at.floor() as usize).filter(|_| (at - at.floor() - 0.5).abs() < 1e-6);
@@ -81,7 +89,9 @@ impl Chart for Bars {
             plotters::style::text_anchor::VPos::Bottom,
         ));
         let labels = self.groups.iter().enumerate();
-        chart.draw_series(labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, 101.0), centred.clone())))?;
+        chart.draw_series(
+            labels.map(|(at, group)| Text::new(group.label.clone(), (at as f64 + 0.5, self.highest() + 1.0), centred.clone())),
+        )?;
         Ok(())
     }
 }
