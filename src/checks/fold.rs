@@ -3,11 +3,13 @@
 //! flat on a table, and nothing is in the way of a step's motion.
 
 use super::finding::Finding;
+use super::interference::KNEE_WINDOW;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, fold_inputs, sweeps};
 use crate::frame::mounting::Mounting;
+use crate::params::PartName;
 
 const HOLD: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
 const PLUG: &[&str] = &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"];
@@ -23,7 +25,7 @@ pub static RULE: Rule = Rule {
     requires: "a sequence exists in which the frame can be assembled",
     units: &["", "mm", "deg", "mm3", "steps"],
     limits: &[],
-    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, MOUNTED, FLAT]),
+    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, KNEE_WINDOW, MOUNTED, FLAT]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &["fold: hold", "fold: notch", "fold: flat", "fold"], binds: true },
     found: Found::By(&[Pass::quick(check), Pass::slow(way)]),
@@ -58,6 +60,12 @@ fn preload(scene: &Scene) -> Finding {
     measure.at_most("fold: notch".into(), format!("the struts fold {beyond} deg beyond the closing of their notch, {most} deg are allowed"))
 }
 
+/// What drives the way of a step on which two bodies meet: the fit of knee and fork, or where the bodies are.
+fn way_levers(bodies: &[String; 2]) -> &'static [&'static str] {
+    let is = |part: PartName| bodies.iter().any(|body| body.starts_with(part.slug()));
+    if is(PartName::Knee) && is(PartName::Fork) { KNEE_WINDOW } else { WAY }
+}
+
 /// What is in the way of a step.
 fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
     let sweeps = sweeps(scene.design, fold);
@@ -72,7 +80,8 @@ fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
         }
         None => format!("nothing is in the way of any step: {pairs} pairs of pieces that move to each other"),
     };
-    measure(value, 0.0, "mm3", WAY).at_most("fold: way".into(), message)
+    let levers = met.map_or(WAY, |(_, meeting)| way_levers(&meeting.bodies));
+    measure(value, 0.0, "mm3", levers).at_most("fold: way".into(), message)
 }
 
 /// What is in the way of a mount.
@@ -145,6 +154,12 @@ pub(super) fn way(scene: &Scene) -> Vec<Finding> {
 mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_knee_too_wide_for_its_fork_names_what_drives_their_fit() {
+        let found = Planted::frame(|frame| frame.fork.fork_cheek_gap_mm -= 0.2).found(way);
+        assert_eq!(violated(&found)[0].levers, KNEE_WINDOW, "{found:?}");
+    }
 
     #[test]
     fn planted_folds_that_cannot_be() {

@@ -17,7 +17,9 @@ use crate::params::roles::ACCESSORIES;
 
 const ROD_FIT: &[&str] = &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"];
 const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
-const KNEE_WINDOW: &[&str] = &["fork.fork_cheek_gap_mm", "knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"];
+/// What drives the fit of knee and fork.
+pub(super) const KNEE_WINDOW: &[&str] =
+    &["fork.fork_cheek_gap_mm", "knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"];
 const SLEEVE: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"];
 const OTHER: &[&str] = &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"];
 const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "bought.motor_screw"];

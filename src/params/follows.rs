@@ -16,8 +16,8 @@ const PROPELLER_GAP_MM: f64 = 0.9;
 /// so cuts its sockets flat where it lies on the bed.
 const BAR_OVER_ROD_MM: f64 = 2.6;
 
-/// The gap between the fork's cheeks over its rod, mm: as on the real frame, 6.13 mm for rods of 3 mm. The knee between them is as
-/// wide as its strut's bore with two walls.
+/// The gap between the fork's cheeks over its rod, mm: as on the real frame, 6.13 mm for rods of 3 mm that are held in
+/// bores of 2.7 mm. The knee between them is as wide as its strut's bore with two walls, so the gap grows with the grip's clearance.
 const CHEEKS_OVER_ROD_MM: f64 = 3.13;
 
 /// The motor's plate over the circle and a hole of its screws, mm: as on the real frame, 15 mm around holes of 2 mm on 9 mm.
@@ -86,6 +86,20 @@ const FOLLOWS: [Follows; 24] = [
 
 /// Numbers that are another number unless a file states them: key, and the other one with its table.
 const SAME_AS: [(&str, &str); 1] = [("envelope_depth_mm", "limits.envelope_width_mm")];
+
+/// Numbers that grow, beside what they follow from, with another number: key, the other one with its table, and its usual value. The knee
+/// between the fork's cheeks is wider where its bores are.
+const GROW_WITH: [(&str, &str, f64); 1] = [("fork_cheek_gap_mm", "fit.grip_clearance_mm", -0.3)];
+
+/// The number, with its table, that a key grows with unless a file states it, and that number's usual value.
+pub(super) fn grows_with(key: &str) -> Option<(&'static str, f64)> {
+    GROW_WITH.iter().find(|(follower, ..)| *follower == key).map(|(_, other, usual)| (*other, *usual))
+}
+
+/// A number that follows from a bought part, with the other number that it grows with at a value of its own.
+pub(super) fn grown_mm(followed_mm: f64, other_mm: f64, usual_mm: f64) -> f64 {
+    sum_mm([followed_mm, other_mm, -usual_mm])
+}
 
 /// The number, with its table, that a key is equal to unless a file states it.
 pub(super) fn same_as(key: &str) -> Option<&'static str> {

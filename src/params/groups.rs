@@ -100,7 +100,7 @@ parameters! {
         fork_bar_height_mm: 3.0..=8.0 => [Fork, Knee],
         /// Rounding of the bar.
         fork_bar_round_mm: 0.0..=1.5 => [Fork],
-        /// Gap between the cheeks that hold the knee.
+        /// Gap between the cheeks that hold the knee; where it follows, it grows with grip_clearance_mm over -0.3 mm, as the knee does.
         fork_cheek_gap_mm: 4.0..=10.0 => [Fork],
         /// Depth of the gap behind the bar.
         fork_finger_length_mm: 2.0..=8.0 => [Fork],

@@ -158,9 +158,9 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
             let reason = Reason::WrongType { key: key.clone(), found: other.kind().into(), expected: p.expected() };
             return Err(file.refuse(&key, reason));
         }
-        None => match follows::same_as(p.key).and_then(|other| catalogue().find(|q| other == format!("{}.{}", q.table, q.key))) {
+        None => match follows::same_as(p.key).and_then(parameter_called) {
             Some(other) => return number(file, bought, other),
-            None => follows::from_bought(bought, p.key).ok_or_else(|| not_stated(file, bought, p))?,
+            None => from_bought(file, bought, p)?,
         },
     };
     if (p.min..=p.max).contains(&value) {
@@ -170,6 +170,20 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     let typed = file.entries.contains_key(&key);
     let chosen = follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
     Err(file.refuse(if typed { &key } else { &chosen }, reason))
+}
+
+/// What a bought part says of a number, and the number that it grows with.
+fn from_bought(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter) -> Result<f64, Refusal> {
+    let followed = follows::from_bought(bought, p.key).ok_or_else(|| not_stated(file, bought, p))?;
+    match follows::grows_with(p.key).and_then(|(other, usual)| Some((parameter_called(other)?, usual))) {
+        Some((other, usual)) => Ok(follows::grown_mm(followed, number(file, bought, other)?, usual)),
+        None => Ok(followed),
+    }
+}
+
+/// The parameter of a key with its table.
+fn parameter_called(key: &str) -> Option<&'static Parameter> {
+    catalogue().find(|p| key == format!("{}.{}", p.table, p.key))
 }
 
 /// A number that neither the file states nor the bought part that it follows from.
