@@ -73,8 +73,23 @@ pub fn fold_table(hinges: &Hinges) -> String {
     text
 }
 
+/// What the commands of the page name, as the user's shell finds it.
+#[derive(Clone, Copy, Debug)]
+pub struct Named<'a> {
+    /// The frame: a preset's name or a path.
+    pub frame: &'a str,
+    /// The path of the table of folded hinges.
+    pub folds: &'a str,
+}
+
+/// A word of a command, in quotes where a shell would take it apart.
+fn word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./+:@%".contains(c);
+    if text.chars().all(is_plain) { text.into() } else { format!("'{}'", text.replace('\'', "'\\''")) }
+}
+
 /// The page.
-pub fn markdown(frame: &Frame, coupon: &Coupon) -> String {
+pub fn markdown(frame: &Frame, coupon: &Coupon, named: Named) -> String {
     let mut text = format!(
         "# Coupon of {}\n\nWhich clearances this printer needs, before the frame is printed. Print each piece as it lies, with the settings of the frame's \
          parts: open the `plate_` of each material, or load the `.ini` beside a piece in PrusaSlicer, and keep your own printer and spool.\n\n![The pieces](coupon.png)\n\n| piece | of | settings | mm3 |\n|---|---|---|---|\n",
@@ -101,13 +116,13 @@ pub fn markdown(frame: &Frame, coupon: &Coupon) -> String {
         text,
         "\nThen, with what you found:\n\n```console\nflexframe coupon {0} --read held=2.7,slides=3.2,window=0.2,plug=0.0 --into my-printer.toml\n```\n\n\
          and let every frame of this printer have `base = \"my-printer\"`. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
-        frame.name
+        word(named.frame)
     );
-    hinges(&mut text, frame, &coupon.hinges);
+    hinges(&mut text, frame, &coupon.hinges, named);
     text
 }
 
-fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges) {
+fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges, named: Named) {
     let _ = write!(
         text,
         "\n## Hinges\n\nWhat strain this filament bears, printed on this printer: three hinges of the corners' own section, the middle one as thick as \
@@ -127,10 +142,11 @@ fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges) {
     }
     let _ = write!(
         text,
-        "\n```console\nflexframe coupon {} --read hinges.csv --into my-printer.toml\n```\n\n\
+        "\n```console\nflexframe coupon {} --read {} --into my-printer.toml\n```\n\n\
          The largest strain that held becomes the limit of the rule `hinge_strain`: `hinge_strain_factor` is set to the material's elongation at break over it. \
          A thinner web that holds while a thicker one cracks is refused: two pieces were mixed up, or one has a flaw. What the figure is \
          worth: one sample of each web, one direction of layers, one day. It knows no scatter, no cold, and no weeks under strain.\n",
-        frame.name
+        word(named.frame),
+        word(named.folds)
     );
 }
