@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::planted::{Planted, table_line, violated};
 use super::rule::Found;
 use super::*;
-use crate::params::resolve::TARGET_BOUNDS;
+use crate::params::target;
 use crate::params::{PartName, parameters, preset};
 
 fn broken(preset: &str) -> Vec<String> {
@@ -77,9 +77,7 @@ const CHOICES: [&str; 16] = [
 ];
 
 fn is_key(key: &str) -> bool {
-    CHOICES.contains(&key)
-        || TARGET_BOUNDS.iter().any(|(known, ..)| *known == key)
-        || parameters().any(|p| key == format!("{}.{}", p.table, p.key))
+    CHOICES.contains(&key) || target::key(key).is_some() || parameters().any(|p| key == format!("{}.{}", p.table, p.key))
 }
 
 /// The sets of levers that a rule's findings can have.

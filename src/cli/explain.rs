@@ -12,6 +12,7 @@ use super::terminal;
 use crate::figures::decimals;
 use crate::params::parameter::Parameter;
 use crate::params::refusal::Place;
+use crate::params::target::{self, TargetKey};
 use crate::params::{Frame, FrameFile, follows};
 use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitivity};
 
@@ -35,6 +36,15 @@ pub(super) struct Args {
 /// By how much the parameter is changed.
 const SHARE: f64 = 0.05;
 
+/// What is said instead of an effect where a target size gives a number.
+const GIVEN: &str =
+    "The frame has no other value of it: [target] gives the rod lengths. `flexframe explain target.width_mm` tells of its keys.";
+
+/// Whether a target size gives a parameter's number.
+fn is_given(parameter: &Parameter, frame: &Frame) -> bool {
+    target::gives(frame, &format!("{}.{}", parameter.table, parameter.key))
+}
+
 /// Explains a parameter, or a choice of a name.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let (frame, file) = session::load(&args.frame)?;
@@ -46,13 +56,24 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         }
         return Ok(ExitCode::SUCCESS);
     }
+    if let Some(key) = target::key(&args.key) {
+        if common.json {
+            terminal::print_json(&target_json(key, &file))?;
+        } else {
+            terminal::print(&target_text(key, &file))?;
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
     let parameter = session::parameter(&args.key)?;
+    let frame = session::with_lengths(frame, &file, common)?;
     let settings = session::mechanics(&args.mechanics)?;
     let working = Progress::of("trying values", common);
-    let responses = sensitivity(&file, &frame, parameter, SHARE, settings.as_ref());
+    let responses = if is_given(parameter, &frame) { Vec::new() } else { sensitivity(&file, &frame, parameter, SHARE, settings.as_ref()) };
     drop(working);
     if common.json {
         terminal::print_json(&json(parameter, &frame, &responses))?;
+    } else if is_given(parameter, &frame) {
+        terminal::print(&format!("{}\n{GIVEN}\n", head(parameter, &frame, &file)))?;
     } else {
         let mechanics = if settings.is_some() { format!("{MECHANICS_CAVEAT}\n") } else { String::new() };
         terminal::print(&format!("{}\n{}\n{PEAK_CAVEAT}\n{mechanics}", head(parameter, &frame, &file), table(parameter, &responses)))?;
@@ -64,9 +85,10 @@ fn head(p: &Parameter, frame: &Frame, file: &FrameFile) -> String {
     let unit = p.unit();
     let value = frame.value(p.table, p.key).unwrap_or(f64::NAN);
     let mut text = format!("{}.{}\n  {}\n", p.table, p.key, p.doc.trim());
-    text += format!("  value    {value} {unit}").trim_end();
+    text += format!("  value    {} {unit}", round(value)).trim_end();
     let stated = file.entries.get(&format!("{}.{}", p.table, p.key)).map(|entry| &entry.place);
     text += &match (stated, follows::followed_key(p.key)) {
+        _ if is_given(p, frame) => " (follows from [target])\n".into(),
         (Some(place), _) => format!(" ({})\n", line_of(place)),
         (None, Some(followed)) => format!(" (follows from {followed})\n"),
         (None, None) => "\n".into(),
@@ -80,6 +102,29 @@ fn head(p: &Parameter, frame: &Frame, file: &FrameFile) -> String {
 /// File and line of a place.
 fn line_of(place: &Place) -> String {
     format!("{}:{}", place.source.name, place.line_column()[0])
+}
+
+fn target_text(target: &TargetKey, file: &FrameFile) -> String {
+    let TargetKey { key, min, max, unit, doc } = target;
+    let value = match file.entries.get(*key) {
+        Some(entry) => format!("{} {unit} ({})", entry.value.to_toml(), line_of(&entry.place)),
+        None => "no file states it; the frame's rod lengths are stated".into(),
+    };
+    format!("{key}\n  {doc}\n  value    {value}\n  bounds   {min} to {max} {unit}\n  sets     {}\n", target::LENGTHS.join(", "))
+}
+
+fn target_json(target: &TargetKey, file: &FrameFile) -> serde_json::Value {
+    let TargetKey { key, min, max, unit, doc } = target;
+    let value = file.entries.get(*key).map(|entry| entry.value.to_toml());
+    serde_json::json!({
+        "schema_version": 1,
+        "key": key,
+        "what": doc,
+        "unit": unit,
+        "value": value,
+        "bounds": [min, max],
+        "sets": target::LENGTHS,
+    })
 }
 
 fn choice_text(choice: &Choice) -> String {
@@ -206,7 +251,7 @@ fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Val
         "value": frame.value(p.table, p.key),
         "bounds": [p.min, p.max],
         "drives": p.drives.iter().map(|part| part.slug()).collect::<Vec<_>>(),
-        "follows": follows::followed(p.key),
+        "follows": if is_given(p, frame) { Some("target") } else { follows::followed(p.key) },
         "responses": responses.iter().map(response).collect::<Vec<_>>(),
         "peak": PEAK_CAVEAT,
     })

@@ -9,7 +9,7 @@ use super::options::{Common, FrameOption};
 use super::session;
 use super::terminal;
 use crate::params::parameter::Parameter;
-use crate::params::{Frame, follows, parameters};
+use crate::params::{Frame, follows, parameters, target};
 
 /// List every parameter with unit, default, bounds and the parts it drives.
 #[derive(Debug, clap::Args)]
@@ -37,7 +37,7 @@ struct Row {
     unit: &'static str,
     value: Option<f64>,
     default: Option<f64>,
-    /// What the value follows from, when no file states it: a bought part's role, or another number.
+    /// What the value follows from, when no file states it: a bought part's role, another number, or the target size.
     follows: Option<&'static str>,
     min: f64,
     max: f64,
@@ -48,6 +48,7 @@ struct Row {
 /// Lists the parameters.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let (frame, file) = session::load(&args.frame)?;
+    let frame = session::with_lengths(frame, &file, common)?;
     let (default, _) = Frame::load("cognifly")?;
     let rows: Vec<Row> = parameters()
         .map(|p| {
@@ -57,7 +58,13 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
                 unit: p.unit(),
                 value: frame.value(p.table, p.key),
                 default: default.value(p.table, p.key),
-                follows: if file.entries.contains_key(&key) { None } else { follows::followed(p.key) },
+                follows: if target::gives(&frame, &key) {
+                    Some("target")
+                } else if file.entries.contains_key(&key) {
+                    None
+                } else {
+                    follows::followed(p.key)
+                },
                 min: p.min,
                 max: p.max,
                 drives: p.drives.iter().map(|part| part.slug()).collect(),
@@ -89,7 +96,7 @@ fn table(rows: &[Row]) -> String {
     for row in rows {
         let bounds = format!("{} to {} {}", row.min, row.max, row.unit).trim_end().to_string();
         let drives = if row.drives.is_empty() { String::new() } else { format!(" [{}]", row.drives.join(", ")) };
-        let follows = row.follows.and_then(|_| follows::followed_key(row.parameter.key));
+        let follows = row.follows.map(|followed| follows::followed_key(row.parameter.key).unwrap_or_else(|| followed.into()));
         let follows = follows.map_or(String::new(), |key| format!(" (follows from {key})"));
         text +=
             &format!("{:<42} {:>9} {:>9}  {bounds:<18} {}{follows}{drives}\n", row.key, number(row.value), number(row.default), row.doc);

@@ -42,6 +42,14 @@ pub(super) fn designed(frame: Frame, file: &FrameFile, memo: &Arc<Memo>) -> Resu
     Design::with(frame, memo).map_err(|error| refused(file, &error))
 }
 
+/// A frame with the rod lengths that follow from its target size, where it has one.
+pub(super) fn with_lengths(frame: Frame, file: &FrameFile, common: &Common) -> Result<Frame, Failure> {
+    if frame.target.is_none() {
+        return Ok(frame);
+    }
+    designed(frame, file, &cache::memo(common)).map(|design| design.frame)
+}
+
 /// A design error as a refusal of the file that caused it.
 pub(super) fn refused(file: &FrameFile, error: &DesignError) -> Failure {
     LoadError::Refused(error.refusal(file)).into()

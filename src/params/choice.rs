@@ -8,7 +8,7 @@ use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
 use super::preset;
-use super::read::{bad_entry, in_one_line, stated_text, text};
+use super::read::{bad_entry, in_one_line, stated_text, text, to_blame};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
 
@@ -69,6 +69,9 @@ impl Catalogues {
                 return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest }));
             }
             within_bounds(figures, field, file, key, &entry.value)?;
+            if table == "parts" && field == "kind" {
+                known_kind(file, key, &entry.value)?;
+            }
             let own = catalogue.entry(name).or_insert_with(|| toml::Value::Table(toml::Table::new()));
             if let Some(own) = own.as_table_mut() {
                 own.insert(field.into(), entry.value.to_toml());
@@ -175,6 +178,17 @@ impl Catalogues {
     }
 }
 
+/// Refuses a kind of bought part that no role takes.
+fn known_kind(file: &FrameFile, key: &str, value: &Value) -> Result<(), Refusal> {
+    let kinds: BTreeSet<&str> = ROLES.iter().map(|(_, _, kind)| *kind).collect();
+    let Some(kind) = value.text().filter(|kind| !kinds.contains(kind)) else { return Ok(()) };
+    let near = nearest(kind, kinds.iter().copied());
+    let meant = near.first().map_or(String::new(), |near| format!("did you mean \"{near}\"? "));
+    let known: Vec<&str> = kinds.into_iter().collect();
+    let message = format!("`{key}` is \"{kind}\", no kind of bought part");
+    Err(file.refuse(key, Reason::Impossible { message, remedy: format!("{meant}the kinds are {}", known.join(", ")) }))
+}
+
 /// Whether an entry is of a kind.
 fn is(entry: &toml::Table, kind: &str) -> bool {
     entry.get("kind").and_then(toml::Value::as_str) == Some(kind)
@@ -209,16 +223,6 @@ fn entry<T: serde::de::DeserializeOwned + schemars::JsonSchema>(
         let at = to_blame::<T>(entry, file, &format!("override.{table}.{name}."));
         bad_override(file, at.as_deref().unwrap_or(key), kind, table, name, &message)
     })
-}
-
-/// The key of a field of the file's own whose value does not read: without it the entry reads, or lacks just that field.
-fn to_blame<T: serde::de::DeserializeOwned>(entry: &toml::Value, file: &FrameFile, own: &str) -> Option<String> {
-    let is_to_blame = |field: &str| {
-        let mut without = entry.clone();
-        without.as_table_mut().is_some_and(|table| table.remove(field).is_some())
-            && without.try_into::<T>().map_or_else(|error| error.message().contains(&format!("missing field `{field}`")), |_| true)
-    };
-    file.entries.keys().find(|key| key.strip_prefix(own).is_some_and(is_to_blame)).cloned()
 }
 
 /// The fields that an entry may have.

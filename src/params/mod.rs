@@ -24,6 +24,7 @@ mod rendered;
 pub mod resolve;
 pub mod roles;
 pub mod sleeve_direction;
+pub mod target;
 
 pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::{FrameFile, LoadError};

@@ -29,3 +29,13 @@ pub(super) fn bad_entry(file: &FrameFile, key: &str, kind: &str, name: &str, mes
 pub(super) fn in_one_line(file: &FrameFile, key: &str, kind: &str, name: &str) -> Result<(), Refusal> {
     if name.contains(char::is_control) { Err(bad_entry(file, key, kind, name, "its name has a control character in it")) } else { Ok(()) }
 }
+
+/// The key of a field of the file's own whose value does not read: without it the entry reads, or lacks just that field.
+pub(super) fn to_blame<T: serde::de::DeserializeOwned>(entry: &toml::Value, file: &FrameFile, own: &str) -> Option<String> {
+    let is_to_blame = |field: &str| {
+        let mut without = entry.clone();
+        without.as_table_mut().is_some_and(|table| table.remove(field).is_some())
+            && without.try_into::<T>().map_or_else(|error| error.message().contains(&format!("missing field `{field}`")), |_| true)
+    };
+    file.entries.keys().find(|key| key.strip_prefix(own).is_some_and(is_to_blame)).cloned()
+}

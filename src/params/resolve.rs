@@ -5,15 +5,15 @@ use std::collections::BTreeMap;
 use super::choice::Catalogues;
 use super::figure::within_bounds;
 use super::follows;
-use super::frame::{BoughtItem, Extra, Frame, TargetSize, catalogue};
+use super::frame::{BoughtItem, Extra, Frame, catalogue};
 use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
-use super::read::{bad_entry, in_one_line, text};
+use super::read::{bad_entry, in_one_line, text, to_blame};
 use super::refusal::{Reason, Refusal, nearest};
 use super::roles::ROLES;
 use super::sleeve_direction::SleeveDirection;
-use super::{relation, renamed};
+use super::{relation, renamed, target};
 
 impl Frame {
     /// Reads a frame file or a preset and checks it.
@@ -55,7 +55,7 @@ impl Frame {
             camera: CameraParameters::read(number)?,
             accessories: AccessoryParameters::read(number)?,
             limits: LimitParameters::read(number)?,
-            target: target(file)?,
+            target: target::read(file)?,
             flexible: catalogues.flexible(file)?,
             rigid: catalogues.rigid(file)?,
             rod_material: catalogues.rod_material(file, &bought)?,
@@ -75,29 +75,23 @@ const SCHEMA: f64 = 1.0;
 const FREE_TABLES: [&str; 2] = ["extras", "override"];
 
 /// Tables of a frame file beside the numeric ones.
-const OTHER_KEYS: [&str; 9] = [
-    "schema",
-    "name",
-    "description",
-    "printer",
-    "materials.flexible",
-    "materials.rigid",
-    "target.width_mm",
-    "target.height_mm",
-    SleeveDirection::KEY,
-];
+const OTHER_KEYS: [&str; 7] = ["schema", "name", "description", "printer", "materials.flexible", "materials.rigid", SleeveDirection::KEY];
 
 fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
     let mut known: Vec<String> = catalogue().map(|p| format!("{}.{}", p.table, p.key)).collect();
     known.extend(OTHER_KEYS.iter().map(|key| key.to_string()));
-    known.push("target.strut_tilt_deg".into());
+    known.extend(target::KEYS.map(|key| key.key.to_string()));
     known.extend(ROLES.iter().map(|(role, ..)| format!("bought.{role}")));
     for (key, entry) in &file.entries {
         let free = key.starts_with("extras.") || key.starts_with("override.");
         let empty = matches!(&entry.value, Value::Other(toml::Value::Table(_)));
-        let table = empty && (FREE_TABLES.contains(&key.as_str()) || known.iter().any(|k| k.starts_with(&format!("{key}."))));
+        let table = empty && is_table_key(key, &known);
         if free || table || known.contains(key) {
             continue;
+        }
+        if is_table_key(key, &known) {
+            let expected = format!("a table: [{key}], and its keys on the lines below");
+            return Err(file.refuse(key, Reason::WrongType { key: key.clone(), found: entry.value.kind().into(), expected }));
         }
         let inside = known.iter().find(|k| key.strip_prefix(k.as_str()).is_some_and(|rest| rest.starts_with('.')));
         let reason = match inside {
@@ -120,15 +114,18 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
     }
 }
 
+/// Whether a key is the name of a table.
+fn is_table_key(key: &str, known: &[String]) -> bool {
+    FREE_TABLES.contains(&key) || known.iter().any(|known| known.strip_prefix(key).is_some_and(|rest| rest.starts_with('.')))
+}
+
 /// What a known key takes.
 fn expected(key: &str) -> String {
     let number = catalogue().find(|p| key == format!("{}.{}", p.table, p.key));
     match (number, key) {
         (Some(p), _) => p.expected(),
-        (None, "target.strut_tilt_deg") => "a number in °".into(),
         (None, "schema") => format!("{SCHEMA}"),
-        (None, key) if key.starts_with("target.") => "a number in mm".into(),
-        _ => "a text in quotes".into(),
+        (None, key) => target::key(key).map_or_else(|| "a text in quotes".into(), |target| format!("a number in {}", target.unit)),
     }
 }
 
@@ -209,42 +206,6 @@ fn sleeve_direction(file: &FrameFile) -> Result<SleeveDirection, Refusal> {
     })
 }
 
-/// Keys of a target size, each with its least and its most.
-pub const TARGET_BOUNDS: [(&str, f64, f64); 3] =
-    [("target.width_mm", 80.0, 600.0), ("target.height_mm", 40.0, 400.0), ("target.strut_tilt_deg", 10.0, 35.0)];
-
-fn target(file: &FrameFile) -> Result<Option<TargetSize>, Refusal> {
-    if !file.entries.keys().any(|key| key.starts_with("target.")) {
-        return Ok(None);
-    }
-    let mut values = [0.0; 3];
-    for (value, (key, min, max)) in values.iter_mut().zip(TARGET_BOUNDS) {
-        let unit = if key.ends_with("deg") { "°" } else { "mm" };
-        *value = match file.entries.get(key).map(|entry| &entry.value) {
-            Some(Value::Number(number)) if (min..=max).contains(number) => *number,
-            Some(Value::Number(number)) => {
-                return Err(file.refuse(key, Reason::OutOfBounds { key: key.into(), value: *number, min, max, unit: unit.into() }));
-            }
-            Some(other) => {
-                let reason = Reason::WrongType { key: key.into(), found: other.kind().into(), expected: format!("a number in {unit}") };
-                return Err(file.refuse(key, reason));
-            }
-            None => return Err(file.refuse("target.width_mm", Reason::Missing { key: key.into() })),
-        };
-    }
-    let depth = file.entries.get("target.width_mm").map_or(0, |entry| entry.depth);
-    for length in ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm"] {
-        if file.entries.get(length).is_some_and(|entry| entry.depth <= depth) {
-            let reason = Reason::Impossible {
-                message: format!("`{length}` and a target size are both given"),
-                remedy: "give the three rod lengths, or [target], not both".into(),
-            };
-            return Err(file.refuse(length, reason));
-        }
-    }
-    Ok(Some(TargetSize { width_mm: values[0], height_mm: values[1], strut_tilt_deg: values[2] }))
-}
-
 fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
     for (key, entry) in &file.entries {
@@ -263,15 +224,8 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
         }
     }
     let read = |(name, table): (String, toml::Table)| {
-        let at = format!("extras.{name}.mass_g");
-        let extra: Extra = table.try_into().map_err(|e: toml::de::Error| {
-            let own =
-                |key: &&String| key.strip_prefix(&format!("extras.{name}")).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-            let blamed = |key: &&String| key.rsplit('.').next().is_some_and(|field| e.message().contains(&format!("`{field}`")));
-            let stated = file.entries.keys().filter(own);
-            let key = stated.clone().find(blamed).or_else(|| stated.clone().next());
-            bad_entry(file, key.map_or(at.as_str(), String::as_str), "extra", &name, e.message())
-        })?;
+        let table = toml::Value::Table(table);
+        let extra: Extra = table.clone().try_into().map_err(|e: toml::de::Error| bad_extra(file, &name, &table, e.message()))?;
         if let Some(role) = extra.covers.iter().find(|role| ROLES.iter().all(|(known, ..)| known != role)) {
             let reason = Reason::UnknownName {
                 kind: "role of a bought part".into(),
@@ -283,4 +237,21 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
         Ok((name, extra))
     };
     tables.into_iter().map(read).collect()
+}
+
+/// An extra that does not read: the key whose value is to blame, else the first that the file states of it.
+fn bad_extra(file: &FrameFile, name: &str, table: &toml::Value, message: &str) -> Refusal {
+    let table_key = format!("extras.{name}");
+    let own = format!("{table_key}.");
+    match to_blame::<Extra>(table, file, &own) {
+        Some(key) => {
+            let field = format!("`{}`", key.strip_prefix(&own).unwrap_or(&key));
+            let message = if message.contains(&field) { message.to_string() } else { format!("{field}: {message}") };
+            bad_entry(file, &key, "extra", name, &message)
+        }
+        None => {
+            let stated = file.entries.keys().find(|key| **key == table_key || key.starts_with(&own));
+            bad_entry(file, stated.map_or(table_key.as_str(), String::as_str), "extra", name, message)
+        }
+    }
 }

@@ -4,9 +4,9 @@ use serde_json::{Map, Value, json};
 
 use super::catalogue;
 use super::element::{number, put, table};
-use crate::params::resolve::TARGET_BOUNDS;
 use crate::params::roles::ROLES;
 use crate::params::sleeve_direction::SleeveDirection;
+use crate::params::target::{self, TargetKey};
 use crate::params::{Frame, follows, parameters, preset};
 
 pub(super) fn schema() -> Value {
@@ -73,10 +73,8 @@ fn bought() -> Value {
 }
 
 fn target() -> Value {
-    let docs = ["Width and depth, without propellers.", "Height, without propellers.", "Tilt of the struts against the vertical."];
     let mut keys = Map::new();
-    for ((key, min, max), doc) in TARGET_BOUNDS.into_iter().zip(docs) {
-        let unit = if key.ends_with("deg") { "°" } else { "mm" };
+    for TargetKey { key, min, max, unit, doc } in target::KEYS {
         keys.insert(key.trim_start_matches("target.").into(), number(doc, unit, [min, max], None));
     }
     let mut target = table("A size that the rod lengths are solved for, instead of the lengths.", keys);

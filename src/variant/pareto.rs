@@ -47,6 +47,7 @@ pub struct Front {
 /// When the frame is refused, or no frame that was looked at keeps every limit.
 pub fn front(problem: &SearchProblem, goals: &[&'static Measure]) -> Result<Front, SolveError> {
     let before = Frame::resolve(problem.file).map_err(|refusal| SolveError::Problem(refusal.to_string()))?;
+    problem.can_vary(&before)?;
     let start = start_values(&problem.vary, &before);
     let mut search = Search::new(problem, &CATALOGUE);
     search.aim_at(weighted(goals, &vec![1.0; goals.len()]));

@@ -11,7 +11,7 @@ use crate::frame::skeleton::SAWN_MM;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::parameter::Parameter;
-use crate::params::{Frame, FrameFile};
+use crate::params::{Frame, FrameFile, target};
 
 /// A parameter that may vary.
 #[derive(Clone, Copy, Debug)]
@@ -109,6 +109,17 @@ pub struct SearchProgress {
 }
 
 impl SearchProblem<'_> {
+    /// Whether what varies is the frame's to state.
+    ///
+    /// # Errors
+    /// When a rod length varies that follows from the frame's target size.
+    pub(super) fn can_vary(&self, frame: &Frame) -> Result<(), SolveError> {
+        match self.vary.iter().map(Vary::key).find(|key| target::gives(frame, key)) {
+            Some(key) => Err(SolveError::FromTarget { key }),
+            None => Ok(()),
+        }
+    }
+
     /// The squared distance of values from others, in shares of their bounds.
     pub(super) fn distance(&self, values: &[f64], from: &[f64]) -> f64 {
         let part = |((vary, a), b): ((&Vary, &f64), &f64)| (vary.share(*a) - vary.share(*b)).powi(2);
@@ -163,6 +174,14 @@ pub enum SolveError {
     /// Nothing varies, or a goal or bound is impossible.
     #[error("{0}")]
     Problem(String),
+    /// A rod length varies that follows from a target size.
+    #[error(
+        "`{key}` cannot vary: it follows from [target] of the frame; state the three rod lengths instead of [target], `flexframe params FRAME --filter rod_length` shows them"
+    )]
+    FromTarget {
+        /// The rod length.
+        key: String,
+    },
     /// No frame that was looked at keeps all limits; there may be one.
     #[error("{} {looked_at} frames, none of which keeps every limit; the nearest, {nearest}, misses these: {}", .ended.words(), .missed.join("; "))]
     Infeasible {

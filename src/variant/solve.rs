@@ -38,6 +38,7 @@ pub fn solve(problem: &SearchProblem) -> Result<Solution, SolveError> {
 /// Searches for a frame that keeps these rules.
 pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Result<Solution, SolveError> {
     let before = Frame::resolve(problem.file).map_err(|refusal| SolveError::Problem(refusal.to_string()))?;
+    problem.can_vary(&before)?;
     let own = own_values(&problem.vary, &before);
     let start = if problem.start.is_empty() { start_values(&problem.vary, &before) } else { problem.start.clone() };
     let mut search = Search::new(problem, rules);

@@ -166,6 +166,11 @@ fn planted_mistakes_in_an_entry_of_ones_own() {
     assert_says(&basis, &["unknown variant `weighed`", "frame.toml:10", "`flexframe schema bought` explains the keys"]);
     let key = own("mass_basis = \"estimate\"\nhole_pattern = [20, 20]\n");
     assert_says(&key, &["unknown key `override.parts.f.hole_pattern`", "`override.parts.f.hole_pattern_mm`", "frame.toml:10"]);
+    let kind = refused("base = \"cognifly\"\n[bought]\nbattery = \"b\"\n[override.parts.b]\nkind = \"batery\"\nmass_g = 3.0\n");
+    assert_says(
+        &kind,
+        &["`override.parts.b.kind` is \"batery\"", "did you mean \"battery\"?", "the kinds are battery, board,", "frame.toml:5"],
+    );
 }
 
 #[test]
@@ -211,6 +216,9 @@ fn planted_mistyped_tables() {
     say("extra.receiver", "did you mean `extras.receiver.mass_g`?");
     say("extras", "did you mean `extras.NAME.mass_g`?");
     assert_says(&refused("base = \"cognifly\"\n[rodz]\n"), &["unknown key `rodz`", "did you mean `rods`"]);
+    let value = refused("base = \"cognifly\"\nrods = 3\n");
+    assert_says(&value, &["`rods` is a number, it must be a table", "[rods]", "frame.toml:2"]);
+    assert!(!value.contains("did you mean"), "{value}");
 }
 
 #[test]
@@ -220,6 +228,8 @@ fn planted_extras_that_do_not_read_are_explained() {
     let basis = extra("mass_g = 1.5\nmass_basis = \"guess\"\nsource = \"x\"\n");
     assert_says(&basis, &["unknown variant `guess`", "docs/frame-files.md"]);
     assert_says(&extra(""), &["missing field `mass_g`", "frame.toml:2"]);
+    let flat = extra("mass_g = 1.5\nmass_basis = \"measured\"\nsource = \"x\"\nposition_mm = [0, 0]\n");
+    assert_says(&flat, &["`position_mm`: invalid length 2", "frame.toml:6"]);
 }
 
 #[test]
@@ -504,6 +514,27 @@ fn analytic_target_size_is_met() {
         "base = \"cognifly\"\n[target]\nwidth_mm = 230.0\nheight_mm = 118.0\nstrut_tilt_deg = 24.0\n[rods]\narm_rod_length_mm = 80.0\n",
     );
     assert_says(&both, &["not both"]);
+    // What the target gives is told, and cannot vary.
+    let bench = Bench::new(frame);
+    let target = bench.path("frame.toml");
+    let told = flexframe(&["explain", "target.width_mm", &target]);
+    assert_says(&text(&told.stdout), &["Width and depth", "230", "frame.toml:3", "rods.cage_rod_length_mm"]);
+    let length = text(&flexframe(&["explain", "cage_rod", &target]).stdout);
+    assert!(
+        length.contains("(follows from [target])") && length.contains("has no other value") && !length.contains("no such frame"),
+        "{length}"
+    );
+    let lengths = flexframe(&["params", &target, "--filter", "cage_rod_length", "--json"]);
+    let rows: serde_json::Value = serde_json::from_slice(&lengths.stdout).expect("JSON");
+    assert!(rows[0]["value"].as_f64().is_some_and(|mm| mm > 200.0) && rows[0]["follows"] == "target", "{rows}");
+    for more in [["--vary", "cage_rod,arm_rod"], ["--vary", "motor_position,cage_rod"]] {
+        let output = flexframe(&[&["solve", target.as_str(), "--minimise", "mass", "--frames", "20"][..], &more].concat());
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+        assert_says(
+            &text(&output.stderr),
+            &["`rods.cage_rod_length_mm` cannot vary: it follows from [target]", "state the three rod lengths"],
+        );
+    }
     let far = refused("base = \"cognifly\"\n[target]\nwidth_mm = 100.0\nheight_mm = 300.0\nstrut_tilt_deg = 24.0\n");
     assert_says(&far, &["the target size needs", "frame.toml:3"]);
 }
