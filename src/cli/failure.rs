@@ -54,6 +54,7 @@ impl Failure {
     /// The exit code that tells a shell of it.
     pub fn exit_code(&self) -> u8 {
         match self {
+            Self::Input(error) if error.is_of_machine() => 3,
             Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
             Self::Machine { .. } => 3,
         }
@@ -89,4 +90,25 @@ impl Failure {
 /// A failure of the model, as the user reads it.
 pub(super) fn mechanics_refused(error: impl std::fmt::Display) -> Failure {
     Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::ErrorKind;
+
+    use super::*;
+
+    #[test]
+    fn analytic_a_wrong_path_is_wrong_input_and_a_refused_read_is_the_machines() {
+        for (kind, code) in [
+            (ErrorKind::NotFound, 2),
+            (ErrorKind::IsADirectory, 2),
+            (ErrorKind::NotADirectory, 2),
+            (ErrorKind::PermissionDenied, 3),
+            (ErrorKind::Other, 3),
+        ] {
+            let failure = Failure::Input(LoadError::Unreadable { path: "frame.toml".into(), error: kind.into() });
+            assert_eq!((failure.exit_code(), failure.json()["error"]["exit_code"].as_u64()), (code, Some(code.into())), "{kind}");
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! The frame as typed: a TOML file on its chain of bases, every value with the place it was typed at.
 
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -53,6 +54,23 @@ pub enum LoadError {
         /// The file.
         path: PathBuf,
     },
+}
+
+/// What the system says of a path that is wrong, not of a machine that fails.
+const WRONG_PATH: [ErrorKind; 6] = [
+    ErrorKind::NotFound,
+    ErrorKind::NotADirectory,
+    ErrorKind::IsADirectory,
+    ErrorKind::InvalidData,
+    ErrorKind::InvalidInput,
+    ErrorKind::InvalidFilename,
+];
+
+impl LoadError {
+    /// Whether the machine failed, a disk or a permission, and the input may be good.
+    pub fn is_of_machine(&self) -> bool {
+        matches!(self, Self::Unreadable { error, .. } if !WRONG_PATH.contains(&error.kind()))
+    }
 }
 
 /// A value as typed.
@@ -230,15 +248,22 @@ impl FrameFile {
         self.set(key, Value::Number(value));
     }
 
-    /// A refusal that points at a key, or at nothing when no file states it.
+    /// A refusal that points at a key; where no file states it, at what the file has to do with it, or at the file's beginning.
     pub fn refuse(&self, key: &str, reason: Reason) -> Refusal {
         let typed = self.entries.get(key);
         let place = match typed {
             Some(entry) if self.is_own(entry) => Some(entry.place.clone()),
             // The value is a preset's, or a bought part's: what the user's own file has to do with it is what can be changed.
-            _ => self.own_place(&reason).or_else(|| typed.map(|entry| entry.place.clone())),
+            _ => self.own_place(&reason).or_else(|| typed.map(|entry| entry.place.clone())).or_else(|| self.beginning()),
         };
         Refusal { reason: Box::new(reason), place }
+    }
+
+    /// The first line of the frame file, where it was read from a file.
+    fn beginning(&self) -> Option<Place> {
+        let source = self.files.first()?;
+        let span = 0..source.text.find('\n').unwrap_or(source.text.len());
+        Some(Place { source: Arc::clone(source), span })
     }
 
     /// Whether an entry stands in a file of the user's, or was asked for.
@@ -313,12 +338,27 @@ pub(super) fn read_from(path: PathBuf, files: &dyn Files) -> Result<(String, Arc
     if bytes.len() as u64 > LARGEST_FILE {
         return Err(LoadError::TooLarge { path });
     }
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        unreadable(std::io::Error::new(std::io::ErrorKind::InvalidData, format!("byte {at} is not UTF-8")))
-    })?;
+    let text = String::from_utf8(bytes).map_err(|error| not_utf8(&path, &error))?;
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     Ok((stem, Arc::new(Source { name: path.display().to_string(), text })))
+}
+
+/// Byte order marks of UTF-16, little-endian and big-endian.
+const UTF_16_MARKS: [[u8; 2]; 2] = [[0xff, 0xfe], [0xfe, 0xff]];
+
+/// A file that is not UTF-8: the refusal points at the first byte that is none, in the lines as far as they can be read.
+fn not_utf8(path: &Path, error: &std::string::FromUtf8Error) -> Refusal {
+    let is_utf_16 = UTF_16_MARKS.iter().any(|mark| error.as_bytes().starts_with(mark));
+    let (text, message) = if is_utf_16 {
+        (String::new(), "this is UTF-16 text, a file of parameters is UTF-8")
+    } else {
+        (String::from_utf8_lossy(error.as_bytes()).into_owned(), "this is not UTF-8 text: it has another encoding, such as Latin-1")
+    };
+    let at = if is_utf_16 { 0 } else { error.utf8_error().valid_up_to() };
+    let end = text[at..].chars().next().map_or(at, |first| at + first.len_utf8());
+    let reason = Reason::Impossible { message: message.into(), remedy: "save the file as UTF-8".into() };
+    let source = Source { name: path.display().to_string(), text };
+    Refusal { reason: Box::new(reason), place: Some(Place { source: Arc::new(source), span: at..end }) }
 }
 
 /// The entries of a TOML text by dotted key, each with its place.

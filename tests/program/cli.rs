@@ -107,7 +107,18 @@ fn planted_missing_reference() {
     let kind = refused("base = \"cognifly\"\n[bought]\nmotor = \"xt30\"\n");
     assert_says(&kind, &["it must be a motor"]);
     let nothing = refused("name = \"empty\"\n");
-    assert_says(&nothing, &["is stated nowhere", "base = \"cognifly\""]);
+    assert_says(&nothing, &["is stated nowhere", "base = \"cognifly\"", "frame.toml:1:1"]);
+}
+
+#[test]
+fn planted_text_of_another_encoding() {
+    let bench = Bench::new("");
+    let path = bench.path("frame.toml");
+    fs::write(&path, b"base = \"cognifly\"\ndescription = \"f\xfcr\"\n").expect("can be written");
+    assert_says(&bench.refused(), &["this is not UTF-8 text", "save the file as UTF-8", "frame.toml:2:17"]);
+    let utf_16: Vec<u8> = [0xff, 0xfe].into_iter().chain("base".encode_utf16().flat_map(u16::to_le_bytes)).collect();
+    fs::write(&path, utf_16).expect("can be written");
+    assert_says(&bench.refused(), &["this is UTF-16 text", "save the file as UTF-8"]);
 }
 
 #[test]

@@ -98,7 +98,7 @@ impl Refused {
     pub fn of_load(error: &LoadError) -> Self {
         match error {
             LoadError::Refused(refusal) => Self::of(refusal),
-            other => Self { message: other.to_string(), remedy: NO_FRAME_REMEDY.into(), spot: None, machine: false },
+            other => Self { message: other.to_string(), remedy: NO_FRAME_REMEDY.into(), spot: None, machine: other.is_of_machine() },
         }
     }
 
