@@ -136,7 +136,23 @@ fn bought(frame: &Frame) -> Result<(), Broken> {
     motor_holes(frame)?;
     carried_camera(frame)?;
     accessories(frame)?;
+    driven_motors(frame)?;
     stack(frame)
+}
+
+/// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller.
+fn driven_motors(frame: &Frame) -> Result<(), Broken> {
+    let Some(board) = frame.bought.get("flight_controller") else { return Ok(()) };
+    if frame.bought.contains_key("motor_controller") {
+        return Ok(());
+    }
+    let name = &board.name;
+    let message =
+        format!("`bought.motor_controller` = \"none\" leaves nothing that drives the motors beside the flight controller `{name}`");
+    let remedy = format!(
+        "name a motor_controller; where `{name}` is both controllers on one board, write motor_controller = \"{name}\" and flight_controller = \"none\""
+    );
+    Err(Broken { key: "bought.motor_controller", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// The camera stands on the computer's board.
@@ -146,8 +162,7 @@ fn carried_camera(frame: &Frame) -> Result<(), Broken> {
         return Ok(());
     }
     let message =
-        "`bought.computer` = \"none\" leaves nothing for the camera to stand on: its connectors are screwed onto the computer's board"
-            .into();
+        "`bought.computer` = \"none\" leaves nothing for the camera to stand on: its connectors are glued onto the computer's board".into();
     let remedy = "write camera = \"none\" in [bought], too, or name a computer".into();
     Err(Broken { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
 }

@@ -214,6 +214,11 @@ fn planted_what_cannot_be_left_out() {
         let said = format!("`bought.{role}` = \"none\": a frame cannot be without a {role}");
         assert_says(&message, &[&said, "name one: `", "frame.toml:3"]);
     }
+    let still = refused("base = \"cognifly\"\n[bought]\nflight_controller = \"aio-20x20\"\nmotor_controller = \"none\"\n");
+    assert_says(
+        &still,
+        &["leaves nothing that drives the motors", "motor_controller = \"aio-20x20\"", "flight_controller = \"none\"", "frame.toml:4"],
+    );
     let target = refused("base = \"cognifly\"\n[target]\nwidth_mm = 210.0\nheight_mm = 116.0\n");
     assert_says(&target, &["`target.strut_tilt_deg` is stated nowhere", "needs all three: width_mm, height_mm and strut_tilt_deg"]);
     assert!(!target.contains("base = \"cognifly\"\n  help"), "{target}");
