@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::cutting::{KERF_MM, Saving, rod_plan, rod_savings};
 use super::search_words::{ALL_IN_ONE, search_words};
 use super::spares::with_spares;
-use super::supplies::{Supply, supplies};
+use super::supplies::{RECEIVER_SEARCH, SMALL_TIE, Supply, supplies};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
@@ -238,7 +238,8 @@ fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
         kind: "extra".into(),
         quantity: line.quantity,
         with_spares: line.quantity,
-        note: "a mass; what of it is bought has lines of its own where it is known".into(),
+        search: if line.name == "receiver" { RECEIVER_SEARCH.into() } else { String::new() },
+        note: extra_note(&line.name).into(),
         mass_g: Some(line.total_g),
         mass_basis: Some(line.basis.clone()),
         source: design.frame.extras.get(&line.name).map_or(String::new(), |extra| extra.source.clone()),
@@ -247,9 +248,18 @@ fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
     masses.lines.iter().filter(|line| line.kind == "extra").map(line).collect()
 }
 
+/// What an extra is to the buyer: a receiver itself, or a mass of several things.
+fn extra_note(name: &str) -> &'static str {
+    match name {
+        "receiver" => "of your transmitter's protocol; its mass is the frame file's",
+        _ => "a mass; what of it is bought has lines of its own where it is known",
+    }
+}
+
 /// What is used up: it weighs nothing here, as extras such as wiring and the printed parts hold its mass.
 fn supply_line(Supply { role, quantity, length_mm, search, note }: Supply) -> BuyLine {
-    BuyLine { role, kind: "supply".into(), quantity, with_spares: quantity, length_mm, search, note, ..BuyLine::default() }
+    let with_spares = if role == SMALL_TIE { with_spares("other", quantity) } else { quantity };
+    BuyLine { role, kind: "supply".into(), quantity, with_spares, length_mm, search, note, ..BuyLine::default() }
 }
 
 fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {

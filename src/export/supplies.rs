@@ -8,7 +8,7 @@
 use crate::frame::assembly::Design;
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires as drawn_wires;
-use crate::frame::mounting::{Fixing, mounts_of};
+use crate::frame::mounting::{Fixing, Mount, mounts_of};
 use crate::params::frame::NamedMaterial;
 
 /// What a wire is longer than its way: a share of the way, and a length, mm.
@@ -48,10 +48,11 @@ pub fn supplies(design: &Design) -> Vec<Supply> {
     all.extend(fixings(design));
     all.extend(wires(design));
     let has = |role: &str| design.frame.bought.contains_key(role);
-    if !has("receiver") && (has("flight_controller") || has("motor_controller")) {
+    let is_extra = design.frame.extras.contains_key("receiver");
+    if !has("receiver") && !is_extra && (has("flight_controller") || has("motor_controller")) {
         all.push(Supply::one(
             "receiver",
-            "radio receiver serial output",
+            RECEIVER_SEARCH,
             "of your transmitter's protocol; weighed with the wiring; not needed where the computer alone flies",
         ));
     }
@@ -100,22 +101,39 @@ fn words(title: &str) -> String {
     letters.next().map_or(String::new(), |first| first.to_lowercase().chain(letters).collect())
 }
 
-/// Tape, small screws and ties, and solder, as the instructions fix with them.
+/// What to search for where no receiver is chosen.
+pub const RECEIVER_SEARCH: &str = "radio receiver serial output";
+
+/// Role of the ties that are narrower than those of the bracket.
+pub const SMALL_TIE: &str = "small_tie";
+
+/// What the steps fix with: role, words of a shop's search, and whether a mount needs it.
+type FixedWith = (&'static str, &'static str, fn(&Mount) -> bool);
+
+/// Tape, small screws and ties, and solder.
+const FIXED_WITH: [FixedWith; 5] = [
+    ("tape", "thin double sided adhesive tape", |mount| mount.tool.contains("tape") && !takes_foam_tape(mount)),
+    ("foam_tape", "double sided foam tape 1 mm", takes_foam_tape),
+    ("small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts and washers", |mount| mount.fixing == Fixing::SmallScrews),
+    (SMALL_TIE, "cable tie 2 mm wide", |mount| mount.tool.contains("small tie")),
+    ("solder", "solder wire for electronics and heat shrink tube", |mount| {
+        mount.tool.contains("solder,") || mount.tool.ends_with("solder")
+    }),
+];
+
+fn takes_foam_tape(mount: &Mount) -> bool {
+    mount.tool.contains("foam tape")
+}
+
+/// What a design's mounts fix with. Of small ties each mount takes one; of the rest one package is enough.
 fn fixings(design: &Design) -> Vec<Supply> {
-    let used = |fixing: Fixing| -> Vec<String> {
-        mounts_of(design).iter().filter(|mount| mount.fixing == fixing).map(|mount| words(mount.title)).collect()
+    let mounts = mounts_of(design);
+    let line = |(role, search, needs): FixedWith| {
+        let used: Vec<String> = mounts.iter().filter(|mount| needs(mount)).map(|mount| words(mount.title)).collect();
+        let quantity = if role == SMALL_TIE { used.len() as u32 } else { 1 };
+        (!used.is_empty()).then(|| Supply { quantity, ..Supply::one(role, search, format!("for {}", used.join("; "))) })
     };
-    let kinds = [
-        (Fixing::Tape, "tape", "thin double sided adhesive tape"),
-        (Fixing::SmallScrews, "small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts and washers"),
-        (Fixing::SmallTies, "small_tie", "cable tie 2 mm wide"),
-        (Fixing::Solder, "solder", "solder wire for electronics and heat shrink tube"),
-    ];
-    let line = |(fixing, role, search): (Fixing, &str, &str)| {
-        let used = used(fixing);
-        (!used.is_empty()).then(|| Supply::one(role, search, format!("for {}", used.join("; "))))
-    };
-    kinds.into_iter().filter_map(line).collect()
+    FIXED_WITH.into_iter().filter_map(line).collect()
 }
 
 fn wires(design: &Design) -> Vec<Supply> {
@@ -205,6 +223,35 @@ mod tests {
         assert!(length > 1.15 * position + 30.0 && length < 1.15 * (position + 60.0) + 35.0, "{short:?}");
         assert_eq!(short.quantity, 12);
         assert!((length - long.length_mm.expect("a length") - 1.15 * 6.0).abs() <= ROUNDED_MM, "{short:?} {long:?}");
+    }
+
+    /// The accessories of docs/frame-files.md: a receiver on foam tape under a small tie, a buzzer under another, a GPS on foam tape.
+    #[test]
+    fn planted_accessories_ask_for_foam_tape_and_a_small_tie_each() {
+        let text = "base = \"cognifly\"\n[bought]\ncomputer = \"none\"\ncamera = \"none\"\nreceiver = \"receiver-nano\"\nbuzzer = \"buzzer-9mm\"\ngps = \"gps-22x20\"\n";
+        let file = FrameFile::parse("own.toml", text).expect("reads");
+        let all = supplies(&Design::new(Frame::resolve(&file).expect("resolves")).expect("can be made"));
+        assert_eq!(line(&all, SMALL_TIE).quantity, 2);
+        let foam = line(&all, "foam_tape").note;
+        assert!(foam.contains("receiver onto the plate") && foam.contains("GPS"), "{foam}");
+        assert!(!line(&all, "tape").note.contains("GPS"));
+        assert!(all.iter().all(|one| one.role != "receiver"), "the chosen receiver is bought once: {all:?}");
+    }
+
+    #[test]
+    fn planted_a_receiver_among_the_extras_is_bought_once() {
+        let text = "base = \"cognifly\"\n[extras.receiver]\nmass_g = 1.5\nmass_basis = \"datasheet\"\nsource = \"its maker\"\n";
+        let file = FrameFile::parse("own.toml", text).expect("reads");
+        let design = Design::new(Frame::resolve(&file).expect("resolves")).expect("can be made");
+        assert!(supplies(&design).iter().all(|one| one.role != "receiver"));
+    }
+
+    #[test]
+    fn analytic_every_step_that_solders_is_among_those_of_the_solder() {
+        let solder = line(&supplies(&Design::new(frame("cognifly")).expect("can be made")), "solder").note;
+        for step in ["power connector into the bracket", "bracket under the hub", "motor wires", "power connector into the lid"] {
+            assert!(solder.contains(step), "{step}: {solder}");
+        }
     }
 
     #[test]

@@ -53,6 +53,7 @@ pub static MOUNTS: [Mount; 29] = [
         caution: Some(
             "Plus and minus: the cut corners are the connector's minus side. Solder and insulate its wires before it is glued in.",
         ),
+        tool: "soldering iron, solder, shrink tube, glue for rigid plastics",
         ..GLUED
     },
     Mount {
@@ -60,7 +61,7 @@ pub static MOUNTS: [Mount; 29] = [
         brings: &["battery_sleeve"],
         from: BELOW,
         title: "Sleeve under the bracket",
-        text: "Glue the bracket's base between the two ribs of the sleeve. The tray looks to the {front}, away from the magnet.",
+        text: "Glue the bracket's base between the two ribs of the sleeve. The rim that is chamfered inside is at the {rear}, where the magnet is: the battery goes in there. A sleeve with a tray has it at the {front}.",
         ..GLUED
     },
     Mount {
@@ -185,7 +186,7 @@ pub static MOUNTS: [Mount; 29] = [
         ],
         title: "Radio receiver onto the hub",
         text: "Where the frame is flown by radio: stick the receiver flat onto the middle of the hub's plate, between the bosses, with double-sided tape. It is no higher than the bosses. Lead its wires down beside the hub, between two bosses, and connect them to a serial port and to 5 V of the board under the hub. Its antenna goes out between the bosses, away from the rods.",
-        tool: "double-sided tape, soldering iron",
+        tool: "double-sided tape, soldering iron, solder",
         minutes: 5.0,
         ..GLUED
     },
@@ -254,7 +255,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Tape,
         title: "Receiver onto the plate",
         text: "Lay the receiver on the left of the plate, a strip of foam tape under it. A small tie through the two slots beside it holds it in a crash, too. Its antenna goes to the rear, away from the rods.",
-        tool: "foam tape",
+        tool: "foam tape, small tie, side cutter",
         ..GLUED
     },
     Mount {
@@ -265,7 +266,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::SmallTies,
         title: "Buzzer onto the plate",
         text: "Lay the buzzer on the right of the plate, lead a small tie through the two slots beside it and pull it tight. Its hole stays free.",
-        tool: "side cutter",
+        tool: "small tie, side cutter",
         ..GLUED
     },
     Mount {
@@ -297,9 +298,9 @@ pub static MOUNTS: [Mount; 29] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill. {cables}Set the bracket under the hub, the tray to the {front}. The bay stays open to the {left} and to the {right}: the motor wires come in there.",
+        text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill. {cables}Set the bracket under the hub, its magnet and its power connector to the {rear}. The bay stays open to the {left} and to the {right}: the motor wires come in there.",
         supplies: &["battery_wire"],
-        tool: "soldering iron",
+        tool: "soldering iron, solder",
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 10.0,
         ..GLUED
@@ -330,7 +331,7 @@ pub static MOUNTS: [Mount; 29] = [
         stage: Stage::AfterFold,
         title: "Motor wires",
         text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Where they do not reach, lengthen them with the motor wires of the bill. Solder them to the motor controller.",
-        tool: "soldering iron",
+        tool: "soldering iron, solder, shrink tube, tape",
         caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
         minutes: 20.0,
         ..GLUED
@@ -343,7 +344,7 @@ pub static MOUNTS: [Mount; 29] = [
         turns: true,
         title: "Power connector into the lid",
         text: "Solder the battery's two leads to the half with the sockets, red to plus, black to minus at the cut corners, each in shrink tube. Push it through the lid's block from the {rear}, its cut corners where the hole has them, and glue it. Its leads leave it to the {rear}.",
-        tool: "soldering iron, glue for rigid plastics",
+        tool: "soldering iron, solder, shrink tube, glue for rigid plastics",
         caution: Some("The leads are the battery's: never let the two touch. Cut and solder one after the other."),
         minutes: 8.0,
         ..GLUED
