@@ -13,9 +13,9 @@ use super::progress::Progress;
 use super::session;
 use super::{frames, output, table, terminal};
 use crate::checks::gate::{
-    Baseline, CheckedFrame, Judged, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
+    Baseline, CheckedFrame, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
 };
-use crate::checks::{self, Finding, Tightest};
+use crate::checks::{self, Finding};
 use crate::frame::assembly::mass;
 use crate::mechanics::result::prediction::predict;
 use crate::mechanics::settings::MechanicsSettings;
@@ -232,12 +232,14 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
 }
 
 fn frame_text(args: &Args, held: &CheckedFrame) -> String {
-    let findings: Vec<Finding> = held.findings.iter().map(Judged::reported).collect();
-    let every = || findings.iter().map(|finding| Tightest { finding, of: 1 }).collect::<Vec<_>>();
-    let table = if args.all { table::findings(&every()) } else { table::brief(&findings, args.strict) };
+    let table = if args.all { table::findings(&held.findings) } else { table::brief(&held.findings, args.strict) };
     let [fails, accepted] = [Standing::Fails, Standing::Accepted].map(|standing| held.count(standing));
-    let (frame, mass_g, count) = (&held.frame, held.masses.total_g, findings.len());
-    let known = if accepted > 0 { format!(", {accepted} more are accepted") } else { String::new() };
+    let (frame, mass_g, count) = (&held.frame, held.masses.total_g, held.findings.len());
+    let known = match accepted {
+        0 => String::new(),
+        1 => ", 1 more is accepted".into(),
+        _ => format!(", {accepted} more are accepted"),
+    };
     let how = if args.strict { "violate a limit or warn" } else { "violate a limit" };
     let warn = match held.count(Standing::Warning) {
         0 => String::new(),

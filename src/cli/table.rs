@@ -4,34 +4,47 @@ use std::borrow::Cow;
 use std::io::IsTerminal;
 
 use super::terminal::PAINT;
-use crate::checks::{Finding, Tightest, Verdict};
+use crate::checks::gate::{Judged, Standing};
+use crate::checks::{Finding, Verdict};
+
+/// Whether standard output is a terminal that shows colours, and nobody asked for none.
+fn shows_colour() -> bool {
+    let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    std::io::stdout().is_terminal() && !is_dumb && std::env::var_os("NO_COLOR").is_none()
+}
 
 /// Findings, violations marked, with value, limit and margin.
-pub(super) fn findings(findings: &[Tightest]) -> String {
-    let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let width = findings.iter().map(|shown| shown.finding.subject.chars().count()).max().unwrap_or(0).min(48);
+pub(super) fn findings(all: &[Judged]) -> String {
+    let colour = shows_colour();
+    let width = all.iter().map(|judged| judged.finding.subject.chars().count()).max().unwrap_or(0).min(48);
     let mut text = String::new();
-    for Tightest { finding, of } in findings {
-        let among = if *of > 1 { format!("  tightest of {of}") } else { String::new() };
+    for judged in all {
+        let finding = &judged.reported();
         text += &format!(
-            "{word}  {:<19} {:<width$}  {:>8} {unit:<4} limit {:>7} {unit:<4} margin {:>7}{among}\n",
+            "{word}  {:<19} {:<width$}  {:>8} {unit:<4} limit {:>7} {unit:<4} margin {:>7}\n",
             finding.rule,
             one_line(&finding.subject),
             finding.figures()[0],
             finding.figures()[1],
             finding.figures()[2],
-            word = verdict(finding, colour),
+            word = verdict(judged, colour),
             unit = finding.unit
         );
         if finding.verdict == Verdict::Violated {
-            let mend = if finding.levers.is_empty() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
-            text += &format!("          {}{mend}\n", one_line(&finding.message));
+            text += &format!("          {}{}\n", one_line(&finding.message), drivers(judged));
         }
         if finding.warns() {
             text += &format!("          {}\n", one_line(&finding.message));
         }
     }
     text
+}
+
+/// What drives a violation that fails, as a clause after its message.
+fn drivers(judged: &Judged) -> String {
+    let levers = judged.reported().levers;
+    let is_open = judged.finding.verdict == Verdict::Violated && judged.standing != Standing::Accepted;
+    if is_open && !levers.is_empty() { format!("; driven by {}", one_of(&levers)) } else { String::new() }
 }
 
 /// Columns of the brief table: what a terminal has at least. The rule's name and its finding's subject have so many of them.
@@ -44,41 +57,50 @@ const LAST_ROWS: usize = 4;
 /// Rules that hold are told of at least so many, where there are so many warnings that all else would go.
 const LEAST_RULES: usize = 4;
 
-/// What a person has to read of a frame: every violation with its remedies, then the warnings, of those of one rule and unit the first, then
-/// the tightest finding of each rule that holds, a line each; the rules with the most room are left out where a screen has no more
-/// room. No line is longer than [`COLUMNS`].
+/// What a person has to read of a frame: every violation with its remedies, then what is accepted and the warnings, of warnings of one rule
+/// and unit the first, then the tightest finding of each rule that holds, a line each; the rules with the most room are left out where a
+/// screen has no more room. No line is longer than [`COLUMNS`].
 ///
 /// With `strict` a note that exceeds its limit fails, so each is reported, and before what holds.
-pub(super) fn brief(findings: &[Finding], strict: bool) -> String {
-    let colour = std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let mut text: String = findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| told(f, 0, colour)).collect();
-    let mut groups: Vec<(&Finding, usize)> = Vec::new();
-    for finding in findings.iter().filter(|f| f.warns()) {
-        match groups.iter_mut().find(|(first, _)| !strict && (&first.rule, &first.unit) == (&finding.rule, &finding.unit)) {
+pub(super) fn brief(all: &[Judged], strict: bool) -> String {
+    let colour = shows_colour();
+    let is_violated = |judged: &&Judged| judged.finding.verdict == Verdict::Violated;
+    let (accepted, open): (Vec<&Judged>, Vec<&Judged>) =
+        all.iter().filter(is_violated).partition(|judged| judged.standing == Standing::Accepted);
+    let mut text: String = open.into_iter().chain(accepted).map(|judged| told(judged, 0, colour)).collect();
+    let mut groups: Vec<(&Judged, usize)> = Vec::new();
+    for judged in all.iter().filter(|judged| judged.finding.warns()) {
+        let alike = |first: &Judged| (&first.finding.rule, &first.finding.unit) == (&judged.finding.rule, &judged.finding.unit);
+        match groups.iter_mut().find(|(first, _)| !strict && alike(first)) {
             Some((_, more)) => *more += 1,
-            None => groups.push((finding, 0)),
+            None => groups.push((judged, 0)),
         }
     }
-    text.extend(groups.into_iter().map(|(finding, more)| told(finding, more, colour)));
+    text.extend(groups.into_iter().map(|(judged, more)| told(judged, more, colour)));
     let room = ROWS.saturating_sub(LAST_ROWS + text.lines().count());
-    text + &holding(findings, room)
+    let findings: Vec<Finding> = all.iter().map(Judged::reported).collect();
+    text + &holding(&findings, room)
 }
 
 /// A violation or a warning, with how many more like it there are.
-fn told(finding: &Finding, more: usize, colour: bool) -> String {
-    let (word, paint) = if finding.warns() { ("WARNING ", PAINT[2]) } else { ("VIOLATED", PAINT[0]) };
-    let mend =
-        if finding.levers.is_empty() || finding.warns() { String::new() } else { format!("; driven by {}", one_of(&finding.levers)) };
+fn told(judged: &Judged, more: usize, colour: bool) -> String {
+    let finding = judged.reported();
+    let (word, paint) = match (judged.standing, finding.warns()) {
+        (Standing::Accepted, _) => ("accepted", PAINT[2]),
+        (_, true) => ("WARNING ", PAINT[2]),
+        _ => ("VIOLATED", PAINT[0]),
+    };
     let more = if more > 0 { format!("; {more} more like it") } else { String::new() };
-    let message = format!("{word} {}: {}{mend}{more}", finding.rule, one_line(&finding.message));
+    let message = format!("{word} {}: {}{}{more}", finding.rule, one_line(&finding.message), drivers(judged));
     let lines = textwrap::wrap(&message, textwrap::Options::new(COLUMNS).subsequent_indent("         ")).join("\n") + "\n";
     if colour { lines.replacen(word, &format!("{paint}{word}{}", PAINT[3]), 1) } else { lines }
 }
 
-/// The tightest finding of each rule that holds, as far as there is room for so many lines.
+/// The tightest finding of each rule that no finding violates, as far as there is room for so many lines.
 fn holding(findings: &[Finding], room: usize) -> String {
     let mut rules: Vec<&str> = Vec::new();
-    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Holds) {
+    let is_violated = |rule: &str| findings.iter().any(|finding| finding.rule == rule && finding.verdict == Verdict::Violated);
+    for finding in findings.iter().filter(|finding| finding.verdict == Verdict::Holds && !is_violated(&finding.rule)) {
         if !rules.contains(&&*finding.rule) {
             rules.push(&finding.rule);
         }
@@ -95,7 +117,11 @@ fn holding(findings: &[Finding], room: usize) -> String {
     }
     let rows: String = tightest.iter().filter(|finding| shown.contains(&&*finding.rule)).map(|finding| row(finding)).collect();
     let left = tightest.len() - shown.len();
-    if left > 0 { format!("{rows}{left} more rules hold with more room; --all tells every finding\n") } else { rows }
+    match left {
+        0 => rows,
+        1 => format!("{rows}1 more rule holds with more room; --all tells every finding\n"),
+        _ => format!("{rows}{left} more rules hold with more room; --all tells every finding\n"),
+    }
 }
 
 /// How much room a finding leaves: its margin as a share of the limit. What is held to zero has no share; it comes after what has one, by
@@ -149,11 +175,12 @@ fn one_of(keys: &[Cow<'static, str>]) -> String {
     }
 }
 
-fn verdict(finding: &Finding, colour: bool) -> String {
-    let (word, paint) = match finding.verdict {
-        Verdict::Holds => ("holds   ", PAINT[1]),
-        Verdict::Violated => ("VIOLATED", PAINT[0]),
-        Verdict::Note => ("note    ", PAINT[2]),
+fn verdict(judged: &Judged, colour: bool) -> String {
+    let (word, paint) = match (judged.standing, judged.finding.verdict) {
+        (Standing::Accepted, _) => ("accepted", PAINT[2]),
+        (_, Verdict::Holds) => ("holds   ", PAINT[1]),
+        (_, Verdict::Violated) => ("VIOLATED", PAINT[0]),
+        (_, Verdict::Note) => ("note    ", PAINT[2]),
     };
     if colour { format!("{paint}{word}{}", PAINT[3]) } else { word.to_string() }
 }

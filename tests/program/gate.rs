@@ -118,7 +118,10 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
     assert!(list.contains("\"rule\": \"mass_budget\"") && list.ends_with("}\n"), "{list}");
     let (code, out, _) = bench.check(&["heavy.toml", "--baseline", "accepted.json"]);
     assert_eq!(code, 0);
-    assert!(out.contains("0 of 381 findings violate a limit, 1 more are accepted"), "{out}");
+    assert!(out.contains("0 of 381 findings violate a limit, 1 more is accepted"), "{out}");
+    assert!(out.starts_with("accepted mass_budget: ") && !out.contains("VIOLATED"), "{out}");
+    let (_, all, _) = bench.check(&["heavy.toml", "--baseline", "accepted.json", "--all"]);
+    assert!(all.contains("accepted  mass_budget") && !all.contains("VIOLATED"), "{all}");
     bench.write("heavy.toml", &HEAVY.replace("90.0", "91.0"));
     assert_eq!(bench.check(&["heavy.toml", "--baseline", "accepted.json"]).0, 1, "a gram more");
     bench.write("heavy.toml", &HEAVY.replace("90.0", "60.0"));
@@ -154,6 +157,23 @@ fn analytic_a_passing_frame_fits_a_screen_and_its_warnings_come_first() {
     assert!(code == 2 && err.contains("the frame file chooses the printer") && !err.contains("-- --printer"), "{err}");
 }
 
+/// Rules that are violated do not hold with more room.
+#[test]
+fn regress_rules_that_hold_are_none_that_are_violated() {
+    let (_, out, _) = Bench::new(&[]).check(&["cognifly-v8"]);
+    let violated: Vec<&str> =
+        out.lines().filter_map(|line| line.strip_prefix("VIOLATED ")).filter_map(|line| line.split(':').next()).collect();
+    let (_, all, _) = Bench::new(&[]).check(&["cognifly-v8", "--all"]);
+    let rules = |word: &str| -> std::collections::BTreeSet<String> {
+        all.lines().filter_map(|line| line.strip_prefix(word)).filter_map(|line| line.split_whitespace().next()).map(String::from).collect()
+    };
+    let hold: Vec<String> = rules("holds ").into_iter().filter(|rule| !violated.contains(&rule.as_str())).collect();
+    let rows = out.lines().filter(|line| hold.iter().any(|rule| line.starts_with(&format!("{rule} ")))).count();
+    let left =
+        out.lines().find_map(|line| line.split_once(" more rules hold")).and_then(|(count, _)| count.parse().ok()).unwrap_or(0_usize);
+    assert!(!violated.is_empty() && rows + left == hold.len(), "{violated:?}: {rows} + {left}, {hold:?}\n{out}");
+}
+
 #[test]
 fn planted_strict_makes_warnings_fail() {
     let bench = Bench::new(&[("good.toml", GOOD)]);
@@ -181,7 +201,9 @@ fn analytic_every_form_is_the_same_bytes_with_and_without_kept_findings() {
         assert!(!made.1.is_empty() && made == first && first == kept, "{form}");
     }
     let (_, out, err) = bench.check(&["heavy.toml", "--format", "json", "--json"]);
-    assert!(out.is_empty() && err.contains("cannot be used with"), "{err}");
+    let report: serde_json::Value = serde_json::from_str(&out).expect("JSON, as --json asks for");
+    assert!(report["error"]["message"].as_str().is_some_and(|message| message.contains("cannot be used with")), "{out}");
+    assert!(err.contains("cannot be used with"), "{err}");
 }
 
 #[test]
