@@ -59,7 +59,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let broken = broken(&design);
     if let Some(number) = args.step {
         one_step(args, common, &AllSteps::new(&design, &sequence), number, working)?;
-        return Ok(told(&broken));
+        return Ok(told(&broken, &args.frame.frame));
     }
     let files = everything(&design, &sequence)?;
     drop(working);
@@ -72,7 +72,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         let lines = all.map(|(at, (repeats, title))| format!("{:>2}  {repeats} x  {title}\n", at + 1));
         terminal::print(&format!("{}{}: {} files\n", lines.collect::<String>(), place.display(), files.len()))?;
     }
-    Ok(told(&broken))
+    Ok(told(&broken, &args.frame.frame))
 }
 
 /// What is wrong with the sequence: a step in whose way something is, a notch that is too narrow, parts that do not lie flat.
@@ -83,9 +83,12 @@ fn broken(design: &Design) -> Vec<Finding> {
 }
 
 /// Says on standard error what is wrong, and with the exit code that something is.
-fn told(broken: &[Finding]) -> ExitCode {
+fn told(broken: &[Finding], frame: &str) -> ExitCode {
     for finding in broken {
-        terminal::tell(&format!("VIOLATED {}: {}; `flexframe check --remedies` looks for what helps", finding.rule, finding.message));
+        terminal::tell(&format!(
+            "VIOLATED {}: {}; `flexframe check {frame} --remedies` looks for what helps",
+            finding.rule, finding.message
+        ));
     }
     if broken.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) }
 }
@@ -101,8 +104,6 @@ fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working
     let mut told: String = if common.json {
         let steps: Value = serde_json::from_slice(&steps_as_json(all.design, all.fold)?).map_err(|error| failed(error.into()))?;
         format!("{:#}\n", steps["steps"][number - 1])
-    } else if common.quiet {
-        String::new()
     } else {
         step.paragraphs().iter().map(|line| textwrap::fill(line, COLUMNS) + "\n").collect()
     };

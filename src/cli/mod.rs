@@ -54,6 +54,7 @@ mod weigh;
 
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub use failure::Failure;
@@ -134,6 +135,32 @@ fn groups(command: &clap::Command) -> String {
     GROUPS.iter().map(|(group, names)| format!("{group}:\n{}\n", names.iter().map(line).collect::<String>())).collect::<String>()
 }
 
+/// Prints help, or why the command line does not parse; with --json among its words as a JSON object, too.
+fn unparsed(error: clap::Error) -> ExitCode {
+    let is_wrong = error.use_stderr();
+    // A closed pipe while printing help is nobody's failure.
+    let _ = error.print();
+    if !is_wrong {
+        return ExitCode::SUCCESS;
+    }
+    let failure = Failure::Usage { message: cause(&error) };
+    if std::env::args_os().any(|word| word == "--json") {
+        // A closed pipe is nobody's failure; the exit code is.
+        let _ = terminal::print_json(&failure.json());
+    }
+    ExitCode::from(failure.exit_code())
+}
+
+/// Why a command line does not parse, in one line.
+fn cause(error: &clap::Error) -> String {
+    if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return "no command is given".into();
+    }
+    let text = error.render().to_string();
+    let first = text.split("\n\n").next().unwrap_or_default().trim_start_matches("error:");
+    first.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// Runs the program: parses the command line, does the work, prints, and tells the shell how it went.
 ///
 /// Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 the machine failed.
@@ -143,10 +170,7 @@ pub fn run() -> ExitCode {
     let arguments = match command_line().try_get_matches().and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => {
-            let code = if error.use_stderr() { 2 } else { 0 };
-            // A closed pipe while printing help is nobody's failure.
-            let _ = tip::mended(error).print();
-            return ExitCode::from(code);
+            return unparsed(tip::mended(error));
         }
     };
     interrupt::listen();

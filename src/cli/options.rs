@@ -11,7 +11,7 @@ use crate::impact::diagnose::ComparedAxes;
 /// Options of every command.
 #[derive(Debug, Args)]
 pub(super) struct Common {
-    /// Print errors only.
+    /// Print errors only. bom, explain, fold --step, list, params and schema print what they are asked for.
     #[arg(short, long, global = true)]
     pub quiet: bool,
     /// Print the result as JSON.

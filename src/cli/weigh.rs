@@ -22,6 +22,7 @@ use crate::report::page::weighing_page;
 /// Compare the masses of parts by volume, by a slicer and on a scale, and fit the print factors to the scale.
 #[derive(Debug, clap::Args)]
 #[command(
+    override_usage = "flexframe weigh [OPTIONS] [FRAME] [READINGS.csv]",
     after_help = "Examples:\n  flexframe weigh --slicer\n  flexframe weigh measured.csv\n  flexframe weigh my-frame.toml measured.csv --slicer --into my-frame.toml\n\nReadings are a CSV table with the columns part,mass_g and, if several parts were weighed together, quantity. --slicer runs\nPrusaSlicer, which has to be installed. Exit code 1 when the frame, with the fitted factors, is heavier than its limit."
 )]
 pub(super) struct Args {

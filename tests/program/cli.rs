@@ -445,6 +445,19 @@ fn analytic_usage_errors_are_exit_2_and_help_is_0() {
         assert!(text(&help.stdout).contains("Example"), "{command}");
     }
     assert!(text(&flexframe(&["man"]).stdout).contains(".TH flexframe"));
+    assert!(text(&flexframe(&["weigh", "--help"]).stdout).contains("[FRAME] [READINGS.csv]\n"));
+}
+
+#[test]
+fn regress_a_command_line_that_does_not_parse_is_an_error_in_json_too() {
+    for arguments in [&["check", "--json", "--nosuchopt"][..], &["--json", "biuld"], &["fold", "--step", "x", "--json"]] {
+        let output = flexframe(arguments);
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{arguments:?}: {error}"));
+        let message = report["error"]["message"].as_str().expect("a message");
+        assert!(report["error"]["exit_code"] == 2 && !message.starts_with("error") && !message.contains('\n'), "{report}");
+        assert_eq!(output.status.code(), Some(2));
+    }
+    assert_eq!(text(&flexframe(&["check", "--nosuchopt"]).stdout), "");
 }
 
 /// What bash offers for the last of some words, by the script that the program prints.
