@@ -37,6 +37,9 @@ pub enum Fault {
     /// Nothing in it.
     #[error("is empty")]
     Empty,
+    /// A table that a person writes, with no row below its header.
+    #[error("has no reading below its header")]
+    NoReadings,
     /// Text of another encoding.
     #[error("is {encoding} text")]
     Encoding {
@@ -174,6 +177,7 @@ impl Fault {
             }
             Self::Encoding { .. } => "save it as UTF-8; spreadsheets call this CSV UTF-8".into(),
             Self::Empty => "leave it out, or copy it again from the logger".into(),
+            Self::NoReadings => "write a row for each reading below the line that names the columns".into(),
             Self::Huge { .. } => "split it: a drop of 2 s at 1 kHz has 20 000 bytes".into(),
             Self::Truncated { .. } => "copy it again from the logger, or leave it out".into(),
             Self::Counts { .. } => {

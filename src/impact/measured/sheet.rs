@@ -43,5 +43,5 @@ pub(super) fn rows<T, const N: usize>(
         let line = row.position().map_or(0, csv::Position::line);
         said.push(read(&row, line, places).map_err(|fault| (SourcePosition::Line(line), fault))?);
     }
-    if said.is_empty() { Err((SourcePosition::Whole, Fault::Empty)) } else { Ok(said) }
+    if said.is_empty() { Err((SourcePosition::Whole, Fault::NoReadings)) } else { Ok(said) }
 }

@@ -30,12 +30,20 @@ pub struct Reading {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Misread {
     /// No printed part is called so.
-    #[error("there is no printed part `{part}`{}; the parts are {}", meant(.nearest), all_parts())]
+    #[error("there is no printed part `{part}`{}; the parts are {}", meant(.nearest), slugs(&PartName::ALL))]
     Unknown {
         /// What was read.
         part: String,
         /// Names like it.
         nearest: Vec<String>,
+    },
+    /// The frame has no such part.
+    #[error("the frame has no `{}`; its parts are {}", .part.slug(), slugs(.there))]
+    Absent {
+        /// What was read.
+        part: PartName,
+        /// The frame's printed parts.
+        there: Vec<PartName>,
     },
     /// Too light or too heavy for what it is called.
     #[error("{quantity} x `{part}` weigh {mass_g} g, {ratio:.2} times the {solid_g:.2} g that they would weigh solid; a print has {} to {} times that: is it another part, another number of them, or are rods or support weighed with it?", BELIEVED.start(), BELIEVED.end())]
@@ -57,8 +65,8 @@ fn meant(nearest: &[String]) -> String {
     nearest.first().map_or(String::new(), |name| format!(", did you mean `{name}`?"))
 }
 
-fn all_parts() -> String {
-    PartName::ALL.map(PartName::slug).join(", ")
+fn slugs(parts: &[PartName]) -> String {
+    parts.iter().map(|part| part.slug()).collect::<Vec<_>>().join(", ")
 }
 
 /// What a slicer fills a part with.
@@ -184,6 +192,9 @@ fn placed(rows: &[Row], reading: &Reading) -> Result<(PartName, Ratio), Misread>
     let Reading { part, quantity, mass_g, resolution_g } = reading;
     let slug = part.to_ascii_lowercase().replace([' ', '-'], "_");
     let Some(row) = rows.iter().find(|row| row.part.slug() == slug) else {
+        if let Some(part) = PartName::ALL.into_iter().find(|part| part.slug() == slug) {
+            return Err(Misread::Absent { part, there: rows.iter().map(|row| row.part).collect() });
+        }
         return Err(Misread::Unknown { part: part.clone(), nearest: nearest(&slug, PartName::ALL.iter().map(|part| part.slug())) });
     };
     let solid_g = f64::from(*quantity) * row.solid_g;
@@ -245,6 +256,9 @@ mod tests {
         let masses = mass::table(&design);
         let refused = |reading| Weighing::new(&design, &masses, &[reading], &BTreeMap::new()).expect_err("is refused");
         assert!(matches!(refused(reading("top_conrer", 1, 2.0)), (0, Misread::Unknown { nearest, .. }) if nearest[0] == "top_corner"));
+        let absent = refused(reading("accessory_plate", 1, 2.0));
+        assert!(matches!(absent, (0, Misread::Absent { part: PartName::AccessoryPlate, .. })));
+        assert!(!absent.1.to_string().contains("did you mean"), "{}", absent.1);
         assert!(matches!(refused(reading("hub", 1, 150.0)), (0, Misread::Unbelieved { .. })));
         assert!(matches!(refused(reading("hub", 40, 7.0)), (0, Misread::Unbelieved { .. })));
     }
