@@ -9,6 +9,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
+use crate::frame::assembly::{Design, Printed};
 use crate::printing::plates;
 use crate::report::picture::{printing_picture, scene};
 
@@ -19,7 +20,8 @@ pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Instead, draw each part as it is printed, from above and from below, and mark overhangs, thin walls and poor footing.
+    /// Instead, draw the parts as they are printed, from above and from below, and mark overhangs, thin walls and poor footing; a part
+    /// without any of these has no picture.
     #[arg(long)]
     pub findings: bool,
     /// Folder in which to write the folder `FRAME-pictures`, or `FRAME-findings`.
@@ -51,7 +53,15 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         let paths: Vec<String> = files.iter().map(|(path, _)| place.join(path).display().to_string()).collect();
         terminal::print_json(&serde_json::json!({ "folder": place.display().to_string(), "pictures": paths }))?;
     } else if !common.quiet {
-        terminal::tell(&format!("{}: {} pictures", place.display(), files.len()));
+        let unmarked = if args.findings { unmarked(&design, &files) } else { String::new() };
+        terminal::tell(&format!("{}: {} pictures{unmarked}", place.display(), files.len()));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The parts without a picture of findings, as a clause; empty where each has one.
+fn unmarked(design: &Design, files: &[(String, Vec<u8>)]) -> String {
+    let is_drawn = |part: &&Printed| files.iter().any(|(path, _)| *path == printing_picture::file_of(part.name));
+    let parts: Vec<&str> = design.printed.iter().filter(|part| !is_drawn(part)).map(|part| part.name.slug()).collect();
+    if parts.is_empty() { String::new() } else { format!("; nothing to mark on {}", parts.join(", ")) }
 }

@@ -48,9 +48,31 @@ impl<'a> Hung<'a> {
         concerned.max_by(|a, b| size(a).total_cmp(&size(b)))
     }
 
+    /// The places that break a rule.
+    fn at_fault(&self, fault: Fault) -> impl Iterator<Item = &Hanging> {
+        self.places.iter().filter(move |place| place.fault(&self.process) == Some(fault))
+    }
+
     /// Area of all places that break a rule, mm².
     pub fn area_mm2(&self, fault: Fault) -> f64 {
-        self.places.iter().filter(|place| place.fault(&self.process) == Some(fault)).map(|place| place.area_mm2).sum()
+        self.at_fault(fault).map(|place| place.area_mm2).sum()
+    }
+
+    /// The same in words, with how many places there are where there are several.
+    pub fn area_of(&self, fault: Fault, digits: usize) -> String {
+        let area = decimals(self.area_mm2(fault), digits);
+        match self.at_fault(fault).count() {
+            0 | 1 => format!("{area} mm2"),
+            count => format!("{count} places of {area} mm2 together"),
+        }
+    }
+
+    /// Where the worst of the places that break a rule lies; where there are several, which it is and its own area.
+    pub fn worst_place(&self, fault: Fault, worst: &Hanging, which: &str) -> String {
+        match self.at_fault(fault).count() {
+            0 | 1 => place(worst),
+            _ => format!("the {which}, of {} mm2, {}", decimals(worst.area_mm2, 0), place(worst)),
+        }
     }
 
     /// The keys of what it is printed of, and on.
@@ -81,5 +103,9 @@ impl<'a> Hung<'a> {
 /// Where a place lies, in words.
 pub(in crate::checks) fn place(hanging: &Hanging) -> String {
     let [x, y] = hanging.plan.middle_mm().map(|mm| decimals(mm, 1));
-    format!("around {x}, {y} as printed, {} to {} mm high", decimals(hanging.heights_mm[0], 1), decimals(hanging.heights_mm[1], 1))
+    format!(
+        "around x {x} mm, y {y} mm as printed, {} to {} mm high",
+        decimals(hanging.heights_mm[0], 1),
+        decimals(hanging.heights_mm[1], 1)
+    )
 }

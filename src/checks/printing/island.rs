@@ -2,9 +2,8 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::measure::Measure;
-use crate::checks::printing::hung::{Hung, PROCESS, place};
+use crate::checks::printing::hung::{Hung, PROCESS};
 use crate::checks::rule::{Blame, Found, InSearch, Levers, Rule};
-use crate::figures::decimals;
 use crate::printing::printability::Fault;
 
 pub static RULE: Rule = Rule {
@@ -24,7 +23,9 @@ pub(in crate::checks) fn finding(hung: &Hung) -> Finding {
     let measure = Measure { rule: &RULE, value: area_mm2, limit: 0.0, unit: "mm2", levers: hung.levers() };
     let what = match hung.worst(Fault::Island, |place| place.area_mm2) {
         None => "every layer rests on the one below".into(),
-        Some(worst) => format!("{} mm2 begin in the air ({})", decimals(area_mm2, 1), place(worst)),
+        Some(worst) => {
+            format!("{} begin in the air ({})", hung.area_of(Fault::Island, 1), hung.worst_place(Fault::Island, worst, "largest"))
+        }
     };
     hung.judged(measure, &what)
 }

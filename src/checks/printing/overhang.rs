@@ -37,9 +37,9 @@ fn finding(hung: &Hung) -> Finding {
     let what = match worst {
         None => format!("nothing unsupported is inclined by more than {angle} deg"),
         Some(worst) if reach_mm > limit => format!(
-            "inclined by more than {angle} deg, {} mm2 overhang by {reach} mm without support, {allowed} mm are allowed ({})",
-            decimals(hung.area_mm2(Fault::Overhang), 0),
-            place(worst)
+            "inclined by more than {angle} deg, {} overhang by {reach} mm without support, {allowed} mm are allowed ({})",
+            hung.area_of(Fault::Overhang, 0),
+            hung.worst_place(Fault::Overhang, worst, "farthest")
         ),
         Some(worst) => {
             format!("regions inclined by more than {angle} deg overhang by {reach} mm, {allowed} mm are allowed ({})", place(worst))

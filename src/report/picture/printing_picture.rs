@@ -8,6 +8,7 @@ use super::lettering::Lettering;
 use crate::checks::{ThinnestWall, Verdict, standing};
 use crate::figures::decimals;
 use crate::frame::assembly::{Design, Printed};
+use crate::params::PartName;
 use crate::printing::printability;
 use crate::printing::printability::{Fault, Hanging, Process};
 use crate::report::picture::image as picture;
@@ -40,7 +41,12 @@ struct Mark {
 
 /// A picture of each part on which there is something to see, path and PNG bytes.
 pub fn pictures(design: &Design) -> Vec<(String, Vec<u8>)> {
-    design.printed.par_iter().filter_map(|part| Some((format!("printing_{}.png", part.name), picture_of(design, part)?))).collect()
+    design.printed.par_iter().filter_map(|part| Some((file_of(part.name), picture_of(design, part)?))).collect()
+}
+
+/// What a part's picture is called.
+pub fn file_of(part: PartName) -> String {
+    format!("printing_{part}.png")
 }
 
 fn picture_of(design: &Design, part: &Printed) -> Option<Vec<u8>> {
