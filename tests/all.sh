@@ -392,7 +392,7 @@ qpdf_reads_instructions() {
         before=$(grep -c '"stage": "before_fold"' "${file%/*}/fold.json")
         folds=$(grep -c '"stage": "fold"' "${file%/*}/fold.json")
         after=$(grep -c '"stage": "after_fold"' "${file%/*}/fold.json")
-        wanted=$((4 + (before + 1) / 2 + folds + (after + 1) / 2))
+        wanted=$((5 + (before + 1) / 2 + folds + (after + 1) / 2))
         pages=$(qpdf --show-npages "$file")
         if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == "$wanted" ]]; then
             ok "qpdf $name"

@@ -25,8 +25,8 @@ const LIFT_MM: f64 = 0.02;
 const TONGUE_MM: f64 = 4.5;
 /// Width of a tongue, mm.
 const TONGUE_WIDTH_MM: f64 = 3.0;
-/// Least width of a cell, so that its number has room, mm.
-const CELL_MM: f64 = 4.2;
+/// Least width of a cell, mm: between two numbers there is three times the room that there is between two digits.
+const CELL_MM: f64 = 5.2;
 
 /// Bores less rod diameter, tenths of a millimetre: 2.5 to 3.4 mm for rods of 3 mm.
 pub(super) const BORES_TENTHS: std::ops::RangeInclusive<i32> = -5..=4;

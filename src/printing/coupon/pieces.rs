@@ -142,7 +142,7 @@ mod tests {
             let mut x = 0.0;
             for tenths in gauge::BORES_TENTHS {
                 let bore_mm = rod_mm + 0.1 * f64::from(tenths);
-                let width = (bore_mm + 0.9).max(4.2);
+                let width = (bore_mm + 0.9).max(5.2);
                 let (middle, axis) = (x + 0.5 * width, 0.5 * bore_mm + 0.9);
                 for side in [-1.0, 1.0] {
                     assert!(is_open(&solid, middle + side * (0.5 * bore_mm - 0.005), axis), "{preset} {bore_mm}");

@@ -1,4 +1,5 @@
-//! The instructions as a PDF: A4, a title page, a page a sub-assembly, two mounts a page, and a page a step of the fold.
+//! The instructions as a PDF: A4, a title page, a page of parts and rods, a page a sub-assembly, two mounts a page, and a page a
+//! step of the fold.
 
 use super::pdf_document::{PdfDocument, PdfSheet};
 use crate::frame::mounting::PartLine;
@@ -18,8 +19,8 @@ const TEXT: f32 = 11.0;
 const SMALL: f32 = 8.2;
 /// Distance of lines over the size of letters.
 const LEADING: f32 = 1.35;
-/// Width of a step's pictures and of the one on the title page, points.
-const WIDTHS: [f32; 2] = [385.0, 185.0];
+/// Width of a step's pictures, points.
+const STEP_PICTURE: f32 = 385.0;
 
 /// Mounts on a sheet, the width of a mount's picture, and where the column of its parts begins, points.
 const PANELS: usize = 2;
@@ -55,6 +56,7 @@ pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
         let mut sheet = Sheet { document: &mut document, page, lettering: &lettering, y: MARGIN, left: MARGIN, width };
         match content {
             Content::Title => sheet.title(&title, booklet),
+            Content::Lists => sheet.lists(booklet),
             Content::Assembly(of) => sheet.sub_assembly(of, booklet),
             Content::Panels(panels) => sheet.panels(panels, booklet),
             Content::Step(step) => sheet.step(step, booklet),
@@ -69,6 +71,7 @@ pub fn pdf(booklet: &Booklet) -> Result<Vec<u8>, PdfError> {
 /// What is on a sheet.
 enum Content<'a> {
     Title,
+    Lists,
     Assembly(&'a SubAssembly),
     Panels(&'a [Panel]),
     Step(&'a Page),
@@ -76,7 +79,7 @@ enum Content<'a> {
 
 fn sheets(booklet: &Booklet) -> Vec<Content<'_>> {
     let [centre, module, cartridge] = &booklet.assemblies;
-    let mut sheets = vec![Content::Title, Content::Assembly(centre)];
+    let mut sheets = vec![Content::Title, Content::Lists, Content::Assembly(centre)];
     sheets.extend(booklet.before.chunks(PANELS).map(Content::Panels));
     sheets.push(Content::Assembly(module));
     sheets.extend(booklet.pages.iter().map(Content::Step));
@@ -119,13 +122,17 @@ impl Sheet<'_, '_> {
     fn title(&mut self, title: &str, booklet: &Booklet) {
         self.words(title, HEADING);
         self.gap(6.0);
-        self.picture(&booklet.apart, WIDTHS[1]);
+        // As wide as the page: the names of the parts stand in it.
+        self.picture(&booklet.apart, self.width);
         self.gap(4.0);
         for line in &booklet.preface {
             self.gap(2.0);
             self.words(line, SMALL + 1.0);
         }
-        self.gap(8.0);
+    }
+
+    /// What to have at hand: the parts, and the rods to cut.
+    fn lists(&mut self, booklet: &Booklet) {
         let (top, whole) = (self.y, self.width);
         self.width = 0.56 * whole;
         self.words("Parts", TEXT + 2.0);
@@ -233,7 +240,7 @@ impl Sheet<'_, '_> {
         self.words(&step.heading, HEADING);
         self.words(&step.facts, TEXT);
         self.gap(5.0);
-        let width = WIDTHS[0] * 2.0 / step.pictures.len().max(2) as f32;
+        let width = STEP_PICTURE * 2.0 / step.pictures.len().max(2) as f32;
         for (picture, caption) in step.pictures.iter().zip(step.captions()) {
             self.picture(picture, width);
             self.gap(CAPTION_GAP);

@@ -1,5 +1,6 @@
-//! The instructions as a value: title page, a page a sub-assembly, half a page a mount, one page a step of the fold. Two files are written
-//! from it. A step has one number, on its page, in the names of its pictures, in `fold.json` and on the command line.
+//! The instructions as a value: title page, a page of parts and rods, a page a sub-assembly, half a page a mount, one page a step of the
+//! fold. Two files are written from it. A step has one number, on its page, in the names of its pictures, in `fold.json` and on the command
+//! line.
 
 use crate::export::bill::bill;
 use crate::export::cutting;
