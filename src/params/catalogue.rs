@@ -267,7 +267,7 @@ pub struct Printer {
     pub name: String,
     /// Shape of the bed.
     pub bed: Bed,
-    /// Printable length and width, or twice the diameter, mm.
+    /// Printable length and width, or the diameter, twice, mm.
     pub size_mm: [f64; 2],
     /// Highest part, mm.
     pub height_mm: f64,
