@@ -105,7 +105,7 @@ mod tests {
             ("displacement_mm\n1\n", SourcePosition::Line(1), "lacks the column `force_n`"),
             ("displacement_mm,force_n\n1,x\n", SourcePosition::Line(2), "`force_n` is `x`"),
             ("displacement_mm,force_n\n-1,2\n", SourcePosition::Line(2), "out of bounds"),
-            ("displacement_mm,force_n\n", SourcePosition::Whole, "is empty"),
+            ("displacement_mm,force_n\n", SourcePosition::Whole, "has no reading below its header"),
         ] {
             let (at, fault) = rows(text.as_bytes()).expect_err("is refused");
             assert!(at == place && fault.to_string().contains(says), "{text}: {at:?} {fault}");
