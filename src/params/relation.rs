@@ -140,17 +140,20 @@ fn bought(frame: &Frame) -> Result<(), Broken> {
     stack(frame)
 }
 
-/// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller.
+/// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller, and controllers on the
+/// arms are an extra.
 fn driven_motors(frame: &Frame) -> Result<(), Broken> {
     let Some(board) = frame.bought.get("flight_controller") else { return Ok(()) };
-    if frame.bought.contains_key("motor_controller") {
+    let covered = frame.extras.values().any(|extra| extra.covers.iter().any(|role| role == "motor_controller"));
+    if covered || frame.bought.contains_key("motor_controller") {
         return Ok(());
     }
     let name = &board.name;
     let message =
         format!("`bought.motor_controller` = \"none\" leaves nothing that drives the motors beside the flight controller `{name}`");
     let remedy = format!(
-        "name a motor_controller; where `{name}` is both controllers on one board, write motor_controller = \"{name}\" and flight_controller = \"none\""
+        "name a motor_controller; where `{name}` is both controllers on one board, write motor_controller = \"{name}\" and flight_controller = \"none\"; \
+         controllers on the arms are an entry of [extras] with covers = [\"motor_controller\"]"
     );
     Err(Broken { key: "bought.motor_controller", reason: Box::new(Reason::Impossible { message, remedy }) })
 }

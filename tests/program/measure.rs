@@ -229,7 +229,11 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         ("empty.csv", "empty.csv is empty", "leave it out"),
         ("foreign.csv", "foreign.csv, line 1: lacks the columns `trial`", "trial,height_m,t_s,accel_g"),
         ("nan.csv", "nan.csv, line 3: `accel_g` is `NaN`, no number", "finite"),
-        ("unsorted.csv", "unsorted.csv, line 3: time does not ascend in trial `1`: 0.001 s after 0.002 s", "sort those of each trial by t_s"),
+        (
+            "unsorted.csv",
+            "unsorted.csv, line 3: time does not ascend in trial `1`: 0.001 s after 0.002 s",
+            "sort those of each trial by t_s",
+        ),
         ("mixed.csv", "mixed.csv, line 3: trial `1` has two heights: 0.5 m and 1 m", "one height"),
         ("cut.csv", "cut.csv, line 3: has 3 fields, the header has 4", "cut short"),
         ("huge.csv", "huge.csv, line 2: `accel_g` = 1", "look at the unit"),
