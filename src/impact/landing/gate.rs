@@ -13,3 +13,10 @@ pub struct Gate {
     /// What was found, in a sentence.
     pub found: String,
 }
+
+impl Gate {
+    /// `passed` or `failed`.
+    pub fn word(&self) -> &'static str {
+        if self.passed { "passed" } else { "failed" }
+    }
+}

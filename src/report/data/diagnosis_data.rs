@@ -82,8 +82,12 @@ impl Compared {
             )
         });
         let static_test = self.static_test.iter().flat_map(static_sentences);
-        let landing = self.landing.iter().flat_map(landing_data::sentences);
-        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).chain(landing).collect()
+        falls.chain(static_test).chain(self.frame_mode.iter().map(frame_mode_sentence)).collect()
+    }
+
+    /// What was found of landings that are not level, in sentences.
+    pub fn landings(&self) -> Vec<String> {
+        self.landing.iter().flat_map(landing_data::sentences).collect()
     }
 }
 

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
+use crate::figures::decimals;
 use crate::impact::diagnose::EffectEstimate;
 use crate::impact::landing::{
     ATTITUDE_SENSOR, AttitudeAssessment, COULOMB_FRICTION, FOOT_MODE, LANDING_TILT, LandingAssessment, MOUNT_LOW_PASS, RefusedEffect,
@@ -48,9 +49,9 @@ pub fn lean(found: &AttitudeAssessment) -> String {
     let most = found.cosines.iter().max_by(|a, b| a.largest_g.total_cmp(&b.largest_g));
     let cosine = most.map_or_else(String::new, |most| {
         format!(
-            "; it turns with the body, whose cosine changes the peak of the mean wave from {} m by {:.1} % and no reading by more than {:.1} g",
+            "; it turns with the body, whose cosine changes the peak of the mean wave from {} m by {} % and no reading by more than {:.1} g",
             most.height_m,
-            1e2 * most.peak_change,
+            decimals(1e2 * most.peak_change, 1),
             most.largest_g
         )
     });
@@ -59,7 +60,7 @@ pub fn lean(found: &AttitudeAssessment) -> String {
 
 /// The same in sentences.
 pub fn sentences(assessment: &LandingAssessment) -> Vec<String> {
-    let gates = assessment.gates.iter().map(|gate| format!("{}: {}", gate.id, gate.found));
+    let gates = assessment.gates.iter().map(|gate| format!("test {} {}: {}", gate.id, gate.word(), gate.found));
     let attitude = [lean(&assessment.attitude), assessment.attitude.reason()];
     let refused = assessment.refused.iter().map(RefusedEffect::sentence);
     std::iter::once(spread(assessment)).chain(gates).chain(refused).chain(attitude).collect()

@@ -16,8 +16,7 @@ use crate::report::picture::landing_picture;
 /// When a figure cannot be drawn.
 pub(super) fn blocks(assessment: &LandingAssessment, diagnosis: &Diagnosis, design: Option<&Design>) -> Result<Vec<Block>, PlotError> {
     let cells = |cells: &[&str]| cells.iter().map(|cell| (*cell).to_string()).collect::<Vec<_>>();
-    let table =
-        |gates: &[Gate]| gates.iter().map(|gate| cells(&[gate.id, if gate.passed { "passed" } else { "failed" }, &gate.found])).collect();
+    let table = |gates: &[Gate]| gates.iter().map(|gate| cells(&[gate.id, gate.word(), &gate.found])).collect();
     let attitude = &assessment.attitude;
     let numbers = assessment.estimates.iter().chain(&attitude.estimates).map(|estimate| {
         let [value, low, high] = [estimate.value, estimate.ci95[0], estimate.ci95[1]].map(|value| significant(value, PARAMETER_DIGITS));

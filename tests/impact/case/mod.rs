@@ -344,7 +344,7 @@ impl Study {
              the records in which the logger's clock stalled:\n\n",
         );
         for gate in gates {
-            let _ = writeln!(page, "- `{}`, {}: {}.", gate.id, if gate.passed { "passed" } else { "failed" }, gate.found);
+            let _ = writeln!(page, "- `{}`, {}: {}.", gate.id, gate.word(), gate.found);
         }
         for covariate in &self.compared.covariates {
             let _ = writeln!(page, "- {}.", covariate.sentence());
