@@ -45,9 +45,6 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if args.into.is_some() { read(&frame, args, common) } else { write(&frame, args, common) }
 }
 
-/// The table of folded hinges in the folder.
-const FOLD_TABLE: &str = "hinges.csv";
-
 fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let coupon = Coupon::new(frame).map_err(|error| Failure::Usage { message: error.to_string() })?;
     let mut files = Vec::new();
@@ -65,12 +62,10 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
         let bytes = coupon_page::plate(frame, &plate);
         files.push((name.clone(), bytes.map_err(|error| Failure::Machine { what: format!("cannot make {name}"), error })?));
     }
-    files.push((FOLD_TABLE.into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));
+    files.push((coupon_page::FOLD_TABLE.into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));
     files.push(("coupon.png".into(), coupon_page::picture(&coupon)));
     let folder = format!("{}-coupon", frame.name);
-    let folds = args.output.join(&folder).join(FOLD_TABLE).display().to_string();
-    let named = coupon_page::Named { frame: &args.frame.frame, folds: &folds };
-    files.push(("coupon.md".into(), coupon_page::markdown(frame, &coupon, named).into_bytes()));
+    files.push(("coupon.md".into(), coupon_page::markdown(frame, &coupon, &args.frame.frame).into_bytes()));
     let place = output::write_folder(&args.output, &folder, &files)?;
     if common.json {
         let names: Vec<String> = files.iter().map(|(name, _)| place.join(name).display().to_string()).collect();

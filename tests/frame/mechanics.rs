@@ -139,14 +139,15 @@ fn analytic_the_lowest_mode_of_most_mass_is_the_bounce_of_the_centre() {
     assert!(modes.modes.windows(2).all(|pair| pair[0].frequency_hz <= pair[1].frequency_hz));
 }
 
-/// Medians of the measured drops along the axis (docs/reproduction.md), g. The numbers that come with the program are fitted to them.
+/// Medians of the measured drops along the axis without those in which the logger's clock stalled (docs/mechanics.md), g. The numbers that come
+/// with the program are fitted to them.
 #[test]
 fn measured_peaks_of_all_heights_are_met_by_the_programs_own_numbers() {
     let (design, settings) = (design(|_| ()), settings());
     let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
     let subject = Subject { model: &model, settings: &settings };
     let numbers = [libm::log(settings.impact_modulus), settings.impact_loss.sqrt()];
-    for (height_m, measured_g) in [(0.5, 76.0), (1.0, 95.1), (1.5, 123.3)] {
+    for (height_m, measured_g) in [(0.5, 81.1), (1.0, 98.6), (1.5, 127.7)] {
         let peak_g = libm::exp(subject.run(numbers, height_m).expect("is followed").ln_peak);
         assert!((peak_g / measured_g - 1.0).abs() < 0.1, "{height_m} m: {peak_g} g, measured {measured_g} g");
     }

@@ -782,13 +782,12 @@ fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_says(&text(&output.stderr), &["VIOLATED envelope", "fresh.toml --remedies` looks for what helps"]);
     assert!(!text(&output.stderr).contains("knee"), "{}", text(&output.stderr));
-    // The page's commands name the frame and the table as the shell finds them.
+    // The page's commands name the frame as the shell finds it, and the table by the page's own folder.
     let page = fs::read_to_string(Path::new(&bench.path("out/frame-coupon")).join("coupon.md")).expect("is there");
-    let folds = Path::new(&bench.path("out/frame-coupon")).join("hinges.csv");
-    for command in [format!("flexframe coupon {frame} --read held="), format!("flexframe coupon {frame} --read {} --into", folds.display())]
-    {
+    for command in [format!("flexframe coupon {frame} --read held="), format!("flexframe coupon {frame} --read FOLDER/hinges.csv --into")] {
         assert!(page.contains(&command), "{command} is not in:\n{page}");
     }
+    assert!(page.contains("FOLDER is that of this page."), "{page}");
     // The bores follow.
     let output = flexframe(&["params", &frame, "--filter", "clearance", "--json"]);
     assert!(text(&output.stdout).contains("-0.2"), "{}", text(&output.stdout));

@@ -73,14 +73,11 @@ pub fn fold_table(hinges: &Hinges) -> String {
     text
 }
 
-/// What the commands of the page name, as the user's shell finds it.
-#[derive(Clone, Copy, Debug)]
-pub struct Named<'a> {
-    /// The frame: a preset's name or a path.
-    pub frame: &'a str,
-    /// The path of the table of folded hinges.
-    pub folds: &'a str,
-}
+/// Stands in a command for the page's own folder: where that is written to does not change what is written.
+const FOLDER: &str = "FOLDER";
+
+/// The table of folded hinges in the folder.
+pub const FOLD_TABLE: &str = "hinges.csv";
 
 /// A word of a command, in quotes where a shell would take it apart.
 fn word(text: &str) -> String {
@@ -88,8 +85,8 @@ fn word(text: &str) -> String {
     if text.chars().all(is_plain) { text.into() } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
-/// The page.
-pub fn markdown(frame: &Frame, coupon: &Coupon, named: Named) -> String {
+/// The page; its commands name the frame as it was given.
+pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
     let mut text = format!(
         "# Coupon of {}\n\nWhich clearances this printer needs, before the frame is printed. Print each piece as it lies, with the settings of the frame's \
          parts: open the `plate_` of each material, or load the `.ini` beside a piece in PrusaSlicer, and keep your own printer and spool.\n\n![The pieces](coupon.png)\n\n| piece | of | settings | mm3 |\n|---|---|---|---|\n",
@@ -116,13 +113,13 @@ pub fn markdown(frame: &Frame, coupon: &Coupon, named: Named) -> String {
         text,
         "\nThen, with what you found:\n\n```console\nflexframe coupon {0} --read held=2.7,slides=3.2,window=0.2,plug=0.0 --into my-printer.toml\n```\n\n\
          and let every frame of this printer have `base = \"my-printer\"`. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
-        word(named.frame)
+        word(given)
     );
-    hinges(&mut text, frame, &coupon.hinges, named);
+    hinges(&mut text, frame, &coupon.hinges, given);
     text
 }
 
-fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges, named: Named) {
+fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges, given: &str) {
     let _ = write!(
         text,
         "\n## Hinges\n\nWhat strain this filament bears, printed on this printer: three hinges of the corners' own section, the middle one as thick as \
@@ -132,7 +129,7 @@ fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges, named: Named) {
          One fold takes about two seconds.\n\
          3. Look at the outer side of the web every ten folds, with a light behind it. A line across the web that opens is a crack. White \
          marks and a web that stays bent are not.\n\
-         4. Write into `hinges.csv`, column `folds`: after how many folds it cracked, or `held` where it held {FOLDS}.\n\n\
+         4. Write into `{FOLD_TABLE}`, column `folds`: after how many folds it cracked, or `held` where it held {FOLDS}.\n\n\
          | piece | web | fold | strain | folds until it cracked, or `held` |\n|---|---:|---:|---:|---|\n",
         fold = hinges.fold_deg
     );
@@ -142,11 +139,10 @@ fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges, named: Named) {
     }
     let _ = write!(
         text,
-        "\n```console\nflexframe coupon {} --read {} --into my-printer.toml\n```\n\n\
+        "\n```console\nflexframe coupon {} --read {FOLDER}/{FOLD_TABLE} --into my-printer.toml\n```\n\n{FOLDER} is that of this page. \
          The largest strain that held becomes the limit of the rule `hinge_strain`: `hinge_strain_factor` is set to the material's elongation at break over it. \
          A thinner web that holds while a thicker one cracks is refused: two pieces were mixed up, or one has a flaw. What the figure is \
          worth: one sample of each web, one direction of layers, one day. It knows no scatter, no cold, and no weeks under strain.\n",
-        word(named.frame),
-        word(named.folds)
+        word(given)
     );
 }
