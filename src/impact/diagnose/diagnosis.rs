@@ -299,8 +299,9 @@ struct Evidence<'a> {
     not_enough: Option<&'a (Candidate, f64)>,
 }
 
+/// Verdict and reasons, that of the model's own effects among them.
 fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
-    let (verdict, mut reasons) = verdict_without_the_models_own(evidence);
+    let (verdict, mut reasons) = verdict_of_search(evidence);
     if let Some((given, p)) = evidence.not_enough {
         reasons.push(format!(
             "the model's own {} leaves more than trial variation (p = {p:.3}): effects were looked for on its spring, damper and sensor alone",
@@ -310,7 +311,8 @@ fn verdict(evidence: &Evidence) -> (Verdict, Vec<String>) {
     (verdict, reasons)
 }
 
-fn verdict_without_the_models_own(evidence: &Evidence) -> (Verdict, Vec<String>) {
+/// The same of the search alone, whatever effects the model had.
+fn verdict_of_search(evidence: &Evidence) -> (Verdict, Vec<String>) {
     let Evidence { nothing, adequacy, chosen, alternatives, steady, trend, .. } = evidence;
     let mut reasons = Vec::new();
     if *trend < TREND {
