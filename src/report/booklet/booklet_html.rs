@@ -12,7 +12,7 @@ const STYLE: &str = "@page { size: A4; margin: 15mm } \
 p { margin: 2mm 0 } h1, h2 { margin: 3mm 0 } body { font: 11pt/1.3 sans-serif; max-width: 180mm; margin: auto; color: #000; background: #fff } \
 section { break-before: page } section.half { break-before: auto; break-inside: avoid } img { width: 100%; border: 1px solid #888 } figure { margin: 1mm auto; max-width: 120mm } \
 figcaption { font-size: 9pt } table { border-collapse: collapse; font-size: 8.5pt; line-height: 1.2 } td { padding: 0 3mm 0 0; vertical-align: top } \
-.columns { display: grid; grid-template-columns: 3fr 2fr; gap: 8mm } ol { padding-left: 0; list-style: none; font-size: 8.5pt } .cover { max-width: 85mm } \
+.columns { display: grid; grid-template-columns: 3fr 2fr; gap: 8mm } ol { padding-left: 0; list-style: none; font-size: 8.5pt } .cover { max-width: none } \
 .parts { columns: 3 } img.part { width: 24mm; border: 0; vertical-align: middle } .caution { border: 2px solid #000; padding: 2mm } .facts { font-weight: bold }";
 
 /// Name of the picture of a sub-assembly, beside the page.
@@ -49,14 +49,14 @@ pub fn html(booklet: &Booklet) -> String {
          <figure class=\"cover\"><img src=\"exploded.png\" alt=\"The frame taken apart\"></figure>\n"
     );
     booklet.preface.iter().for_each(|line| page.push_str(&format!("<p>{}</p>\n", escaped(line))));
-    page.push_str("<div class=\"columns\">\n<div><h2>Parts</h2>\n<table>\n");
+    page.push_str("<section>\n<div class=\"columns\">\n<div><h2>Parts</h2>\n<table>\n");
     for row in &booklet.parts {
         let cells: String = row.iter().map(|cell| format!("<td>{}</td>", escaped(cell))).collect();
         let _ = writeln!(page, "<tr>{cells}</tr>");
     }
     page.push_str("</table></div>\n<div><h2>Cut the rods, mm</h2>\n<ol>\n");
     booklet.cuts.iter().for_each(|line| page.push_str(&format!("<li>{}</li>\n", escaped(line))));
-    page.push_str("</ol></div>\n</div>\n");
+    page.push_str("</ol></div>\n</div>\n</section>\n");
     let [centre, module, cartridge] = &booklet.assemblies;
     sub_assembly(&mut page, booklet, centre);
     booklet.before.iter().for_each(|step| panel(&mut page, booklet, step));
