@@ -382,6 +382,7 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
     let page = booklet_html::html(&booklet);
     assert!(!page.contains("http") && !page.contains("<script"), "fetches something");
     assert_eq!(page.matches("<section>").count(), sequence.steps.len());
+    assert_eq!(page.matches("<section class=\"parts-and-rods\">").count(), 1);
     assert_eq!(page.matches("<section class=\"assembly\">").count(), 3);
     assert_eq!(page.matches("<section class=\"half\">").count(), Mounting::new(&design, &sequence).steps().count());
     for step in &sequence.steps {

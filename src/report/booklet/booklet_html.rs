@@ -49,7 +49,7 @@ pub fn html(booklet: &Booklet) -> String {
          <figure class=\"cover\"><img src=\"exploded.png\" alt=\"The frame taken apart\"></figure>\n"
     );
     booklet.preface.iter().for_each(|line| page.push_str(&format!("<p>{}</p>\n", escaped(line))));
-    page.push_str("<section>\n<div class=\"columns\">\n<div><h2>Parts</h2>\n<table>\n");
+    page.push_str("<section class=\"parts-and-rods\">\n<div class=\"columns\">\n<div><h2>Parts</h2>\n<table>\n");
     for row in &booklet.parts {
         let cells: String = row.iter().map(|cell| format!("<td>{}</td>", escaped(cell))).collect();
         let _ = writeln!(page, "<tr>{cells}</tr>");
