@@ -120,15 +120,8 @@ fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
     let (mut found, _) = request(&plan, &set, Some(ComparedAxes::Axial)).diagnosed(&|_| ()).expect("drops that can be diagnosed");
     let mut judged = |verdict: Verdict| {
         found.verdict = verdict;
-        let evidence = LandingEvidence {
-            fitted: &fitted,
-            held_out: Some(&held_out),
-            observed: &observed,
-            model: &plan.model,
-            diagnosis: &found,
-            seed: 1,
-        };
-        (LandingAssessment::of(&evidence).expect("can be fitted"), found.clone())
+        let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed: &observed, model: &plan.model, seed: 1 };
+        (LandingAssessment::of(&evidence).expect("can be fitted").beside(&found), found.clone())
     };
     let (landing, _) = judged(Verdict::NothingMissing);
     assert!(landing.named() && !landing.decides(), "{:#?}", landing.gates);
@@ -177,7 +170,7 @@ fn planted_records_spread_as_those_of_their_own_legs_and_no_others() {
     let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
     let rough = plain.fitted(None).expect("can be fitted");
     let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes, 1);
-    let problem = LandingProblem { observed: &touches, ..plain };
+    let problem = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
     let fit = problem.fitted(Some(&rough)).expect("can be fitted");
     let spread_p = |fit: &LandingFit| {
         let scatter = LandingScatter::of(&waves, &problem, fit).expect("drops that vary");

@@ -206,12 +206,18 @@ pub fn watched(
     held_out: Option<&Waves>,
     model: &Model,
     settings: &DiagnosisOptions,
-    stage: &dyn Fn(Stage),
+    stage: &(dyn Fn(Stage) + Sync),
 ) -> Result<Diagnosis, DiagnosisError> {
     run(fitted, held_out, model, settings, stage).ok_or(DiagnosisError::NoFit)
 }
 
-fn run(fitted: &Waves, held_out: Option<&Waves>, model: &Model, settings: &DiagnosisOptions, stage: &dyn Fn(Stage)) -> Option<Diagnosis> {
+fn run(
+    fitted: &Waves,
+    held_out: Option<&Waves>,
+    model: &Model,
+    settings: &DiagnosisOptions,
+    stage: &(dyn Fn(Stage) + Sync),
+) -> Option<Diagnosis> {
     stage(Stage::TrialCovariance);
     let prepared = PreparedDrops::of(fitted, model)?;
     let problem = &prepared.problem;

@@ -57,7 +57,7 @@ pub struct SearchContext<'a> {
     /// Most effects.
     pub most: usize,
     /// Called with the stage that begins.
-    pub stage: &'a dyn Fn(Stage),
+    pub stage: &'a (dyn Fn(Stage) + Sync),
 }
 
 impl Search {
@@ -125,17 +125,20 @@ impl SearchContext<'_> {
     /// is replaced. Whether the best of the smaller sets became another.
     fn dropped(&self, larger: &[Candidate], smaller: &mut Vec<Candidate>) -> bool {
         let Some(before) = smaller.first().map(|best| best.score) else { return false };
-        for from in larger.iter().take(DROPPED) {
-            for id in from.ids() {
-                let mut model = from.model().clone();
-                model.effects.retain(|listed| listed.spec.id != id);
-                let Some(again) = Candidate::best(self.problem, [model]) else { continue };
-                let again = again.settled(self.problem);
-                match smaller.iter_mut().find(|known| known.ids() == again.ids()) {
-                    Some(known) if known.score > again.score => *known = again,
-                    Some(_) => {}
-                    None => smaller.push(again),
-                }
+        let without = |from: &Candidate, id: &str| {
+            let mut model = from.model().clone();
+            model.effects.retain(|listed| listed.spec.id != id);
+            model
+        };
+        let models: Vec<Model> =
+            larger.iter().take(DROPPED).flat_map(|from| from.ids().into_iter().map(move |id| without(from, id))).collect();
+        let refitted: Vec<Candidate> =
+            models.into_par_iter().filter_map(|model| Some(Candidate::best(self.problem, [model])?.settled(self.problem))).collect();
+        for again in refitted {
+            match smaller.iter_mut().find(|known| known.ids() == again.ids()) {
+                Some(known) if known.score > again.score => *known = again,
+                Some(_) => {}
+                None => smaller.push(again),
             }
         }
         *smaller = self.ranked(std::mem::take(smaller));

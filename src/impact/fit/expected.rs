@@ -21,7 +21,7 @@ const PHASES: usize = 20;
 /// the moment at which the wave crosses it, so the mean of sample j is the wave's mean over the j-th step behind that
 /// moment: (W(t + (j + 1) s) - W(t + j s)) / s, with W the wave's integral. Wrong where the wave is near the trigger for
 /// long, or falls below it again at once.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expected {
     /// Time between samples, s.
     pub step_s: f64,

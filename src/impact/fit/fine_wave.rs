@@ -32,6 +32,19 @@ impl<'a> FineWave<'a> {
         let at = (place as usize).min(self.wave.len() - 2);
         self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at])
     }
+
+    /// Readings at many times, s, as [`Self::at`] gives them.
+    #[inline]
+    pub fn read(&self, time_s: impl Fn(usize) -> f64, readings: &mut [f64]) {
+        let last = self.wave.len() - 2;
+        for (i, reading) in readings.iter_mut().enumerate() {
+            let place = time_s(i) * PER_S;
+            // Places lie far below 2³², and the conversion to so few bits is the faster one.
+            let at = (place as u32 as usize).min(last);
+            let between = self.wave[at] + (place - at as f64).min(1.0) * (self.wave[at + 1] - self.wave[at]);
+            *reading = if place > 0.0 { between } else { 0.0 };
+        }
+    }
 }
 
 /// When the wave first crosses the trigger, s.

@@ -64,8 +64,7 @@ impl TriggerJitter {
         let (mut sum, mut wave) = (vec![0.0; samples], vec![0.0; first + LATEST + samples]);
         for phase in 0..PHASES {
             let part = (phase as f64 + 0.5) / PHASES as f64;
-            let time_s = |i: usize| fine.crossing_s + step_s * (part + i as f64 - first as f64);
-            wave.iter_mut().enumerate().for_each(|(i, reading)| *reading = fine.at(time_s(i)));
+            fine.read(|i| fine.crossing_s + step_s * (part + i as f64 - first as f64), &mut wave);
             Record { wave: &wave, kept, sd: self.variance().sqrt() }.aligned(first, &mut sum);
             sum.iter_mut().zip(&wave[first - BEFORE..]).for_each(|(sum, reading)| *sum -= reading);
         }
@@ -95,9 +94,10 @@ impl Record<'_> {
             if hit > NEVER {
                 let factor = if last { mean } else { mean - variance.sqrt() * missed.first / (1.0 - missed.probability) };
                 let (early, late) = sum.split_at_mut(BEFORE);
+                let along = self.sd * factor;
                 early[BEFORE - 1] += hit * before;
                 for ((sum, reading), kept) in late.iter_mut().zip(&self.wave[at..]).zip(self.kept) {
-                    *sum += hit * reading * (1.0 + self.sd * factor * kept);
+                    *sum += hit * reading * (1.0 + along * kept);
                 }
             }
             open -= hit;

@@ -27,6 +27,7 @@ use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
 use super::turned_back;
 use super::uncertainty::FitUncertainty;
+use super::unjudged_landings::UnjudgedLandings;
 use crate::impact::diagnose::{Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, Verdict, joined, judge};
 use crate::impact::fit::{FitProblem, Waves};
 
@@ -94,23 +95,25 @@ pub struct LandingAssessment {
     /// Delays of the opposite foot and of those beside of every drop whose feet were all seen, s, by height, m.
     pub touches: Vec<(f64, Vec<[f64; 3]>)>,
     /// Whether it is the verdict.
-    decides: bool,
+    pub(super) decides: bool,
 }
 
 impl LandingAssessment {
-    /// Judges; `None` where no fit is possible. Readings of a sensor whose lean is named are turned back, and judged once more.
-    pub fn of(evidence: &LandingEvidence) -> Option<Self> {
-        let as_read = Self::judged(evidence, None)?;
-        let Some(attitude) = as_read.attitude.named() else { return Some(as_read) };
+    /// Looks at the drops; `None` where no fit is possible. Readings of a sensor whose lean is named are turned back, and looked at once more.
+    ///
+    /// Nothing here depends on what the diagnosis finds along the vertical, so that both can be computed at the same time.
+    pub fn of(evidence: &LandingEvidence) -> Option<UnjudgedLandings> {
+        let as_read = Self::fitted(evidence, None)?;
+        let Some(attitude) = as_read.attitude.named() else { return Some(UnjudgedLandings(as_read)) };
         let observed = turned_back::landings(evidence.observed, &attitude);
         let waves = |waves: &Waves| turned_back::waves(waves, &observed);
         let (fitted, held_out) = (waves(evidence.fitted), evidence.held_out.map(waves));
         let turned = LandingEvidence { fitted: &fitted, held_out: held_out.as_ref(), observed: &observed, ..*evidence };
-        Self::judged(&turned, Some(as_read.attitude))
+        Self::fitted(&turned, Some(as_read.attitude)).map(UnjudgedLandings)
     }
 
-    /// Judges readings as they are, with an attitude that is known, or with that which they show.
-    fn judged(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
+    /// Fits readings as they are, with an attitude that is known, or with that which they show. Its tests are still to be made.
+    fn fitted(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
         let touches = evidence.observed.of_heights(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
         let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &prepared.problem, &touches);
@@ -137,7 +140,7 @@ impl LandingAssessment {
         let separating = separating(&problem, evidence.observed, &fit, evidence.seed);
         let shown = fitted_touches.heights.last().zip(tables.last()).and_then(|(height, table)| ShownDrop::of(height, table, &fit));
         let heights = slopes_by_height(&fitted_touches, &tables, &fit)?;
-        let spreads = fitted_touches.heights.iter().zip(&tables).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
+        let spreads = fitted_touches.heights.iter().zip(tables.iter()).map(|(height, table)| HeightSpread::of(height, table, &fit.slopes));
         let spreads = spreads.collect();
         let samples = prepared.problem.expected.samples;
         let windows = evidence
@@ -149,7 +152,7 @@ impl LandingAssessment {
         let windows = windows.collect();
         let touches =
             evidence.observed.heights.iter().map(|height| (height.height_m, height.seen().map(|drop| drop.touches.delays_s()).collect()));
-        let mut all = Self {
+        Some(Self {
             evidence: touched,
             fit,
             estimates,
@@ -170,10 +173,7 @@ impl LandingAssessment {
             step_s: evidence.fitted.step_s,
             touches: touches.collect(),
             decides: false,
-        };
-        all.gates = all.gates(evidence.diagnosis);
-        all.decides = all.named() && evidence.diagnosis.verdict != Verdict::NothingMissing;
-        Some(all)
+        })
     }
 
     /// Whether every test was passed.

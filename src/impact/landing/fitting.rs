@@ -7,11 +7,14 @@
 //! *When it is wrong:* legs that are not alike, or whose springs and dampers are not linear; slopes at release so small that the touch times
 //! do not pay for them count as turning.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::fit_step::SLOPES;
 use super::foot_mode::FootMode;
+use super::kept_tables::{KeptTables, TableKey};
 use super::legged_body::{LeggedBody, Legs, Slopes};
 use super::mount::Mount;
 use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
@@ -56,6 +59,8 @@ pub struct LandingProblem<'a> {
     pub observed: &'a ObservedLandings,
     /// What it has beside legs and turning slopes.
     pub parts: ModelParts,
+    /// Landings that were simulated, of this body and model.
+    pub(super) kept: Arc<KeptTables>,
 }
 
 /// A fit.
@@ -76,7 +81,7 @@ pub struct LandingFit {
 impl<'a> LandingProblem<'a> {
     /// Landings on legs of a spring and a damper, of which nothing else is asked.
     pub fn plain(body: LeggedBody, model: &'a Model, waves: &'a FitProblem, observed: &'a ObservedLandings) -> Self {
-        Self { body, model, waves, observed, parts: ModelParts::default() }
+        Self { body, model, waves, observed, parts: ModelParts::default(), kept: Arc::default() }
     }
 }
 
@@ -120,10 +125,12 @@ impl LandingProblem<'_> {
     }
 
     /// The landings of the chosen heights.
-    pub fn tables(&self, legs: &Legs) -> Option<Vec<LandingTable>> {
-        let table =
-            |height: &usize| LandingTable::of(&self.body, legs, self.model, &self.waves.expected, self.waves.means[*height].height_m);
-        self.waves.chosen.iter().map(table).collect()
+    pub fn tables(&self, legs: &Legs) -> Option<Arc<Vec<LandingTable>>> {
+        let expected = self.waves.expected;
+        let heights_m: Vec<f64> = self.waves.chosen.iter().map(|height| self.waves.means[*height].height_m).collect();
+        let key = TableKey { legs: *legs, heights_m: heights_m.clone(), expected };
+        let table = |height_m: f64| LandingTable::of(&self.body, legs, self.model, &expected, height_m);
+        self.kept.of(key, || heights_m.into_iter().map(table).collect())
     }
 
     /// The same with other parts.
@@ -208,7 +215,7 @@ impl LandingProblem<'_> {
         let (legs, slopes) = self.meaning(scaled);
         let tables = self.tables(&legs)?;
         let mut all = Vec::new();
-        for (height, table) in self.waves.chosen.iter().zip(&tables) {
+        for (height, table) in self.waves.chosen.iter().zip(tables.iter()) {
             let unit_g = self.unit_g(*height);
             all.extend(
                 self.left_by_drops(*height, table, &slopes)

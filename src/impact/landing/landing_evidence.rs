@@ -1,7 +1,6 @@
 //! The drops by which landings that are not level are judged.
 
 use super::observed::ObservedLandings;
-use crate::impact::diagnose::Diagnosis;
 use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
 
@@ -16,8 +15,6 @@ pub struct LandingEvidence<'a> {
     pub observed: &'a ObservedLandings,
     /// The base model: body, fall and sensor.
     pub model: &'a Model,
-    /// What the diagnosis of the vertical found.
-    pub diagnosis: &'a Diagnosis,
     /// Of everything that is drawn.
     pub seed: u64,
 }

@@ -34,7 +34,7 @@ impl LandingScatter {
     pub fn of(waves: &Waves, problem: &LandingProblem, fit: &LandingFit) -> Option<Self> {
         let tables = problem.tables(&fit.legs)?;
         let mut known = Vec::new();
-        for (group, table) in waves.groups.iter().zip(&tables) {
+        for (group, table) in waves.groups.iter().zip(tables.iter()) {
             let population = Population::of(table, &fit.slopes);
             let expected = &problem.waves.expected;
             let phase = phase_covariance(&problem.body, &fit.legs, problem.model, expected, group.height_m, population.weights())?;

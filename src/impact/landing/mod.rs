@@ -21,6 +21,7 @@ mod fitting;
 mod foot_mode;
 mod gaps;
 mod gate;
+mod kept_tables;
 mod landing_evidence;
 mod landing_gates;
 mod landing_scatter;
@@ -52,6 +53,7 @@ mod touched_slopes;
 mod touches;
 mod turned_back;
 mod uncertainty;
+mod unjudged_landings;
 
 pub use assessment::{LandingAssessment, SeparatingDrops, SlopesAtHeight};
 pub use attitude_assessment::AttitudeAssessment;
@@ -76,6 +78,7 @@ pub use table::LandingTable;
 pub use touch_adequacy::TouchAdequacy;
 pub use touches::{LegTouches, Touch};
 pub use uncertainty::FitUncertainty;
+pub use unjudged_landings::UnjudgedLandings;
 
 /// The effect's id.
 pub const LANDING_TILT: &str = "landing_tilt";

@@ -104,6 +104,25 @@ impl Mechanics {
     }
 }
 
+/// Least height of all feet of a body that flies, m: far above what rounding moves.
+const CLEAR_M: f64 = 1e-6;
+
+impl Mechanics {
+    /// Whether no foot of a landing touches for a time, s. Slopes turn as they do, and their sines and cosines change by at most as much, so no
+    /// foot is lower than this parabola, whose ends are its lowest places. Feet without mass alone.
+    fn flies<const N: usize>(&self, state: &State<N>, at: usize, for_s: f64) -> bool {
+        let [z, sin_p, cos_p, sin_q, cos_q, z_rate, p_rate, q_rate] = state.body.map(|values| values[at]);
+        let sunk_m = z - self.centre_height_m * (1.0 - cos_p * cos_q);
+        let turned_m_s = self.centre_height_m * (p_rate.abs() + q_rate.abs());
+        [(sin_p, p_rate), (sin_q, q_rate)].into_iter().all(|(sine, rate)| {
+            let begin_m = sunk_m + self.foot_radius_m * sine.abs();
+            let speed_m_s = z_rate + turned_m_s + self.foot_radius_m * rate.abs();
+            let end_m = begin_m + for_s * (speed_m_s + 0.5 * GRAVITY_M_S2 * for_s);
+            begin_m < -CLEAR_M && end_m < -CLEAR_M
+        })
+    }
+}
+
 /// From a state on; `FREE` where feet have mass, `RUBS` where legs have friction: what is absent costs nothing.
 fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
     mechanics: &Mechanics,
@@ -126,6 +145,11 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
             }
         }
         accel_g.push(read_g);
+        let left_s = (points - point) as f64 * STEP_S;
+        if !FREE && (0..N).all(|at| mechanics.flies(&state, at, left_s)) {
+            accel_g.resize(points, [0.0; N]);
+            break;
+        }
         let middle = moved::<N, FREE>(&state, &rate, 0.5 * STEP_S);
         state = moved::<N, FREE>(&state, &change::<N, FREE, RUBS>(mechanics, &middle).0, STEP_S);
     }

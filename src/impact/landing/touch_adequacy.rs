@@ -42,7 +42,7 @@ impl TouchAdequacy {
             .waves
             .chosen
             .iter()
-            .zip(&tables)
+            .zip(tables.iter())
             .map(|(height, table)| Left::of(problem.left_by_drops(*height, table, &fit.slopes), &problem.waves.means[*height].wave))
             .collect();
         let largest = |of: &Left| of.ratios(&of.mean).enumerate().max_by(|a, b| a.1.total_cmp(&b.1));

@@ -10,7 +10,7 @@ use crate::impact::diagnose::{
 };
 use crate::impact::effects::{Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
-use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence};
+use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence, UnjudgedLandings};
 use crate::impact::measured::{DropSet, Fall, FreeFallOffset, Session, StaticTest, symptoms};
 
 /// Most effects on top of spring and damper.
@@ -95,7 +95,7 @@ impl DiagnosisRequest<'_> {
     ///
     /// # Errors
     /// [`RequestError`] when the drops or the heights do not allow one.
-    pub fn diagnosed(mut self, stage: &dyn Fn(Stage)) -> Result<(Diagnosis, Compared), RequestError> {
+    pub fn diagnosed(mut self, stage: &(dyn Fn(Stage) + Sync)) -> Result<(Diagnosis, Compared), RequestError> {
         Self::bounds(self.max_effects)?;
         let known = |name: &&String| self.drops.records().any(|record| record.columns.contains_key(*name));
         if let Some(name) = self.covariates.iter().find(|name| !known(name)) {
@@ -118,7 +118,11 @@ impl DiagnosisRequest<'_> {
         }
         let settings = DiagnosisOptions::new(self.max_effects, self.seed);
         let held_out = (!held_out.groups.is_empty()).then_some(&held_out);
-        let mut found = diagnose::watched(&fitted, held_out, &self.model, &settings, stage)?;
+        let (found, landing) = rayon::join(
+            || diagnose::watched(&fitted, held_out, &self.model, &settings, stage),
+            || observed.as_ref().and_then(|observed| self.landing(observed, &fitted, held_out)),
+        );
+        let mut found = found?;
         let mut compared = self.compared(&choice);
         if let Some(reason) = contradiction_by_falls(&found, &compared.falls) {
             found.reasons.push(reason);
@@ -126,7 +130,7 @@ impl DiagnosisRequest<'_> {
                 found.verdict = Verdict::NoneSuffices;
             }
         }
-        compared.landing = observed.as_ref().and_then(|observed| self.landing(observed, &fitted, held_out, &found));
+        compared.landing = landing.map(|landing| landing.beside(&found));
         if let Some(lateral) = self.lateral(&choice, observed.as_ref(), compared.landing.is_some()) {
             compared.channel_reason += &format!("; {lateral}");
         }
@@ -153,15 +157,8 @@ impl DiagnosisRequest<'_> {
     }
 
     /// Landings that are not level, where touches of the feet were seen.
-    fn landing(
-        &self,
-        observed: &ObservedLandings,
-        fitted: &Waves,
-        held_out: Option<&Waves>,
-        found: &Diagnosis,
-    ) -> Option<LandingAssessment> {
-        let evidence = LandingEvidence { fitted, held_out, observed, model: &self.model, diagnosis: found, seed: self.seed };
-        LandingAssessment::of(&evidence)
+    fn landing(&self, observed: &ObservedLandings, fitted: &Waves, held_out: Option<&Waves>) -> Option<UnjudgedLandings> {
+        LandingAssessment::of(&LandingEvidence { fitted, held_out, observed, model: &self.model, seed: self.seed })
     }
 
     /// Says where first touches show that landings were not level, though they could not be judged. What is named along the vertical may stand

@@ -126,15 +126,8 @@ impl<'a> Findings<'a> {
         let mut diagnosis = diagnose(&fitted, Some(&held_out), &model, &options).map_err(|error| error.to_string())?;
         let observed = ObservedLandings::of(&chosen, &waves);
         let landing = observed.as_ref().and_then(|observed| {
-            let evidence = LandingEvidence {
-                fitted: &fitted,
-                held_out: Some(&held_out),
-                observed,
-                model: &model,
-                diagnosis: &diagnosis,
-                seed: plan.seed,
-            };
-            LandingAssessment::of(&evidence)
+            let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed, model: &model, seed: plan.seed };
+            Some(LandingAssessment::of(&evidence)?.beside(&diagnosis))
         });
         if let Some(landing) = &landing {
             (diagnosis.verdict, diagnosis.reasons) = landing.verdict(&diagnosis);
