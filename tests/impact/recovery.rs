@@ -101,6 +101,33 @@ fn planted_arrangements_are_named() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// Drops that hardly vary, and a sensor fast enough to read the jump with which a preload lets go. In units of how drops vary around the wave of
+/// the base model, whose force has no jump, no set is named in these.
+#[test]
+fn planted_strong_preload_in_drops_that_hardly_vary_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let fast = |text: String| text.replace("cutoff_hz = 79.57747154594767", "cutoff_hz = 500.0");
+    let model = folder.path().join("fast.toml");
+    let base = fast(plan("", 1));
+    fs::write(&model, &base[..base.find("[drops]").expect("a plan of drops")]).expect("written");
+    for seed in [8, 11] {
+        let file = folder.path().join("truth.toml");
+        fs::write(&file, fast(plan(&table("preload", "f0_n = 25.0"), seed)).replace("share = 0.1", "share = 0.06")).expect("written");
+        program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
+        let drops = folder.path().join("synthesize-truth/drops");
+        let out = program()
+            .args(["diagnose", "--hold-out-heights", "2.0", "--json", "--model"])
+            .arg(&model)
+            .arg("-o")
+            .arg(folder.path())
+            .arg(&drops)
+            .output();
+        let found: Value = serde_json::from_slice(&out.expect("run").stdout).expect("JSON");
+        assert_eq!((&found["verdict"], ids(&found)), (&Value::from("named"), vec!["preload"]), "{seed}: {}", found["reasons"]);
+        assert!(found["reasons"].to_string().contains("was estimated with the wave of preload"), "{seed}: {}", found["reasons"]);
+    }
+}
+
 #[test]
 fn planted_pairs_are_named() {
     let cases = [

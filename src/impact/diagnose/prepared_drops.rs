@@ -19,29 +19,43 @@ pub struct PreparedDrops {
     pub clipping: Option<Clipping>,
 }
 
+/// Parameters that may differ from drop to drop: stiffness and damping, the first two of every model.
+const VARIED: usize = 2;
+
 impl PreparedDrops {
     /// Of measured waves. A first fit of the base model, with a plain covariance, says what phase and
     /// parameters of a drop would do to it.
     pub fn of(waves: &Waves, model: &Model) -> Option<Self> {
+        Self::shaped(waves, |plain| Candidate::base(plain, model))
+    }
+
+    /// The same by the wave of a model with effects. Where a force jumps, the wave of the base model has another shape, and drops that do not
+    /// differ in stiffness and damping may seem to.
+    pub fn around(waves: &Waves, model: &Model) -> Option<Self> {
+        Self::shaped(waves, |plain| Some(Candidate::best(plain, [model.clone()])?.settled(plain)))
+    }
+
+    /// By the wave of a fit with a plain covariance.
+    fn shaped(waves: &Waves, fitted: impl FnOnce(&FitProblem) -> Option<Candidate>) -> Option<Self> {
         let trial_covariance = TrialCovariance::of(waves);
         let plain = trial_covariance.plain_covariances();
         let clipping = clipping(waves);
         let spread = clipping.map_or(0.0, |found| found.spread);
         let problem = FitProblem::of(waves, Whitening::of(&plain, trial_covariance.counts())?, spread);
-        let base = Candidate::base(&problem, model)?;
-        let system = System::new(base.model());
+        let shape = fitted(&problem)?;
+        let system = System::new(shape.model());
         let phases = |group: &WaveGroup| Some(problem.expected.over_phases(&problem.expected.fine(&system, group.height_m)?));
         let phases = waves.groups.iter().map(phases).collect::<Option<Vec<_>>>()?;
-        let change = problem.sensitivity(&base.fitted)?;
+        let change = problem.sensitivity(&shape.fitted)?;
         let at = |height: usize, column: usize| change.view((height * waves.samples, column), (waves.samples, 1)).column(0).into_owned();
-        let changes = (0..change.ncols()).map(|column| (0..waves.groups.len()).map(|height| outer(&at(height, column))).collect());
+        let changes = (0..VARIED).map(|column| (0..waves.groups.len()).map(|height| outer(&at(height, column))).collect());
         let covariance_model = trial_covariance.refined(CovarianceModel::of(waves, phases, changes.collect(), &plain)?);
         let whitening = Whitening::of(&trial_covariance.covariances(&covariance_model)?, trial_covariance.counts())?;
-        // Stiffness is fitted as its logarithm, damping as it is. Where readings are clipped, the base model does not show how a
+        // Stiffness is fitted as its logarithm, damping as it is. Where readings are clipped, the model does not show how a
         // parameter moves them, and the variation beyond the limit is counted already.
         let varied = match trial_covariance.changing(&covariance_model)[..] {
-            [stiffness, damping, ..] if spread == 0.0 => [stiffness, damping / base.model().stiffness_and_damping()[1].max(1.0)],
-            _ => [0.0; 2],
+            [stiffness, damping] if spread == 0.0 => [stiffness, damping / shape.model().stiffness_and_damping()[1].max(1.0)],
+            _ => [0.0; VARIED],
         };
         let expected = Expected { varied, trigger_jitter: trial_covariance.trigger_jitter(&covariance_model), ..problem.expected };
         Some(Self { problem: FitProblem { whitening, expected, ..problem }, trial_covariance, covariance_model, clipping })
