@@ -8,7 +8,7 @@ use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
 use flexframe::impact::fit::{Chosen, Keep};
 use flexframe::impact::landing::{
     ATTITUDE_SENSOR, COULOMB_FRICTION, FOOT_MODE, FitUncertainty, LANDING_TILT, LandingAssessment, LandingEvidence, LandingFit,
-    LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence,
+    LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence, UnjudgedLandings,
 };
 use flexframe::impact::measured::{self, DropSet, FileFormat};
 use flexframe::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls, SyntheticRecord, records};
@@ -121,7 +121,7 @@ fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
     let mut judged = |verdict: Verdict| {
         found.verdict = verdict;
         let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed: &observed, model: &plan.model, seed: 1 };
-        (LandingAssessment::of(&evidence).expect("can be fitted").beside(&found), found.clone())
+        (UnjudgedLandings::of(&evidence).expect("can be fitted").beside(&found), found.clone())
     };
     let (landing, _) = judged(Verdict::NothingMissing);
     assert!(landing.named() && !landing.decides(), "{:#?}", landing.gates);

@@ -25,9 +25,7 @@ use super::table::LandingTable;
 use super::touch_adequacy::TouchAdequacy;
 use super::touch_power::drops_to_tell;
 use super::touches::LegTouches;
-use super::turned_back;
 use super::uncertainty::FitUncertainty;
-use super::unjudged_landings::UnjudgedLandings;
 use crate::impact::diagnose::{Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, Verdict, joined, judge};
 use crate::impact::fit::{FitProblem, Waves};
 
@@ -99,21 +97,8 @@ pub struct LandingAssessment {
 }
 
 impl LandingAssessment {
-    /// Looks at the drops; `None` where no fit is possible. Readings of a sensor whose lean is named are turned back, and looked at once more.
-    ///
-    /// Nothing here depends on what the diagnosis finds along the vertical, so that both can be computed at the same time.
-    pub fn of(evidence: &LandingEvidence) -> Option<UnjudgedLandings> {
-        let as_read = Self::fitted(evidence, None)?;
-        let Some(attitude) = as_read.attitude.named() else { return Some(UnjudgedLandings(as_read)) };
-        let observed = turned_back::landings(evidence.observed, &attitude);
-        let waves = |waves: &Waves| turned_back::waves(waves, &observed);
-        let (fitted, held_out) = (waves(evidence.fitted), evidence.held_out.map(waves));
-        let turned = LandingEvidence { fitted: &fitted, held_out: held_out.as_ref(), observed: &observed, ..*evidence };
-        Self::fitted(&turned, Some(as_read.attitude)).map(UnjudgedLandings)
-    }
-
     /// Fits readings as they are, with an attitude that is known, or with that which they show. Its tests are still to be made.
-    fn fitted(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
+    pub(super) fn fitted(evidence: &LandingEvidence, known: Option<AttitudeAssessment>) -> Option<Self> {
         let touches = evidence.observed.of_heights(evidence.fitted);
         let prepared = PreparedDrops::of(evidence.fitted, evidence.model)?;
         let plain = LandingProblem::plain(LeggedBody::of(evidence.model)?, evidence.model, &prepared.problem, &touches);

@@ -158,7 +158,7 @@ impl DiagnosisRequest<'_> {
 
     /// Landings that are not level, where touches of the feet were seen.
     fn landing(&self, observed: &ObservedLandings, fitted: &Waves, held_out: Option<&Waves>) -> Option<UnjudgedLandings> {
-        LandingAssessment::of(&LandingEvidence { fitted, held_out, observed, model: &self.model, seed: self.seed })
+        UnjudgedLandings::of(&LandingEvidence { fitted, held_out, observed, model: &self.model, seed: self.seed })
     }
 
     /// Says where first touches show that landings were not level, though they could not be judged. What is named along the vertical may stand

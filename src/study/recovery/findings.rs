@@ -8,7 +8,7 @@ use super::truth::{Truth, Truths};
 use crate::impact::diagnose::{Diagnosis, DiagnosisOptions, Verdict, diagnose};
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit::{Chosen, Expected, Keep};
-use crate::impact::landing::{COULOMB_FRICTION, LandingAssessment, LandingEvidence, ObservedLandings};
+use crate::impact::landing::{COULOMB_FRICTION, LandingAssessment, LandingEvidence, ObservedLandings, UnjudgedLandings};
 use crate::impact::measured::{self, FileFormat};
 use crate::impact::synthetic::{Hidden, Plan, records, table};
 
@@ -127,7 +127,7 @@ impl<'a> Findings<'a> {
         let observed = ObservedLandings::of(&chosen, &waves);
         let landing = observed.as_ref().and_then(|observed| {
             let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed, model: &model, seed: plan.seed };
-            Some(LandingAssessment::of(&evidence)?.beside(&diagnosis))
+            Some(UnjudgedLandings::of(&evidence)?.beside(&diagnosis))
         });
         if let Some(landing) = &landing {
             (diagnosis.verdict, diagnosis.reasons) = landing.verdict(&diagnosis);
