@@ -181,6 +181,14 @@ mod tests {
     }
 
     #[test]
+    fn analytic_faces_that_just_meet_are_not_preloaded() {
+        let told = |fold_deg: f64| NotchPreload { fold: Angle::deg(fold_deg), closing: Angle::deg(110.0) }.finding().message;
+        assert!(told(110.0).ends_with("0.0 deg stay open"), "{}", told(110.0));
+        assert!(told(107.5).ends_with("2.5 deg stay open"), "{}", told(107.5));
+        assert!(told(111.5).ends_with("preloaded by 1.5 deg"), "{}", told(111.5));
+    }
+
+    #[test]
     fn planted_a_thin_web() {
         let found = Planted::frame(|frame| frame.corner.corner_hinge_thickness_mm = 1.6).found(check);
         let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();

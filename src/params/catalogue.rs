@@ -308,3 +308,20 @@ impl Printer {
         material.layer_mm.unwrap_or(0.5 * self.nozzle_mm)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_dates_of_prices() {
+        for date in ["1900", "2026-01", "2026-12", "2026-11-01", "2026-11-31"] {
+            assert!(is_date(date), "{date}");
+        }
+        for date in
+            ["1899", "26", "2026-00", "2026-13", "2026-1", "2026-11-00", "2026-11-32", "2026-11-1", "2026-13-01", "+202", "2026-11-23-1"]
+        {
+            assert!(!is_date(date), "{date}");
+        }
+    }
+}

@@ -431,3 +431,33 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
         other => Err(format!("a {} has no place in a file of parameters", other.type_str())),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::files::Memory;
+    use super::*;
+
+    #[test]
+    fn analytic_a_decimal_comma_stands_between_two_digits() {
+        let commas = |text: &str| (0..=text.len()).filter(|at| is_decimal_comma(text, *at)).collect::<Vec<_>>();
+        assert_eq!(commas("2,5"), [1]);
+        assert_eq!(commas("a = [1, 2]\nb = 12,34"), [17]);
+        for text in ["", ",", ",5", "2,", "2, 5", "2 ,5", "2.5", "a,b"] {
+            assert!(commas(text).is_empty(), "{text}");
+        }
+    }
+
+    #[test]
+    fn analytic_a_preset_s_name_never_means_the_file_that_bases_on_it() {
+        let text = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 188.0\n";
+        let read = |name: &str, others: &[(&str, &str)]| {
+            let files = others.iter().chain([&(name, text)]).map(|(name, text)| (PathBuf::from(name), text.as_bytes().to_vec())).collect();
+            FrameFile::load_from(name, &Memory(files)).expect("reads")
+        };
+        let depth = |file: &FrameFile, key: &str| file.entries[key].depth;
+        let of_preset = read("cognifly.toml", &[]);
+        assert_eq!((of_preset.files.len(), depth(&of_preset, "rods.strut_rod_length_mm")), (1, 1));
+        let beside = read("mine.toml", &[("cognifly.toml", "base = \"cognifly\"\n[rods]\nstrut_rod_length_mm = 50.0\n")]);
+        assert_eq!((beside.files.len(), depth(&beside, "rods.strut_rod_length_mm")), (2, 1));
+    }
+}

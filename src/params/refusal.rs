@@ -275,3 +275,18 @@ pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
     scored.into_iter().take(2).filter(|(score, _)| *score > 0.8).map(|(_, name)| name.to_string()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_lines_and_columns_count_from_one() {
+        let at = |start: usize| {
+            let source = Source { name: "f.toml".into(), text: "a\nµ = 1\n\nb".into() };
+            Place { source: Arc::new(source), span: start..start }.line_column()
+        };
+        assert_eq!([0, 1, 2, 4, 5].map(at), [[1, 1], [1, 2], [2, 1], [2, 2], [2, 3]]);
+        assert_eq!([3, 10, 99].map(at), [[2, 1], [4, 1], [4, 2]], "within a character, on a line of its own, and past the end");
+    }
+}

@@ -269,4 +269,69 @@ mod tests {
         let broken = at_least(0.3996, 0.4, "", "the wall", "").expect_err("is too thin");
         assert_eq!(broken.reason.to_string(), "the wall would be 0.3996 mm, it must be at least 0.4000 mm");
     }
+
+    /// A number of a frame, the bound that a relation gives it, whether that is its least, and what the relation is about.
+    type Bound = (fn(&mut Frame) -> &mut f64, f64, bool, &'static str);
+
+    /// The bounds of the relations, each solved by hand for one of its numbers, mm.
+    fn bounds(frame: &Frame) -> [Bound; 17] {
+        let (hub, joint, mount, fork, rods) = (&frame.hub, &frame.hub_joint, &frame.motor_mount, &frame.fork, &frame.rods);
+        let carrier = &frame.pi_carrier;
+        let (bore_mm, grip_mm) = (rods.rod_diameter_mm + frame.fit.slide_clearance_mm, rods.rod_diameter_mm + frame.fit.grip_clearance_mm);
+        let plate_mm = mount.motor_hole_circle_mm + mount.motor_hole_diameter_mm + 2.0 * mount.motor_skirt_wall_mm;
+        let arms_mm = (joint.arm_pitch_mm + joint.hub_joint_diameter_mm) / 2.0;
+        let side_mm = f64::sqrt(2.0) * (arms_mm + hub.hub_tie_wall_mm);
+        let front_mm = side_mm + (rods.cage_side_ratio * rods.cage_rod_length_mm - rods.cage_rod_length_mm) / 2.0;
+        let holes_mm = 2.0 * (front_mm + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm);
+        let fork_mm = hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm - fork.fork_socket_depth_mm;
+        let across_mm = 2.0 * side_mm + 2.0 * hub.tie_ring_radius_mm - 0.6 - carrier.carrier_strut_width_mm;
+        let leg_mm = joint.hub_leg_socket_depth_mm + joint.hub_leg_root_mm + 0.5;
+        [
+            (|f| &mut f.hub_joint.hub_joint_diameter_mm, bore_mm + 0.8, true, "the wall of the hub joint's sockets"),
+            (|f| &mut f.motor_mount.motor_ring_diameter_mm, bore_mm + 0.8, true, "the wall of the motor mount's rings"),
+            (|f| &mut f.hub_joint.arm_pitch_mm, 2.0 * joint.hub_joint_diameter_mm + 4.0, true, "the gap between arm sockets"),
+            (|f| &mut f.hub_joint.neck_thickness_mm, joint.hub_joint_diameter_mm - 0.4, false, "the waist of the necks"),
+            (|f| &mut f.motor_mount.motor_plate_diameter_mm, plate_mm, true, "the rim outside the motor's screw holes"),
+            (
+                |f| &mut f.motor_mount.motor_hole_circle_mm,
+                mount.motor_shaft_hole_mm + mount.motor_hole_diameter_mm + 0.8,
+                true,
+                "the ring between shaft hole and screw holes",
+            ),
+            (|f| &mut f.motor_mount.motor_plate_diameter_mm, joint.arm_pitch_mm - bore_mm - 1.0, false, "the room beside the motor plate"),
+            (|f| &mut f.hub_joint.hub_leg_mouth_mm, leg_mm, true, "the gap between the leg's root and the hub"),
+            (|f| &mut f.hub.hub_mouth_mm, arms_mm + hub.hub_boss_wall_mm + joint.plug_length_mm, true, "the plug bores' mouths"),
+            (
+                |f| &mut f.pi_carrier.pi_pattern_along_mm,
+                holes_mm - carrier.pi_pattern_across_mm * front_mm / side_mm,
+                true,
+                "the reach of the computer's holes",
+            ),
+            (|f| &mut f.hub.tie_ring_radius_mm, (carrier.carrier_bar_width_mm + 0.05) / f64::sqrt(2.0), true, "what the tie rings reach"),
+            (|f| &mut f.pi_carrier.pi_pattern_across_mm, across_mm, false, "the carrier's reach across"),
+            (
+                |f| &mut f.motor_mount.motor_position_mm,
+                hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + mount.motor_ring_width_mm / 2.0,
+                true,
+                "the motor's distance from the hub axis",
+            ),
+            (|f| &mut f.motor_mount.motor_position_mm, fork_mm - mount.motor_ring_width_mm / 2.0, false, "the way left"),
+            (|f| &mut f.fork.fork_bar_height_mm, grip_mm + 0.8, true, "the wall above the fork's bores"),
+            (|f| &mut f.fork.fork_socket_depth_mm, rods.arm_rod_slack_mm + 2.0, true, "the arm rod's hold in the fork"),
+            (|f| &mut f.corner.corner_hinge_thickness_mm, frame.corner.corner_wall_mm + grip_mm / 2.0 + 0.6, false, "the notch above"),
+        ]
+    }
+
+    #[test]
+    fn analytic_each_relation_breaks_just_beyond_its_bound() {
+        let (frame, _) = Frame::load("cognifly").expect("a preset");
+        for (number, bound_mm, is_least, about) in bounds(&frame) {
+            let breaks = |beyond_mm: f64| {
+                let mut changed = frame.clone();
+                *number(&mut changed) = bound_mm + if is_least { -beyond_mm } else { beyond_mm };
+                hold(&changed).is_err_and(|broken| broken.reason.to_string().contains(about))
+            };
+            assert_eq!([-1e-6, 1e-6].map(breaks), [false, true], "{about}");
+        }
+    }
 }

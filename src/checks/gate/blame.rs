@@ -143,3 +143,32 @@ fn line_keys(line: &MassLine) -> Vec<String> {
         _ => vec![format!("override.materials.{material}.print_factor"), format!("override.materials.{material}.density_g_cm3")],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::planted::Planted;
+
+    #[test]
+    fn analytic_each_mass_is_blamed_on_the_keys_that_state_it() {
+        let masses = Planted::preset("cognifly").masses;
+        for line in &masses.lines {
+            let MassLine { name, material, .. } = line;
+            let (first, last) = match &*line.kind {
+                "bought" if name == "battery" => (format!("override.parts.{material}.mass_g"), "bought.battery".into()),
+                "bought" => (format!("override.parts.{material}.mass_g"), format!("bought.{name}")),
+                "extra" => (format!("extras.{name}.mass_g"), format!("extras.{name}.mass_g")),
+                "rod" => (format!("rods.{name}_length_mm"), "bought.rod".into()),
+                "printed" => {
+                    let factor = format!("override.materials.{material}.print_factor");
+                    (factor, format!("override.materials.{material}.density_g_cm3"))
+                }
+                kind => panic!("a mass of the kind {kind}"),
+            };
+            let keys = line_keys(line);
+            assert_eq!((keys.first(), keys.last()), (Some(&first), Some(&last)), "{name}");
+        }
+        let heaviest = masses.lines.iter().max_by(|a, b| a.total_g.total_cmp(&b.total_g)).expect("has lines");
+        assert_eq!(mass_keys(&masses)[..line_keys(heaviest).len()], line_keys(heaviest));
+    }
+}

@@ -182,6 +182,18 @@ mod tests {
     }
 
     #[test]
+    fn analytic_walls_are_held_against_the_nozzle_and_gaps_against_a_line() {
+        let frame = Planted::preset("cognifly");
+        let printer = &frame.design.frame.printer;
+        let found = frame.found(check);
+        for (rule, limit_mm) in [(&RULE, printer.nozzle_mm * printer.min_wall_nozzles), (&gap::RULE, printer.line_mm())] {
+            let of_rule: Vec<_> = found.iter().filter(|finding| finding.rule == rule.id).collect();
+            assert_eq!(of_rule.len(), frame.design.printed.len(), "{}", rule.id);
+            assert!(of_rule.iter().all(|f| f.limit == limit_mm && f.value <= 4.0 * limit_mm), "{of_rule:?}");
+        }
+    }
+
+    #[test]
     fn regress_the_default_frame_has_none() {
         assert_eq!(violated(&Planted::preset("cognifly").found(check)), []);
     }

@@ -59,4 +59,17 @@ mod tests {
         assert!((at - 0.5).abs() < 1e-7 && (value - 0.25).abs() < 1e-14);
         assert_eq!(maximum(0.0, 1.0, |x| x).1, 1.0);
     }
+
+    #[test]
+    fn analytic_a_slow_root_is_looked_for_within_its_bracket() {
+        // So flat at its root that secants hardly move: the bisections come into play.
+        for (left, right) in [(30.0, 100.0), (100.0, 30.0), (39.0, 1e3)] {
+            let within = |x: f64| assert!((f64::min(left, right)..=f64::max(left, right)).contains(&x), "{x}");
+            let found = root(left, right, |x| {
+                within(x);
+                (x - 40.0_f64).powi(9)
+            });
+            assert!((found - 40.0).abs() < 0.5, "{found}");
+        }
+    }
 }
