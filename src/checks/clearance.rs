@@ -112,6 +112,21 @@ mod tests {
     }
 
     #[test]
+    fn planted_of_two_rods_of_one_kind_the_nearer_is_reported() {
+        for by_mm in [-0.2, 0.2] {
+            let mut frame = Planted::frame(|frame| frame.limits.part_clearance_mm = 0.2);
+            frame.move_body("strut_FR_top", [0.0, 0.0, by_mm]);
+            let found = frame.found(check);
+            let told: Vec<_> = found.iter().filter(|f| f.subject.starts_with("strut_") && f.subject.ends_with("to fork_FR")).collect();
+            let scene = Scene::new(&frame.design, &frame.masses);
+            let body = |name: &str| scene.placed.iter().find(|placed| placed.body.name == name).expect("a body");
+            let [top_mm, bottom_mm] = ["strut_FR_top", "strut_FR_bottom"].map(|rod| body(rod).gap_mm(body("fork_FR"), 2.2));
+            assert!(told.len() == 1 && top_mm != bottom_mm, "{told:?}: {top_mm} and {bottom_mm} mm");
+            assert_eq!(told[0].value, top_mm.min(bottom_mm));
+        }
+    }
+
+    #[test]
     fn planted_a_knee_on_a_leg() {
         let mut frame = Planted::frame(|frame| frame.limits.part_clearance_mm = 0.2);
         let leg = frame.design.bodies.iter().position(|b| b.name == "leg_FR").expect("has legs");

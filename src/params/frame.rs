@@ -167,3 +167,18 @@ impl Frame {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_every_parameter_has_its_number() {
+        let (frame, _) = Frame::load("cognifly").expect("a preset");
+        for p in catalogue() {
+            let value = frame.value(p.table, p.key);
+            assert!(value.is_some_and(|value| (p.min..=p.max).contains(&value)), "{}.{}: {value:?}", p.table, p.key);
+        }
+        assert_eq!([frame.value("rods", "hub_mouth_mm"), frame.value("wings", "hub_mouth_mm")], [None, None]);
+    }
+}

@@ -136,4 +136,15 @@ mod tests {
         assert_eq!(materials().len(), listed(MATERIALS, "materials"));
         assert_eq!(printers().len(), PRINTERS.len());
     }
+
+    #[test]
+    fn analytic_the_choices_of_a_key_are_of_its_kind() {
+        let motors = names_for("bought.motor");
+        assert!(!motors.is_empty() && motors.len() < bought_parts().len());
+        let kinds: toml::Table = toml::from_str(BOUGHT).expect("is TOML");
+        assert!(motors.iter().all(|name| kinds["parts"][name]["kind"].as_str() == Some("motor")), "{motors:?}");
+        assert_eq!(names_for("bought.tail"), Vec::<String>::new());
+        assert_eq!(names_for("materials.flexible"), material_names("printed"));
+        assert!(names_for("printer").iter().eq(printer_names()));
+    }
 }

@@ -255,3 +255,29 @@ fn bad_extra(file: &FrameFile, name: &str, table: &toml::Value, message: &str) -
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::files::Memory;
+    use super::*;
+
+    fn resolved(text: &str) -> Result<Frame, Refusal> {
+        let text = format!("base = \"cognifly\"\n{text}");
+        Frame::resolve(&FrameFile::load_from("f.toml", &Memory([("f.toml".into(), text.into())].into())).expect("reads"))
+    }
+
+    #[test]
+    fn planted_values_in_the_place_of_tables_and_kinds_that_no_part_is_of() {
+        for (text, says) in [
+            ("rods = 5", "`rods`"),
+            ("limits = []", "`limits`"),
+            ("bought = \"none\"", "`bought`"),
+            ("[override.parts.mine]\nkind = \"tail\"", "is \"tail\", no kind of bought part"),
+        ] {
+            let refusal = resolved(text).err().unwrap_or_else(|| panic!("{text} is accepted"));
+            assert!(refusal.reason.to_string().contains(says), "{text}: {}", refusal.reason);
+            assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(text.lines().count() + 1), "{text}");
+        }
+        assert!(resolved("[rods]\n[override]\n[extras]").is_ok(), "tables with nothing in them");
+    }
+}
