@@ -6,8 +6,8 @@ use serde_json::json;
 
 use crate::checks::gate::Refused;
 use crate::export::ExportError;
-use crate::impact::measured::Malformed;
-use crate::params::LoadError;
+use crate::impact::measured::{Fault, Malformed};
+use crate::params::{LoadError, is_of_machine};
 use crate::report::frame_folder::FolderError;
 
 /// Why a command did not do its work.
@@ -55,6 +55,7 @@ impl Failure {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Input(error) if error.is_of_machine() => 3,
+            Self::Records(Malformed { fault: Fault::Unreadable { kind, .. }, .. }) if is_of_machine(*kind) => 3,
             Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
             Self::Machine { .. } => 3,
         }
@@ -97,6 +98,7 @@ mod tests {
     use std::io::ErrorKind;
 
     use super::*;
+    use crate::impact::measured::SourcePosition;
 
     #[test]
     fn analytic_a_wrong_path_is_wrong_input_and_a_refused_read_is_the_machines() {
@@ -109,6 +111,9 @@ mod tests {
         ] {
             let failure = Failure::Input(LoadError::Unreadable { path: "frame.toml".into(), error: kind.into() });
             assert_eq!((failure.exit_code(), failure.json()["error"]["exit_code"].as_u64()), (code, Some(code.into())), "{kind}");
+            let fault = Fault::Unreadable { why: kind.to_string(), kind };
+            let failure = Failure::Records(Malformed { file: "drops.csv".into(), place: SourcePosition::Whole, fault });
+            assert_eq!(failure.exit_code(), code, "{kind}");
         }
     }
 }

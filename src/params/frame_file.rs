@@ -69,8 +69,13 @@ const WRONG_PATH: [ErrorKind; 6] = [
 impl LoadError {
     /// Whether the machine failed, a disk or a permission, and the input may be good.
     pub fn is_of_machine(&self) -> bool {
-        matches!(self, Self::Unreadable { error, .. } if !WRONG_PATH.contains(&error.kind()))
+        matches!(self, Self::Unreadable { error, .. } if is_of_machine(error.kind()))
     }
+}
+
+/// Whether what the system says of a file tells that the machine failed, a disk or a permission, and not that the path is wrong.
+pub fn is_of_machine(kind: ErrorKind) -> bool {
+    !WRONG_PATH.contains(&kind)
 }
 
 /// A value as typed.

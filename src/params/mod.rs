@@ -27,6 +27,6 @@ pub mod sleeve_direction;
 pub mod target;
 
 pub use frame::{Frame, catalogue as parameters};
-pub use frame_file::{FrameFile, LoadError};
+pub use frame_file::{FrameFile, LoadError, is_of_machine};
 pub use impact_file::ImpactFile;
 pub use part_name::PartName;

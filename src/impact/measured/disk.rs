@@ -23,7 +23,7 @@ struct Found {
 }
 
 fn unreadable(path: &Path, error: &std::io::Error) -> Malformed {
-    malformed(path, SourcePosition::Whole, Fault::Unreadable { why: error.to_string() })
+    malformed(path, SourcePosition::Whole, Fault::Unreadable { why: error.to_string(), kind: error.kind() })
 }
 
 /// Reads every record of files and folders; in folders, files that are none are left aside.

@@ -1,6 +1,7 @@
 //! Why a file is no record: which, where, what, and the remedy.
 
 use std::fmt;
+use std::io::ErrorKind;
 
 /// Where in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub enum Fault {
     Unreadable {
         /// What the system says.
         why: String,
+        /// The kind of that.
+        kind: ErrorKind,
     },
     /// Neither file nor folder, or an ending that no reader takes.
     #[error("is {what}")]

@@ -5,6 +5,7 @@
 //! at each height. A file in a folder such as `soft_050cm` needs no columns of trial and height.
 
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::ops::RangeInclusive;
 
 use super::encoding::plain;
@@ -224,7 +225,7 @@ pub(super) fn refused(error: &csv::Error) -> Refused {
     let place = error.position().map_or(SourcePosition::Whole, |position| SourcePosition::Line(position.line()));
     match error.kind() {
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => (place, Fault::Fields { found: *len, expected: *expected_len }),
-        _ => (place, Fault::Unreadable { why: error.to_string() }),
+        _ => (place, Fault::Unreadable { why: error.to_string(), kind: ErrorKind::InvalidData }),
     }
 }
 
