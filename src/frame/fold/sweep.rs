@@ -28,7 +28,7 @@ const MOST_PLACES: usize = 400;
 /// Places by which the length of a way is reported.
 const COARSE: usize = 16;
 /// What is joined is compared this often along a way: it slides in one bore.
-const FITS_A_WAY: f64 = 4.0;
+pub const FITS_A_WAY: f64 = 4.0;
 /// Pieces that move by less to each other do not move, mm.
 const STILL_MM: f64 = 1e-6;
 

@@ -1,8 +1,9 @@
 //! Whether the straight way of a part into its place is free of what is there already, by the meshes.
 //!
-//! A pair of bodies is compared in places [`STEP_MM`] apart, as a step of the fold is; places where boxes around their facets are apart
-//! are passed over. Two bodies may share what they share when they are home (a thread in its pilot hole), for that is judged by
-//! the interference rule, and [`TOUCH_MM3`] of rounding. A propeller's disc is what it sweeps when it turns: on its way it is compared with
+//! A pair of bodies is compared in places [`STEP_MM`] apart, as a step of the fold is; places where boxes around their facets are apart are passed
+//! over. Two bodies may share what they share when they are home (a thread in its pilot hole), for that is judged by
+//! the interference rule, and [`TOUCH_MM3`] of rounding. What shares more than that at home slides in one bore and is compared in some
+//! places only, as in a step of the fold. A propeller's disc is what it sweeps when it turns: on its way it is compared with
 //! nothing.
 
 use nalgebra::{Isometry3, Point3, Translation3, Vector3};
@@ -12,7 +13,7 @@ use std::cell::OnceCell;
 use super::mount::{Fixing, Mount};
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3};
 use crate::frame::assembly::{Body, Design, Kind};
-use crate::frame::fold::Meeting;
+use crate::frame::fold::{FITS_A_WAY, Meeting};
 use crate::frame::skeleton::BatteryAxes;
 use crate::solid::{BoxTree, MeshSolid, OrientedBox};
 
@@ -134,13 +135,19 @@ impl<'a> Ways<'a> {
             a.shared_mm3(b, pose)
         };
         let (mut comparisons, mut worst, mut allowed_mm3) = (0, None::<Meeting>, TOUCH_MM3);
+        let (mut next, mut stride) = (0, 1);
         for place in (0..places).filter(|place| meeting[*place]) {
+            if place < next {
+                continue;
+            }
             comparisons += 1;
             let mm = place as f64 * STEP_MM;
             let shared_mm3 = shared(&at(mm));
             if place == 0 {
                 allowed_mm3 += shared_mm3 * ROUNDING;
+                stride = if shared_mm3 > TOUCH_MM3 { (places as f64 / FITS_A_WAY).ceil() as usize } else { 1 };
             }
+            next = place + stride;
             if shared_mm3 > worst.as_ref().map_or(allowed_mm3, |worst| worst.shared_mm3) {
                 let here = 1.0 - mm / travel_mm;
                 worst = Some(Meeting { bodies: [a.name.clone(), b.name.clone()], at: here, shared_mm3, allowed_mm3 });
