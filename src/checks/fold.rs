@@ -17,6 +17,7 @@ const ORDER: &[&str] = &["rods.strut_rod_length_mm", "motor_mount.motor_position
 const NOTCH: &[&str] = &["corner.notch_half_angle_deg"];
 const WAY: &[&str] = &["motor_mount.motor_position_mm", "rods.strut_rod_length_mm"];
 const MOUNTED: &[&str] = &["bracket.bay_height_mm", "camera.camera_reach_mm", "lid.lid_slide_clearance_mm"];
+const UNDER_RODS: &[&str] = &["rods.strut_rod_length_mm", "battery.battery_height_mm", "bought.battery"];
 const FLAT: &[&str] = &["rods.arm_rod_length_mm"];
 
 pub static RULE: Rule = Rule {
@@ -25,7 +26,7 @@ pub static RULE: Rule = Rule {
     requires: "a sequence exists in which the frame can be assembled",
     units: &["", "mm", "deg", "mm3", "steps"],
     limits: &[],
-    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, KNEE_WINDOW, MOUNTED, FLAT]),
+    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, KNEE_WINDOW, MOUNTED, UNDER_RODS, FLAT]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &["fold: hold", "fold: notch", "fold: flat", "fold"], binds: true },
     found: Found::By(&[Pass::quick(check), Pass::slow(way)]),
@@ -84,20 +85,28 @@ fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
     measure(value, 0.0, "mm3", levers).at_most("fold: way".into(), message)
 }
 
+/// What drives the way of a mount on which two bodies meet: battery and lid slide in under the rods of the bottom ring.
+fn mount_levers(bodies: &[String; 2]) -> &'static [&'static str] {
+    let is = |names: &[&str]| bodies.iter().any(|body| names.iter().any(|name| body.starts_with(name)));
+    if is(&["battery_lid", "battery"]) && is(&["cage_", "strut_", "leg_"]) { UNDER_RODS } else { MOUNTED }
+}
+
 /// What is in the way of a mount.
 fn mounted(scene: &Scene, fold: &FoldSequence) -> Finding {
     let mounting = Mounting::new(scene.design, fold);
     let worst = mounting.steps().max_by(|a, b| a.sweep.beyond_mm3.total_cmp(&b.sweep.beyond_mm3));
     let value = worst.map_or(0.0, |step| step.sweep.beyond_mm3);
     let pairs: usize = mounting.steps().map(|step| step.sweep.pairs).sum();
-    let message = match worst.and_then(|step| step.sweep.meetings.first().map(|meeting| (step, meeting))) {
+    let met = worst.and_then(|step| step.sweep.meetings.first().map(|meeting| (step, meeting)));
+    let message = match met {
         Some((step, m)) => {
             let [a, b] = &m.bodies;
             format!("{}: {a} and {b} share {:.2} mm3 on the way into place, {:.2} mm3 are meant", step.title, m.shared_mm3, m.allowed_mm3)
         }
         None => format!("nothing is in the way of what is mounted: {pairs} pairs of bodies"),
     };
-    measure(value, 0.0, "mm3", MOUNTED).at_most("mounting: way".into(), message)
+    let levers = met.map_or(MOUNTED, |(_, meeting)| mount_levers(&meeting.bodies));
+    measure(value, 0.0, "mm3", levers).at_most("mounting: way".into(), message)
 }
 
 /// The module on a table, before the first step.
@@ -159,6 +168,13 @@ mod tests {
     fn planted_a_knee_too_wide_for_its_fork_names_what_drives_their_fit() {
         let found = Planted::frame(|frame| frame.fork.fork_cheek_gap_mm -= 0.2).found(way);
         assert_eq!(violated(&found)[0].levers, KNEE_WINDOW, "{found:?}");
+    }
+
+    #[test]
+    fn planted_a_battery_that_meets_a_rod_names_what_lifts_the_rod_or_lowers_the_battery() {
+        let meets = |a: &str, b: &str| mount_levers(&[a.into(), b.into()]);
+        assert_eq!(meets("battery_lid", "cage_BL_bottom"), UNDER_RODS);
+        assert_eq!(meets("flight_controller", "battery_bracket"), MOUNTED);
     }
 
     #[test]

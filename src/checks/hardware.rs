@@ -164,7 +164,13 @@ fn stack_screws(scene: &Scene) -> Vec<Finding> {
     let beyond =
         measure(lowest - (stack.seat_mm - length), part(frame, "stack_nut").map_or(NUT * thread, |nut| nut.size_mm[2]), "mm", STACK_LENGTH);
     let [reach, nut] = beyond.figures(2);
-    let message = format!("{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high");
+    let message = match beyond.value < beyond.limit {
+        true => format!(
+            "{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high: the screw has to be {:.1} mm long",
+            length + beyond.limit - beyond.value
+        ),
+        false => format!("{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high"),
+    };
     found.push(beyond.at_least("screw of the stack: length".into(), message));
     found
 }

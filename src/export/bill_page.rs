@@ -119,11 +119,12 @@ fn cut(page: &mut String, bill: &Bill) {
             line.mass_g
         );
     }
-    let _ = writeln!(page, "\nStock lengths of {:.0} mm, saw cuts of {} mm; no plan needs fewer.\n", bill.stock_mm, bill.kerf_mm);
+    let sold = format!("Stock lengths of {:.0} mm, saw cuts of {} mm", bill.stock_mm, bill.kerf_mm);
     if let Some(error) = &bill.cut_error {
-        let _ = writeln!(page, "**{error}**");
+        let _ = writeln!(page, "\n{sold}.\n\n**{error}**");
         return;
     }
+    let _ = writeln!(page, "\n{sold}; no plan needs fewer.\n");
     *page += "| stock | pieces, mm | rest, mm |\n|---:|---|---:|\n";
     for (at, CutLine { pieces, rest_mm }) in bill.cut.iter().enumerate() {
         let pieces: Vec<String> = pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();

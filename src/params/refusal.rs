@@ -199,6 +199,9 @@ impl Reason {
     }
 }
 
+/// What an extra covers, as a kind of name.
+pub(super) const ROLE: &str = "role of a bought part";
+
 /// Whether a frame file may describe one of its own.
 fn is_described(kind: &str) -> bool {
     matches!(kind, "material" | "printer" | "bought part")
@@ -210,6 +213,7 @@ fn known_names(kind: &str) -> String {
         "base" => format!("a base is a file beside this one, or a preset: {}", super::preset::names().collect::<Vec<_>>().join(", ")),
         "material" => "`flexframe list materials` lists the materials; [override.materials.NAME] describes one of your own".into(),
         "printer" => "`flexframe list printers` lists the printers; [override.printers.NAME] describes one of your own".into(),
+        ROLE => format!("the roles are {}", super::roles::ROLES.iter().map(|(role, ..)| *role).collect::<Vec<_>>().join(", ")),
         _ => "`flexframe list parts` lists the bought parts; [override.parts.NAME] describes one of your own".into(),
     }
 }

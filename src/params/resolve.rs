@@ -10,7 +10,7 @@ use super::frame_file::{FrameFile, LoadError, Value};
 use super::groups::*;
 use super::parameter::Parameter;
 use super::read::{bad_entry, in_one_line, text, to_blame};
-use super::refusal::{Reason, Refusal, nearest};
+use super::refusal::{ROLE, Reason, Refusal, nearest};
 use super::roles::ROLES;
 use super::sleeve_direction::SleeveDirection;
 use super::{relation, renamed, target};
@@ -228,7 +228,7 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
         let extra: Extra = table.clone().try_into().map_err(|e: toml::de::Error| bad_extra(file, &name, &table, e.message()))?;
         if let Some(role) = extra.covers.iter().find(|role| ROLES.iter().all(|(known, ..)| known != role)) {
             let reason = Reason::UnknownName {
-                kind: "role of a bought part".into(),
+                kind: ROLE.into(),
                 name: role.clone(),
                 nearest: nearest(role, ROLES.iter().map(|(known, ..)| *known)),
             };

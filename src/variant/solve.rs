@@ -111,7 +111,16 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
             nearest = moved_words(search, own, best);
         }
     }
+    if missed.is_empty() {
+        missed.extend(not_designed(search, own));
+    }
     Err(SolveError::Infeasible { looked_at, ended, nearest, missed })
+}
+
+/// Why the point nearest to another is no frame, where something is known of such points.
+fn not_designed(search: &Search, own: &[f64]) -> Option<String> {
+    let far = |values: &[f64]| search.problem().distance(values, own);
+    search.without_frame().into_iter().min_by(|a, b| far(&a.0).total_cmp(&far(&b.0))).map(|(_, why)| why)
 }
 
 /// Which frame a point is, beside the one that the search began with.

@@ -8,6 +8,7 @@ use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
 use flexframe::frame::mounting::{MOUNTS, MountStep, Mounting, untold, without_a_step};
 use flexframe::params::Frame;
+use flexframe::report::booklet::Booklet;
 use nalgebra::Vector3;
 
 use crate::common;
@@ -48,6 +49,24 @@ fn analytic_every_part_of_the_bill_is_in_one_step() {
         // Nothing that the design lacks is spoken of.
         let bodies: BTreeSet<&str> = design.bodies.iter().map(|body| body.name.as_str()).collect();
         assert!(mounting.steps().all(|step| step.brings.iter().all(|name| bodies.contains(name.as_str())) && bodies.contains(step.onto)));
+    }
+}
+
+/// The first power tries the motors, so their wires come before it, also where the battery cannot get in; the instructions say that it cannot.
+#[test]
+fn planted_a_battery_that_meets_a_rod_comes_after_the_motor_wires_and_the_instructions_say_so() {
+    let pack = "[bought]\nbattery = \"own\"\n[override.parts.own]\nkind = \"battery\"\nsize_mm = [75, 35, 26]\nmass_g = 98\n\
+                mass_basis = \"datasheet\"\nsource = \"its maker\"\n";
+    let high = common::resolve(&format!("base = \"cognifly\"\n{pack}")).expect("resolves");
+    for (design, barred) in [(designed("cognifly"), false), (Design::with(high, common::memo()).expect("designs"), true)] {
+        let mounting = mounted(&design);
+        let of = |id: &str| mounting.after.iter().position(|step| step.mount == id).expect("a step");
+        assert!(of("wiring") < of("cartridge") && of("cartridge") < of("propellers"));
+        let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+        let booklet = Booklet::new(&design, &mass::table(&design), &fold);
+        assert_eq!(booklet.preface[0].contains("cannot be assembled"), barred, "{:?}", booklet.preface);
+        let caution = booklet.after[of("cartridge")].caution.clone().unwrap_or_default();
+        assert_eq!(caution.contains("on the way battery lid runs into cage"), barred, "{caution}");
     }
 }
 

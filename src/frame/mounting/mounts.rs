@@ -388,6 +388,7 @@ pub static MOUNTS: [Mount; 29] = [
             ("connector_in_lid", "the lid is closed by its plug"),
             ("magnet_in_lid", "the lid is held by its magnet"),
             ("battery", "the battery is in the lid"),
+            ("wiring", "the first power tries the motors"),
         ],
         stage: Stage::AfterFold,
         title: "Battery in",

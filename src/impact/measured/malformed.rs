@@ -190,6 +190,7 @@ impl Fault {
             Self::NoColumn { known, .. } => format!("the first line names the columns, with commas: {known}"),
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
+            Self::NoNumber { column: "mass_g" | "quantity", .. } => "give a number with a decimal point, a mass in grams and a whole quantity".into(),
             Self::NoNumber { .. } => {
                 "give a finite number with a decimal point; leave a drop that lost a reading out as a whole, any other row alone".into()
             }

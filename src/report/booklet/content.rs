@@ -6,7 +6,7 @@ use crate::export::bill::bill;
 use crate::export::cutting;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
-use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Task, when_cut};
+use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Sweep, Task, sweeps, when_cut};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, untold, without_a_step};
 use crate::frame::skeleton::{MODULE_WORDS, ROTORS, RodRole};
 use crate::report::booklet::sub_assembly::{SubAssembly, sub_assemblies};
@@ -118,7 +118,9 @@ impl<'a> AllSteps<'a> {
         let (at, before, folds) = (number.checked_sub(1)?, self.mounting.before.len(), self.fold.steps.len());
         if let Some(step) = at.checked_sub(before).and_then(|at| self.fold.steps.get(at)) {
             let at = at - before;
-            return Some(OneStep::Fold(Page::new(self.design, self.fold, step, (at, before), self.mounting.fold_parts.get(at))));
+            let sweeps = sweeps(self.design, self.fold);
+            let parts = self.mounting.fold_parts.get(at);
+            return Some(OneStep::Fold(Page::new((self.design, self.fold), step, sweeps.get(at), (at, before), parts)));
         }
         let step = if at < before { self.mounting.before.get(at) } else { self.mounting.after.get(at - before - folds) };
         step.map(|step| OneStep::Mount(Panel::new(self.design, step, at)))
@@ -162,10 +164,17 @@ impl Booklet {
         let panels = |steps: &[MountStep], from: usize| -> Vec<Panel> {
             steps.par_iter().enumerate().map(|(at, step)| Panel::new(design, step, from + at)).collect()
         };
-        let page = |(at, step): (usize, &Step)| Page::new(design, fold, step, (at, first), mounting.fold_parts.get(at));
+        let sweeps = sweeps(design, fold);
+        let page =
+            |(at, step): (usize, &Step)| Page::new((design, fold), step, sweeps.get(at), (at, first), mounting.fold_parts.get(at));
+        let mut preface = preface(design, &mounting, fold, minutes, &forgotten(design, masses, &mounting));
+        let barred_steps = barred_steps(&mounting, &sweeps);
+        if !barred_steps.is_empty() {
+            preface.insert(0, format!("This frame cannot be assembled as it is: something is in the way of {}.", barred_steps.join(", ")));
+        }
         Self {
             frame: design.frame.name.clone(),
-            preface: preface(design, &mounting, fold, minutes, &forgotten(design, masses, &mounting)),
+            preface,
             apart: fold_scene::apart(design, fold),
             alone: alone(design, &mounting),
             parts: parts(masses),
@@ -176,6 +185,14 @@ impl Booklet {
             after: panels(&mounting.after, first + fold.steps.len()),
         }
     }
+}
+
+/// The steps, by their numbers, that something is in the way of.
+fn barred_steps(mounting: &Mounting, folded: &[Sweep]) -> Vec<String> {
+    let mounted = |steps: &[MountStep]| steps.iter().map(|step| barred(&step.sweep).is_some()).collect::<Vec<_>>();
+    let folded = folded.iter().map(|sweep| barred(sweep).is_some());
+    let all = mounted(&mounting.before).into_iter().chain(folded).chain(mounted(&mounting.after));
+    all.enumerate().filter(|(_, barred)| *barred).map(|(at, _)| format!("step {}", at + 1)).collect()
 }
 
 /// A picture of each thing that a step takes in hand.
@@ -264,11 +281,25 @@ impl Panel {
             heading: format!("{}. {}", at + 1, step.title),
             facts: format!("{}; {}; {}", often(step.repeats, step.minutes), step.tool, fixed(step.fixing)),
             text: if step.fixing == Fixing::Shaft { format!("{} {}", step.text, rotations()) } else { step.text.clone() },
-            caution: step.caution.map(Into::into),
+            caution: cautions(barred(&step.sweep), step.caution),
             parts: step.parts.clone(),
             picture: mount_scene::mount(design, step),
             held: format!("{}{}", Held::of(step).words(), mount_scene::key(design, step)),
         }
+    }
+}
+
+/// That a step cannot be done, where something is in its way.
+fn barred(sweep: &Sweep) -> Option<String> {
+    let meeting = sweep.meetings.first().filter(|_| sweep.beyond_mm3 > 0.0)?;
+    let [a, b] = meeting.bodies.each_ref().map(|body| body.replace('_', " "));
+    Some(format!("This step cannot be done as the frame is: on the way {a} runs into {b} ({:.1} mm3).", meeting.shared_mm3))
+}
+
+fn cautions(barred: Option<String>, own: Option<&str>) -> Option<String> {
+    match (barred, own) {
+        (Some(barred), Some(own)) => Some(format!("{barred} {own}")),
+        (barred, own) => barred.or_else(|| own.map(String::from)),
     }
 }
 
@@ -338,7 +369,13 @@ impl Page {
         words.map(|word| format!("steps/{:02}_{word}.png", self.number)).collect()
     }
 
-    fn new(design: &Design, fold: &FoldSequence, step: &Step, (at, first): (usize, usize), parts: Option<&Vec<PartLine>>) -> Self {
+    fn new(
+        (design, fold): (&Design, &FoldSequence),
+        step: &Step,
+        sweep: Option<&Sweep>,
+        (at, first): (usize, usize),
+        parts: Option<&Vec<PartLine>>,
+    ) -> Self {
         let mut measures: Vec<String> = step.bends.iter().map(bend).collect();
         measures.extend(depths(step));
         measures.extend(left_out(step));
@@ -348,7 +385,7 @@ impl Page {
             facts: format!("{}; {}", often(step.repeats, step.minutes), step.tool),
             text: step.text.to_string(),
             measures,
-            caution: step.caution.as_ref().map(ToString::to_string),
+            caution: cautions(sweep.and_then(barred), step.caution.as_deref()),
             parts: parts.cloned().unwrap_or_default(),
             half_done: fold_scene::half_way(step.task).map(|(_, words)| words),
             pictures: fold_scene::step(design, fold, at),
