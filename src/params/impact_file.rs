@@ -76,12 +76,20 @@ impl ImpactFile {
         Ok(Self { name, entries, source })
     }
 
-    /// A refusal that points at a key, or at the file's end when it lacks that key.
+    /// A refusal that points at a key; where the file lacks it, at the last line of its table, or else at the file's end.
     pub fn refuse(&self, key: &str, reason: Reason) -> Refusal {
         let end = self.source.text.len();
         let missing = || Place { source: Arc::clone(&self.source), span: end.saturating_sub(1)..end };
-        let place = self.entries.get(key).map_or_else(missing, |entry| entry.place.clone());
+        let stated = self.entries.get(key).map(|entry| &entry.place);
+        let place = stated.or_else(|| self.last_of_table(key)).cloned().unwrap_or_else(missing);
         Refusal { reason: Box::new(reason), place: Some(place) }
+    }
+
+    /// The last entry of the table that a key belongs to.
+    fn last_of_table(&self, key: &str) -> Option<&Place> {
+        let table = &key[..=key.rfind('.')?];
+        let of_table = self.entries.iter().filter(|(other, _)| other.starts_with(table));
+        of_table.map(|(_, entry)| &entry.place).max_by_key(|place| place.span.end)
     }
 
     /// A number that has to lie within bounds; `None` when it is not stated.
@@ -205,5 +213,20 @@ impl ImpactFile {
             },
         };
         Err(self.refuse(key, reason))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planted_a_missing_key_is_told_in_its_table() {
+        let file = ImpactFile::parse("own", "mass = 1.0\n[sensor]\norder = 1.0\n[effects.linear_spring]\nk = 2.0\n").expect("TOML");
+        let line = |key: &str| {
+            let refusal = file.stated(key, [0.0, 1.0], "g").expect_err("is missing");
+            refusal.place.expect("a place").line_column()[0]
+        };
+        assert_eq!([line("sensor.limit_g"), line("effects.linear_spring.k_b"), line("effects.bottoming.k_b")], [3, 5, 5]);
     }
 }

@@ -8,7 +8,7 @@ use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
 use flexframe::frame::mounting::{MOUNTS, MountStep, Mounting, untold, without_a_step};
 use flexframe::params::Frame;
-use flexframe::report::booklet::Booklet;
+use flexframe::report::booklet::content::Booklet;
 use nalgebra::Vector3;
 
 use crate::common;

@@ -165,8 +165,7 @@ impl Booklet {
             steps.par_iter().enumerate().map(|(at, step)| Panel::new(design, step, from + at)).collect()
         };
         let sweeps = sweeps(design, fold);
-        let page =
-            |(at, step): (usize, &Step)| Page::new((design, fold), step, sweeps.get(at), (at, first), mounting.fold_parts.get(at));
+        let page = |(at, step): (usize, &Step)| Page::new((design, fold), step, sweeps.get(at), (at, first), mounting.fold_parts.get(at));
         let mut preface = preface(design, &mounting, fold, minutes, &forgotten(design, masses, &mounting));
         let barred_steps = barred_steps(&mounting, &sweeps);
         if !barred_steps.is_empty() {
