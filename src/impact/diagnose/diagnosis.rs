@@ -531,9 +531,6 @@ fn reason(candidate: &Candidate, chosen: &Candidate, steady: Option<&Constancy>,
         return format!("not the same at all heights (p = {:.1e}): {}", steady.p, moved.join("; "));
     }
     let higher = candidate.score - chosen.score;
-    if candidate.ids().len() < chosen.ids().len() {
-        format!("residual exceeds trial variation; score {higher:.1} higher")
-    } else {
-        format!("score {higher:.1} higher")
-    }
+    let score = format!("score {:.1} {}", higher.abs(), if higher < 0.0 { "lower" } else { "higher" });
+    if candidate.ids().len() < chosen.ids().len() { format!("residual exceeds trial variation; {score}") } else { score }
 }
