@@ -128,6 +128,32 @@ fn planted_strong_preload_in_drops_that_hardly_vary_is_named() {
     }
 }
 
+/// Readings that vary in proportion to the wave look as if stiffness varied, most where heights are far apart. Averaged over it, dry friction has
+/// no jump where the motion turns back: the true effect alone explains drops that are alike.
+#[test]
+fn planted_friction_from_heights_far_apart_is_named_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let fast = |hidden: &str| {
+        let text = plan(hidden, 5).replace("cutoff_hz = 79.57747154594767", "cutoff_hz = 500.0").replace("c = 50.0", "c = 25.0");
+        text.replace("heights_m = [0.5, 1.0, 1.5, 2.0]", "heights_m = [0.3, 2.0]")
+    };
+    let [base, truth, file] = ["base.toml", "truth-model.toml", "truth.toml"].map(|name| folder.path().join(name));
+    for (place, hidden) in [(&base, String::new()), (&truth, table("coulomb_friction", "f_c_n = 30.0"))] {
+        let text = fast(&hidden);
+        fs::write(place, &text[..text.find("[drops]").expect("a plan of drops")]).expect("written");
+    }
+    fs::write(&file, fast(&table("coulomb_friction", "f_c_n = 30.0"))).expect("written");
+    program().arg("synthesize").arg(&file).arg("-o").arg(folder.path()).assert().success();
+    for (model, verdict, named) in [(&base, "named", vec!["coulomb_friction"]), (&truth, "nothing_missing", vec![])] {
+        let mut diagnose = program();
+        diagnose.args(["diagnose", "--json", "--model"]).arg(model).arg("-o").arg(folder.path());
+        let out = diagnose.arg(folder.path().join("synthesize-truth/drops")).output().expect("run");
+        let found: Value = serde_json::from_slice(&out.stdout).expect("JSON");
+        assert_eq!((&found["verdict"], ids(&found)), (&Value::from(verdict), named), "{}", found["reasons"]);
+        assert!(found["reasons"].to_string().contains("explained better where they do not"), "{}", found["reasons"]);
+    }
+}
+
 #[test]
 fn planted_pairs_are_named() {
     let cases = [

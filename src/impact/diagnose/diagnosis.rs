@@ -233,7 +233,8 @@ fn run(
     let search = Search::run(&setting, model)?;
     stage(Stage::Acceptance);
     let found = accepted(&prepared, &setting, &search, fitted, held_out, model, settings)?;
-    Some(around_best_single(&found, &search, fitted, held_out, model, settings).unwrap_or(found))
+    let again = judged_again(&found, &prepared, &setting, &search, (fitted, held_out), model, settings);
+    Some(again.unwrap_or(found))
 }
 
 /// Whether readings clip below the model's own limit.
@@ -241,43 +242,50 @@ fn limit_seen(prepared: &PreparedDrops, model: &Model) -> bool {
     prepared.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G)
 }
 
-/// Where nothing is named: the diagnosis with how drops vary estimated again, by the wave of the best single effect in place of the base model's.
-/// `None` where it does not name one effect. It is made once, and never of a set that was named.
-///
-/// A preload pulls the frame back as it leaves the ground. In the wave of the base model this jump is missing. Drops whose jumps come at
-/// different times then seem to differ in damping, and the prediction that is averaged over damping has no jump.
-fn around_best_single(
+/// Where nothing is named, or several effects together: the diagnosis with other estimates of how drops vary. It counts where it explains
+/// the drops, and with fewer effects than were named. `None` elsewhere.
+fn judged_again(
     found: &Diagnosis,
+    prepared: &PreparedDrops,
+    setting: &SearchContext,
     search: &Search,
-    fitted: &Waves,
-    held_out: Option<&Waves>,
+    (fitted, held_out): (&Waves, Option<&Waves>),
     model: &Model,
     settings: &DiagnosisOptions,
 ) -> Option<Diagnosis> {
-    let best = search.levels.get(1).filter(|level| level.adequacy.p < RARE)?.candidates.first()?;
-    if !matches!(found.verdict, Verdict::NoneSuffices | Verdict::Ambiguous) {
-        return None;
-    }
-    let prepared = PreparedDrops::around(fitted, best.model())?;
-    let bootstrap = Bootstrap::of(fitted, &prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
-    let setting = SearchContext {
-        problem: &prepared.problem,
-        bootstrap: &bootstrap,
-        limit_seen: limit_seen(&prepared, model),
-        catalogue: settings.catalogue,
-        most: 1,
-        stage: &|_| (),
+    let is_open = matches!(found.verdict, Verdict::NoneSuffices | Verdict::Ambiguous);
+    let with = |prepared: &PreparedDrops, bootstrap: &Bootstrap, most: usize| {
+        let limit_seen = limit_seen(prepared, model);
+        let setting =
+            SearchContext { problem: &prepared.problem, bootstrap, limit_seen, catalogue: settings.catalogue, most, stage: &|_| () };
+        let search = Search::run(&setting, model)?;
+        let is_enough = search.levels.last()?.adequacy.p >= RARE;
+        is_enough.then(|| accepted(prepared, &setting, &search, fitted, held_out, model, settings))?
     };
-    let search = Search::run(&setting, model)?;
-    if search.levels.last()?.adequacy.p < RARE {
-        return None;
-    }
-    let mut again = accepted(&prepared, &setting, &search, fitted, held_out, model, settings)?;
-    again.reasons.push(format!(
-        "how drops vary was estimated with the wave of {}: in units of how they vary around the wave of the base model, no set was named",
-        joined(best)
-    ));
-    (again.verdict == Verdict::Named).then_some(again)
+    let around_best_single = || {
+        let best = search.levels.get(1).filter(|level| is_open && level.adequacy.p < RARE)?.candidates.first()?;
+        let prepared = PreparedDrops::around(fitted, best.model())?;
+        let bootstrap = Bootstrap::of(fitted, &prepared.trial_covariance, &prepared.covariance_model, settings.seed)?;
+        let mut again = with(&prepared, &bootstrap, 1).filter(|again| again.verdict == Verdict::Named)?;
+        again.reasons.push(format!(
+            "how drops vary was estimated with the wave of {}: in units of how they vary around the wave of the base model, no set was named",
+            joined(best)
+        ));
+        Some(again)
+    };
+    let alike = || {
+        let named = found.chosen.ids().len();
+        let most = if is_open { settings.most_effects } else { named.checked_sub(1).filter(|most| *most > 0)? };
+        let best = search.levels.last()?.candidates.first()?;
+        let prepared = prepared.alike()?;
+        // One fit tells whether the search is worth its time.
+        Candidate::best(&prepared.problem, [best.model().clone()]).filter(|alike| alike.score < best.score)?;
+        let explained = |again: &Diagnosis| matches!(again.verdict, Verdict::Named | Verdict::NothingMissing);
+        let mut again = with(&prepared, setting.bootstrap, most).filter(explained)?;
+        again.reasons.push("the drops seem to differ in stiffness or damping, but are explained better where they do not".into());
+        Some(again)
+    };
+    around_best_single().or_else(alike)
 }
 
 /// What a search found, put to the tests of acceptance.

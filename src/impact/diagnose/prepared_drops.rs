@@ -35,6 +35,16 @@ impl PreparedDrops {
         Self::shaped(waves, |plain| Some(Candidate::best(plain, [model.clone()])?.settled(plain)))
     }
 
+    /// The same with drops that have one stiffness and one damping; `None` where they have already.
+    ///
+    /// Readings that vary in proportion to the wave can look as if stiffness varied. Where a force jumps, as dry friction does when the motion
+    /// turns back, a prediction that is averaged over stiffness has no jump, and misses the mean wave.
+    pub fn alike(&self) -> Option<Self> {
+        let expected = Expected { varied: [0.0; VARIED], ..self.problem.expected };
+        let differ = self.problem.expected.varied != expected.varied;
+        differ.then(|| Self { problem: FitProblem { expected, ..self.problem.clone() }, ..self.clone() })
+    }
+
     /// By the wave of a fit with a plain covariance.
     fn shaped(waves: &Waves, fitted: impl FnOnce(&FitProblem) -> Option<Candidate>) -> Option<Self> {
         let trial_covariance = TrialCovariance::of(waves);

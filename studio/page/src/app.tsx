@@ -90,6 +90,11 @@ export function App() {
       <section class="right" aria-label="Know the frame">
         <Tabs name="What is known" tabs={PANELS} at={right} />
         <div class="scroll" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={-1}>
+          {refused.value && (
+            <p class="caution" role="status" data-last-good>
+              This is of the last good frame: the last change was refused.
+            </p>
+          )}
           <Panel />
         </div>
       </section>

@@ -114,8 +114,16 @@ test("a refusal stands beside its field, and the last good picture stays", async
   await expect(page.locator(".refusal")).toBeVisible();
   expect(await mass(page)).toBe(first);
   await shot(page, "1-refused-value");
+  // What is known is of the last good frame, and says so.
+  const lastGood = page.locator("[data-last-good]");
+  await expect(page.locator(".checks [data-state]")).toContainText("last good frame");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(lastGood).toBeVisible();
+  await expect(page.locator(".files .about").first()).toContainText("All other files are of the last good frame");
+  await page.getByRole("tab", { name: "Checks" }).click();
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await expect(page.locator(".refusal")).toHaveCount(0);
+  await expect(lastGood).toHaveCount(0);
   await checked(page);
 });

@@ -29,12 +29,14 @@ export function dropped(frame: string, model: string, height: number): Dropped {
   return { mass_kg: answer.body?.mass_kg ?? NaN, ...answer.heights[0]! };
 }
 
+type Found = { rule: string; message: string; verdict: string; margin: number };
+
 /** The findings of the command line for a frame. */
-export function nativeFindings(frame: string, ...options: string[]): { rule: string; message: string }[] {
+export function nativeFindings(frame: string, ...options: string[]): Found[] {
   const asked = ["check", frame, "--json", "--no-cache", ...options];
   // A violated limit is an answer, too.
   const { stdout } = spawnSync(program, asked, { encoding: "utf8", maxBuffer: 1 << 28 });
-  const answer = JSON.parse(stdout) as { frames: { findings: { rule: string; message: string }[] }[] };
+  const answer = JSON.parse(stdout) as { frames: { findings: Found[] }[] };
   return answer.frames[0]!.findings;
 }
 

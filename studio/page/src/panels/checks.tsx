@@ -9,7 +9,7 @@ import { colourBy, discs, lit, viewer } from "../view/scene_state.ts";
 import { showParameter } from "../state/focus.ts";
 
 const opened = signal<Set<string>>(new Set());
-const RANK = { violated: 0, note: 1, holds: 2 };
+const RANK = { violated: 0, warns: 1, holds: 2 };
 
 type Group = { id: string; title: string; sentence: string; of: Finding[]; worst: Finding };
 
@@ -19,11 +19,17 @@ const groups = computed<Group[]>(() => {
   const made = rules.flatMap(({ id, title, sentence }) => {
     const of = found
       .filter(({ rule }) => rule === id)
-      .sort((a, b) => RANK[a.verdict] - RANK[b.verdict] || share(a) - share(b));
+      .sort((a, b) => RANK[standing(a)] - RANK[standing(b)] || share(a) - share(b));
     return of[0] ? [{ id, title, sentence, of, worst: of[0] }] : [];
   });
-  return made.sort((a, b) => RANK[a.worst.verdict] - RANK[b.worst.verdict]);
+  return made.sort((a, b) => RANK[standing(a.worst)] - RANK[standing(b.worst)]);
 });
+
+/** How a finding stands: a note within its figure warns of nothing, as on the command line. */
+function standing({ verdict, margin }: Finding): "violated" | "warns" | "holds" {
+  if (verdict === "violated") return verdict;
+  return verdict === "note" && margin < 0 ? "warns" : "holds";
+}
 
 /** The margin as a share of the limit: findings of one rule may have several units. */
 function share({ margin, limit, value }: Finding): number {
@@ -41,7 +47,7 @@ export function Checks() {
           : violated === 0
             ? "Every checked limit holds."
             : `${violated} limit${violated === 1 ? " is" : "s are"} violated.`}{" "}
-        {all && !findingsAreCurrent.value && "This is of the frame before the last change."}
+        {all && !findingsAreCurrent.value && "This is of the last good frame, before the last change."}
         {all && findingsAreCurrent.value && !all.all && "Quick checks only; the others are running."}
         {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
       </p>
@@ -75,8 +81,8 @@ function Strength() {
   );
 }
 
-const MARK = { violated: "✗", note: "!", holds: "✓" };
-const WORD = { violated: "violated", note: "note", holds: "holds" };
+const MARK = { violated: "✗", warns: "!", holds: "✓" };
+const WORD = { violated: "violated", warns: "warning", holds: "holds" };
 
 function Rule({ group }: { group: Group }) {
   const open = opened.value.has(group.id);
@@ -85,13 +91,14 @@ function Rule({ group }: { group: Group }) {
     if (!next.delete(group.id)) next.add(group.id);
     opened.value = next;
   };
-  const bad = group.of.filter(({ verdict }) => verdict !== "holds");
+  const bad = group.of.filter((finding) => standing(finding) !== "holds");
+  const worst = standing(group.worst);
   const shown = open ? group.of : bad.slice(0, 4);
   return (
-    <li class={`rule ${group.worst.verdict}`} data-rule={group.id}>
+    <li class={`rule ${worst}`} data-rule={group.id}>
       <button type="button" class="head" aria-expanded={open} onClick={toggle} title={group.sentence}>
-        <span class="mark" aria-label={WORD[group.worst.verdict]} role="img">
-          {MARK[group.worst.verdict]}
+        <span class="mark" aria-label={WORD[worst]} role="img">
+          {MARK[worst]}
         </span>
         <span class="title">{group.title}</span>
         <Margin finding={group.worst} />
@@ -119,10 +126,10 @@ function Place({ finding }: { finding: Finding }) {
     if (facts.some((body) => isDisc(body) && names.has(body.name))) discs.value = true;
     if (names.size > 0) viewer.value?.fly(names);
     else viewer.value?.fit();
-    if (finding.verdict !== "holds" && colourBy.value === "part") colourBy.value = "finding";
+    if (standing(finding) !== "holds" && colourBy.value === "part") colourBy.value = "finding";
   };
   return (
-    <li class={`place ${finding.verdict}`}>
+    <li class={`place ${standing(finding)}`}>
       <button type="button" class="link" onClick={go}>
         {finding.subject}
       </button>

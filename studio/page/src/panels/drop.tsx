@@ -184,6 +184,13 @@ export function Drop() {
             </p>
           ))}
         </div>
+        {results
+          .flatMap(({ warnings }) => warnings)
+          .map((warning) => (
+            <p key={warning} class="caution">
+              {warning}
+            </p>
+          ))}
         {results.length > 0 && (
           <Plot title="Acceleration behind the sensor" x="t, ms" y="a, g" curves={accelerations.value} />
         )}
@@ -193,13 +200,6 @@ export function Drop() {
         {results.map(({ name, energies }) => (
           <EnergyBar key={name} name={name} energies={energies} />
         ))}
-        {results
-          .flatMap(({ warnings }) => warnings)
-          .map((warning) => (
-            <p key={warning} class="caution">
-              {warning}
-            </p>
-          ))}
         {motion && (
           <div class="row">
             <button

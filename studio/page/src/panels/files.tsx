@@ -4,7 +4,7 @@ import type { Setting } from "../state/link.ts";
 import { toFragment } from "../state/link.ts";
 import { isUnchanged } from "../state/doc.ts";
 import { openFrame } from "../state/opening.ts";
-import { changedKeys, doc, frame, notice, valueOf } from "../state/studio.ts";
+import { changedKeys, doc, frame, notice, refused, valueOf } from "../state/studio.ts";
 import { download, made, save, saveText } from "../state/downloads.ts";
 import { Work } from "../state/work.ts";
 import { Progress } from "../ui/progress.tsx";
@@ -30,9 +30,15 @@ export function Files() {
   return (
     <div class="files">
       <p class="about">
-        The files have the bytes that{" "}
-        <code>flexframe build{isUnchanged(doc.value) ? ` ${doc.value.preset}` : ` ${doc.value.name}.toml`}</code>{" "}
-        writes.
+        {refused.value ? (
+          "The frame file and the link hold the text of the frame file as it stands, with what was refused. All other files are of the last good frame."
+        ) : (
+          <>
+            The files have the bytes that{" "}
+            <code>flexframe build{isUnchanged(doc.value) ? ` ${doc.value.preset}` : ` ${doc.value.name}.toml`}</code>{" "}
+            writes.
+          </>
+        )}
       </p>
       <div class="stack">
         <button type="button" onClick={saveText}>
@@ -108,7 +114,9 @@ async function share(): Promise<void> {
   }
   // Comments, entries of one's own and the like are not among the values: then the text itself is the link.
   const stated = (frame.value?.stated ?? []).filter((key) => key !== "base");
-  const whole = !isUnchanged(doc.value) && (stated.some((key) => !(key in set)) || /^\s*#/m.test(text));
+  // A refused text has values that are not in the last good frame.
+  const whole =
+    !isUnchanged(doc.value) && (refused.value !== null || stated.some((key) => !(key in set)) || /^\s*#/m.test(text));
   const fragment = toFragment(whole ? { preset, name, set: {}, text } : { preset, name, set });
   link.value = `${location.origin}${location.pathname}#${fragment}`;
   try {

@@ -68,9 +68,13 @@ export const changedKeys = computed(() => {
   return new Set(keys.filter((key) => baseOf(key) !== null && !same(valueOf(key), baseOf(key))));
 });
 
-/** Whether the findings are those of what is shown. */
+/** Whether the findings are those of what is shown, and that is what was asked for. */
 export const findingsAreCurrent = computed(
-  () => findings.value !== null && shownDoc.value !== null && findings.value.identity === identity(shownDoc.value),
+  () =>
+    findings.value !== null &&
+    shownDoc.value !== null &&
+    refused.value === null &&
+    findings.value.identity === identity(shownDoc.value),
 );
 
 type Wanted = { doc: Doc; set: Record<string, Setting | null>; record: boolean; group: string | null; begun: number };

@@ -39,7 +39,7 @@ export function Plot({ title, x, y, curves, height = 190 }: Props) {
         height,
         scales: { x: { time: false } },
         axes: [axis(x, 32), axis(y, 46)],
-        legend: { live: false },
+        legend: { live: false, markers: { dash: (_, at) => (curves[at - 1]?.dashed ? "dashed" : "solid") } },
         series: [
           { label: x },
           ...curves.map(({ name, dashed, colour }, at) => ({
