@@ -1,7 +1,15 @@
 // Story 3: every rule beside the model, violated first, the margin as a bar; a click goes to the place.
 import { computed, signal } from "@preact/signals";
 import type { Finding } from "../engine/answers.ts";
-import { catalogue, checking, findings, findingsAreCurrent, strengthFailure, withStrength } from "../state/studio.ts";
+import {
+  catalogue,
+  checking,
+  findings,
+  findingsAreCurrent,
+  refused,
+  strengthFailure,
+  withStrength,
+} from "../state/studio.ts";
 import { touched } from "../state/places.ts";
 import { label, short } from "../ui/words.ts";
 import { isDisc } from "../view/body_facts.ts";
@@ -47,7 +55,7 @@ export function Checks() {
           : violated === 0
             ? "Every checked limit holds."
             : `${violated} limit${violated === 1 ? " is" : "s are"} violated.`}{" "}
-        {all && !findingsAreCurrent.value && "This is of the last good frame, before the last change."}
+        {all && !findingsAreCurrent.value && !refused.value && "This is of the frame before the last change."}
         {all && findingsAreCurrent.value && !all.all && "Quick checks only; the others are running."}
         {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
       </p>
