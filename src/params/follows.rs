@@ -31,7 +31,7 @@ struct Follows {
     key: &'static str,
     /// The roles that it may follow from; the first that the frame has counts.
     roles: &'static [&'static str],
-    /// Fields that an entry may do without and this needs.
+    /// Fields of the entry that it follows from.
     fields: &'static [&'static str],
     figure: fn(&BoughtPart, &Bought) -> Option<f64>,
     /// What holds when the frame does without that part.
@@ -49,7 +49,7 @@ impl Follows {
         Self { key, roles, fields: &[], figure, without: Some(without) }
     }
 
-    /// The same, of fields that an entry may do without.
+    /// The same, of these fields of the entry.
     const fn of(self, fields: &'static [&'static str]) -> Self {
         Self { fields, ..self }
     }
@@ -63,10 +63,10 @@ const FOLLOWS: [Follows; 24] = [
     Follows::always("fork_cheek_gap_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, CHEEKS_OVER_ROD_MM]))).of(&["diameter_mm"]),
     Follows::always("propeller_diameter_mm", &["propeller"], |propeller, _| propeller.diameter_mm).of(&["diameter_mm"]),
     Follows::always("propeller_height_mm", &["propeller"], propeller_height_mm),
-    Follows::always("battery_length_mm", &["battery"], |battery, _| Some(battery.size_mm[0])),
-    Follows::always("battery_width_mm", &["battery"], |battery, _| Some(battery.size_mm[1])),
-    Follows::always("battery_height_mm", &["battery"], |battery, _| Some(battery.size_mm[2])),
-    Follows::always("battery_mass_g", &["battery"], |battery, _| Some(battery.mass_g)),
+    Follows::always("battery_length_mm", &["battery"], |battery, _| Some(battery.size_mm[0])).of(&["size_mm"]),
+    Follows::always("battery_width_mm", &["battery"], |battery, _| Some(battery.size_mm[1])).of(&["size_mm"]),
+    Follows::always("battery_height_mm", &["battery"], |battery, _| Some(battery.size_mm[2])).of(&["size_mm"]),
+    Follows::always("battery_mass_g", &["battery"], |battery, _| Some(battery.mass_g)).of(&["mass_g"]),
     Follows::always("motor_plate_diameter_mm", &["motor"], motor_plate_mm).of(&["hole_pcd_mm", "hole_diameter_mm"]),
     Follows::always("motor_hole_circle_mm", &["motor"], |motor, _| motor.hole_pcd_mm).of(&["hole_pcd_mm"]),
     Follows::always("motor_hole_diameter_mm", &["motor"], |motor, _| motor.hole_diameter_mm).of(&["hole_diameter_mm"]),
@@ -77,11 +77,11 @@ const FOLLOWS: [Follows; 24] = [
     Follows::or("camera_pattern_across_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[0]), 21.0).of(&["hole_pattern_mm"]),
     Follows::or("camera_pattern_up_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[1]), 12.5).of(&["hole_pattern_mm"]),
     Follows::or("sensor_hole_pitch_mm", &["flow_sensor"], |sensor, _| sensor.hole_pitch_mm, 30.5).of(&["hole_pitch_mm"]),
-    Follows::or("magnet_length_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[0]), 10.0),
-    Follows::or("magnet_width_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[1]), 5.0),
-    Follows::or("magnet_thickness_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[2]), 3.0),
-    Follows::or("connector_width_mm", &["connector"], |c, _| Some(c.size_mm[1] + CONNECTOR_CLEARANCE_MM), 10.55),
-    Follows::or("connector_height_mm", &["connector"], |c, _| Some(c.size_mm[2] + CONNECTOR_CLEARANCE_MM), 5.55),
+    Follows::or("magnet_length_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[0]), 10.0).of(&["size_mm"]),
+    Follows::or("magnet_width_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[1]), 5.0).of(&["size_mm"]),
+    Follows::or("magnet_thickness_mm", &["magnet"], |magnet, _| Some(magnet.size_mm[2]), 3.0).of(&["size_mm"]),
+    Follows::or("connector_width_mm", &["connector"], |c, _| Some(c.size_mm[1] + CONNECTOR_CLEARANCE_MM), 10.55).of(&["size_mm"]),
+    Follows::or("connector_height_mm", &["connector"], |c, _| Some(c.size_mm[2] + CONNECTOR_CLEARANCE_MM), 5.55).of(&["size_mm"]),
 ];
 
 /// Numbers that are another number unless a file states them: key, and the other one with its table.
@@ -146,6 +146,13 @@ pub(super) fn lacking(bought: &Bought, key: &str) -> Option<(&'static str, &'sta
     let rule = FOLLOWS.iter().find(|rule| rule.key == key && !rule.fields.is_empty())?;
     let role = rule.roles.iter().find(|role| bought.contains_key(**role))?;
     Some((role, rule.fields))
+}
+
+/// The key of the entry's field that a number follows from, where a bought part of the frame is that entry.
+pub(super) fn field_of(bought: &Bought, key: &str) -> Option<String> {
+    let rule = FOLLOWS.iter().find(|rule| rule.key == key)?;
+    let item = rule.roles.iter().find_map(|role| bought.get(*role))?;
+    rule.fields.first().map(|field| format!("override.parts.{}.{field}", item.name))
 }
 
 /// The role of the bought part that a key's number follows from.

@@ -165,8 +165,13 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     }
     let reason = Reason::OutOfBounds { key: key.clone(), value, min: p.min, max: p.max, unit: p.unit().into() };
     let typed = file.entries.contains_key(&key);
-    let chosen = follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
-    Err(file.refuse(if typed { &key } else { &chosen }, reason))
+    if typed {
+        return Err(file.refuse(&key, reason));
+    }
+    // Of a part that the file describes itself, that figure; else the choice of the part.
+    let described = follows::field_of(bought, p.key).filter(|field| file.entries.contains_key(field));
+    let chosen = || follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
+    Err(file.refuse(&described.unwrap_or_else(chosen), reason))
 }
 
 /// What a bought part says of a number, and the number that it grows with.
@@ -279,5 +284,17 @@ mod tests {
             assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(text.lines().count() + 1), "{text}");
         }
         assert!(resolved("[rods]\n[override]\n[extras]").is_ok(), "tables with nothing in them");
+    }
+
+    /// Centimetres for millimetres, in a part of one's own and in one of the catalogue.
+    #[test]
+    fn planted_a_size_that_is_out_of_bounds_is_told_at_the_part_that_states_it() {
+        let own = "[bought]\nbattery = \"mine\"\n[override.parts.mine]\nkind = \"battery\"\nmass_g = 60\nsize_mm = [7.5, 3.5, 2.6]\n\
+                   mass_basis = \"datasheet\"\nsource = \"its maker\"";
+        for (text, line) in [(own, 7), ("[override.parts.battery-3s-650]\nsize_mm = [5.8, 3.0, 1.9]", 3)] {
+            let refusal = resolved(text).err().unwrap_or_else(|| panic!("{text} is accepted"));
+            assert!(refusal.reason.to_string().contains("battery_length_mm"), "{}", refusal.reason);
+            assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(line), "{text}");
+        }
     }
 }
