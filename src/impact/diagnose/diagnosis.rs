@@ -274,8 +274,12 @@ fn judged_again(
         Some(again)
     };
     let alike = || {
-        let named = found.chosen.ids().len();
-        let most = if is_open { settings.most_effects } else { named.checked_sub(1).filter(|most| *most > 0)? };
+        let fewer = found.chosen.ids().len().saturating_sub(1);
+        let most = match found.verdict {
+            Verdict::NoneSuffices | Verdict::Ambiguous => settings.most_effects,
+            Verdict::Named if fewer > 0 => fewer,
+            Verdict::Named | Verdict::NothingMissing => return None,
+        };
         let best = search.levels.last()?.candidates.first()?;
         let prepared = prepared.alike()?;
         // One fit tells whether the search is worth its time.
