@@ -1,6 +1,6 @@
 // Story 2: see.
 import type { Page } from "@playwright/test";
-import { differing, expect, openField, pixels, setNumber, settled, shot, start, test } from "./studio.ts";
+import { differing, expect, openField, pixels, setNumber, settled, shot, start, test, touchesEdge } from "./studio.ts";
 
 /** Clicks the picture in places around its middle until a body is hit. */
 async function clickBody(page: Page, again = 0): Promise<void> {
@@ -88,4 +88,50 @@ test("the camera stays where it is when something changes", async ({ page }) => 
   expect(changed).toBeGreaterThan(500);
   // Another direction differs more than another frame.
   expect(back).toBeGreaterThan(1.5 * changed);
+});
+
+test("the picture is not clipped: after the assembly, apart, on the bed, in a narrow window; one's own view stays", async ({
+  page,
+}) => {
+  await start(page);
+  const whole = async (when: string) => expect(touchesEdge(await pixels(page)), when).toBe(false);
+  const first = await pixels(page);
+  expect(touchesEdge(first)).toBe(false);
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  await page.getByRole("tab", { name: "Checks" }).click();
+  expect(differing(first, await pixels(page)), "after the assembly").toBeLessThan(50);
+  const show = page.getByLabel("Show", { exact: true });
+  await show.selectOption("exploded");
+  await page.getByLabel("How far apart").fill("1.5");
+  await whole("apart");
+  await show.selectOption("bed");
+  await expect(page.getByLabel("Plate", { exact: true })).toBeVisible({ timeout: 60_000 });
+  await page.waitForTimeout(1500);
+  await whole("on the bed");
+  await shot(page, "2-bed-whole");
+  await show.selectOption("assembled");
+  for (const [width, height] of [
+    [1050, 900],
+    [390, 844],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    if (width < 1000) await page.getByRole("button", { name: "Model" }).click();
+    await whole(`${width} wide`);
+    await shot(page, `2-${width}`);
+  }
+  await page.setViewportSize({ width: 1400, height: 900 });
+  expect(differing(first, await pixels(page)), "wide again").toBeLessThan(50);
+  // A view of one's own is the same after the bed and after the assembly.
+  await page.locator("canvas").focus();
+  for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+", "+"]) await page.keyboard.press(key);
+  const own = await pixels(page);
+  await show.selectOption("bed");
+  await expect(page.getByLabel("Plate", { exact: true })).toBeVisible({ timeout: 60_000 });
+  await page.waitForTimeout(1500);
+  await show.selectOption("assembled");
+  expect(differing(own, await pixels(page)), "after the bed").toBeLessThan(50);
+  await page.setViewportSize({ width: 1050, height: 900 });
+  await page.setViewportSize({ width: 1400, height: 900 });
+  expect(differing(own, await pixels(page)), "after another width").toBeLessThan(50);
 });

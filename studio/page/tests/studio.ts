@@ -29,7 +29,7 @@ export function dropped(frame: string, model: string, height: number): Dropped {
   return { mass_kg: answer.body?.mass_kg ?? NaN, ...answer.heights[0]! };
 }
 
-type Found = { rule: string; message: string; verdict: string; margin: number };
+type Found = { rule: string; verdict: string; margin: number; message: string };
 
 /** The findings of the command line for a frame. */
 export function nativeFindings(frame: string, ...options: string[]): Found[] {
@@ -121,6 +121,19 @@ export async function pixels(page: Page): Promise<Pixels> {
     return { width: image.width, height: image.height, text: btoa(text) };
   }, png.toString("base64"));
   return { width, height, rgb: new Uint8Array(Buffer.from(text, "base64")) };
+}
+
+/** Whether anything that is drawn reaches the edge of the picture, whose ground is that of its corner; the page's lines may lie on the edge. */
+export function touchesEdge({ width, height, rgb }: Pixels): boolean {
+  const near = 3;
+  const ground = near * (width + 1);
+  for (let at = 0; at < rgb.length / 3; at++) {
+    const [x, y] = [at % width, Math.floor(at / width)];
+    const inside = Math.min(x, y, width - 1 - x, height - 1 - y);
+    if (inside === near && [0, 1, 2].some((of) => Math.abs(rgb[3 * at + of]! - rgb[3 * ground + of]!) > 24))
+      return true;
+  }
+  return false;
 }
 
 /** How many pixels of two pictures differ. */

@@ -13,15 +13,13 @@ let rate = 1;
 
 /** Shows a motion; `slower` plays it so many times slower than its file says. */
 export async function showMotion(by: "fold" | "drop", bytes: Uint8Array<ArrayBuffer>, slower = 1): Promise<void> {
-  const taken = await viewer.value?.move(bytes.slice());
+  const taken = await viewer.value?.move(bytes.slice(), by === "fold");
   length.value = taken ?? 0;
   rate = 1 / slower;
   owner.value = by;
   stage.value = "motion";
   seconds.value = 0;
   viewer.value?.moveTo(0);
-  // Modules that are not together yet take more room than the frame.
-  if (by === "fold") viewer.value?.fit();
 }
 
 /** Puts the motion at a time, by hand. */
@@ -35,7 +33,7 @@ export function hideMotion(by: "fold" | "drop"): void {
   owner.value = null;
   playing.value = false;
   stage.value = "frame";
-  void viewer.value?.move(null).then(() => by === "fold" && viewer.value?.fit());
+  void viewer.value?.move(null);
 }
 
 effect(() => {

@@ -1,6 +1,7 @@
 // Colours of bodies: by material, by part, or by what the checks found. Shapes and words say the same, so nobody has to tell colours apart.
 import { MeshLambertMaterial } from "three";
 import type { Plane } from "three";
+import type { Standing } from "../state/standing.ts";
 import type { BodyFacts } from "./body_facts.ts";
 import { isDisc } from "./body_facts.ts";
 
@@ -14,8 +15,7 @@ const PALETTE = [
 
 const MATERIALS: Record<string, number> = { printed: 0xe8862e, rod: 0x3b3f45, bought: 0x8fa3b5 };
 
-export type Severity = "violated" | "note" | "holds";
-const SEVERITIES: Record<Severity, number> = { violated: 0xd1344b, note: 0xd9a520, holds: 0x4c9f70 };
+const STANDINGS: Record<Standing, number> = { violated: 0xd1344b, warns: 0xd9a520, holds: 0x4c9f70 };
 
 export class Colours {
   #cache = new Map<string, MeshLambertMaterial>();
@@ -34,11 +34,11 @@ export class Colours {
   material(
     facts: BodyFacts,
     by: ColourBy,
-    severity: Severity | undefined,
+    standing: Standing | undefined,
     lit: boolean,
     ghost: boolean,
   ): MeshLambertMaterial {
-    const colour = ghost ? 0x5566ff : lit ? 0x2f7bff : this.#colour(facts, by, severity);
+    const colour = ghost ? 0x5566ff : lit ? 0x2f7bff : this.#colour(facts, by, standing);
     const key = `${colour} ${ghost} ${isDisc(facts)}`;
     const known = this.#cache.get(key);
     if (known) return known;
@@ -55,8 +55,8 @@ export class Colours {
     return made;
   }
 
-  #colour(facts: BodyFacts, by: ColourBy, severity: Severity | undefined): number {
-    if (by === "finding") return severity ? SEVERITIES[severity] : 0xb9c0c8;
+  #colour(facts: BodyFacts, by: ColourBy, standing: Standing | undefined): number {
+    if (by === "finding") return standing ? STANDINGS[standing] : 0xb9c0c8;
     if (by === "part") return PALETTE[this.#parts.indexOf(facts.part) % PALETTE.length] ?? 0x999999;
     if (facts.kind === "printed" && this.#materials.indexOf(facts.material) > 0) return 0x4a5568;
     return MATERIALS[facts.kind] ?? 0x999999;

@@ -2,7 +2,9 @@
 import { computed, effect, signal } from "@preact/signals";
 import { findings, frame, picture } from "../state/studio.ts";
 import { touched } from "../state/places.ts";
-import type { ColourBy, Severity } from "./colours.ts";
+import type { Standing } from "../state/standing.ts";
+import { standing } from "../state/standing.ts";
+import type { ColourBy } from "./colours.ts";
 import type { Look, Picked, Viewer } from "./viewer.ts";
 
 export const viewer = signal<Viewer | null>(null);
@@ -24,14 +26,14 @@ export const stage = signal<"frame" | "bed" | "motion">("frame");
 export const plate = signal<{ of: string[]; at: number } | null>(null);
 
 /** The worst that the checks found of each body or part. */
-const severities = computed(() => {
-  const worst = new Map<string, Severity>();
+const standings = computed(() => {
+  const worst = new Map<string, Standing>();
   if (colourBy.value !== "finding") return worst;
   const facts = frame.value ? (viewer.value?.facts() ?? []) : [];
   for (const finding of findings.value?.of ?? []) {
     for (const name of touched(finding.subject, facts)) {
-      if (finding.verdict === "violated" || (finding.verdict === "note" && worst.get(name) !== "violated"))
-        worst.set(name, finding.verdict);
+      const now = standing(finding);
+      if (now === "violated" || (now === "warns" && worst.get(name) !== "violated")) worst.set(name, now);
       else if (!worst.has(name)) worst.set(name, "holds");
     }
   }
@@ -52,7 +54,7 @@ export const look = computed<Look>(() => {
     centreMm: centre.value ? (frame.value?.masses.centre_of_mass_mm ?? null) : null,
     section: section.value,
     lit: new Set([...lit.value, ...own, ...handled.value]),
-    severities: severities.value,
+    standings: standings.value,
     ghost: ghost.value,
   };
 });

@@ -5,11 +5,11 @@ import {
   DirectionalLight,
   Group,
   HemisphereLight,
+  Matrix4,
   PerspectiveCamera,
   Plane,
   Raycaster,
   Scene,
-  Sphere,
   Vector2,
   Vector3,
   WebGLRenderer,
@@ -20,8 +20,9 @@ import type { Body, Picture } from "./bodies.ts";
 import { dispose, readPicture, sizeMm } from "./bodies.ts";
 import type { BodyFacts } from "./body_facts.ts";
 import { isDisc } from "./body_facts.ts";
-import type { ColourBy, Severity } from "./colours.ts";
+import type { ColourBy } from "./colours.ts";
 import { Colours } from "./colours.ts";
+import type { Standing } from "../state/standing.ts";
 import * as marks from "./marks.ts";
 
 export type Look = {
@@ -36,9 +37,18 @@ export type Look = {
   /** What is cut away: beyond this along an axis of the frame, mm. */
   section: { axis: "x" | "y" | "z"; atMm: number } | null;
   lit: Set<string>;
-  severities: Map<string, Severity>;
+  standings: Map<string, Standing>;
   ghost: boolean;
 };
+
+/** A view: what is looked at, from where, and the share of the height that the width is, 1 at most. */
+type View = { target: Vector3; way: Vector3; share: number };
+
+/** What is shown: modules that are apart and the bed take other room than the frame. */
+type Place = "frame" | "apart" | "bed";
+
+/** What is shown is this much smaller than the picture at least when the camera is placed. */
+const MARGIN = 1.06;
 
 /** What was clicked, where, and its length, width and height in its own axes, mm. */
 export type Picked = { body: Body; at: Vector3; sizeMm: [number, number, number] };
@@ -60,12 +70,18 @@ export class Viewer {
   #plane = new Plane();
   #picture: Picture | null = null;
   #ghost: Picture | null = null;
-  #motion: { picture: Picture; mixer: AnimationMixer; seconds: number } | null = null;
+  #motion: { picture: Picture; mixer: AnimationMixer; seconds: number; apart: boolean } | null = null;
   #extra = new Group();
   #marks = new Group();
   #look: Look | null = null;
   #asked = false;
-  #placed = false;
+  /** Whether a person turned, moved or zoomed since the camera was placed: then it is not placed again unasked. */
+  #own = false;
+  #held = false;
+  #place: Place | null = null;
+  /** A person's own view of the frame, while something else is shown. */
+  #kept: View | null = null;
+  #explode = 0;
   #latest = 0;
 
   constructor(readonly canvas: HTMLCanvasElement) {
@@ -73,7 +89,12 @@ export class Viewer {
     this.renderer.localClippingEnabled = true;
     this.camera.position.set(0.25, 0.22, -0.36);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => (this.#held = true));
+    this.controls.addEventListener("end", () => (this.#held = false));
+    this.controls.addEventListener("change", () => {
+      if (this.#held) this.#own = true;
+      this.draw();
+    });
     const sun = new DirectionalLight(0xffffff, 2.2);
     sun.position.set(0.6, 1, 0.4);
     this.camera.add(sun);
@@ -83,7 +104,7 @@ export class Viewer {
     this.#resize();
   }
 
-  /** Shows a frame; the camera stays where it is. */
+  /** Shows a frame; the camera stays where it is, unless the frame does not fit any more. */
   async show(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
     const number = ++this.#latest;
     const picture = await readPicture(bytes);
@@ -92,9 +113,8 @@ export class Viewer {
     this.#picture = picture;
     this.scene.add(picture.root);
     this.#colours.know(picture.bodies.map(({ facts }) => facts));
-    if (!this.#placed) this.fit();
-    this.#placed = true;
     this.apply(this.#look);
+    this.#refit();
   }
 
   /** Shows another frame through this one; `null` takes it away. */
@@ -106,8 +126,8 @@ export class Viewer {
     this.apply(this.#look);
   }
 
-  /** Shows a motion in the place of the frame; gives its length, s. `null` shows the frame again. */
-  async move(bytes: Uint8Array<ArrayBuffer> | null): Promise<number> {
+  /** Shows a motion in the place of the frame, `apart` where it begins with modules; gives its length, s. `null` shows the frame again. */
+  async move(bytes: Uint8Array<ArrayBuffer> | null, apart = false): Promise<number> {
     if (this.#motion) this.#remove(this.#motion.picture);
     this.#motion = null;
     if (bytes) {
@@ -118,7 +138,8 @@ export class Viewer {
       if (whole) mixer.clipAction(whole).play();
       const seconds = whole?.duration ?? 0;
       picture.root.traverse((object) => (object.frustumCulled = false));
-      this.#motion = { picture, mixer, seconds };
+      this.#motion = { picture, mixer, seconds, apart };
+      mixer.setTime(0);
       this.#colours.know(picture.bodies.map(({ facts }) => facts));
       this.scene.add(picture.root);
     }
@@ -169,6 +190,7 @@ export class Viewer {
     this.#marks.clear();
     if (look.envelopeMm && !replaced) this.#marks.add(marks.box(look.envelopeMm, this.#lowest()));
     if (look.centreMm && !replaced) this.#marks.add(marks.cross(toScene(look.centreMm)));
+    this.#arrange(look.explode);
     this.draw();
   }
 
@@ -181,7 +203,8 @@ export class Viewer {
 
   /** The camera looks at everything that is shown. */
   fit(): void {
-    this.#lookAt(this.#motion ? new Box3().setFromObject(this.#motion.picture.root) : this.#bounds());
+    this.#lookAt(this.#shown());
+    this.#own = false;
   }
 
   /** The camera goes to the bodies of these names, and keeps its direction. */
@@ -192,6 +215,7 @@ export class Viewer {
     }
     if (box.isEmpty()) return false;
     this.#lookAt(box.expandByScalar(0.02));
+    this.#own = true;
     return true;
   }
 
@@ -219,9 +243,9 @@ export class Viewer {
   #dress(body: Body, look: Look, ghost: boolean, moving: boolean): void {
     const { mesh } = body;
     const facts = moving ? this.#knownAs(body.facts) : body.facts;
-    const severity = look.severities.get(facts.name) ?? look.severities.get(facts.part);
+    const standing = look.standings.get(facts.name) ?? look.standings.get(facts.part);
     const lit = look.lit.has(facts.part) || look.lit.has(facts.name);
-    mesh.material = this.#colours.material(facts, look.colourBy, severity, lit && !ghost, ghost);
+    mesh.material = this.#colours.material(facts, look.colourBy, standing, lit && !ghost, ghost);
     mesh.visible = look.discs || !isDisc(facts);
     if (!moving) mesh.position.copy(body.rest).addScaledVector(body.middle, look.explode);
   }
@@ -251,14 +275,73 @@ export class Viewer {
     return box;
   }
 
+  /** What bounds everything that is shown. */
+  #shown(): Box3 {
+    if (this.#extra.children.length > 0) return new Box3().setFromObject(this.#extra);
+    return this.#motion ? new Box3().setFromObject(this.#motion.picture.root) : this.#bounds();
+  }
+
+  /** Places the camera where something else is shown than before, or bodies were moved apart. */
+  #arrange(explode: number): void {
+    if (!this.#picture) return;
+    const place = this.#extra.children.length > 0 ? "bed" : this.#motion?.apart ? "apart" : "frame";
+    if (place !== this.#place) {
+      if (this.#place === "frame") this.#kept = this.#own ? this.#view() : null;
+      this.#place = place;
+      if (place === "frame" && this.#kept) {
+        this.#take(this.#kept);
+        this.#own = true;
+      } else this.fit();
+    } else if (explode !== this.#explode) this.#refit();
+    this.#explode = explode;
+  }
+
+  /** Places the camera again where what is shown does not fit any more or has become small, unless the view is a person's own. */
+  #refit(): void {
+    const box = this.#shown();
+    if (this.#own || box.isEmpty()) return;
+    const share = this.#distance(box) / this.camera.position.distanceTo(this.controls.target);
+    if (share > MARGIN || share < 0.7) this.fit();
+  }
+
+  /** How far the camera has to be from the middle of a box, in its direction, to see all corners. */
+  #distance(box: Box3): number {
+    const high = Math.tan((this.camera.fov * Math.PI) / 360);
+    const middle = box.getCenter(new Vector3());
+    const turn = new Matrix4().lookAt(this.camera.position, this.controls.target, this.camera.up).invert();
+    let distance = 0;
+    for (let corner = 0; corner < 8; corner++) {
+      const at = new Vector3(
+        (corner & 1 ? box.max : box.min).x,
+        (corner & 2 ? box.max : box.min).y,
+        (corner & 4 ? box.max : box.min).z,
+      );
+      at.sub(middle).applyMatrix4(turn);
+      const reach = Math.max(Math.abs(at.x) / (high * this.camera.aspect), Math.abs(at.y) / high);
+      distance = Math.max(distance, at.z + MARGIN * reach);
+    }
+    return distance;
+  }
+
   #lookAt(box: Box3): void {
     if (box.isEmpty()) return;
-    const sphere = box.getBoundingSphere(new Sphere());
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
-    const share = Math.min(1, this.camera.aspect);
-    const distance = (0.88 * sphere.radius) / Math.sin((this.camera.fov * Math.PI) / 360) / share;
-    this.controls.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).addScaledVector(direction, distance);
+    const distance = this.#distance(box);
+    this.controls.target.copy(box.getCenter(new Vector3()));
+    this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  #view(): View {
+    const target = this.controls.target.clone();
+    return { target, way: this.camera.position.clone().sub(target), share: Math.min(1, this.camera.aspect) };
+  }
+
+  /** Takes a view; what was beside each other in it has room in a narrower picture, too. */
+  #take({ target, way, share }: View): void {
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(way, share / Math.min(1, this.camera.aspect));
     this.controls.update();
     this.draw();
   }
@@ -273,8 +356,11 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(clientWidth, clientHeight, false);
+    const view = this.#view();
     this.camera.aspect = clientWidth / clientHeight;
     this.camera.updateProjectionMatrix();
+    if (this.#own) this.#take(view);
+    else if (this.#picture) this.fit();
     this.draw();
   }
 
@@ -303,6 +389,7 @@ export class Viewer {
         way.applyAxisAngle(side, turn[1]);
       }
       this.camera.position.copy(this.controls.target).addScaledVector(way, zoom ?? 1);
+      this.#own = true;
       this.controls.update();
       this.draw();
     });
