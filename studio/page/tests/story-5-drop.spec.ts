@@ -17,6 +17,8 @@ test("a drop by a model, a higher one, and beside the preset", async ({ page }) 
   await expectPeak(peak, expected, 60_000);
   await expect(peak).toContainText(`${expected.toPrecision(3)} g`);
   await expect(page.locator(".plot canvas").first()).toBeVisible();
+  await expect(peak).toHaveClass(/invalid/);
+  await expect(peak).toContainText(/Not valid: the battery hits the ground at 11\.5 mm/);
   await page.locator("#drop-height").fill("2");
   await page.locator("#drop-height").press("Enter");
   await expectPeak(peak, peakOfDrop("cognifly", "paper-corrected", 2), 60_000);
@@ -31,6 +33,9 @@ test("a drop by a model, a higher one, and beside the preset", async ({ page }) 
     "cognifly (before), in",
     "cognifly (before), out",
   ]);
+  const lines = page.locator(".plot", { hasText: "Force of the ground" }).locator(".u-legend .u-series .u-marker");
+  const styles = await lines.evaluateAll((keys) => keys.map((key) => getComputedStyle(key).borderTopStyle));
+  expect(styles.slice(-4)).toEqual(["solid", "dashed", "solid", "dashed"]);
   const before = Number(await peak.getAttribute("data-peak"));
   // Most force is the mass times the peak of what the frame feels, which the command line gives.
   const { mass_kg, peak_proper_g } = dropped("cognifly", "paper-corrected", 2);
@@ -51,6 +56,7 @@ test("the frame's own mechanics, with the motion slowed down", async ({ page }) 
   await page.getByRole("tab", { name: "Drop" }).click();
   await page.getByLabel("Model of the drop").selectOption("frame");
   await expectPeak(page.locator("[data-peak]").first(), peakOfDrop("cognifly", "frame", 1), 80_000);
+  await expect(page.locator(".peak.invalid")).toHaveCount(0);
   await expect(page.locator(".plot")).toHaveCount(2);
   await page.getByRole("button", { name: /Slow motion/ }).click();
   const time = page.getByLabel("Time of the impact");

@@ -11,7 +11,9 @@ import { ghost, viewer } from "../view/scene_state.ts";
 
 /** The variant that is held against the frame; none: the preset. */
 export const pinned = signal<Doc | null>(null);
-const before = computed(() => pinned.value ?? ofPreset(doc.value.preset));
+/** The frame that is compared: while the file is refused, the last good one. */
+const after = computed(() => shownDoc.value ?? doc.value);
+export const before = computed(() => pinned.value ?? ofPreset(after.value.preset));
 export const other = new FrameSlot(checker);
 const difference = signal<{ of: Difference; after: string } | null>(null);
 const failure = signal<string | null>(null);
@@ -22,21 +24,21 @@ let timer: ReturnType<typeof setTimeout> | undefined;
 
 // Compared when the panel is open and nothing was changed for a moment.
 effect(() => {
-  const [after, against, open] = [shownDoc.value, before.value, right.value === "compare" || ghost.value];
+  const [of, against, open] = [shownDoc.value, before.value, right.value === "compare" || ghost.value];
   clearTimeout(timer);
-  if (after && open) timer = setTimeout(() => (running = running.then(() => compare(against, after))), 300);
+  if (of && open) timer = setTimeout(() => (running = running.then(() => compare(against, of))), 300);
 });
 
-async function compare(against: Doc, after: Doc): Promise<void> {
-  if (shownDoc.value !== after || before.value !== against) return;
+async function compare(against: Doc, of: Doc): Promise<void> {
+  if (shownDoc.value !== of || before.value !== against) return;
   working.value = true;
   try {
     const { handle } = await other.opened(against);
     const { files } = await checker.ask({ do: "files", handle, which: ["glb"] });
     if (ghost.value && files[0]) await viewer.value?.overlay(files[0].bytes);
-    const now = await current.opened(after);
+    const now = await current.opened(of);
     const { answer } = await checker.ask<Difference>({ do: "difference", before: handle, after: now.handle });
-    difference.value = { of: answer, after: identity(after) };
+    difference.value = { of: answer, after: identity(of) };
     failure.value = null;
   } catch (error) {
     if (!(error instanceof Refused || error instanceof Stopped)) throw error;
@@ -53,9 +55,9 @@ export function Compare() {
     <div class="compare">
       <div class="row">
         <span>
-          Against <b>{pinned.value ? pinned.value.name : `the preset ${doc.value.preset}`}</b>
+          Against <b>{pinned.value ? pinned.value.name : `the preset ${after.value.preset}`}</b>
         </span>
-        <button type="button" onClick={() => (pinned.value = doc.value)}>
+        <button type="button" onClick={() => (pinned.value = after.value)}>
           Pin this variant
         </button>
         {pinned.value && (
@@ -74,7 +76,7 @@ export function Compare() {
       </p>
       {found && (
         <div class={old ? "old" : ""}>
-          {isUnchanged(doc.value) && !pinned.value && <p class="empty">Nothing differs from the preset yet.</p>}
+          {isUnchanged(after.value) && !pinned.value && <p class="empty">Nothing differs from the preset yet.</p>}
           {found.broken.length > 0 && <List title="Now violated" items={found.broken} kind="worse" />}
           {found.mended.length > 0 && <List title="No longer violated" items={found.mended} kind="better" />}
           <Table

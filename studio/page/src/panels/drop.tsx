@@ -2,10 +2,10 @@
 import { computed, effect, signal } from "@preact/signals";
 import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
-import { identity, ofPreset } from "../state/doc.ts";
+import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
 import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
-import { checker, current, doc, shownDoc } from "../state/studio.ts";
+import { checker, current, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import type { Curve } from "../ui/plot.tsx";
 import { Plot } from "../ui/plot.tsx";
@@ -13,7 +13,7 @@ import { ModelSelect } from "../ui/model_select.tsx";
 import { Progress } from "../ui/progress.tsx";
 import { Slider } from "../ui/slider.tsx";
 import { short } from "../ui/words.ts";
-import { other, pinned } from "./compare.tsx";
+import { before, other, pinned } from "./compare.tsx";
 
 const OWN = "frame";
 const height = signal(1);
@@ -25,6 +25,8 @@ type Dropped = {
   peakG: number;
   contactMs: number | null;
   travelMm: number | null;
+  /** The gap that is used up, mm, where a rigid body hits the ground: what follows is not computed. */
+  hitMm: number | null;
   accel: [number, number][];
   /** The ground's force over the way down, from first touch until the frame leaves the ground. */
   force: [number, number][];
@@ -38,7 +40,7 @@ let last = "";
 
 effect(() => {
   const [of, open] = [shownDoc.value, right.value === "drop"];
-  const against = both.value ? (pinned.value ?? ofPreset(doc.value.preset)) : null;
+  const against = both.value ? before.value : null;
   const asked = of && JSON.stringify([identity(of), against && identity(against), height.value, model.value]);
   clearTimeout(timer);
   if (!open) hideMotion("drop");
@@ -90,6 +92,7 @@ function ofDrop(name: string, answer: DropAnswer): Dropped {
     peakG: of.peak_sensor_g,
     contactMs: of.contact_time_ms,
     travelMm: of.max_displacement_mm,
+    hitMm: energy && energy.collision_j > 0 ? answer.body.gap_mm : null,
     accel: of.t_s.map((t, at) => [1000 * t, of.accel_g[at]!]),
     // A model whose ground pulls goes on after that.
     force: of.x_mm
@@ -116,6 +119,7 @@ function ofImpact(name: string, answer: ImpactAnswer, motion: Uint8Array<ArrayBu
     peakG: of.peak_sensor_g,
     contactMs: of.contact_ms,
     travelMm: of.travel_mm,
+    hitMm: null,
     accel: of.moments.map(({ t_ms }, at) => [t_ms, of.sensor_g[at]!]),
     force: of.moments
       .filter(({ t_ms }) => t_ms <= (of.contact_ms ?? Infinity))
@@ -167,30 +171,36 @@ export function Drop() {
       </div>
       <label>
         <input type="checkbox" checked={both} onChange={(event) => (both.value = event.currentTarget.checked)} /> with{" "}
-        {pinned.value ? pinned.value.name : `the preset ${doc.value.preset}`} beside it
+        {pinned.value ? pinned.value.name : `the preset ${before.value.preset}`} beside it
       </label>
       <Progress of={work} words="Dropping" />
       <div class={work.running.value ? "old" : ""}>
         <div class="row">
-          {results.map(({ name, peakG, contactMs, travelMm }) => (
-            <p key={name} class="peak" data-peak={peakG}>
+          {results.map(({ name, peakG, contactMs, travelMm, hitMm }) => (
+            <p key={name} class={`peak ${hitMm === null ? "" : "invalid"}`} data-peak={peakG}>
               <b>{short(peakG, 1)} g</b>
               <span>
                 {name}
                 <br />
                 {travelMm !== null && `${short(travelMm, 1)} mm down, `}
                 {contactMs !== null && `${short(contactMs, 1)} ms`}
+                {hitMm !== null && (
+                  <em>
+                    Not valid: the battery hits the ground at {short(hitMm, 1)} mm. The model does not compute this hit.
+                  </em>
+                )}
               </span>
             </p>
           ))}
         </div>
-        {results
-          .flatMap(({ warnings }) => warnings)
-          .map((warning) => (
-            <p key={warning} class="caution">
+        {results.flatMap(({ name, warnings }) =>
+          warnings.map((warning) => (
+            <p key={`${name} ${warning}`} class="caution">
+              {results.length > 1 && `${name}: `}
               {warning}
             </p>
-          ))}
+          )),
+        )}
         {results.length > 0 && (
           <Plot title="Acceleration behind the sensor" x="t, ms" y="a, g" curves={accelerations.value} />
         )}
