@@ -1,7 +1,8 @@
 // The page: what is changed on the left, the picture in the middle, what is known of it on the right.
-import { computed } from "@preact/signals";
+import { computed, useSignal } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { ComponentType } from "preact";
+import type { Refusal } from "./engine/messages.ts";
 import { Checks } from "./panels/checks.tsx";
 import { Compare } from "./panels/compare.tsx";
 import { Diagnose, takeDrops } from "./panels/diagnose.tsx";
@@ -16,14 +17,16 @@ import { Selection, Toolbar } from "./panels/toolbar.tsx";
 import { column, left, right } from "./state/focus.ts";
 import { openFrame } from "./state/opening.ts";
 import { computing, findings, frame, notice, refused } from "./state/studio.ts";
+import { LastGood } from "./ui/last_good.tsx";
 import { Tabs } from "./ui/tabs.tsx";
 import { join } from "./view/scene_state.ts";
 
-const PANELS: { id: typeof right.value; words: string; of: ComponentType }[] = [
-  { id: "checks", words: "Checks", of: Checks },
-  { id: "compare", words: "Compare", of: Compare },
-  { id: "fold", words: "Fold", of: Fold },
-  { id: "drop", words: "Drop", of: Drop },
+/** `results`: what the panel shows is computed of the frame. */
+const PANELS: { id: typeof right.value; words: string; of: ComponentType; results?: true }[] = [
+  { id: "checks", words: "Checks", of: Checks, results: true },
+  { id: "compare", words: "Compare", of: Compare, results: true },
+  { id: "fold", words: "Fold", of: Fold, results: true },
+  { id: "drop", words: "Drop", of: Drop, results: true },
   { id: "diagnose", words: "Diagnose", of: Diagnose },
   { id: "files", words: "Files", of: Files },
 ];
@@ -50,7 +53,7 @@ function takeFiles(event: DragEvent): void {
 }
 
 export function App() {
-  const Panel = PANELS.find(({ id }) => id === right.value)?.of ?? Checks;
+  const { of: Panel, results } = PANELS.find(({ id }) => id === right.value)!;
   return (
     <div
       class={`app show-${column.value}`}
@@ -90,11 +93,7 @@ export function App() {
       <section class="right" aria-label="Know the frame">
         <Tabs name="What is known" tabs={PANELS} at={right} />
         <div class="scroll" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={-1}>
-          {refused.value && (
-            <p class="caution" role="status" data-last-good>
-              This is of the last good frame: the last change was refused.
-            </p>
-          )}
+          {results && <LastGood />}
           <Panel />
         </div>
       </section>
@@ -134,21 +133,32 @@ function Picture() {
       <p class={`busy ${computing.value ? "on" : ""}`} role="status" data-computing={computing.value}>
         {computing.value ? (frame.value ? "Computing…" : "The first model is being made…") : ""}
       </p>
-      {refusal && (
-        <div class="refusal" role="alert">
-          <b>The picture is of the last good frame.</b>{" "}
-          {refusal.place && (
-            <>
-              <button type="button" class="link" onClick={() => showLine()}>
-                {refusal.place.file}, line {refusal.place.line}
-              </button>
-              :{" "}
-            </>
-          )}
-          {refusal.message}
-          {refusal.remedy && <span class="remedy">{refusal.remedy}</span>}
-        </div>
-      )}
+      {refusal && <RefusalNote of={refusal} />}
+    </div>
+  );
+}
+
+/** One line at the foot of the picture, which leaves the picture to see; the reason in full opens above it. */
+function RefusalNote({ of }: { of: Refusal }) {
+  const open = useSignal(false);
+  return (
+    <div class={`refusal ${open.value ? "open" : ""}`} role="alert">
+      <p>
+        <b>The picture is of the last good frame.</b>{" "}
+        {of.place && (
+          <>
+            <button type="button" class="link" onClick={() => showLine()}>
+              {of.place.file}, line {of.place.line}
+            </button>
+            :{" "}
+          </>
+        )}
+        {of.message}
+        {of.remedy && <span class="remedy">{of.remedy}</span>}
+      </p>
+      <button type="button" class="link" aria-expanded={open} onClick={() => (open.value = !open.value)}>
+        {open.value ? "Less" : "More"}
+      </button>
     </div>
   );
 }

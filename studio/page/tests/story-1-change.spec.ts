@@ -114,17 +114,24 @@ test("a refusal stands beside its field, and the last good picture stays", async
   await expect(page.locator(".refusal")).toBeVisible();
   expect(await mass(page)).toBe(first);
   await shot(page, "1-refused-value");
+  // The notice leaves the picture to see, and opens to the whole reason.
+  const note = page.locator(".refusal");
+  expect((await note.boundingBox())!.height).toBeLessThan(50);
+  await expect(note.locator(".remedy")).toBeHidden();
+  await note.getByRole("button", { name: "More" }).click();
+  await expect(note.locator(".remedy")).toBeVisible();
   // What is known is of the last good frame, and says so.
-  const lastGood = page.locator("[data-last-good]");
-  await expect(lastGood).toBeVisible();
-  await expect(page.locator(".checks [data-state]")).toHaveAttribute("data-state", "some");
-  await page.getByRole("tab", { name: "Files" }).click();
-  await expect(lastGood).toBeVisible();
-  await expect(page.locator(".files .about").first()).toContainText("All other files are of the last good frame");
-  await page.getByRole("tab", { name: "Checks" }).click();
+  for (const panel of ["Compare", "Fold", "Drop", "Checks"]) {
+    await page.getByRole("tab", { name: panel }).click();
+    await expect(page.locator(".last-good")).toContainText("refused. What stands here is of the last good frame");
+  }
+  await expect(page.locator("[data-state]")).toContainText("Every checked limit of the last good frame holds.");
+  await expect(page.locator("[data-state]")).toHaveAttribute("data-state", "some");
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await expect(page.locator(".refusal")).toHaveCount(0);
   await expect(lastGood).toHaveCount(0);
   await checked(page);
+  await expect(page.locator(".last-good")).toHaveCount(0);
+  await expect(page.locator("[data-state]")).toContainText("Every checked limit holds.");
 });

@@ -1,6 +1,6 @@
 // Story 4: fold.
 import { readFileSync } from "node:fs";
-import { differing, expect, litMiddle, pixels, shot, start, test } from "./studio.ts";
+import { checked, differing, expect, litMiddle, pixels, setNumber, shot, start, test } from "./studio.ts";
 
 test("the assembly as a motion, with steps, captions and angles; the instructions", async ({ page }) => {
   await start(page);
@@ -74,4 +74,19 @@ test("the picture follows the steps: it differs between them, and the part that 
   expect(differing(pictures[2]!, await at(24.5 * perStep))).toBeLessThan(50);
   await page.getByRole("tab", { name: "Checks" }).click();
   await expect.poll(async () => litMiddle(await pixels(page)).count).toBeLessThan(20);
+});
+
+test("what is in the way of a step stands above the steps, with the reason of the command line", async ({ page }) => {
+  await start(page);
+  await setNumber(page, "corner.notch_half_angle_deg", "30");
+  await checked(page);
+  await page.getByRole("tab", { name: "Fold" }).click();
+  const way = page.locator(".in-the-way");
+  await expect(way).toContainText("53.2 deg beyond the closing of their notch");
+  await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  await shot(page, "4-in-the-way");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await checked(page);
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await expect(way).toHaveCount(0);
 });

@@ -107,6 +107,44 @@ test("a link holds 20 changes in 2 kB and opens the same model; the frame file i
   expect(readFileSync(join(folder, "my-cognifly", "frame.glb")).equals(mine.get("my-cognifly-frame.glb")!)).toBe(true);
 });
 
+test("of a refused frame file there are no files, and the link and the frame file hold what was typed", async ({
+  page,
+  context,
+}) => {
+  await start(page);
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  const good = 'base = "cognifly"\nrods.cage_rod_length_mm = 185.0\n';
+  const typed = `${good}rods.arm_rod_length_mm = 45\n`;
+  await page.locator("#toml").fill(good);
+  await expect(page.locator("[data-gauge=size] b")).toContainText("202.5");
+  await page.locator("#toml").fill(typed);
+  await expect(page.locator("#toml-refusal")).toContainText("the way left");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(page.locator(".files > .caution")).toContainText(
+    "my-cognifly.toml is refused, so no files are made of it",
+  );
+  await expect(page.locator(".files > .caution")).toContainText("the way left");
+  for (const button of [/^STL, every part/, /^GLB/, /^Bill/, /^Everything/])
+    await expect(page.getByRole("button", { name: button })).toBeDisabled();
+  const text = await downloaded(page, /^Frame file/);
+  expect(Buffer.from(text.get("my-cognifly.toml")!).toString()).toBe(typed);
+  await page.getByRole("button", { name: "Copy the link" }).click();
+  const link = await page.getByLabel("Link", { exact: true }).inputValue();
+  await shot(page, "7-held");
+  // Whoever opens it has the text with its refusal, and the preset's picture.
+  const other = await context.newPage();
+  await start(other, link.slice(link.indexOf("#")));
+  await expect(other.locator(".refusal")).toContainText("the way left");
+  await shot(other, "7-held-linked");
+  await other.getByRole("tab", { name: "Frame file" }).click();
+  await expect(other.locator("#toml")).toHaveValue(typed);
+  await other.locator("#toml").fill(good);
+  await expect(other.locator(".refusal")).toHaveCount(0);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(page.getByRole("button", { name: /^GLB/ })).toBeEnabled();
+});
+
 test("a frame file of one's own is opened or dragged in, its differences are against the preset that it names", async ({
   page,
 }) => {

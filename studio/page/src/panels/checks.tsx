@@ -6,11 +6,13 @@ import {
   checking,
   findings,
   findingsAreCurrent,
+  findingsAreOfPicture,
   refused,
   strengthFailure,
   withStrength,
 } from "../state/studio.ts";
 import { touched } from "../state/places.ts";
+import { standing } from "../state/standing.ts";
 import { label, short } from "../ui/words.ts";
 import { isDisc } from "../view/body_facts.ts";
 import { colourBy, discs, lit, viewer } from "../view/scene_state.ts";
@@ -47,16 +49,17 @@ function share({ margin, limit, value }: Finding): number {
 export function Checks() {
   const all = findings.value;
   const violated = all?.of.filter(({ verdict }) => verdict === "violated").length ?? 0;
+  const whose = refused.value ? " of the last good frame" : "";
   return (
     <div class="checks">
       <p class="state" role="status" data-state={all?.all && findingsAreCurrent.value ? "all" : "some"}>
         {!all
           ? "Nothing is checked yet."
           : violated === 0
-            ? "Every checked limit holds."
-            : `${violated} limit${violated === 1 ? " is" : "s are"} violated.`}{" "}
-        {all && !findingsAreCurrent.value && !refused.value && "This is of the frame before the last change."}
-        {all && findingsAreCurrent.value && !all.all && "Quick checks only; the others are running."}
+            ? `Every checked limit${whose} holds.`
+            : `${violated} limit${violated === 1 ? "" : "s"}${whose} ${violated === 1 ? "is" : "are"} violated.`}{" "}
+        {all && !findingsAreOfPicture.value && "This is of the frame before the last change."}
+        {all && findingsAreOfPicture.value && !all.all && "Quick checks only; the others are running."}
         {checking.value && ` ${checking.value.name} (${checking.value.done + 1} of ${checking.value.of})`}
       </p>
       <Strength />
@@ -71,7 +74,7 @@ export function Checks() {
 
 /** What takes as long as all other checks, and is asked for. */
 function Strength() {
-  const known = findings.value?.strength && findingsAreCurrent.value;
+  const known = findings.value?.strength && findingsAreOfPicture.value;
   const state = !withStrength.value ? "off" : strengthFailure.value ? "failed" : known ? "done" : "computing";
   return (
     <div class="strength" data-strength={state}>
@@ -158,7 +161,7 @@ function Place({ finding }: { finding: Finding }) {
 }
 
 function Margin({ finding }: { finding: Finding }) {
-  if (finding.verdict === "note") return <span class="margin" />;
+  if (standing(finding) === "warns") return <span class="margin" />;
   const of = Math.max(-1, Math.min(1, share(finding)));
   return (
     <span class="margin" title={`margin ${short(finding.margin, 2)} ${finding.unit}`}>

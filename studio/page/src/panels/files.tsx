@@ -1,5 +1,5 @@
 // Story 7: what is taken away, with the bytes of the command line, and a link.
-import { signal } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import type { Setting } from "../state/link.ts";
 import { toFragment } from "../state/link.ts";
 import { isUnchanged } from "../state/doc.ts";
@@ -24,28 +24,31 @@ const KINDS: { which: string; words: string }[] = [
 const work = new Work<string>();
 const parts = signal<string[] | null>(null);
 const link = signal<string | null>(null);
+/** Files are made of a good frame only; a frame of before would not belong to the frame file. */
+const held = computed(() => refused.value !== null || frame.value === null);
 
 export function Files() {
   const get = (which: string) => void work.run(() => download([which]).then(() => which));
   return (
     <div class="files">
-      <p class="about">
-        {refused.value ? (
-          "The frame file and the link hold the text of the frame file as it stands, with what was refused. All other files are of the last good frame."
-        ) : (
-          <>
-            The files have the bytes that{" "}
-            <code>flexframe build{isUnchanged(doc.value) ? ` ${doc.value.preset}` : ` ${doc.value.name}.toml`}</code>{" "}
-            writes.
-          </>
-        )}
-      </p>
+      {refused.value ? (
+        <p class="caution" role="status">
+          {doc.value.name}.toml is refused, so no files are made of it. The frame file and the link hold it as it was
+          typed. The reason: {refused.value.refusal.message}
+        </p>
+      ) : (
+        <p class="about">
+          The files have the bytes that{" "}
+          <code>flexframe build{isUnchanged(doc.value) ? ` ${doc.value.preset}` : ` ${doc.value.name}.toml`}</code>{" "}
+          writes.
+        </p>
+      )}
       <div class="stack">
         <button type="button" onClick={saveText}>
           Frame file ({doc.value.name}.toml)
         </button>
         {KINDS.map(({ which, words }) => (
-          <button key={which} type="button" disabled={work.running.value} onClick={() => get(which)}>
+          <button key={which} type="button" disabled={held.value || work.running.value} onClick={() => get(which)}>
             {words}
           </button>
         ))}
@@ -53,7 +56,7 @@ export function Files() {
       <Progress of={work} words="Making the files" />
       <details
         onToggle={(event) => {
-          if (event.currentTarget.open)
+          if (event.currentTarget.open && !held.value)
             void work.run(async () => ((parts.value = (await made(["stl"])).map(({ path }) => path)), "stl"));
         }}
       >
@@ -61,7 +64,12 @@ export function Files() {
         <ul>
           {parts.value?.map((path) => (
             <li key={path}>
-              <button type="button" class="link" onClick={() => void work.run(async () => (await one(path), path))}>
+              <button
+                type="button"
+                class="link"
+                disabled={held.value}
+                onClick={() => void work.run(async () => (await one(path), path))}
+              >
                 {path.split("/").at(-1)}
               </button>
             </li>
@@ -69,7 +77,10 @@ export function Files() {
         </ul>
       </details>
       <h3>A link to this frame</h3>
-      <p class="about">It holds the differences from the preset, behind the #, which no server sees.</p>
+      <p class="about">
+        It holds {refused.value ? "the frame file as it was typed" : "the differences from the preset"}, behind the #,
+        which no server sees.
+      </p>
       <div class="row">
         <button type="button" onClick={() => void share()}>
           Copy the link
@@ -112,11 +123,10 @@ async function share(): Promise<void> {
     const value = valueOf(key);
     if (value !== null) set[key] = value;
   }
-  // Comments, entries of one's own and the like are not among the values: then the text itself is the link.
+  // Comments, entries of one's own, refused values and the like are not among the values: then the text itself is the link.
   const stated = (frame.value?.stated ?? []).filter((key) => key !== "base");
-  // A refused text has values that are not in the last good frame.
   const whole =
-    !isUnchanged(doc.value) && (refused.value !== null || stated.some((key) => !(key in set)) || /^\s*#/m.test(text));
+    refused.value !== null || (!isUnchanged(doc.value) && (stated.some((key) => !(key in set)) || /^\s*#/m.test(text)));
   const fragment = toFragment(whole ? { preset, name, set: {}, text } : { preset, name, set });
   link.value = `${location.origin}${location.pathname}#${fragment}`;
   try {

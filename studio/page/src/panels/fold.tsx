@@ -5,7 +5,7 @@ import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
 import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
-import { checker, current, shownDoc } from "../state/studio.ts";
+import { checker, current, findings, findingsAreOfPicture, refused, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import { download } from "../state/downloads.ts";
 import { Progress } from "../ui/progress.tsx";
@@ -33,7 +33,10 @@ async function fold(of: Doc): Promise<void> {
       return { sequence: steps.answer, motion: files[0]!.bytes, of: identity(of) };
     });
   }
-  if (work.result.value && right.value === "fold") await showMotion("fold", work.result.value.motion);
+  if (!work.result.value || right.value !== "fold") return;
+  await showMotion("fold", work.result.value.motion);
+  // Another panel was opened while the motion was read.
+  if (right.peek() !== "fold") hideMotion("fold");
 }
 
 const now = computed(() => {
@@ -60,6 +63,7 @@ export function Fold() {
   const sequence = work.result.value?.sequence;
   return (
     <div class="fold">
+      <InTheWay />
       <Progress of={work} words="Folding" />
       {sequence && now.value && (
         <>
@@ -147,12 +151,35 @@ export function Fold() {
       )}
       <button
         type="button"
-        disabled={instructions.running.value}
+        disabled={refused.value !== null || instructions.running.value}
         onClick={() => void instructions.run(() => download(["instructions"]).then(() => null))}
       >
         Download the instructions (PDF)
       </button>
       <Progress of={instructions} words="Drawing the instructions" />
+    </div>
+  );
+}
+
+const ways = computed(() =>
+  findingsAreOfPicture.value
+    ? (findings.value?.of ?? []).filter(({ rule, verdict }) => rule === "fold_sequence" && verdict === "violated")
+    : [],
+);
+
+/** What the checks say against the steps: they are shown all the same, so that one sees where. */
+function InTheWay() {
+  if (ways.value.length === 0) return null;
+  return (
+    <div class="in-the-way" role="status">
+      <p class="fault">These steps cannot be done as they are shown, on the screen and in the instructions:</p>
+      <ul>
+        {ways.value.map(({ subject, message }) => (
+          <li key={`${subject} ${message}`} class="fault">
+            {message}
+          </li>
+        ))}
+      </ul>
     </div>
   );
 }

@@ -2,7 +2,7 @@
 import { zipSync } from "fflate";
 import type { EngineFile } from "../engine/messages.ts";
 import type { Doc } from "./doc.ts";
-import { checker, current, doc, shownDoc } from "./studio.ts";
+import { checker, current, doc } from "./studio.ts";
 
 const TYPES: Record<string, string> = {
   stl: "model/stl",
@@ -28,20 +28,19 @@ export function save(name: string, bytes: Uint8Array<ArrayBuffer>): void {
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
 
-export async function made(which: string[], of: Doc | null = shownDoc.value): Promise<EngineFile[]> {
-  if (!of) return [];
+/** Files of the frame file as it stands, never of a frame before it. */
+export async function made(which: string[], of: Doc = doc.value): Promise<EngineFile[]> {
   const { handle } = await current.opened(of);
   return (await checker.ask({ do: "files", handle, which })).files;
 }
 
 /** Makes files and saves them: one alone, several as a ZIP. */
 export async function download(which: string[], zipName = which.join("-")): Promise<void> {
-  const of = shownDoc.value;
+  const of = doc.value;
   const files = await made(which, of);
   const only = files.length === 1 ? files[0] : undefined;
-  const frame = of?.name ?? "frame";
-  if (only) save(`${frame}-${only.path.split("/").at(-1)}`, only.bytes);
-  else if (files.length > 0) save(`${frame}-${zipName}.zip`, zipped(files));
+  if (only) save(`${of.name}-${only.path.split("/").at(-1)}`, only.bytes);
+  else if (files.length > 0) save(`${of.name}-${zipName}.zip`, zipped(files));
 }
 
 /** A ZIP with the paths of the program's folder; the same files give the same bytes. */

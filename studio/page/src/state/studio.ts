@@ -68,14 +68,12 @@ export const changedKeys = computed(() => {
   return new Set(keys.filter((key) => baseOf(key) !== null && !same(valueOf(key), baseOf(key))));
 });
 
-/** Whether the findings are those of what is shown, and that is what was asked for. */
-export const findingsAreCurrent = computed(
-  () =>
-    findings.value !== null &&
-    shownDoc.value !== null &&
-    refused.value === null &&
-    findings.value.identity === identity(shownDoc.value),
+/** Whether the findings are those of the picture. */
+export const findingsAreOfPicture = computed(
+  () => findings.value !== null && shownDoc.value !== null && findings.value.identity === identity(shownDoc.value),
 );
+/** Whether they are also those of the frame file: a refused file has none, and the picture is of the last good frame. */
+export const findingsAreCurrent = computed(() => findingsAreOfPicture.value && refused.value === null);
 
 type Wanted = { doc: Doc; set: Record<string, Setting | null>; record: boolean; group: string | null; begun: number };
 let wanted: Wanted | null = null;
@@ -131,6 +129,8 @@ async function run(): Promise<void> {
         const place = error.refused.place;
         const stated = place && place.file === `${doc.value.name}.toml` ? keyAtLine(doc.value.text, place.line) : null;
         refused.value = { refusal: error.refused, key: stated ?? now.group };
+        if (!shownDoc.value)
+          await showPreset(doc.value.preset).catch((failure: unknown) => (notice.value = String(failure)));
       } else {
         notice.value = `This went wrong in the page: ${error instanceof Error ? error.message : String(error)}`;
         console.error(error);
@@ -139,6 +139,30 @@ async function run(): Promise<void> {
   }
   computing.value = false;
   running = false;
+}
+
+/** The preset's picture and values where the first frame file is refused, so that what is typed has something beside it. */
+async function showPreset(preset: string): Promise<void> {
+  const next = ofPreset(preset);
+  const opened = await shown.opened(next);
+  if (!wanted) await draw(next, opened);
+}
+
+/** Shows an opened frame; whether there is a picture of it. */
+async function draw(next: Doc, opened: Opened): Promise<boolean> {
+  const { files } = await shower.ask({ do: "files", handle: opened.handle, which: ["glb"] });
+  const bytes = files[0]?.bytes;
+  if (!bytes) return false;
+  batch(() => {
+    frame.value = opened;
+    shownDoc.value = next;
+    picture.value = bytes;
+    // A preset in the place of a refused file leaves the refusal.
+    if (next !== doc.value) return;
+    refused.value = null;
+    if (!wanted) pending.value = {};
+  });
+  return true;
 }
 
 async function show(now: Wanted): Promise<void> {
@@ -159,16 +183,7 @@ async function show(now: Wanted): Promise<void> {
   const opened = await shown.opened(next);
   // A newer wish makes this picture useless.
   if (wanted) return;
-  const { files } = await shower.ask({ do: "files", handle: opened.handle, which: ["glb"] });
-  const bytes = files[0]?.bytes;
-  if (!bytes) return;
-  batch(() => {
-    frame.value = opened;
-    shownDoc.value = next;
-    picture.value = bytes;
-    refused.value = null;
-    if (!wanted) pending.value = {};
-  });
+  if (!(await draw(next, opened))) return;
   performance.measure("change", { start: now.begun, end: performance.now() });
   if (wanted) return;
   // The second engine has nothing of the first frame yet: it makes it while nothing is changed.
