@@ -143,6 +143,7 @@ test("of a refused frame file there are no files, and the link and the frame fil
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await expect(page.getByRole("button", { name: /^GLB/ })).toBeEnabled();
+  await expect(page.getByLabel("Link", { exact: true })).toHaveCount(0);
 });
 
 test("a frame file of one's own is opened or dragged in, its differences are against the preset that it names", async ({

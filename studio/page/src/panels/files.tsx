@@ -2,6 +2,7 @@
 import { computed, signal } from "@preact/signals";
 import type { Setting } from "../state/link.ts";
 import { toFragment } from "../state/link.ts";
+import type { Doc } from "../state/doc.ts";
 import { isUnchanged } from "../state/doc.ts";
 import { openFrame } from "../state/opening.ts";
 import { changedKeys, doc, frame, notice, refused, valueOf } from "../state/studio.ts";
@@ -23,7 +24,8 @@ const KINDS: { which: string; words: string }[] = [
 
 const work = new Work<string>();
 const parts = signal<string[] | null>(null);
-const link = signal<string | null>(null);
+/** The link that was made last, and of what: it is not that of a frame that was changed since. */
+const link = signal<{ of: Doc; url: string } | null>(null);
 /** Files are made of a good frame only; a frame of before would not belong to the frame file. */
 const held = computed(() => refused.value !== null || frame.value === null);
 
@@ -86,13 +88,13 @@ export function Files() {
           Copy the link
         </button>
       </div>
-      {link.value && (
+      {link.value?.of === doc.value && (
         <input
           type="text"
           class="wide"
           readOnly
           aria-label="Link"
-          value={link.value}
+          value={link.value.url}
           onFocus={(event) => event.currentTarget.select()}
         />
       )}
@@ -117,7 +119,8 @@ async function one(path: string): Promise<void> {
 }
 
 async function share(): Promise<void> {
-  const { preset, name, text } = doc.value;
+  const of = doc.value;
+  const { preset, name, text } = of;
   const set: Record<string, Setting> = {};
   for (const key of changedKeys.value) {
     const value = valueOf(key);
@@ -126,11 +129,12 @@ async function share(): Promise<void> {
   // Comments, entries of one's own, refused values and the like are not among the values: then the text itself is the link.
   const stated = (frame.value?.stated ?? []).filter((key) => key !== "base");
   const whole =
-    refused.value !== null || (!isUnchanged(doc.value) && (stated.some((key) => !(key in set)) || /^\s*#/m.test(text)));
+    refused.value !== null || (!isUnchanged(of) && (stated.some((key) => !(key in set)) || /^\s*#/m.test(text)));
   const fragment = toFragment(whole ? { preset, name, set: {}, text } : { preset, name, set });
-  link.value = `${location.origin}${location.pathname}#${fragment}`;
+  const url = `${location.origin}${location.pathname}#${fragment}`;
+  link.value = { of, url };
   try {
-    await navigator.clipboard.writeText(link.value);
+    await navigator.clipboard.writeText(url);
     notice.value = "The link is on the clipboard.";
   } catch {
     notice.value = "The link stands below; this browser does not let the page copy it.";
