@@ -35,12 +35,6 @@ const groups = computed<Group[]>(() => {
   return made.sort((a, b) => RANK[standing(a.worst)] - RANK[standing(b.worst)]);
 });
 
-/** How a finding stands: a note within its figure warns of nothing, as on the command line. */
-function standing({ verdict, margin }: Finding): "violated" | "warns" | "holds" {
-  if (verdict === "violated") return verdict;
-  return verdict === "note" && margin < 0 ? "warns" : "holds";
-}
-
 /** The margin as a share of the limit: findings of one rule may have several units. */
 function share({ margin, limit, value }: Finding): number {
   return margin / (Math.abs(limit) || Math.abs(value) || 1);
