@@ -36,6 +36,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     decimals(value, usize::try_from(digits as i32 - 1 - magnitude).unwrap_or(0))
 }
 
+/// A p-value with three significant digits: with three decimals, ten of a thousand replicates would be 0.010, the bound that they are below.
+pub fn p_value(p: f64) -> String {
+    significant(p, 3)
+}
+
 /// A number in hundredths, or a dash for one that could not be computed.
 pub fn hundredths(value: f64) -> String {
     if value.is_finite() { format!("{value:.2}") } else { "-".into() }
@@ -48,6 +53,11 @@ mod tests {
     #[test]
     fn analytic_zero_has_no_sign() {
         assert_eq!([decimals(-0.001, 2), decimals(-0.0, 0), decimals(-0.006, 2), decimals(1.0, 1)], ["0.00", "0", "-0.01", "1.0"]);
+    }
+
+    #[test]
+    fn analytic_p_values_do_not_reach_a_bound_that_they_are_below() {
+        assert_eq!([0.5, 0.0499, 0.0099, 0.001, 0.0].map(p_value), ["0.500", "0.0499", "0.00990", "0.00100", "0"]);
     }
 
     #[test]

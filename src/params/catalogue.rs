@@ -174,6 +174,9 @@ pub struct BoughtPart {
     pub price_date: Option<String>,
 }
 
+/// Least mean density of a part's box that is not taken for a mass in kilograms, g/cm³: propellers, the lightest for their box, have 0.03.
+const LEAST_G_CM3: f64 = 0.01;
+
 /// Thickness of a circuit board that does not state its own, mm: that of usual FR-4 laminate.
 const USUAL_BOARD_MM: f64 = 1.6;
 
@@ -208,6 +211,14 @@ impl BoughtPart {
     /// What is stated of it and cannot be, with the key to change.
     pub fn contradiction(&self) -> Option<(&'static str, String)> {
         let [length, width, height] = self.size_mm;
+        let g_cm3 = self.mass_g / (1e-3 * length * width * height);
+        if g_cm3 > 0.0 && g_cm3 < LEAST_G_CM3 {
+            let message = format!(
+                "`mass_g`: {} g in {length} x {width} x {height} mm are {g_cm3:.2e} g/cm³, less than any part has: state it in grams",
+                self.mass_g
+            );
+            return Some(("mass_g", message));
+        }
         if let Some([along, across]) = self.hole_pattern_mm {
             // A camera's pattern is stated as it hangs, a board's as it lies: both beside the first two sizes.
             if along >= length || across >= width {

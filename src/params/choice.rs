@@ -7,6 +7,7 @@ use super::catalogue::{BoughtPart, Material, Printer};
 use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
+use super::kind_fields::kinds_of;
 use super::preset;
 use super::read::{bad_entry, in_one_line, stated_text, text, to_blame};
 use super::refusal::{Reason, Refusal, nearest};
@@ -77,7 +78,24 @@ impl Catalogues {
                 own.insert(field.into(), entry.value.to_toml());
             }
         }
+        all.parts_have_fields_of_their_kind(file)?;
         Ok(all)
+    }
+
+    /// Refuses a field that no part of that kind has: it would change nothing.
+    fn parts_have_fields_of_their_kind(&self, file: &FrameFile) -> Result<(), Refusal> {
+        for key in file.entries.keys() {
+            let Some((name, field)) = key.strip_prefix("override.parts.").and_then(|rest| rest.rsplit_once('.')) else { continue };
+            let kind = self.parts.get(name).and_then(|part| part.get("kind")).and_then(toml::Value::as_str);
+            if let (Some(kinds), Some(kind)) = (kinds_of(field), kind)
+                && !kinds.contains(&kind)
+            {
+                let message = format!("`{key}`: a part of the kind \"{kind}\" has no `{field}`, only {} has", of_kinds(kinds));
+                let remedy = format!("leave `{field}` out, or correct the part's `kind`; `flexframe schema bought` explains the keys");
+                return Err(file.refuse(key, Reason::Impossible { message, remedy }));
+            }
+        }
+        Ok(())
     }
 
     /// The bought parts that a frame file names, by role.
@@ -187,6 +205,11 @@ fn known_kind(file: &FrameFile, key: &str, value: &Value) -> Result<(), Refusal>
     let known: Vec<&str> = kinds.into_iter().collect();
     let message = format!("`{key}` is \"{kind}\", no kind of bought part");
     Err(file.refuse(key, Reason::Impossible { message, remedy: format!("{meant}the kinds are {}", known.join(", ")) }))
+}
+
+/// Kinds in a sentence.
+fn of_kinds(kinds: &[&str]) -> String {
+    kinds.iter().map(|kind| format!("a \"{kind}\"")).collect::<Vec<_>>().join(" or ")
 }
 
 /// Whether an entry is of a kind.

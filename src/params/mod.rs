@@ -11,6 +11,7 @@ pub mod frame;
 pub mod frame_file;
 pub mod groups;
 pub mod impact_file;
+mod kind_fields;
 pub mod lookup;
 pub mod parameter;
 pub mod part_name;

@@ -78,6 +78,7 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "raise hub_leg_mouth_mm, or lower hub_leg_socket_depth_mm or hub_leg_root_mm",
     )?;
     bought(frame)?;
+    battery_mass(frame)?;
     centre(frame)?;
     let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
     let last = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm
@@ -129,6 +130,25 @@ fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str)
     let [value, least] = told_apart(value, least, 2);
     let message = format!("{what} would be {value} mm, it must be at least {least} mm");
     Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy: remedy.into() }) })
+}
+
+/// Least mean density of a battery, g/cm³: lithium cells have 1.4 to 3.
+const BATTERY_G_CM3: f64 = 0.05;
+
+/// A battery without mass is one that is weighed with something else; a lighter one than cells is stated in another unit.
+fn battery_mass(frame: &Frame) -> Result<(), Broken> {
+    let battery = &frame.battery;
+    let cm3 = 1e-3 * battery.battery_length_mm * battery.battery_width_mm * battery.battery_height_mm;
+    let g_cm3 = battery.battery_mass_g / cm3;
+    if battery.battery_mass_g == 0.0 || g_cm3 >= BATTERY_G_CM3 {
+        return Ok(());
+    }
+    let message = format!(
+        "a battery of {} g in {cm3:.1} cm³ has {g_cm3:.2e} g/cm³, it must have at least {BATTERY_G_CM3} g/cm³",
+        battery.battery_mass_g
+    );
+    let remedy = "state its mass in grams, 0 if it is weighed with something else".into();
+    Err(Broken { key: "battery.battery_mass_g", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// What is bought finds the holes that it needs, and something that carries it.

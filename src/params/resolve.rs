@@ -278,12 +278,16 @@ mod tests {
             ("limits = []", "`limits`"),
             ("bought = \"none\"", "`bought`"),
             ("[override.parts.mine]\nkind = \"tail\"", "is \"tail\", no kind of bought part"),
+            ("[override.parts.propeller-65mm]\ncells = 2", "a part of the kind \"propeller\" has no `cells`, only a \"battery\" has"),
+            ("[override.parts.battery-3s-650]\nmass_g = 0.058", "g/cm³, less than any part has: state it in grams"),
+            ("[battery]\nbattery_mass_g = 0.058", "g/cm³, it must have at least 0.05 g/cm³"),
         ] {
             let refusal = resolved(text).err().unwrap_or_else(|| panic!("{text} is accepted"));
             assert!(refusal.reason.to_string().contains(says), "{text}: {}", refusal.reason);
             assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(text.lines().count() + 1), "{text}");
         }
         assert!(resolved("[rods]\n[override]\n[extras]").is_ok(), "tables with nothing in them");
+        assert!(resolved("[battery]\nbattery_mass_g = 0").is_ok(), "a battery that is weighed with something else");
     }
 
     /// Centimetres for millimetres, in a part of one's own and in one of the catalogue.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use super::measures::{Better, Evaluation, MEASURES};
+use super::measures::{Better, Evaluation, MEASURES, Measure};
 use crate::checks::Verdict;
 use crate::figures::decimals;
 use crate::params::sleeve_direction::SleeveDirection;
@@ -102,6 +102,8 @@ pub struct Difference {
     pub volumes: Vec<Changed>,
     /// Every measure, equal ones too.
     pub measures: Vec<Changed>,
+    /// Peaks that say of neither frame that it is better, and why: the one with the lower peak hits the ground faster.
+    pub not_compared: Vec<String>,
     /// Limits that the second violates and the first does not.
     pub broken: Vec<String>,
     /// Limits that the first violates and the second does not.
@@ -126,6 +128,7 @@ impl Difference {
             masses: mass_changes([a, b]),
             volumes: volume_changes([a, b]),
             measures: measure_changes([a, b]),
+            not_compared: not_compared(sides),
             broken: without(&after, &before),
             mended: without(&before, &after),
         }
@@ -191,7 +194,7 @@ fn volume_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
 }
 
 fn measure_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
-    let change = |measure: &super::measures::Measure| {
+    let change = |measure: &Measure| {
         let values = sides.map(|e| measure.of(e));
         let name = measure.name.to_string();
         if same(values, measure.places()) {
@@ -206,15 +209,38 @@ fn measure_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
         let mut changed = Changed::numbers(name, measure.unit, values, measure.places());
         let worse = |grown: f64| (grown > 0.0) == (measure.better == Better::Less);
         changed.trend = match changed.grown() {
-            Some(_) if measure.better == Better::Neither => Trend::Neither,
+            Some(_) if measure.better == Better::Neither || contradicted(measure, sides).is_some() => Trend::Neither,
             Some(grown) if worse(grown) => Trend::Worse,
             Some(_) => Trend::Better,
             None => Trend::Neither,
         };
         changed
     };
-    let asked = |measure: &&super::measures::Measure| !measure.is_mechanics() || sides.iter().any(|e| e.prediction.is_some());
+    let asked = |measure: &&Measure| !measure.is_mechanics() || sides.iter().any(|e| e.prediction.is_some());
     MEASURES.iter().filter(asked).map(change).collect()
+}
+
+/// Least difference of two impacts on the ground that says something, m/s.
+const LEAST_STRIKE_M_S: f64 = 0.05;
+
+/// How fast either frame hits the ground where the one with the lower peak is the faster one: the peak leaves that impact out.
+fn contradicted(measure: &Measure, sides: [&Evaluation; 2]) -> Option<[f64; 2]> {
+    let [a, b] = sides.map(|e| Some((measure.of(e)?, e.strike_m_s(measure)?)));
+    let ((peak_a, strike_a), (peak_b, strike_b)) = (a?, b?);
+    let faster = if peak_b < peak_a { strike_b - strike_a } else { strike_a - strike_b };
+    (!same([Some(peak_a), Some(peak_b)], measure.places()) && faster > LEAST_STRIKE_M_S).then_some([strike_a, strike_b])
+}
+
+fn not_compared(sides: &[Side; 2]) -> Vec<String> {
+    let why = |measure: &Measure| {
+        let strikes = contradicted(measure, sides.each_ref().map(|side| &side.evaluation))?;
+        let of = |at: usize| match strikes[at] {
+            0.0 => format!("{} does not hit the ground", sides[at].name),
+            strike => format!("{} hits the ground at {} m/s", sides[at].name, decimals(strike, 2)),
+        };
+        Some(format!("{}: not compared, because the lower one leaves out the harder impact: {}, {}", measure.name, of(0), of(1)))
+    };
+    MEASURES.iter().filter_map(why).collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::peak::predicted_peak_g;
+use super::peak::predicted_peak;
 use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
@@ -69,15 +69,29 @@ impl Evaluation {
 
     /// Predicted peak of a drop from 1 m, g: a simulation, only for who wants to know.
     fn peak_g(&self) -> f64 {
-        predicted_peak_g(&self.body())
+        predicted_peak(&self.body()).peak_g
+    }
+
+    /// How fast the lowest body hits the ground in the drop that a measure is a peak of, m/s, 0 where it does not: that impact is in no peak.
+    /// None of a measure that is no peak.
+    pub fn strike_m_s(&self, measure: &Measure) -> Option<f64> {
+        match measure.name {
+            "peak" => Some(predicted_peak(&self.body()).strike_m_s),
+            "design_drop.peak" => Some(self.prediction.as_ref()?.speed_m_s(self.gap_mm()).unwrap_or(0.0)),
+            _ => None,
+        }
+    }
+
+    /// From what hangs lowest to the ground, mm.
+    fn gap_mm(&self) -> f64 {
+        self.extreme("ground_clearance", false, |_| true).unwrap_or(0.0)
     }
 
     /// The body that falls: [`DropBody::of`] with the gap that the rule has measured already.
     fn body(&self) -> DropBody {
-        let gap_mm = self.extreme("ground_clearance", false, |_| true).unwrap_or(0.0);
         DropBody {
             mass_kg: self.masses.total_g * 1e-3,
-            gap_m: gap_mm * 1e-3,
+            gap_m: self.gap_mm() * 1e-3,
             travel_m: Some(self.design.skeleton.closure.ring_half_height_mm * 1e-3),
             feet: Some(Feet::of(&self.design)),
             origin: Origin::Frame(self.design.frame.name.clone()),

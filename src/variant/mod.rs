@@ -28,7 +28,7 @@ pub use ended::Ended;
 pub use goal::{Goal, GoalError, Increase, Sense};
 pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, measure, measure_names};
 pub use pareto::{Front, FrontPoint, front};
-pub use peak::{PEAK_CAVEAT, predicted_peak_g};
+pub use peak::{PEAK_CAVEAT, PredictedPeak, predicted_peak};
 pub use problem::{Binding, SearchProblem, SearchProgress, Solution, SolveError, Vary};
 pub use sensitivity::{Response, sensitivity};
 pub use solve::solve;

@@ -2,7 +2,7 @@
 
 use crate::impact::body::DropBody;
 use crate::impact::effects::Model;
-use crate::impact::sim::{SolverOptions, System, simulate};
+use crate::impact::sim::{SolverOptions, System, ValidityWarning, simulate};
 
 /// Model of the drop, one of those that come with the program.
 const MODEL: &str = "paper-corrected";
@@ -14,11 +14,23 @@ const HEIGHT_M: f64 = 1.0;
 pub const PEAK_CAVEAT: &str = "peak: of a mass on a spring, by the model paper-corrected, from 1 m; it reacts to mass and gap only. \
                                The recommended prediction is design_drop.peak (--strength): by the geometry, within 10 % of measured medians";
 
-/// Largest reading of the sensor in a drop from 1 m, g. Of the frame only mass and gap enter: spring and damper are those
-/// fitted to the real frame, and wrong for one that is stiffer or softer. NaN when the model does not load, which one that
-/// comes with the program does.
-pub fn predicted_peak_g(body: &DropBody) -> f64 {
-    let Ok(mut model) = Model::load(MODEL) else { return f64::NAN };
+/// What a drop from 1 m is predicted to be.
+pub struct PredictedPeak {
+    /// Largest reading of the sensor, g. Of the frame only mass and gap enter: spring and damper are those fitted to the real frame, and
+    /// wrong for one that is stiffer or softer. NaN when the model does not load, which one that comes with the program does.
+    pub peak_g: f64,
+    /// How fast the lowest body hits the ground, m/s, 0 where it does not: an impact that the peak leaves out.
+    pub strike_m_s: f64,
+}
+
+/// The drop of a body.
+pub fn predicted_peak(body: &DropBody) -> PredictedPeak {
+    let Ok(mut model) = Model::load(MODEL) else { return PredictedPeak { peak_g: f64::NAN, strike_m_s: 0.0 } };
     model.body = body.clone();
-    simulate(&System::new(&model), HEIGHT_M, &SolverOptions::REPORT).peak_sensor_g
+    let trace = simulate(&System::new(&model), HEIGHT_M, &SolverOptions::REPORT);
+    let strike_m_s = trace.warnings.iter().find_map(|warning| match warning {
+        ValidityWarning::PastGap { speed_m_s, .. } => Some(*speed_m_s),
+        _ => None,
+    });
+    PredictedPeak { peak_g: trace.peak_sensor_g, strike_m_s: strike_m_s.unwrap_or(0.0) }
 }

@@ -67,7 +67,7 @@ fn analytic_a_frame_does_not_differ_from_itself() {
     assert_eq!(code, 0);
     assert!(out.contains("no difference") && !out.contains("worse") && !out.contains("better"), "{out}");
     let json = bench.json(&["diff", "cognifly", "same.toml", "--json"]);
-    for list in ["parameters", "masses", "volumes", "broken", "mended"] {
+    for list in ["parameters", "masses", "volumes", "not_compared", "broken", "mended"] {
         assert_eq!(json[list], serde_json::json!([]), "{list}");
     }
     assert!(json["measures"].as_array().expect("a list").iter().all(|m| m["values"][0] == m["values"][1] && m["values"][0].is_number()));
@@ -86,8 +86,10 @@ fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
     assert!(names("masses").contains(&"battery".to_string()) && !names("masses").contains(&"knee".to_string()), "{:?}", names("masses"));
     let measure = |name: &str| json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == name).expect("is there").clone();
     assert_eq!(measure("mass")["trend"], "better");
-    // Less mass on the same spring peaks higher: that is what the model says, and that it sees no more than that is said too.
-    assert_eq!(measure("peak")["trend"], "worse");
+    // Less mass on the same spring peaks higher, and its battery hits the ground slower: neither is better. What the peak is is said too.
+    assert_eq!(measure("peak")["trend"], "neither");
+    let why = json["not_compared"][0].as_str().expect("text");
+    assert!(why.starts_with("peak: not compared") && why.contains("cognifly hits the ground at"), "{why}");
     assert!(json["peak"].as_str().expect("text").contains("reacts to mass and gap only"));
     assert_eq!(measure("envelope.width")["trend"], "neither");
 

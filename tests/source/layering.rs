@@ -88,8 +88,8 @@ const LAYERS: [(&str, &[&str]); 36] = [
     ("impact/fit", &["units", "impact/effects", "impact/sim", "impact/measured"]),
     ("impact/synthetic", &["units", "params", "impact/effects"]),
     ("impact/frame_fit", &["units", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
-    ("impact/diagnose", &["units", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
-    ("impact/landing", &["units", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose"]),
+    ("impact/diagnose", &["units", "figures", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
+    ("impact/landing", &["units", "figures", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose"]),
     (
         "variant",
         &[

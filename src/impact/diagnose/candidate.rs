@@ -46,6 +46,14 @@ impl Candidate {
         on_top.map(|listed| listed.spec.id).collect()
     }
 
+    /// Parameters on top of the base at a bound that is not their own 'off' nor the end of a physical range, in words.
+    pub fn implausible(&self) -> Vec<String> {
+        let free = self.fitted.layout.free.iter().zip(&self.fitted.minimum.at_bound).skip(2);
+        free.filter(|(free, at_bound)| **at_bound && !free.has_physical_bounds())
+            .map(|(free, _)| format!("{} of {}", free.key(), free.spec.id))
+            .collect()
+    }
+
     /// Fits a model from each of several starts and keeps the best.
     pub fn best(problem: &FitProblem, models: impl IntoIterator<Item = Model>) -> Option<Self> {
         let fits = models.into_iter().filter_map(|model| problem.fit(Layout::of(model), STEPS));
@@ -139,4 +147,10 @@ pub fn tries<'a>(promises: &'a [Promise], id: &str) -> Vec<&'a Start> {
     let own: Vec<&Start> = promises.iter().map(|promise| &promise.start).filter(|start| start.spec.id == id).collect();
     let count = if own.first().is_some_and(|start| start.values.len() > 1) { TRIES } else { 2 };
     own.into_iter().take(count).collect()
+}
+
+/// Ids with ` + ` between.
+pub fn joined(candidate: &Candidate) -> String {
+    let ids = candidate.ids();
+    if ids.is_empty() { "the base model".into() } else { ids.join(" + ") }
 }

@@ -30,6 +30,8 @@ pub struct Constancy {
     pub parameters: Vec<ByHeight>,
 }
 
+/// p-value below which parameters are not the same at all heights.
+pub const UNSTEADY: f64 = 1e-4;
 /// Steps of a fit at one height.
 const STEPS: usize = 10;
 /// Smallest p-value that is distinguished from zero.

@@ -9,6 +9,7 @@ use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_pcg::Pcg64;
 
+use crate::figures::p_value;
 use crate::impact::fit::{Chosen, WaveGroup, Waves, inverse};
 use crate::impact::measured::Record;
 
@@ -111,7 +112,7 @@ impl CovariateEffect {
         let known = if drops < of { format!("{id}, known of {drops} of {of} drops,") } else { id.clone() };
         match (explained, p) {
             (Some(explained), Some(p)) => {
-                format!("{known} explains {:.0} % of the variation between drops of one height (p = {p:.3})", 1e2 * explained)
+                format!("{known} explains {:.0} % of the variation between drops of one height (p = {})", 1e2 * explained, p_value(*p))
             }
             _ => format!("{known} is the same for all drops of each height: what it explains cannot be told"),
         }

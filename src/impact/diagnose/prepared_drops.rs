@@ -22,6 +22,9 @@ pub struct PreparedDrops {
 /// Parameters that may differ from drop to drop: stiffness and damping, the first two of every model.
 const VARIED: usize = 2;
 
+/// Clipping this near to the model's own limit is that limit, g.
+const NEAR_LIMIT_G: f64 = 3.0;
+
 impl PreparedDrops {
     /// Of measured waves. A first fit of the base model, with a plain covariance, says what phase and
     /// parameters of a drop would do to it.
@@ -43,6 +46,11 @@ impl PreparedDrops {
         let expected = Expected { varied: [0.0; VARIED], ..self.problem.expected };
         let differ = self.problem.expected.varied != expected.varied;
         differ.then(|| Self { problem: FitProblem { expected, ..self.problem.clone() }, ..self.clone() })
+    }
+
+    /// Whether readings clip below a model's own limit.
+    pub fn limit_seen(&self, model: &Model) -> bool {
+        self.clipping.is_some_and(|flat| flat.level_g < model.sensor.limit_g - NEAR_LIMIT_G)
     }
 
     /// By the wave of a fit with a plain covariance.

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
-use super::candidate::Candidate;
-use super::diagnosis::{Diagnosis, joined};
+use super::candidate::{Candidate, joined};
+use super::diagnosis::Diagnosis;
 use crate::impact::measured::StaticTest;
 use crate::impact::sim::System;
 

@@ -12,6 +12,7 @@ use super::gate::Gate;
 use super::observed::ObservedLandings;
 use super::sensor_attitude::{ATTITUDE_SENSOR, SensorAttitude};
 use super::table::LandingTable;
+use crate::figures::p_value;
 use crate::impact::diagnose::{EffectEstimate, PRICE, RARE, UNSTEADY};
 use crate::impact::fit::inverse;
 
@@ -109,7 +110,7 @@ fn mirrored(none: &NoLean, seed: u64) -> Gate {
     let mut rng = Pcg64::seed_from_u64(seed);
     let as_far = (0..MIRRORED).filter(|_| none.chi_squared(|| rng.random_bool(0.5)) >= found).count();
     let p = (as_far + 1) as f64 / (MIRRORED + 1) as f64;
-    Gate { id: "mirrored", passed: p <= RARE, found: format!("drops mirrored at random show as much of a lean with p = {p:.3}") }
+    Gate { id: "mirrored", passed: p <= RARE, found: format!("drops mirrored at random show as much of a lean with p = {}", p_value(p)) }
 }
 
 /// One lean for all heights: how far those of single heights lie from their mean.

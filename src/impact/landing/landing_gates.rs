@@ -6,6 +6,7 @@ use super::assessment::LandingAssessment;
 use super::gate::Gate;
 use super::sensor_attitude::ATTITUDE_SENSOR;
 use super::touch_adequacy::TouchAdequacy;
+use crate::figures::p_value;
 use crate::impact::diagnose::{Diagnosis, RARE, UNSTEADY, joined};
 
 /// What is said of a test that needs heights that no fit saw.
@@ -25,14 +26,14 @@ impl LandingAssessment {
                 touched.feet_in_one_plane(),
                 format!(
                     "{} of {} drops show the touch of each foot; the first lies along a diagonal in {:.0} % (p = {:.1e}), and the times are \
-                     those of feet in one plane within {:.2} ms, permuted {:.2} ms (p = {:.3})",
+                     those of feet in one plane within {:.2} ms, permuted {:.2} ms (p = {})",
                     touched.seen,
                     touched.drops,
                     1e2 * touched.along_diagonals,
                     touched.along_diagonals_p,
                     1e3 * touched.deviation_s,
                     1e3 * touched.permuted_deviation_s,
-                    touched.plane_p
+                    p_value(touched.plane_p)
                 ),
             ),
             gate(
@@ -56,8 +57,11 @@ impl LandingAssessment {
                 if gaps.given_touches.records_g.is_finite() {
                     format!(
                         "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g \
-                         with touches of other drops (p = {:.3})",
-                        gaps.given_touches.records_g, gaps.held_out.template_g, gaps.dealt_g, gaps.dealt_p
+                         with touches of other drops (p = {})",
+                        gaps.given_touches.records_g,
+                        gaps.held_out.template_g,
+                        gaps.dealt_g,
+                        p_value(gaps.dealt_p)
                     )
                 } else {
                     ONE_HEIGHT.into()
@@ -87,8 +91,8 @@ impl LandingAssessment {
                 "spread",
                 self.spread_p >= RARE,
                 format!(
-                    "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {:.3}",
-                    self.spread_p
+                    "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {}",
+                    p_value(self.spread_p)
                 ),
             ),
         ]
@@ -98,11 +102,12 @@ impl LandingAssessment {
     fn left_over(&self) -> String {
         let TouchAdequacy { p, height_m, at_s, left_g, error_g } = self.given_touches;
         format!(
-            "what {} leaves of the mean waves has p = {:.3} under trial variation; of single drops, given their touches, it leaves at most {left_g:.1} \
-             ± {error_g:.1} g in mean, {:.0} ms behind the trigger from {height_m} m (p = {p:.3})",
+            "what {} leaves of the mean waves has p = {} under trial variation; of single drops, given their touches, it leaves at most {left_g:.1} \
+             ± {error_g:.1} g in mean, {:.0} ms behind the trigger from {height_m} m (p = {})",
             self.ids().join(" + "),
-            self.adequacy.p,
-            1e3 * at_s
+            p_value(self.adequacy.p),
+            1e3 * at_s,
+            p_value(p)
         )
     }
 

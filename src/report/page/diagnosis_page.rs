@@ -1,7 +1,7 @@
 //! A diagnosis as a page to read.
 
 use super::landing_section;
-use crate::figures::{PARAMETER_DIGITS, hundredths, significant};
+use crate::figures::{PARAMETER_DIGITS, hundredths, p_value, significant};
 use crate::frame::assembly::Design;
 use crate::impact::diagnose::{CovariateEffect, Diagnosis, Gap, Point, Verdict, joined};
 use crate::report::chart::lines::{Lines, Series};
@@ -77,7 +77,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     if let Some(clipping) = diagnosis.clipping {
         lines.push(format!("{} readings clip at {:.1} g.", clipping.readings, clipping.level_g));
     }
-    lines.push(format!("Trend over trials: p = {:.3}.", diagnosis.trend_p));
+    lines.push(format!("Trend over trials: p = {}.", p_value(diagnosis.trend_p)));
     if !compared.left_out.is_empty() {
         lines.push(format!("Drops left out: {}. The last section lists them with the reasons.", compared.left_out.len()));
     }
@@ -99,7 +99,7 @@ fn explained(compared: &Compared) -> Vec<Block> {
     let or_dash = |value: Option<String>| value.unwrap_or_else(|| "-".into());
     let row = |one: &CovariateEffect| {
         let explained = or_dash(one.explained.map(|share| format!("{:.0} %", 1e2 * share)));
-        vec![one.id.clone(), explained, or_dash(one.p.map(|p| format!("{p:.3}"))), one.drops.to_string()]
+        vec![one.id.clone(), explained, or_dash(one.p.map(p_value)), one.drops.to_string()]
     };
     let mut blocks = vec![
         Block::Heading("What explains the variation between drops".into()),
@@ -307,12 +307,13 @@ fn estimates(diagnosis: &Diagnosis) -> Vec<Block> {
 }
 
 fn residual(diagnosis: &Diagnosis) -> Vec<Block> {
-    let [sum, effect, local] = diagnosis.adequacy.single_p;
+    let [sum, effect, local] = diagnosis.adequacy.single_p.map(p_value);
     let mut blocks = vec![
         Block::Heading("Is the residual within trial variation?".into()),
         Block::Text(format!(
-            "p-value of the residual after, from bootstrap replicates: p = {:.3} (sum of squares {sum:.3}, an effect {effect:.3}, a local deviation {local:.3}). Before: p = {:.3}.",
-            diagnosis.adequacy.p, diagnosis.base_adequacy.p
+            "p-value of the residual after, from bootstrap replicates: p = {} (sum of squares {sum}, an effect {effect}, a local deviation {local}). Before: p = {}.",
+            p_value(diagnosis.adequacy.p),
+            p_value(diagnosis.base_adequacy.p)
         )),
     ];
     if !diagnosis.residual_force.is_empty() {

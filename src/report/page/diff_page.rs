@@ -26,6 +26,7 @@ pub fn changes(difference: &Difference) -> String {
     if difference.measures.iter().any(|c| c.name == "peak" && c.trend != Trend::Neither) {
         text += &format!("  ({PEAK_CAVEAT})\n");
     }
+    difference.not_compared.iter().for_each(|message| text += &format!("  {message}\n"));
     for (word, messages) in [("broken", &difference.broken), ("mended", &difference.mended)] {
         messages.iter().for_each(|message| text += &format!("  {word}: {message}\n"));
     }
@@ -57,13 +58,15 @@ pub fn text(difference: &Difference) -> String {
     if difference.is_empty() {
         text += "\nno difference\n";
     }
-    format!("{text}\n{}", caveats(difference))
+    format!("{text}\n{}", caveats(difference, str::to_string))
 }
 
 /// What the predicted figures leave out.
-fn caveats(difference: &Difference) -> String {
+fn caveats(difference: &Difference, written: fn(&str) -> String) -> String {
     let mechanics = difference.measures.iter().any(|change| measure(&change.name).is_some_and(Measure::is_mechanics));
-    if mechanics { format!("{PEAK_CAVEAT}\n\n{MECHANICS_CAVEAT}\n") } else { format!("{PEAK_CAVEAT}\n") }
+    let not_compared = difference.not_compared.iter().map(|message| written(message));
+    let all: Vec<String> = not_compared.chain([PEAK_CAVEAT.into()]).chain(mechanics.then(|| MECHANICS_CAVEAT.into())).collect();
+    format!("{}\n", all.join("\n\n"))
 }
 
 fn word(change: &Changed) -> &'static str {
@@ -115,5 +118,5 @@ pub fn markdown(difference: &Difference) -> String {
             page += "\n</details>\n";
         }
     }
-    format!("{page}\n{}", caveats(difference))
+    format!("{page}\n{}", caveats(difference, inert))
 }

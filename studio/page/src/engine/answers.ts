@@ -80,6 +80,7 @@ export type Difference = {
   masses: Changed[];
   volumes: Changed[];
   measures: Changed[];
+  not_compared: string[];
   broken: string[];
   mended: string[];
   peak: string;

@@ -83,6 +83,9 @@ export function Compare() {
             title="What got better or worse"
             rows={found.measures.filter(({ trend, reported }) => trend !== "neither" || reported[0] !== reported[1])}
           />
+          {found.not_compared.map((why) => (
+            <p key={why}>{why}</p>
+          ))}
           <Table title="Values" rows={found.parameters} />
           <Table title="Masses, g" rows={found.masses} />
           <Table title="Printed volumes, mm³" rows={found.volumes} />
