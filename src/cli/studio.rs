@@ -1,9 +1,11 @@
 //! `flexframe studio`: the page of the studio, served to the browser of this machine.
 
+use std::net::{Ipv4Addr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 
-use tiny_http::{Header, Method, Request, Response, Server};
+use oxhttp::Server;
+use oxhttp::model::{Body, HeaderValue, Method, Request, Response, StatusCode, header};
 
 use super::failure::Failure;
 use super::options::Common;
@@ -31,8 +33,8 @@ pub(super) struct Args {
 const POLICY: &str = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' blob:; connect-src 'self'; \
                       worker-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// Requests that are answered side by side: as many as browsers ask of one server.
-const ANSWERING: usize = 6;
+/// Connections that are open at the same time: several browsers with six each.
+const CONNECTIONS: usize = 64;
 
 /// Largest file of the page, bytes.
 const LARGEST: u64 = 64 << 20;
@@ -49,23 +51,28 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         );
         return Err(Failure::Usage { message });
     }
-    let server = Server::http(("127.0.0.1", args.port)).map_err(|error| Failure::Machine {
-        what: format!("cannot listen on port {} of 127.0.0.1 (--port 0 takes a free one)", args.port),
-        error: std::io::Error::other(error),
-    })?;
-    let port = server.server_addr().to_ip().map_or(args.port, |address| address.port());
+    let machine =
+        |error| Failure::Machine { what: format!("cannot listen on port {} of 127.0.0.1 (--port 0 takes a free one)", args.port), error };
+    let port = if args.port == 0 { free_port().map_err(machine)? } else { args.port };
+    let folder = args.folder.clone();
+    // Each connection has a thread: one that a browser keeps open, or reads slowly, keeps no other waiting.
+    let server = Server::new(move |request| answer(&folder, request))
+        .bind((Ipv4Addr::LOCALHOST, port))
+        .with_max_concurrent_connections(CONNECTIONS)
+        .spawn()
+        .map_err(machine)?;
     let address = format!("http://127.0.0.1:{port}/");
     let opened = !args.no_open && open(&address);
     if !common.quiet {
         terminal::print(&format!("{address}{}\n", if opened { "" } else { " (open it in a browser)" }))?;
     }
-    // A browser that reads slowly must not keep others waiting.
-    std::thread::scope(|scope| {
-        for _ in 0..ANSWERING {
-            scope.spawn(|| server.incoming_requests().for_each(|request| answer(&args.folder, request)));
-        }
-    });
+    server.join().map_err(machine)?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A port that nobody listens on.
+fn free_port() -> std::io::Result<u16> {
+    Ok(TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?.local_addr()?.port())
 }
 
 /// Opens the browser; false when there is none that can be asked.
@@ -79,23 +86,27 @@ fn open(address: &str) -> bool {
     Command::new(program).args(before).arg(address).stdin(quiet()).stdout(quiet()).stderr(quiet()).spawn().is_ok()
 }
 
-/// Answers a request; a closed connection is no error.
-fn answer(folder: &Path, request: Request) {
-    let read = matches!(request.method(), Method::Get | Method::Head).then(|| file_of(folder, request.url())).flatten();
+/// Answers a request: with a file of the page, or with the words that there is none.
+fn answer(folder: &Path, request: &Request<Body>) -> Response<Body> {
+    let read = (request.method() == Method::GET).then(|| file_of(folder, request.uri().path())).flatten();
     let found = read.and_then(|path| Some((media_type(&path), Disk.bytes(&path, LARGEST).ok()?)));
-    let headers = [("Content-Security-Policy", POLICY), ("X-Content-Type-Options", "nosniff"), ("Cache-Control", "no-cache")];
-    let headers = headers.into_iter().filter_map(|(name, value)| Header::from_bytes(name, value).ok());
-    let (status, kind, bytes) = found.map_or((404, "text/plain", b"not found\n".to_vec()), |(kind, bytes)| (200, kind, bytes));
-    let mut response = Response::from_data(bytes).with_status_code(status);
-    for header in headers.chain(Header::from_bytes("Content-Type", kind).ok()) {
-        response.add_header(header);
-    }
-    let _ = request.respond(response);
+    let is_found = found.is_some();
+    let (kind, bytes) = found.unwrap_or(("text/plain", b"not found\n".to_vec()));
+    let mut response = Response::new(Body::from(bytes));
+    *response.status_mut() = if is_found { StatusCode::OK } else { StatusCode::NOT_FOUND };
+    let headers = [
+        (header::CONTENT_TYPE, kind),
+        (header::CONTENT_SECURITY_POLICY, POLICY),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::CACHE_CONTROL, "no-cache"),
+    ];
+    response.headers_mut().extend(headers.map(|(name, value)| (name, HeaderValue::from_static(value))));
+    response
 }
 
-/// The file that an address means: plain names below the folder, and nothing else.
+/// The file that the path of an address means: plain names below the folder, and nothing else.
 fn file_of(folder: &Path, url: &str) -> Option<PathBuf> {
-    let path = url.split(['?', '#']).next()?.strip_prefix('/')?;
+    let path = url.strip_prefix('/')?;
     let path = if path.is_empty() { "index.html" } else { path };
     let plain =
         |step: &str| !step.is_empty() && !step.starts_with('.') && step.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c));
@@ -130,7 +141,7 @@ mod tests {
             fs::write(outer.path().join(path), text).expect("is written");
         }
         let found = |url: &str| file_of(&folder, url).is_some();
-        for url in ["/", "/index.html", "/?x=1", "/assets/a-1.js"] {
+        for url in ["/", "/index.html", "/assets/a-1.js"] {
             assert!(found(url), "{url}");
         }
         for url in

@@ -16,5 +16,6 @@ mod mistaken_tables;
 mod readers;
 mod replay;
 mod sinks;
+mod studio;
 mod study;
 mod variant;
