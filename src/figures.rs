@@ -36,9 +36,11 @@ pub fn significant(value: f64, digits: usize) -> String {
     decimals(value, usize::try_from(digits as i32 - 1 - magnitude).unwrap_or(0))
 }
 
-/// A p-value with three significant digits: with three decimals, ten of a thousand replicates would be 0.010, the bound that they are below.
+/// A p-value with up to three significant digits: with three decimals, ten of a thousand replicates would be 0.010, the bound that they
+/// are below.
 pub fn p_value(p: f64) -> String {
-    significant(p, 3)
+    let text = significant(p, 3);
+    if text.contains('.') && !text.contains('e') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
 /// A number in hundredths, or a dash for one that could not be computed.
@@ -57,7 +59,7 @@ mod tests {
 
     #[test]
     fn analytic_p_values_do_not_reach_a_bound_that_they_are_below() {
-        assert_eq!([0.5, 0.0499, 0.0099, 0.001, 0.0].map(p_value), ["0.500", "0.0499", "0.00990", "0.00100", "0"]);
+        assert_eq!([0.5, 0.0499, 0.0099, 0.001, 0.0, 1.0, 1.2e-7].map(p_value), ["0.5", "0.0499", "0.0099", "0.001", "0", "1", "1.20e-7"]);
     }
 
     #[test]

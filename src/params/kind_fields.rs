@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn analytic_fields_of_kinds_are_fields_and_kinds() {
-        let schema = schemars::schema_for!(crate::params::BoughtPart);
+        let schema = schemars::schema_for!(crate::params::catalogue::BoughtPart);
         let fields = schema.get("properties").and_then(serde_json::Value::as_object).expect("fields");
         for (field, kinds) in KINDS_OF {
             assert!(fields.contains_key(field), "{field}");

@@ -24,7 +24,7 @@ pub(super) const SPEC: Spec = Spec {
         unit: "N",
         si: 1.0,
         min: 0.0,
-        max: 80.0,
+        max: 200.0,
         off: Some(0.0),
         default: None,
         scale: Scale::Linear,

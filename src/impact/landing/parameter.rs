@@ -88,7 +88,7 @@ pub static PARAMETERS: [Parameter; 11] = [
     Parameter::new("k", "N/m", [300.0, 5e5], 0.02, 1.5e4, Kind::Leg).off_by(0.03),
     Parameter::new("c", "N s/m", [0.05, 1000.0], 0.02, 25.0, Kind::Leg).off_by(0.07),
     Parameter::new("inertia_kg_m2", "kg m2", [2e-5, 5e-2], 0.02, 1e-3, Kind::Leg).off_by(0.115),
-    Parameter::new("f_c_n", "N", [0.0, 80.0], 1.0, 0.0, Kind::Friction),
+    Parameter::new("f_c_n", "N", [0.0, 200.0], 1.0, 0.0, Kind::Friction),
     Parameter::new("foot_share", "1", [0.01, 0.6], 0.05, FEET[0], Kind::Feet),
     Parameter::new("foot_f_hz", "Hz", [50.0, 500.0], 0.02, 200.0, Kind::Feet),
     Parameter::new("foot_zeta", "1", [0.002, 1.5], 0.1, FEET[1], Kind::Feet),
