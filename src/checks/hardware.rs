@@ -16,6 +16,7 @@ use crate::params::catalogue::BoughtPart;
 
 const ROD: &[&str] = &["rods.rod_diameter_mm", "bought.rod"];
 const ROD_ALONE: &[&str] = &["bought.rod"];
+const STOCK: &[&str] = &["bought.rod", "rods.cage_rod_length_mm", "rods.arm_rod_length_mm"];
 const MOTOR_THREAD: &[&str] = &["bought.motor_screw", "bought.motor"];
 const MOTOR_LENGTH: &[&str] = &["bought.motor_screw", "motor_mount.motor_plate_thickness_mm"];
 const STACK_THREAD: &[&str] = &["hub.stack_pilot_diameter_mm", "bought.stack_screw"];
@@ -38,6 +39,7 @@ pub static RULE: Rule = Rule {
     levers: Levers::Sets(&[
         ROD,
         ROD_ALONE,
+        STOCK,
         MOTOR_THREAD,
         MOTOR_LENGTH,
         STACK_THREAD,
@@ -73,6 +75,7 @@ const BITE_MM: [f64; 2] = [0.1, 0.2];
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let mut found = rods(&scene.design.frame);
+    found.extend(stock(scene));
     found.extend(motor_screws(&scene.design.frame));
     found.extend(stack_screws(scene));
     found.extend(holes(&scene.design.frame));
@@ -117,6 +120,21 @@ fn rods(frame: &Frame) -> Vec<Finding> {
         found.push(measure(off.abs(), ROD_MASS_PERCENT, "%", ROD_ALONE).at_most("rod: mass".into(), message));
     }
     found
+}
+
+/// The longest rod can be cut from what is sold.
+fn stock(scene: &Scene) -> Option<Finding> {
+    let skeleton = &scene.design.skeleton;
+    let rod = part(&scene.design.frame, "rod")?;
+    let stock_mm = rod.stock_length_mm.unwrap_or(rod.size_mm[0]);
+    let longest = skeleton.roles().into_iter().max_by(|a, b| skeleton.sawn_mm(*a).total_cmp(&skeleton.sawn_mm(*b)))?;
+    let cut = measure(skeleton.sawn_mm(longest), stock_mm, "mm", STOCK);
+    let [length, sold] = cut.figures(1);
+    let called = name(&scene.design.frame, "rod");
+    Some(cut.at_most(
+        "rod: stock".into(),
+        format!("the longest rod, {}, has {length} mm, {called} is sold in lengths of {sold} mm", longest.slug()),
+    ))
 }
 
 /// The motors' screws have their thread, and reach in far enough, and not too far.
@@ -262,6 +280,8 @@ mod tests {
         assert_eq!(broken(|_| {}), Vec::<String>::new());
         assert_eq!(broken(|frame| frame.rods.rod_diameter_mm = 2.5), ["rod: diameter"]);
         assert_eq!(broken(|frame| own(frame, "rod", |rod| rod.mass_g = 5.0)), ["rod: mass"]);
+        let shorter = |rod: &mut BoughtPart| (rod.stock_length_mm, rod.mass_g) = (Some(150.0), 0.15 * rod.mass_g);
+        assert_eq!(broken(|frame| own(frame, "rod", shorter)), ["rod: stock"]);
         let tube = |rod: &mut BoughtPart| (rod.wall_mm, rod.mass_g) = (Some(0.5), 6.09);
         assert_eq!(broken(|frame| own(frame, "rod", tube)), Vec::<String>::new());
     }

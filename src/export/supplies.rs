@@ -8,7 +8,7 @@
 use crate::frame::assembly::Design;
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires as drawn_wires;
-use crate::frame::mounting::{Fixing, Mount, mounts_of};
+use crate::frame::mounting::{Fixing, Mount, Tool, mounts_of};
 use crate::params::frame::NamedMaterial;
 
 /// What a wire is longer than its way: a share of the way, and a length, mm.
@@ -112,17 +112,15 @@ type FixedWith = (&'static str, &'static str, fn(&Mount) -> bool);
 
 /// Tape, small screws and ties, and solder.
 const FIXED_WITH: [FixedWith; 5] = [
-    ("tape", "thin double sided adhesive tape", |mount| mount.tool.contains("tape") && !takes_foam_tape(mount)),
-    ("foam_tape", "double sided foam tape 1 mm", takes_foam_tape),
+    ("tape", "thin double sided adhesive tape", |mount| takes(mount, &[Tool::Tape, Tool::DoubleSidedTape])),
+    ("foam_tape", "double sided foam tape 1 mm", |mount| takes(mount, &[Tool::FoamTape])),
     ("small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts and washers", |mount| mount.fixing == Fixing::SmallScrews),
-    (SMALL_TIE, "cable tie 2 mm wide", |mount| mount.tool.contains("small tie")),
-    ("solder", "solder wire for electronics and heat shrink tube", |mount| {
-        mount.tool.contains("solder,") || mount.tool.ends_with("solder")
-    }),
+    (SMALL_TIE, "cable tie 2 mm wide", |mount| takes(mount, &[Tool::SmallTie])),
+    ("solder", "solder wire for electronics and heat shrink tube", |mount| takes(mount, &[Tool::Solder])),
 ];
 
-fn takes_foam_tape(mount: &Mount) -> bool {
-    mount.tool.contains("foam tape")
+fn takes(mount: &Mount, any: &[Tool]) -> bool {
+    any.iter().any(|tool| mount.tools.contains(tool))
 }
 
 /// What a design's mounts fix with. Of small ties each mount takes one; of the rest one package is enough.

@@ -7,6 +7,7 @@ mod mount;
 mod mounting_plan;
 mod mounts;
 mod part_lines;
+mod tool;
 mod untold;
 mod way;
 
@@ -14,4 +15,5 @@ pub use mount::{Fixing, Mount, Stage};
 pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
 pub use mounts::MOUNTS;
 pub use part_lines::{PartLine, without_a_step};
+pub use tool::Tool;
 pub use untold::untold;

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::tool::Tool;
 use crate::frame::skeleton::{BatteryAxes, MODULE_NAMES};
 
 /// What keeps a part where it was put.
@@ -75,8 +76,8 @@ pub struct Mount {
     pub text: &'static str,
     /// A sentence more where the sleeve lies across.
     pub text_across: &'static str,
-    /// The tool.
-    pub tool: &'static str,
+    /// What it takes.
+    pub tools: &'static [Tool],
     /// What to take care of.
     pub caution: Option<&'static str>,
     /// Time of one, minutes: an estimate of ours.

@@ -35,8 +35,8 @@ pub struct MountStep {
     pub title: &'static str,
     /// In sentences.
     pub text: String,
-    /// What it takes.
-    pub tool: &'static str,
+    /// What it takes, in words.
+    pub tool: String,
     /// What to take care of.
     pub caution: Option<&'static str>,
     /// How often: once, or once a module.
@@ -300,7 +300,7 @@ impl<'a> Planning<'a> {
             stage: mount.stage,
             title: mount.title,
             text: self.text(mount, &cables),
-            tool: mount.tool,
+            tool: mount.tools.iter().map(|tool| tool.words()).collect::<Vec<_>>().join(", "),
             caution: mount.caution,
             repeats,
             minutes: mount.minutes * repeats as f64,

@@ -1,6 +1,7 @@
 //! The catalogue of mounts: one record each. Nothing here says in which order.
 
 use super::mount::{Fixing, Mount, Stage};
+use super::tool::Tool;
 
 const ABOVE: Option<[f64; 3]> = Some([0.0, 0.0, 1.0]);
 const BELOW: Option<[f64; 3]> = Some([0.0, 0.0, -1.0]);
@@ -28,7 +29,7 @@ const GLUED: Mount = Mount {
     title: "",
     text: "",
     text_across: "",
-    tool: "glue for rigid plastics",
+    tools: &[Tool::Glue],
     caution: None,
     minutes: 2.0,
 };
@@ -53,7 +54,7 @@ pub static MOUNTS: [Mount; 29] = [
         caution: Some(
             "Plus and minus: the cut corners are the connector's minus side. Solder and insulate its wires before it is glued in.",
         ),
-        tool: "soldering iron, solder, shrink tube, glue for rigid plastics",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Glue],
         ..GLUED
     },
     Mount {
@@ -73,7 +74,7 @@ pub static MOUNTS: [Mount; 29] = [
         title: "Flow sensor under the tray",
         text: "Hold the sensor under the tray, its lens down, its holes under the tray's. Fix it with thin double-sided tape.",
         text_across: " With the tray it is turned a quarter to the left: state that in the flight controller's settings.",
-        tool: "double-sided tape",
+        tools: &[Tool::DoubleSidedTape],
         ..GLUED
     },
     Mount {
@@ -84,7 +85,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Thread,
         title: "Screws into the hub",
         text: "Turn the four long screws from above through the hub until their heads lie in their hollows. They cut their own thread.",
-        tool: "screwdriver",
+        tools: &[Tool::Screwdriver],
         ..GLUED
     },
     Mount {
@@ -95,7 +96,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Squeezed,
         title: "Dampers into the flight controller",
         text: "Squeeze one rubber damper into each corner hole of the flight controller until the board lies in its groove.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -106,7 +107,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Squeezed,
         title: "Dampers into the board",
         text: "Squeeze one rubber damper into each corner hole of the board, which is flight and motor controller in one, until it lies in the damper's groove.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -118,7 +119,7 @@ pub static MOUNTS: [Mount; 29] = [
         needs: &[("stack_screws", "the board hangs on the screws"), ("dampers", "the dampers sit between board and screws")],
         title: "Flight controller onto the screws",
         text: "Turn the hub over. Hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board with its dampers onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         caution: Some(ALIGNMENT),
         ..GLUED
     },
@@ -133,7 +134,7 @@ pub static MOUNTS: [Mount; 29] = [
         title: "Motor controller under it",
         text: "{cables}Push the motor controller onto the screws, its battery pads to the {rear}.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -150,7 +151,7 @@ pub static MOUNTS: [Mount; 29] = [
         title: "Board of both controllers onto the screws",
         text: "Turn the hub over. Hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         caution: Some(ALIGNMENT),
         ..GLUED
     },
@@ -168,7 +169,7 @@ pub static MOUNTS: [Mount; 29] = [
         ],
         title: "Nuts onto the screws",
         text: "Turn one nut onto each of the four screws, up to the lowest board or to its dampers, finger tight. No damper is squeezed flat by it, and no board is bent.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -186,7 +187,7 @@ pub static MOUNTS: [Mount; 29] = [
         ],
         title: "Radio receiver onto the hub",
         text: "Where the frame is flown by radio: stick the receiver flat onto the middle of the hub's plate, between the bosses, with double-sided tape. It is no higher than the bosses. Lead its wires down beside the hub, between two bosses, and connect them to a serial port and to 5 V of the board under the hub. Its antenna goes out between the bosses, away from the rods.",
-        tool: "double-sided tape, soldering iron, solder",
+        tools: &[Tool::DoubleSidedTape, Tool::SolderingIron, Tool::Solder],
         minutes: 5.0,
         ..GLUED
     },
@@ -198,7 +199,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
         text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds those in front. Lay the computer on the washers, hole over hole, its camera socket to the front. Fix it with two small screws through its rear holes. The front holes stay free: the camera's connectors go onto them.",
-        tool: "screwdriver",
+        tools: &[Tool::Screwdriver],
         ..GLUED
     },
     Mount {
@@ -219,7 +220,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::SmallScrews,
         title: "Camera onto its connectors",
         text: "{cables}Set the camera with its back against the connectors' posts, hole over hole, lens to the front, and fix it with small screws.",
-        tool: "screwdriver",
+        tools: &[Tool::Screwdriver],
         caution: Some("Open and close the latch of the ribbon with a finger nail, never by force."),
         ..GLUED
     },
@@ -232,7 +233,7 @@ pub static MOUNTS: [Mount; 29] = [
         needs: &[("radio", "the receiver lies under the carrier")],
         title: "Carrier onto the hub",
         text: "Lay the carrier on the hub, its four tie holes over the hub's, the camera to the front.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -244,7 +245,7 @@ pub static MOUNTS: [Mount; 29] = [
         needs: &[("radio", "the receiver lies under the plate")],
         title: "Accessory plate onto the hub",
         text: "Lay the plate on the hub, its four tie holes over the hub's, the mast to the rear, the cheeks to the front.",
-        tool: "hands",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -255,7 +256,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Tape,
         title: "Receiver onto the plate",
         text: "Lay the receiver on the left of the plate, a strip of foam tape under it. A small tie through the two slots beside it holds it in a crash, too. Its antenna goes to the rear, away from the rods.",
-        tool: "foam tape, small tie, side cutter",
+        tools: &[Tool::FoamTape, Tool::SmallTie, Tool::SideCutter],
         ..GLUED
     },
     Mount {
@@ -266,7 +267,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::SmallTies,
         title: "Buzzer onto the plate",
         text: "Lay the buzzer on the right of the plate, lead a small tie through the two slots beside it and pull it tight. Its hole stays free.",
-        tool: "small tie, side cutter",
+        tools: &[Tool::SmallTie, Tool::SideCutter],
         ..GLUED
     },
     Mount {
@@ -277,7 +278,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Tape,
         title: "Satellite receiver (GPS) onto its mast",
         text: "Stick the GPS onto the mast's shelf with foam tape, its antenna up, its arrow to the front. Tape its cable to the mast.",
-        tool: "foam tape",
+        tools: &[Tool::FoamTape],
         ..GLUED
     },
     Mount {
@@ -288,7 +289,7 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::SmallScrews,
         title: "Camera between the cheeks",
         text: "Put the camera between the two cheeks, its lens to the front, and fix it with its two side screws. Turn it up to the tilt that the picture shows before you tighten them. Its video transmitter and the transmitter's antenna are not part of this frame: choose them with the camera.",
-        tool: "screwdriver",
+        tools: &[Tool::Screwdriver],
         ..GLUED
     },
     Mount {
@@ -300,7 +301,7 @@ pub static MOUNTS: [Mount; 29] = [
         title: "Bracket under the hub",
         text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill. {cables}Set the bracket under the hub, its magnet and its power connector to the {rear}. The bay stays open to the {left} and to the {right}: the motor wires come in there.",
         supplies: &["battery_wire"],
-        tool: "soldering iron, solder",
+        tools: &[Tool::SolderingIron, Tool::Solder],
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 10.0,
         ..GLUED
@@ -318,7 +319,7 @@ pub static MOUNTS: [Mount; 29] = [
         ],
         title: "Ties",
         text: "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots; two through the hub's holes {left and right}. Where there is a carrier or an accessory plate, all four go through it, too. Pull them tight and cut what is over.",
-        tool: "side cutter",
+        tools: &[Tool::SideCutter],
         minutes: 4.0,
         ..GLUED
     },
@@ -331,7 +332,7 @@ pub static MOUNTS: [Mount; 29] = [
         stage: Stage::AfterFold,
         title: "Motor wires",
         text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Where they do not reach, lengthen them with the motor wires of the bill. Solder them to the motor controller.",
-        tool: "soldering iron, solder, shrink tube, tape",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Tape],
         caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
         minutes: 20.0,
         ..GLUED
@@ -344,7 +345,7 @@ pub static MOUNTS: [Mount; 29] = [
         turns: true,
         title: "Power connector into the lid",
         text: "Solder the battery's two leads to the half with the sockets, red to plus, black to minus at the cut corners, each in shrink tube. Push it through the lid's block from the {rear}, its cut corners where the hole has them, and glue it. Its leads leave it to the {rear}.",
-        tool: "soldering iron, solder, shrink tube, glue for rigid plastics",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Glue],
         caution: Some("The leads are the battery's: never let the two touch. Cut and solder one after the other."),
         minutes: 8.0,
         ..GLUED
@@ -371,7 +372,7 @@ pub static MOUNTS: [Mount; 29] = [
         turns: true,
         title: "Battery into the lid",
         text: "Slide the battery into the lid from the {front} and tape both together. They stay together.",
-        tool: "tape",
+        tools: &[Tool::Tape],
         ..GLUED
     },
     Mount {
@@ -394,7 +395,7 @@ pub static MOUNTS: [Mount; 29] = [
         title: "Battery in",
         text: "Slide battery and lid from the {rear} into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Tilt the frame by hand: the picture of it in the flight controller's settings has to tilt alike. Then take battery and lid out again.",
         text_across: "",
-        tool: "hands",
+        tools: &[Tool::Hands],
         caution: Some("First power without propellers. With the battery in, the motors can start."),
         minutes: 10.0,
     },
@@ -416,7 +417,7 @@ pub static MOUNTS: [Mount; 29] = [
         title: "Propellers",
         text: "Two of the propellers turn each way, as the arrows show. Put each onto its motor, its lettering up, and fix it as the motor is sold: with two screws, or pressed onto the shaft.",
         text_across: "",
-        tool: "screwdriver or hands",
+        tools: &[Tool::ScrewdriverOrHands],
         caution: Some("The battery is out while hands are at the propellers. From here on it goes in only where the frame may fly."),
         minutes: 1.0,
     },
