@@ -429,7 +429,16 @@ fn analytic_manifest_lists_every_solid_and_how_it_was_made() {
 }
 
 /// Printed parts of the default frame that are exact.
-const EXACT: [&str; 6] = ["battery_bracket", "battery_sleeve", "camera_connector_left", "camera_connector_right", "fork", "pi_carrier"];
+const EXACT: [&str; 8] = [
+    "battery_bracket",
+    "battery_sleeve",
+    "bottom_corner",
+    "camera_connector_left",
+    "camera_connector_right",
+    "fork",
+    "pi_carrier",
+    "top_corner",
+];
 
 #[test]
 fn analytic_files_are_closed_and_enclose_what_the_manifest_says() {

@@ -2,10 +2,10 @@
 //!
 //! Frame: as the top corner's, the leg along (+1, +1, 0). Printed as it lies.
 
-use nalgebra::{Matrix2, Point2, Point3, Unit, UnitQuaternion, Vector2, Vector3};
+use nalgebra::{Matrix2, Point3, Unit, UnitQuaternion, Vector2, Vector3};
 
 use super::corner::{CornerSockets, strut_direction, swapped};
-use super::place::{half_space, plate};
+use super::place::{half_space, placed, plate, turn};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
@@ -99,33 +99,29 @@ impl BottomCorner {
     /// whose faces lean like the notch's and the leg's, its edge rounded.
     fn cage_kept(&self) -> Feature {
         let r = self.sockets.radius_mm();
-        let slab = |from: f64, to: f64, at: f64| plate(self.wedge(at - self.sockets.floor_mm()), from, to);
         let floor = self.sockets.floor_mm();
-        let (low, high, thin) = (floor - 1.0, floor + 2.2 * r, 1e-3);
-        Feature::hull([slab(low, low + thin, low), slab(high - thin, high, high)])
-    }
-
-    /// The wedge's outline at a height over the pocket's floor, mm.
-    fn wedge(&self, height_mm: f64) -> Contour {
-        let r = self.sockets.radius_mm();
         let foot = self.sockets.mitre_foot();
-        let at_strut = Point2::new(foot.x, foot.y);
-        let at_leg = Point2::new(self.leg_pivot_mm * std::f64::consts::SQRT_2 - r, r);
-        let (a, b) = (Angle::deg(-67.5), Angle::deg(22.5));
-        let (along_strut, along_leg) = (Vector2::new(a.cos(), a.sin()), Vector2::new(b.cos(), b.sin()));
-        let (from_strut, from_leg) = (along_leg, along_strut); // the mitres are square to each other
-        let moved_strut = at_strut + from_strut * (height_mm * self.sockets.notch_lean.tan());
-        let moved_leg = at_leg + from_leg * (height_mm * self.leg_lean.tan());
+        let at_leg = Point3::new(self.leg_pivot_mm * std::f64::consts::SQRT_2 - r, r, floor);
+        let (a, b) = (Angle::deg(-67.5), Angle::deg(22.5)); // the mitres are square to each other
+        let leaning = |across: Angle, lean: Angle| Vector3::new(across.cos(), across.sin(), -lean.tan()).normalize();
+        let (from_strut, from_leg) = (leaning(b, self.sockets.notch_lean), leaning(a, self.leg_lean));
+        let edge = from_leg.cross(&from_strut).normalize();
+        // Within each face, square to the edge and into the wedge.
+        let across_strut = (from_leg - from_strut * from_leg.dot(&from_strut)).normalize();
+        let across_leg = (from_strut - from_leg * from_strut.dot(&from_leg)).normalize();
+        let (x, y) = (across_strut, edge.cross(&across_strut));
+        let far = |v: Vector3<f64>| -> [f64; 2] { [REACH_MM * v.dot(&x), REACH_MM * v.dot(&y)] };
+        let outline = Contour::rounded_polygon(&[
+            ([0.0, 0.0], self.pocket_round_mm),
+            (far(across_strut), 0.0),
+            (far(across_strut + across_leg), 0.0),
+            (far(across_leg), 0.0),
+        ]);
+        // Where the faces cross on the floor.
         let normals = Matrix2::new(from_strut.x, from_strut.y, from_leg.x, from_leg.y);
-        let offsets = Vector2::new(from_strut.dot(&moved_strut.coords), from_leg.dot(&moved_leg.coords));
-        let corner = normals.transpose() * offsets;
-        let far = |v: Vector2<f64>| -> [f64; 2] { (corner + v * REACH_MM).into() };
-        Contour::rounded_polygon(&[
-            (corner.into(), self.pocket_round_mm),
-            (far(along_strut), 0.0),
-            (far(along_strut + along_leg), 0.0),
-            (far(along_leg), 0.0),
-        ])
+        let offsets = Vector2::new(from_strut.xy().dot(&foot.coords.xy()), from_leg.xy().dot(&at_leg.coords.xy()));
+        let corner = normals.try_inverse().unwrap_or_else(Matrix2::identity) * offsets;
+        placed(plate(outline, -REACH_MM, REACH_MM), turn(x, y, edge), Point3::new(corner.x, corner.y, floor))
     }
 }
 

@@ -81,13 +81,20 @@ impl TopCorner {
         half_space(foot, -into_notch - Vector3::z() * self.sockets.notch_lean.tan())
     }
 
+    /// They taper out along the web's edge before the sockets end: their own end would leave a sliver beside the socket.
     fn fillets(&self) -> Feature {
-        let (r, end) = (self.sockets.radius_mm(), self.sockets.mouth_mm());
-        let along = along_x(fillet_outline(r, self.web_fillet_mm), r, end - 2.0 * SINK_MM);
-        let edge = 0.5 * (end + r) - SINK_MM;
-        let inside = half_space(Point3::new(edge, edge, 0.0) + strut_direction() * SINK_MM, strut_direction());
+        let (r, end) = (self.sockets.radius_mm(), self.sockets.mouth_mm() - 2.0 * SINK_MM);
+        let along = along_x(fillet_outline(r, self.web_fillet_mm), r, end);
+        let edge = 0.5 * (end + fillet_touch_mm(r, self.web_fillet_mm) - SINK_MM);
+        let inside = half_space(Point3::new(edge, edge, 0.0), strut_direction());
         Feature::intersection([Feature::union([along.clone(), swapped(along)]), inside])
     }
+}
+
+/// Distance from the socket's axis, along the web, at which a fillet touches the socket, mm.
+fn fillet_touch_mm(socket_mm: f64, fillet_mm: f64) -> f64 {
+    let apart = socket_mm + fillet_mm;
+    libm::sqrt(apart * apart - fillet_mm * fillet_mm) * socket_mm / apart
 }
 
 /// Outline, in (distance from the socket's axis, height), of a fillet between a socket and the web at height 0.

@@ -115,6 +115,31 @@ impl Chains {
         straight
     }
 
+    /// The same without chains whose ends have come to one place: their ends are one vertex, in which the faces beside them meet.
+    pub(super) fn collapsed(self, positions: &[Point3<f64>], shortest_mm: f64) -> Self {
+        let is_short =
+            |chain: &Chain| chain.first() != chain.last() && (positions[chain.first()] - positions[chain.last()]).norm() < shortest_mm;
+        let mut same: Vec<usize> = (0..positions.len()).collect();
+        for chain in self.edges.iter().filter(|chain| is_short(chain)) {
+            let [low, high] = [chain.first(), chain.last()].map(|end| same[end]);
+            same.iter_mut().filter(|vertex| **vertex == high).for_each(|vertex| *vertex = low);
+        }
+        let mut index = vec![usize::MAX; self.edges.len()];
+        let mut edges = Vec::new();
+        for (at, mut chain) in self.edges.into_iter().enumerate() {
+            if is_short(&chain) {
+                continue;
+            }
+            index[at] = edges.len();
+            let last = chain.corners.len() - 1;
+            (chain.corners[0], chain.corners[last]) = (same[chain.corners[0]], same[chain.corners[last]]);
+            edges.push(chain);
+        }
+        let left = |side: Side| (index[side.edge] != usize::MAX).then(|| Side { edge: index[side.edge], ..side });
+        let loops = self.loops.into_iter().map(|(region, sides)| (region, sides.into_iter().filter_map(left).collect::<Vec<Side>>()));
+        Self { edges, loops: loops.filter(|(_, sides)| !sides.is_empty()).collect() }
+    }
+
     /// Each region as a face; the first so many lie on surfaces of the features.
     pub(super) fn faces(&self, regions: &Regions, exact: usize) -> Vec<Face> {
         let face = |(at, (surface, outward)): (usize, &(Surface, bool))| Face {

@@ -46,7 +46,12 @@ impl Boundary {
         let turn_mm = chart.as_ref().map(|chart| std::f64::consts::TAU * chart.scale()[0]);
         let mut pieces: Vec<[Point2<f64>; 2]> = Vec::new();
         for side in face.loops.iter().flatten() {
-            let points: Vec<Point2<f64>> = self.points_of(&self.edges[side.edge], PIECES).iter().map(flat).collect();
+            let edge = &self.edges[side.edge];
+            let mut points = self.points_of(edge, PIECES);
+            // Edges end in one point, not in two that are a rounding apart.
+            let last = points.len() - 1;
+            (points[0], points[last]) = (self.vertices[edge.from], self.vertices[edge.to]);
+            let points: Vec<Point2<f64>> = points.iter().map(flat).collect();
             pieces.extend(points.windows(2).map(|pair| [pair[0], unrolled(turn_mm, pair[1], pair[0])]));
         }
         let low = |piece: &[Point2<f64>; 2]| piece[0].y.min(piece[1].y);

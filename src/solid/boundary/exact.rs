@@ -10,6 +10,7 @@ use super::face_assignment;
 use super::known::{self, Known};
 use super::not_exact::NotExact;
 use super::regions::{Facet, Regions};
+use super::small_faces::absorb_small_faces;
 use super::surface::Surface;
 use super::topology::{Boundary, Edge, FLATNESS_MM, Face};
 use crate::solid::half_edges::HalfEdges;
@@ -24,6 +25,9 @@ pub(super) const MEETS_MM: f64 = FLATNESS_MM;
 
 /// How far an edge may lie beside the chords that stood for it, mm.
 pub(super) const BULGE_MM: f64 = 0.15;
+
+/// Ends of an edge that are closer than this are one point to a reader, mm.
+pub(super) const SHORTEST_MM: f64 = 2e-4;
 
 /// How far the area of a face may be from that of its facets: a share, and a width along its border, mm.
 const AREA_SHARE: f64 = 0.01;
@@ -48,12 +52,14 @@ impl Boundary {
         let facets = Facet::all(mesh);
         let known = known::surfaces(feature, pose);
         let assignment = face_assignment::of(&facets, &half_edges, &known)?;
-        let assignment: Vec<Option<usize>> = assignment.into_iter().map(Some).collect();
+        let mut assignment: Vec<Option<usize>> = assignment.into_iter().map(Some).collect();
+        absorb_small_faces(&facets, &half_edges, &mut assignment, &known);
         let regions = connected(&facets, &half_edges, &assignment, &known);
         let positions = positions(mesh);
         let chains = Chains::between(&half_edges, &regions.of, &vec![false; positions.len()]);
-        let mut boundary =
-            Self { vertices: corners(&positions, &chains, &regions)?, edges: Vec::new(), faces: chains.faces(&regions, usize::MAX) };
+        let vertices = corners(&positions, &chains, &regions)?;
+        let chains = chains.collapsed(&vertices, SHORTEST_MM);
+        let mut boundary = Self { vertices, edges: Vec::new(), faces: chains.faces(&regions, usize::MAX) };
         boundary.edges =
             chains.edges.iter().map(|chain| edge(&positions, chain, &regions, &boundary.vertices)).collect::<Result<_, _>>()?;
         boundary.agrees(mesh, &facets, &regions)?;

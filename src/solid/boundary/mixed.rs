@@ -10,10 +10,11 @@ use nalgebra::{Isometry3, Point3, Unit};
 
 use super::chains::{Chain, Chains};
 use super::curve::{Curve, beside_mm};
-use super::exact::{BULGE_MM, LEAST_FACE_MM2, MEETS_MM, MOVED_MM, connected, corner, edge, positions};
+use super::exact::{BULGE_MM, LEAST_FACE_MM2, MEETS_MM, MOVED_MM, SHORTEST_MM, connected, corner, edge, positions};
 use super::face_assignment;
 use super::known::{self, Known};
 use super::regions::{Facet, Regions};
+use super::small_faces::absorb_small_faces;
 use super::surface::Surface;
 use super::topology::{Boundary, Edge};
 use crate::solid::half_edges::HalfEdges;
@@ -40,9 +41,6 @@ const LEAST_TURNED: f64 = 0.8;
 /// Free facets lower than this have no direction that could turn, mm.
 const SLIVER_MM: f64 = 1e-4;
 
-/// Ends of an edge that are closer than this are one point to a reader, mm.
-const SHORTEST_MM: f64 = 2e-4;
-
 /// Attempts after which the solid is left faceted.
 const ATTEMPTS: usize = 100;
 
@@ -53,7 +51,8 @@ impl Boundary {
         let half_edges = HalfEdges::new(mesh)?;
         let facets = Facet::all(mesh);
         let known = known::surfaces(feature, pose);
-        let surfaces = face_assignment::where_found(&facets, &half_edges, &known);
+        let mut surfaces = face_assignment::where_found(&facets, &half_edges, &known);
+        absorb_small_faces(&facets, &half_edges, &mut surfaces, &known);
         let found = WAYS.iter().filter_map(|way| by_attempts(mesh, (&half_edges, &facets, &known), surfaces.clone(), *way));
         let in_facets_mm2 = |of: &Self| -> f64 { of.faces.iter().filter(|face| !face.is_exact).map(|face| of.area_mm2(face)).sum() };
         let mut best = found.min_by(|a, b| in_facets_mm2(a).total_cmp(&in_facets_mm2(b)))?;

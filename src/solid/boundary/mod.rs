@@ -15,6 +15,7 @@ mod measure;
 mod mixed;
 mod not_exact;
 mod regions;
+mod small_faces;
 mod surface;
 mod topology;
 
