@@ -54,6 +54,10 @@ pub(super) fn key(steps: &[&str]) -> String {
 
 /// Writes lines into a frame file: one that is there keeps all else, comments too; a new one has a frame as its base.
 pub(super) fn amend(place: &Path, frame: &str, description: &str, lines: &[Line]) -> Result<(), Failure> {
+    if place.extension().is_none_or(|ending| ending != "toml") {
+        let message = format!("{} is no frame file: its name has to end in .toml", place.display());
+        return Err(Failure::Usage { message });
+    }
     if place.symlink_metadata().is_err() {
         let place = self::place(&place.display().to_string())?;
         return write(&place, &base_for(&place, frame)?, description, lines);

@@ -309,7 +309,8 @@ impl<'a> Bench<'a> {
     fn remedy(&self, key: &str, from: String, value: Value, to: String) -> Option<Remedy> {
         let design = self.design(key, &value)?;
         let masses = mass::table(&design);
-        let known = |f: &Finding| self.found.iter().any(|k| k.verdict == Verdict::Violated && k.rule == f.rule);
+        let known =
+            |f: &Finding| self.found.iter().any(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
         let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
         let new = found.iter().find(|f| f.verdict == Verdict::Violated && !known(f));
         let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));

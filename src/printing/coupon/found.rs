@@ -86,6 +86,12 @@ pub enum FindingError {
         /// What was written.
         words: String,
     },
+    /// One thing found twice.
+    #[error("{name} is read twice: give one number of it")]
+    Twice {
+        /// What was found.
+        name: &'static str,
+    },
     /// A number that the coupon does not have.
     #[error("{name} = {number_mm} mm does not stand on the coupon: it has {}", .has.iter().map(|tenths| format!("{:.1}", 0.1 * f64::from(*tenths))).collect::<Vec<_>>().join(", "))]
     NotThere {
@@ -142,7 +148,10 @@ impl Found {
     /// # Errors
     /// What does not stand on the coupon, leads beyond a parameter's bounds, or contradicts something else.
     pub fn parameters(frame: &Frame, all: &[Self]) -> Result<Vec<(&'static str, f64)>, FindingError> {
-        let of = |fit| all.iter().rev().find(|found| found.fit == fit).map(|found| found.number_mm);
+        if let Some(twice) = all.iter().enumerate().find(|(at, found)| all[..*at].iter().any(|former| former.fit == found.fit)) {
+            return Err(FindingError::Twice { name: twice.1.fit.name() });
+        }
+        let of = |fit| all.iter().find(|found| found.fit == fit).map(|found| found.number_mm);
         if let (Some(held_mm), Some(slides_mm)) = (of(Fit::Held), of(Fit::Slides))
             && slides_mm <= held_mm
         {

@@ -112,28 +112,49 @@ fn filled(parts: &[&Printed], printer: &Printer) -> Result<Vec<Vec<Item>>, NoRoo
 /// What goes onto one plate: in the smallest rectangle of the room's proportions that takes as much as the whole room, as the middle of a
 /// bed is flatter and warmer than its rim, and as the plate then lies on smaller beds, too.
 fn packed(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<usize>> {
-    let mut best = packed_into(parts, open, room.size_mm);
+    let mut best = most_into(parts, open, room.size_mm);
+    let chosen: Vec<usize> = best.iter().map(|item| item.data).collect();
     for percent in (MOST_SHRUNK_PERCENT..100).rev().step_by(SHRINK_STEP_PERCENT) {
-        let smaller = packed_into(parts, open, room.size_mm.map(|size| 0.01 * f64::from(percent) * size));
-        if smaller.len() == best.len() {
+        if let Some(smaller) = all_into(parts, &chosen, room.size_mm.map(|size| 0.01 * f64::from(percent) * size)) {
             best = smaller;
         }
     }
     best
 }
 
-/// What goes into a rectangle.
-fn packed_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Vec<PackedItem<usize>> {
+/// All parts if they go into a rectangle together; else the largest, and of the others, from large to small, each that goes in beside them.
+fn most_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Vec<PackedItem<usize>> {
+    if let Some(all) = all_into(parts, open, size_mm) {
+        return all;
+    }
+    let area_mm2 = |at: &usize| {
+        let [x, y, _] = parts[*at].mesh.size_mm();
+        x * y
+    };
+    let mut from_large = open.to_vec();
+    from_large.sort_by(|a, b| area_mm2(b).total_cmp(&area_mm2(a)).then(a.cmp(b)));
+    let mut most = Vec::new();
+    let mut chosen = Vec::new();
+    for at in from_large {
+        chosen.push(at);
+        match all_into(parts, &chosen, size_mm) {
+            Some(packed) => most = packed,
+            None => drop(chosen.pop()),
+        }
+    }
+    most
+}
+
+/// Parts in a rectangle; `None` where not all of them go in.
+fn all_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Option<Vec<PackedItem<usize>>> {
     let [width, depth] = size_mm.map(|size| ((size + GAP_MM) * STEPS).floor() as usize);
     let boxes: Vec<Box<usize>> = open
         .iter()
         .map(|at| (*at, parts[*at].mesh.size_mm()))
         .map(|(at, [x, y, _])| Box::new(at, steps(x), steps(y), Rotation::Allowed))
-        .filter(|one| (one.w <= width && one.h <= depth) || (one.h <= width && one.w <= depth))
         .collect();
-    match crunch::pack(Rect::new(0, 0, width, depth), boxes) {
-        Ok(packed) | Err(packed) => packed,
-    }
+    let each_fits = boxes.iter().all(|one| (one.w <= width && one.h <= depth) || (one.h <= width && one.w <= depth));
+    each_fits.then(|| crunch::pack(Rect::new(0, 0, width, depth), boxes).ok()).flatten()
 }
 
 /// A part's side with the gap behind it.

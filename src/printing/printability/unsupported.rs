@@ -108,7 +108,9 @@ fn over_air(below: &Region, cut: &Region, sizes: Sizes) -> Vec<[Region; 2]> {
         if beyond.area_mm2() < LEAST_MM2 {
             continue;
         }
-        for plan in beyond.grown(sizes.step_mm + TOUCH_MM).intersection(&out).bodies() {
+        // Growing gathers crumbs of the cut beside it: a crumb that is left out of what hangs is no island either.
+        let grown = beyond.grown(sizes.step_mm + TOUCH_MM).intersection(&out).bodies();
+        for plan in grown.into_iter().filter(|plan| plan.area_mm2() >= LEAST_MM2) {
             let under = plan.grown(AROUND_MM).intersection(&near);
             pieces.push([plan, under]);
         }

@@ -99,8 +99,10 @@ pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
     }
     let _ = write!(
         text,
-        "\nNumbers are tenths of a millimetre: 28 beside a bore is 2.8 mm. Try a piece of a {:.1} mm rod, the bar, and its round end.\n\n\
+        "\nNumbers are tenths of a millimetre: {0} beside a bore is {1:.1} mm. Try a piece of a {2:.1} mm rod, the bar, and its round end.\n\n\
          | look for | on the coupon | say |\n|---|---|---|\n",
+        libm::round(10.0 * example_mm(frame, Fit::Held)),
+        example_mm(frame, Fit::Held),
         frame.rods.rod_diameter_mm
     );
     for fit in Fit::ALL {
@@ -111,12 +113,22 @@ pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
     }
     let _ = write!(
         text,
-        "\nThen, with what you found:\n\n```console\nflexframe coupon {0} --read held=2.7,slides=3.2,window=0.2,plug=0.0 --into my-printer.toml\n```\n\n\
-         and let every frame of this printer have `base = \"my-printer\"`. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
-        word(given)
+        "\nThen, with what you found:\n\n```console\nflexframe coupon {0} --read held={1:.1},slides={2:.1},window=0.2,plug=0.0 --into my-printer.toml\n```\n\n\
+         `my-printer.toml` is then this frame with these clearances. Where the frame is a file of your own, name that file behind `--into` instead: it \
+         takes the clearances and keeps all else. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
+        word(given),
+        example_mm(frame, Fit::Held),
+        example_mm(frame, Fit::Slides)
     );
     hinges(&mut text, frame, &coupon.hinges, given);
     text
+}
+
+/// A number that stands on the coupon beside a bore, mm: one of the narrow ones where a rod is held, one of the wide ones where it slides.
+fn example_mm(frame: &Frame, fit: Fit) -> f64 {
+    let numbers = fit.numbers(frame);
+    let quarters = if fit == Fit::Slides { 3 } else { 1 };
+    numbers.get(quarters * numbers.len() / 4).map_or(0.0, |tenths| 0.1 * f64::from(*tenths))
 }
 
 fn hinges(text: &mut String, frame: &Frame, hinges: &Hinges, given: &str) {

@@ -54,7 +54,9 @@ fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
     };
     let files: Vec<String> = plates.iter().map(plate).collect();
     let what = format!("print {pieces} parts on {}, {:.0} g", counted(plates.len(), "plate"), bill.printed_g);
-    [what, time, unknown(), format!("{}; [settings](print-settings.md)", files.join(", "))]
+    let sums: Vec<String> = bill.filament_prices.iter().map(|(currency, sum)| price(*sum, *sum, currency)).collect();
+    let cost = if sums.is_empty() { unknown() } else { sums.join(" and ") };
+    [what, time, cost, format!("{}; [settings](print-settings.md)", files.join(", "))]
 }
 
 /// A plate's name as a link to its file; a material's name that is no plain word is written without one.

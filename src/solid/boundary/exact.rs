@@ -5,12 +5,13 @@ use std::collections::BTreeSet;
 use nalgebra::{Isometry3, Point3};
 
 use super::chains::{Chain, Chains};
+use super::connected::connected;
 use super::curve::{self, Curve};
 use super::face_assignment;
-use super::known::{self, Known};
+use super::known;
 use super::not_exact::NotExact;
 use super::regions::{Facet, Regions};
-use super::small_faces::absorb_small_faces;
+use super::small_faces::{LEAST_FACE_MM2, absorb_small_faces};
 use super::surface::Surface;
 use super::topology::{Boundary, Edge, FLATNESS_MM, Face};
 use crate::solid::half_edges::HalfEdges;
@@ -32,10 +33,6 @@ pub(super) const SHORTEST_MM: f64 = 2e-4;
 /// How far the area of a face may be from that of its facets: a share, and a width along its border, mm.
 const AREA_SHARE: f64 = 0.01;
 const AREA_BORDER_MM: f64 = 0.1;
-
-/// Least area of a face, mm². Smaller ones are what chords leave between surfaces that nearly meet: of the top corner two faces of 0.006 mm²
-/// beside its notch, with which OCCT reads no valid solid.
-pub(super) const LEAST_FACE_MM2: f64 = 0.02;
 
 /// How far the volumes may be apart, as a share: chords take 0.3 % of a round solid.
 const VOLUME_SHARE: f64 = 0.0045;
@@ -107,37 +104,6 @@ impl Boundary {
 /// The mesh's vertices, mm.
 pub(super) fn positions(mesh: &Mesh) -> Vec<Point3<f64>> {
     (0..mesh.vertices.len() as u32).map(|at| mesh.corners(&[at; 3])[0]).collect()
-}
-
-/// Neighbouring facets of one surface as regions; facets without a surface get none.
-pub(super) fn connected(facets: &[Facet], half_edges: &HalfEdges, assignment: &[Option<usize>], known: &[Known]) -> Regions {
-    // Arcs of one cylinder that are cut differently are one surface.
-    let first = |surface: usize| known.iter().position(|other| other.surface.is_same(&known[surface].surface)).unwrap_or(surface);
-    let first: Vec<usize> = (0..known.len()).map(first).collect();
-    let own = |facet: usize| assignment[facet].map(|surface| first[surface]);
-    let mut regions = Regions::none(facets.len());
-    for seed in 0..facets.len() {
-        let Some(surface) = own(seed).filter(|_| regions.of[seed] == usize::MAX) else { continue };
-        let id = regions.surfaces.len();
-        let (own_of_seed, surface) = (Some(surface), &known[surface].surface);
-        let (mut outwards, mut towards) = (0.0, nalgebra::Vector3::zeros());
-        regions.of[seed] = id;
-        let mut open = vec![seed];
-        while let Some(at) = open.pop() {
-            let middle = Point3::from(facets[at].corners.iter().map(|p| p.coords).sum::<nalgebra::Vector3<f64>>() / 3.0);
-            outwards += facets[at].area_mm2 * facets[at].normal.dot(&surface.normal_at(&middle));
-            towards += facets[at].normal * facets[at].area_mm2;
-            for h in 3 * at..3 * at + 3 {
-                let neighbour = half_edges.twin(h) / 3;
-                if regions.of[neighbour] == usize::MAX && own(neighbour) == own_of_seed {
-                    regions.of[neighbour] = id;
-                    open.push(neighbour);
-                }
-            }
-        }
-        regions.surfaces.push((surface.with_poles_beside(&towards), outwards > 0.0));
-    }
-    regions
 }
 
 /// Where the surfaces around each corner meet; vertices that are no corners stay as they are.

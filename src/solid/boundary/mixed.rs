@@ -9,12 +9,13 @@ use std::collections::BTreeSet;
 use nalgebra::{Isometry3, Point3, Unit};
 
 use super::chains::{Chain, Chains};
+use super::connected::connected;
 use super::curve::{Curve, beside_mm};
-use super::exact::{BULGE_MM, LEAST_FACE_MM2, MEETS_MM, MOVED_MM, SHORTEST_MM, connected, corner, edge, positions};
+use super::exact::{BULGE_MM, MEETS_MM, MOVED_MM, SHORTEST_MM, corner, edge, positions};
 use super::face_assignment;
 use super::known::{self, Known};
 use super::regions::{Facet, Regions};
-use super::small_faces::absorb_small_faces;
+use super::small_faces::{LEAST_FACE_MM2, absorb_small_faces};
 use super::surface::Surface;
 use super::topology::{Boundary, Edge};
 use crate::solid::half_edges::HalfEdges;

@@ -5,6 +5,7 @@
 
 mod chains;
 mod chart;
+mod connected;
 mod crossing;
 mod curve;
 mod exact;
