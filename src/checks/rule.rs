@@ -155,6 +155,11 @@ impl Rule {
         }
     }
 
+    /// Whether its findings come from the prediction of the drop, which is made on request only.
+    pub fn needs_prediction(&self) -> bool {
+        matches!(self.found, Found::FromPrediction)
+    }
+
     /// Whether little room means that the rule limits the answer of a search.
     pub fn binds(&self) -> bool {
         matches!(self.in_search, InSearch::Constraints { binds: true, .. })

@@ -107,7 +107,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     say(args, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
-        for done in acceptance::no_longer_failing(list, &outcomes) {
+        for done in acceptance::no_longer_failing(list, &outcomes, args.mechanics.strength) {
             let line =
                 format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display());
             terminal::tell(&line);
@@ -173,13 +173,14 @@ fn told_apart(outcomes: &[Outcome]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes the list of what fails now; frames that are not among these keep their entries. A frame that does not read keeps the list from being written.
+/// Writes the list of what fails now; what this run says nothing about keeps its entries: frames that are not among these, rules that did not run. A
+/// frame that does not read keeps the list from being written.
 fn update(args: &Args, common: &Common, outcomes: &[Outcome], former: Option<Baseline>) -> Result<ExitCode, Failure> {
     let Some(path) = &args.baseline else { return Ok(ExitCode::SUCCESS) };
     if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
         return Ok(ExitCode::from(code));
     }
-    let list = acceptance::renewed(outcomes, former);
+    let list = acceptance::renewed(outcomes, args.mechanics.strength, former.as_ref());
     let failed = |error| Failure::Machine { what: format!("cannot write {}", path.display()), error };
     if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         fs::create_dir_all(parent).map_err(failed)?;
@@ -226,7 +227,7 @@ fn text(args: &Args, outcomes: &[Outcome]) -> String {
     if outcomes.len() > 1 {
         let of = |code: u8| outcomes.iter().filter(|outcome| outcome.exit_code() == code).count();
         let (good, over, bad) = (of(0), of(1), of(2) + of(3));
-        text += &format!("{} frames: {good} keep their limits, {over} violate one, {bad} do not read\n", outcomes.len());
+        text += &format!("{} frames: {good} within their limits, {over} beyond a limit, {bad} not read\n", outcomes.len());
     }
     text
 }

@@ -29,6 +29,8 @@ pub(super) struct Choice {
     pub names: Vec<String>,
     /// How else it may be chosen.
     pub or: Vec<String>,
+    /// Whether it may be `none`.
+    pub without: bool,
     /// The parameters that follow from it.
     pub sets: Vec<Followed>,
 }
@@ -98,7 +100,7 @@ fn named(key: &str, what: &str, file: &FrameFile) -> Choice {
         ),
     };
     let value = if key == "base" { file.base.clone().map(|place| (typed(&place), place)) } else { stated(file, key) };
-    Choice { key: key.into(), what: what.into(), value, names, or: own.into_iter().map(String::from).collect(), sets: Vec::new() }
+    Choice { key: key.into(), what: what.into(), value, names, or: own.into_iter().map(String::from).collect(), without: false, sets: Vec::new() }
 }
 
 fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {
@@ -108,7 +110,8 @@ fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {
     // The reader knows best what a frame can be without.
     let mut without = file.clone();
     without.set(&key, Value::Text("none".into()));
-    if Frame::resolve(&without).is_ok() {
+    let without = Frame::resolve(&without).is_ok();
+    if without {
         or.push("\"none\" for a frame without".into());
     }
     let followed = |p: &Parameter| {
@@ -120,6 +123,7 @@ fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {
         value: stated(file, &key),
         names: with_own(preset::part_names(kind), file, "parts", Some(kind)),
         or,
+        without,
         sets: parameters().filter(|p| follows::role_of(p.key) == Some(role)).map(followed).collect(),
         key,
     }
@@ -140,7 +144,8 @@ fn with_own(shipped: impl IntoIterator<Item = String>, file: &FrameFile, table: 
     names
 }
 
-fn stated(file: &FrameFile, key: &str) -> Option<(String, Place)> {
+/// The name that a file states for a key, and where.
+pub(super) fn stated(file: &FrameFile, key: &str) -> Option<(String, Place)> {
     let entry = file.entries.get(key)?;
     match &entry.value {
         Value::Text(name) => Some((name.clone(), entry.place.clone())),

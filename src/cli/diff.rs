@@ -21,7 +21,7 @@ use crate::params::files::{Disk, Files};
 use crate::report::data::difference_data;
 use crate::report::page::diff_page;
 use crate::report::picture::side_by_side;
-use crate::variant::{Difference, Evaluation, Increase, Side};
+use crate::variant::{Difference, Evaluation, Increase, Side, why_not_compared};
 
 /// Compare two frames, or two revisions of a frame: the differences, and which are better or worse.
 #[derive(Debug, clap::Args)]
@@ -126,16 +126,22 @@ fn folder_name(name: &str) -> String {
 }
 
 /// What to say when a measure grew by more than allowed. Growth counts as it is printed: one of 0.00 mm is none.
+/// A lower figure that leaves out a harder impact is no better one, so it fails, too.
 fn exceeded(increase: &Increase, sides: &[Side; 2]) -> Option<String> {
-    let [before, after] = sides.each_ref().map(|side| increase.measure.of(&side.evaluation));
-    let grown = increase.exceeded(before, after)?;
     let Increase { measure, most } = increase;
+    let [before, after] = sides.each_ref().map(|side| measure.of(&side.evaluation));
+    let why = why_not_compared(measure, sides);
+    if let Some(why) = why.as_ref().filter(|_| after < before) {
+        return Some(format!("{why}; whether the second frame is worse cannot be told"));
+    }
+    let grown = increase.exceeded(before, after)?;
     let (name, unit, formatted) = (measure.name, measure.unit, measure.reported(Some(grown)));
     if formatted.parse::<f64>().is_ok_and(|formatted| formatted <= *most) {
         return None;
     }
+    let softer = why.map_or(String::new(), |why| format!(" ({why})"));
     Some(format!(
-        "{name} grew by {formatted} {unit}, from {} to {} {unit}; {most} {unit} are allowed",
+        "{name} grew by {formatted} {unit}, from {} to {} {unit}; {most} {unit} are allowed{softer}",
         measure.reported(before),
         measure.reported(after)
     ))

@@ -125,7 +125,10 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 fn chosen<'a>(args: &Args, set: &'a DropSet, model: &Model, keep: Keep) -> Result<(Chosen<'a>, Option<String>), FitError> {
     let wanted = args.channel.wanted();
     match args.objective {
-        Aim::Paper => Ok((Chosen::of(set, wanted.map_or(model.sensor.channel, ComparedAxes::channel), keep)?, None)),
+        Aim::Paper => {
+            let chosen = Chosen::of(set, wanted.map_or(model.sensor.channel, ComparedAxes::channel), keep)?;
+            Ok((if chosen.channel == Channel::Magnitude { chosen.of_all_axes()? } else { chosen }, None))
+        }
         Aim::Ml => ChannelChoice::of(set, model, keep, wanted).map(|choice| (choice.chosen, Some(choice.reason))),
     }
 }

@@ -21,6 +21,10 @@ pub(super) fn varied(texts: &[String], frame: &Frame) -> Result<Vec<Vary>, Failu
 fn vary(text: &str, frame: &Frame) -> Result<Vary, Failure> {
     let (key, range) = text.split_once('=').map_or((text, None), |(key, range)| (key, Some(range)));
     let parameter = session::parameter(key.trim())?;
+    if parameter.table == "limits" {
+        let message = format!("--vary {}: a limit is what the search keeps; change it in the frame file, and solve that", parameter.key);
+        return Err(Failure::Usage { message });
+    }
     let bounds = [parameter.min, parameter.max];
     if let Some(range) = range {
         let wrong =

@@ -24,6 +24,8 @@ pub struct NameChoice {
 pub struct Chosen {
     /// The name of each key.
     pub names: Vec<(String, String)>,
+    /// Combinations that the frame refuses, in words, each with the reason: they were not searched.
+    pub refused: Vec<String>,
     /// The rest of the answer; its count of frames is that of all combinations.
     pub solution: Solution,
 }
@@ -34,7 +36,7 @@ pub struct Chosen {
 /// When there are more combinations than half the frames, or no frame that was looked at keeps every limit.
 pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen, SolveError> {
     if choices.is_empty() {
-        return solve(problem).map(|solution| Chosen { names: Vec::new(), solution });
+        return solve(problem).map(|solution| Chosen { names: Vec::new(), refused: Vec::new(), solution });
     }
     let combinations = combinations(choices);
     if 2 * combinations.len() > problem.most {
@@ -42,14 +44,14 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
         return Err(SolveError::Problem(format!("--choose has {count} combinations, and half of {most} frames are fewer; raise --frames")));
     }
     let mut looked_at = 0;
-    let mut begun = Vec::new();
+    let (mut begun, mut refused_names) = (Vec::new(), Vec::new());
     for names in combinations {
         let file = with(problem.file, &names);
         let at_start = before(&SearchProblem { file: &file, ..problem.clone() });
         looked_at += 1;
-        // A name that the frame refuses is no candidate.
-        if let Ok(order) = at_start {
-            begun.push((order, names, file));
+        match at_start {
+            Ok(order) => begun.push((order, names, file)),
+            Err(reason) => refused_names.push(format!("{}: {reason}", in_words(&names))),
         }
     }
     begun.sort_by(|(a, ..), (b, ..)| a.order(b));
@@ -63,7 +65,7 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
                     best.as_ref().is_none_or(|best| problem.value(&solution.evaluation) < problem.value(&best.solution.evaluation));
                 let stopped = solution.ended == Ended::Stopped;
                 if better {
-                    best = Some(Chosen { names, solution });
+                    best = Some(Chosen { names, refused: Vec::new(), solution });
                 }
                 if stopped {
                     break;
@@ -80,13 +82,14 @@ pub fn choose(problem: &SearchProblem, choices: &[NameChoice]) -> Result<Chosen,
     match (best, refused) {
         (Some(mut best), _) => {
             best.solution.looked_at = looked_at;
+            best.refused = refused_names;
             Ok(best)
         }
         (None, Some(SolveError::Infeasible { ended, nearest, missed, .. })) => {
             Err(SolveError::Infeasible { looked_at, ended, nearest, missed })
         }
         (None, Some(error)) => Err(error),
-        (None, None) => Err(SolveError::Problem("--choose: the frame refuses every combination".into())),
+        (None, None) => Err(SolveError::Problem(format!("--choose: the frame refuses every combination; {}", refused_names.join("; ")))),
     }
 }
 
@@ -99,6 +102,11 @@ fn combinations(choices: &[NameChoice]) -> Vec<Vec<(String, String)>> {
         };
         all.iter().flat_map(longer).collect()
     })
+}
+
+/// `bought.battery = battery-2s-850, printer = prusa-mk4`.
+fn in_words(names: &[(String, String)]) -> String {
+    names.iter().map(|(key, name)| format!("{key} = {name}")).collect::<Vec<_>>().join(", ")
 }
 
 /// The file with these names.

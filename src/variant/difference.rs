@@ -232,15 +232,17 @@ fn contradicted(measure: &Measure, sides: [&Evaluation; 2]) -> Option<[f64; 2]> 
 }
 
 fn not_compared(sides: &[Side; 2]) -> Vec<String> {
-    let why = |measure: &Measure| {
-        let strikes = contradicted(measure, sides.each_ref().map(|side| &side.evaluation))?;
-        let of = |at: usize| match strikes[at] {
-            0.0 => format!("{} does not hit the ground", sides[at].name),
-            strike => format!("{} hits the ground at {} m/s", sides[at].name, decimals(strike, 2)),
-        };
-        Some(format!("{}: not compared, because the lower one leaves out the harder impact: {}, {}", measure.name, of(0), of(1)))
+    MEASURES.iter().filter_map(|measure| why_not_compared(measure, sides)).collect()
+}
+
+/// Why a measure says of neither frame that it is better; none where it does, or the frames are equal in it.
+pub fn why_not_compared(measure: &Measure, sides: &[Side; 2]) -> Option<String> {
+    let strikes = contradicted(measure, sides.each_ref().map(|side| &side.evaluation))?;
+    let of = |at: usize| match strikes[at] {
+        0.0 => format!("{} does not hit the ground", sides[at].name),
+        strike => format!("{} hits the ground at {} m/s", sides[at].name, decimals(strike, 2)),
     };
-    MEASURES.iter().filter_map(why).collect()
+    Some(format!("{}: not compared, because the lower one leaves out the harder impact: {}, {}", measure.name, of(0), of(1)))
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@ mod solve;
 pub use aim::Aim;
 pub use choose::{Chosen, NameChoice, choose};
 pub use create::{CreateError, Creation, Moved, Request, create, movable};
-pub use difference::{Changed, Difference, Side, Trend};
+pub use difference::{Changed, Difference, Side, Trend, why_not_compared};
 pub use ended::Ended;
 pub use goal::{Goal, GoalError, Increase, Sense};
 pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, measure, measure_names};

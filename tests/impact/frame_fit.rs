@@ -24,7 +24,7 @@ struct Bench {
 fn bench() -> &'static Bench {
     static BENCH: OnceLock<Bench> = OnceLock::new();
     BENCH.get_or_init(|| {
-        let settings = MechanicsSettings { young_mpa: 65.8, ..MechanicsSettings::load(None).expect("the program's own numbers are sound") };
+        let settings = MechanicsSettings::load(None).expect("the program's own numbers are sound");
         let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
         let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
         let surface = ResponseSurface::new(&Subject { model: &model, settings: &settings }, &HEIGHTS_M).expect("is followed");

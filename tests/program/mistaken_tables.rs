@@ -163,6 +163,26 @@ fn planted_heights_in_centimetres_are_told_and_no_clock_is_blamed() {
     assert!(refused(&millimetres, "a.csv").contains("--units mm"));
 }
 
+/// Readings that were divided by 9.81 once too often are neither a drop nor evidence for an effect; a saturated sensor shows little, too.
+#[test]
+fn planted_readings_that_are_far_too_small_are_told_and_refused() {
+    let small = table(HEAD, 1e-3, |sample| plain(&Sample { along_g: sample.along_g / 9.81, ..*sample }));
+    assert!(refused(&small, "a.csv").contains("the readings are too small, or the heights too large: the impulse is 0.1"));
+    let cut_off = table(HEAD, 1e-3, |sample| plain(&Sample { along_g: sample.along_g.min(4.0), ..*sample }));
+    assert!(!refused(&cut_off, "a.csv").contains("too small"));
+}
+
+#[test]
+fn planted_one_axis_is_no_magnitude() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("a.csv"), table(HEAD, 1e-3, plain)).expect("can be written");
+    for options in [&["--channel", "magnitude"][..], &["--objective", "paper"]] {
+        let output = run("fit", folder.path(), &[options, &["--bootstrap", "0", "a.csv"]].concat());
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && said.contains("10 of the 10 drops have one axis only: give --channel axial"), "{said}");
+    }
+}
+
 #[test]
 fn planted_tables_of_spreadsheets_are_named_or_read() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -372,7 +372,7 @@ fn planted_new_writes_what_was_asked_for_and_what_had_to_move() {
 fn planted_solve_chooses_by_name_comes_near_and_finds_a_front() {
     let bench = Bench::new(&[]);
     // The lighter of two batteries, by name alone.
-    let arguments = ["solve", "--minimise", "mass", "--choose", "bought.battery=battery-2s-1100|battery-2s-850", "--json"];
+    let arguments = ["solve", "--minimise", "mass", "--choose", "bought.battery=battery-3s-650|battery-2s-850", "--json"];
     let found = bench.json(&[&arguments[..], &["-o", "small"]].concat());
     assert_eq!(found["chosen"], serde_json::json!({ "bought.battery": "battery-2s-850" }), "{found}");
     assert!(fs::read_to_string(bench.path("small.toml")).expect("is there").contains("battery = \"battery-2s-850\" # chosen"));
@@ -401,7 +401,9 @@ fn planted_solve_chooses_by_name_comes_near_and_finds_a_front() {
         (&["solve", "--minimise", "mass", "--aim", "mass=200", "--vary", "arm_rod"], "cannot be used with"),
         (&["solve", "--minimise", "mass", "--choose", "rods.arm_rod_length_mm"], "by name, such as bought.battery"),
         (&["solve", "--minimise", "mass", "--choose", "bought.battery,bought.motor,bought.propeller", "--frames", "10"], "raise --frames"),
-        (&["solve", "--minimise", "mass", "--choose", "bought.battery=battery-of-nobody", "--frames", "10"], "refuses every combination"),
+        (&["solve", "--minimise", "mass", "--choose", "bought.battery=battery-2s-85|battery-3s-450"], "did you mean `battery-2s-850`"),
+        (&["solve", "--minimise", "mass", "--choose", "bought.battery=battery-2s-850|battery-2s-850"], "stands there twice"),
+        (&["solve", "--minimise", "mass", "--vary", "arm_rod,envelope_height"], "a limit is what the search keeps"),
     ] {
         let (code, _, err) = bench.run(arguments);
         assert!(code == 2 && err.contains(says), "{arguments:?}: {code} {err}");

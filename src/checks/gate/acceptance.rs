@@ -3,26 +3,46 @@
 use super::baseline::{Accepted, Baseline};
 use super::outcome::{CheckedFrame, Outcome};
 use super::policy::Standing;
+use crate::checks::CATALOGUE;
 
 fn checked(outcomes: &[Outcome]) -> impl Iterator<Item = &CheckedFrame> {
     outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok())
 }
 
-/// A list of all that fails, or would without a list; of frames that were not checked, what a former list has.
-pub fn renewed(outcomes: &[Outcome], former: Option<Baseline>) -> Baseline {
+/// What a run says about an entry of the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Said {
+    /// Nothing: its frame was not checked, its rule not run, or its finding is a warning, which fails only where warnings do.
+    Nothing,
+    /// That there still is such a finding.
+    Fails,
+    /// That there is none any more.
+    NoLonger,
+}
+
+/// What a run says about an entry. `drop_simulated`: whether the rules of the drop were run, which they are on request only.
+fn said(entry: &Accepted, outcomes: &[Outcome], drop_simulated: bool) -> Said {
+    let not_run = !drop_simulated && CATALOGUE.iter().any(|rule| rule.id == entry.rule && rule.needs_prediction());
+    let Some(frame) = checked(outcomes).find(|frame| frame.frame == entry.frame).filter(|_| !not_run) else { return Said::Nothing };
+    let standings = frame.findings.iter().filter(|judged| entry.is(&frame.frame, &judged.finding)).map(|judged| judged.standing);
+    match standings.max() {
+        Some(Standing::Fails | Standing::Accepted) => Said::Fails,
+        Some(Standing::Warning) => Said::Nothing,
+        Some(Standing::Good) | None => Said::NoLonger,
+    }
+}
+
+/// A list of all that fails, or would without a list, and of what a former list has and this run says nothing about.
+pub fn renewed(outcomes: &[Outcome], drop_simulated: bool, former: Option<&Baseline>) -> Baseline {
     let failing = checked(outcomes).flat_map(|frame| {
         let failing = frame.findings.iter().filter(|judged| judged.standing >= Standing::Accepted);
         failing.map(|judged| (frame.frame.as_str(), &judged.finding))
     });
-    let frames: Vec<&str> = checked(outcomes).map(|frame| frame.frame.as_str()).collect();
-    Baseline::of(failing).with_other_frames(former, &frames)
+    let kept = former.into_iter().flat_map(Baseline::entries).filter(|entry| said(entry, outcomes, drop_simulated) == Said::Nothing);
+    Baseline::of(failing).with(kept.cloned())
 }
 
-/// Entries of frames that were checked and no longer have such a finding.
-pub fn no_longer_failing<'a>(list: &'a Baseline, outcomes: &[Outcome]) -> Vec<&'a Accepted> {
-    let fails = |entry: &Accepted, frame: &CheckedFrame| {
-        frame.findings.iter().any(|judged| judged.standing >= Standing::Accepted && entry.is(&frame.frame, &judged.finding))
-    };
-    let of_frame = |entry: &Accepted| checked(outcomes).find(|frame| frame.frame == entry.frame);
-    list.entries().iter().filter(|entry| of_frame(entry).is_some_and(|frame| !fails(entry, frame))).collect()
+/// Entries of which this run says that there is no such finding any more.
+pub fn no_longer_failing<'a>(list: &'a Baseline, outcomes: &[Outcome], drop_simulated: bool) -> Vec<&'a Accepted> {
+    list.entries().iter().filter(|entry| said(entry, outcomes, drop_simulated) == Said::NoLonger).collect()
 }

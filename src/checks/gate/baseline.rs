@@ -75,10 +75,9 @@ impl Baseline {
         Self { schema_version: VERSION, accepted }
     }
 
-    /// The list with those entries of another one whose frames are not among these.
-    pub fn with_other_frames(mut self, other: Option<Self>, frames: &[&str]) -> Self {
-        let kept = other.into_iter().flat_map(|other| other.accepted).filter(|entry| !frames.contains(&entry.frame.as_str()));
-        self.accepted.extend(kept);
+    /// The list with these entries besides.
+    pub fn with(mut self, entries: impl Iterator<Item = Accepted>) -> Self {
+        self.accepted.extend(entries);
         self.accepted.sort_by(|a, b| a.key().cmp(&b.key()));
         self
     }

@@ -28,7 +28,7 @@ pub(in crate::cli) struct Args {
     /// Keys that vary, by 20 % of the frame's value, or within bounds such as arm_rod=70..90.
     #[arg(long, value_delimiter = ',', required_unless_present = "choose", value_name = "KEY,…", add = candidates::numbers_between_commas())]
     pub vary: Vec<String>,
-    /// Keys that hold a name and vary, over all names or over some, such as 'bought.battery=battery-2s-850|battery-2s-1100'.
+    /// Keys that hold a name and vary, over all names or over some, such as 'bought.battery=battery-2s-850|battery-3s-450'.
     #[arg(long, value_delimiter = ',', value_name = "KEY,…", add = candidates::choices_between_commas())]
     pub choose: Vec<String>,
     /// With a measure of the mechanics: file with their numbers, instead of the built-in ones.

@@ -65,7 +65,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             None => begun,
             Some(settings) => begun.and_then(|begun| begun.strengthened(settings).ok()),
         };
-        terminal::print(&report::formatted(&chosen, &before.name, begun.as_ref()))?;
+        terminal::print(&report::formatted(&chosen, &before.name, &file, begun.as_ref()))?;
     }
     if let (Some(place), Some(base)) = (written, base) {
         write(&place, &base, &format!("{doc} by flexframe solve"), &chosen, args)?;

@@ -1,14 +1,17 @@
 //! What `solve` found, in words and as JSON.
 
+use crate::cli::choice;
 use crate::cli::searching;
+use crate::params::FrameFile;
 use crate::variant::{Chosen, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Vary};
 
 /// What was found beside what there was; the frame that the search began at need not be one that can be built.
-pub(super) fn formatted(chosen: &Chosen, before: &str, begun: Option<&Evaluation>) -> String {
-    let Chosen { names, solution } = chosen;
+pub(super) fn formatted(chosen: &Chosen, before: &str, file: &FrameFile, begun: Option<&Evaluation>) -> String {
+    let Chosen { names, refused, solution } = chosen;
     let mut text = format!("{}\n\n{:<34} {:>10} {:>10}\n", searching::summary(solution.looked_at, solution.ended), "", before, "solved");
     for (key, name) in names {
-        text += &format!("{key:<34} {:>10} {name}\n", "");
+        let was = choice::stated(file, key).map_or("-".into(), |(was, _)| was);
+        text += &format!("{key:<34} {was:>10} {name:>10}\n");
     }
     for (vary, before, after) in &solution.values {
         text += &format!("{:<34} {before:>10.3} {after:>10.3} {}\n", vary.key(), vary.parameter.unit());
@@ -29,6 +32,10 @@ pub(super) fn formatted(chosen: &Chosen, before: &str, begun: Option<&Evaluation
         text += "\nwhat is wrong with the nearest frames beyond\n";
         solution.refused.iter().for_each(|reason| text += &format!("  {reason}\n"));
     }
+    if !refused.is_empty() {
+        text += "\nnot searched, as the frame refuses it\n";
+        refused.iter().for_each(|reason| text += &format!("  {reason}\n"));
+    }
     let mechanics = if solution.evaluation.prediction.is_some() { format!("{MECHANICS_CAVEAT}\n") } else { String::new() };
     format!("{text}\n{PEAK_CAVEAT}\n{mechanics}")
 }
@@ -40,7 +47,7 @@ fn known(evaluation: &Evaluation) -> impl Iterator<Item = &'static Measure> {
 }
 
 pub(super) fn json(chosen: &Chosen) -> serde_json::Value {
-    let Chosen { names, solution } = chosen;
+    let Chosen { names, refused, solution } = chosen;
     let value = |(vary, before, after): &(Vary, f64, f64)| serde_json::json!({ "key": vary.key(), "before": before, "after": after });
     let binding = |b: &crate::variant::Binding| serde_json::json!({ "what": b.what, "margin": b.margin, "unit": b.unit });
     let measures: serde_json::Map<String, serde_json::Value> =
@@ -52,6 +59,7 @@ pub(super) fn json(chosen: &Chosen) -> serde_json::Value {
         "chosen": names.iter().map(|(key, name)| (key.clone(), serde_json::json!(name))).collect::<serde_json::Map<_, _>>(),
         "values": solution.values.iter().map(value).collect::<Vec<_>>(),
         "measures": measures,
+        "names_refused": refused,
         "refused": solution.refused,
         "binding": solution.binding.iter().map(binding).collect::<Vec<_>>(),
         "peak": PEAK_CAVEAT,

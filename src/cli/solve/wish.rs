@@ -1,9 +1,10 @@
 //! What `solve` is asked for, read from the command line.
 
 use super::arguments::Args;
-use crate::cli::choice;
+use crate::cli::choice::{self, Choice};
 use crate::cli::failure::Failure;
 use crate::mechanics::settings::MechanicsSettings;
+use crate::params::refusal::nearest;
 use crate::params::{Frame, FrameFile};
 use crate::variant::{Aim, Goal, Measure, NameChoice, measure, measure_names};
 
@@ -85,7 +86,7 @@ pub(super) fn mechanics(args: &Args, wanted: &Wanted, goals: &[Goal]) -> Result<
     Ok(asked.then(|| MechanicsSettings::load(args.mechanics.as_deref())).transpose()?)
 }
 
-/// The names to choose from: `bought.battery`, or `bought.battery=battery-2s-850|battery-2s-1100`.
+/// The names to choose from: `bought.battery`, or `bought.battery=battery-2s-850|battery-3s-450`.
 pub(super) fn choices(args: &Args, frame: &Frame, file: &FrameFile) -> Result<Vec<NameChoice>, Failure> {
     args.choose.iter().map(|text| chosen_from(text, frame, file)).collect()
 }
@@ -100,7 +101,19 @@ fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<NameChoice
     }
     let names = match names {
         None => known.names,
-        Some(names) => names.split('|').map(|name| name.trim().to_string()).collect(),
+        Some(names) => names.split('|').map(|name| one_of(name.trim(), &known).map_err(usage)).collect::<Result<Vec<_>, _>>()?,
     };
+    if let Some((_, twice)) = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name)) {
+        return Err(usage(format!("{twice} stands there twice")));
+    }
     Ok(NameChoice { key: known.key, names })
+}
+
+/// A name that a key can hold.
+fn one_of(name: &str, known: &Choice) -> Result<String, String> {
+    if known.names.iter().any(|own| own == name) || known.without && name == "none" {
+        return Ok(name.into());
+    }
+    let near = nearest(name, known.names.iter().map(String::as_str)).first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+    Err(format!("there is no `{name}`{near}; there are {}", known.names.join(", ")))
 }

@@ -56,10 +56,13 @@ impl<'a> ChannelChoice<'a> {
     /// has contains sideways motion, so the axial component is taken where it was measured.
     ///
     /// # Errors
-    /// When no drop can be used.
+    /// When no drop can be used, or the magnitude is wanted of one that has one axis only.
     pub fn of(set: &'a DropSet, model: &Model, keep: Keep, wanted: Option<ComparedAxes>) -> Result<Self, FitError> {
         let stated = model.sensor.channel;
         let mut chosen = Chosen::of(set, wanted.map_or(stated, ComparedAxes::channel), keep)?;
+        if wanted == Some(ComparedAxes::Magnitude) {
+            chosen = chosen.of_all_axes()?;
+        }
         let (axes, reason) = match wanted {
             Some(wanted) => (wanted, "as asked for".to_string()),
             None => supported(&chosen, model)?,

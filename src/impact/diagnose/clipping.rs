@@ -1,6 +1,7 @@
 //! Clipping: readings that pile up at one level, a limit that can be seen without a fit.
 
 use crate::impact::fit::Waves;
+use crate::impact::measured::Spread;
 
 /// A limit, and the variation of single readings below it.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -36,8 +37,8 @@ pub fn clipping(waves: &Waves) -> Option<Clipping> {
     if readings < FEWEST || (readings as f64) < DENSER * (below + 1.0) {
         return None;
     }
-    let at: Vec<f64> = all[all.len() - readings..].to_vec();
-    Some(Clipping { level_g: at[at.len() / 2], readings, spread: spread(waves, top) })
+    let level_g = Spread::of(all[all.len() - readings..].iter().copied())?.median;
+    Some(Clipping { level_g, readings, spread: spread(waves, top) })
 }
 
 /// Median over samples in the middle of the range of standard deviation over mean.
@@ -50,6 +51,5 @@ fn spread(waves: &Waves, top: f64) -> f64 {
             ratios.push((square / (count - 1.0)).sqrt() / mean);
         }
     }
-    ratios.sort_by(f64::total_cmp);
-    ratios.get(ratios.len() / 2).copied().unwrap_or(0.0)
+    Spread::of(ratios).map_or(0.0, |ratios| ratios.median)
 }

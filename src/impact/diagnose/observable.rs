@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::impact::effects::Model;
 use crate::impact::fit::Waves;
+use crate::impact::measured::Spread;
 use crate::units::GRAVITY_M_S2;
 
 /// One height.
@@ -13,7 +14,7 @@ pub struct Observable {
     pub height_m: f64,
     /// Drops.
     pub drops: usize,
-    /// Impulse of the mean wave over the impact speed of the stated height: 1 + restitution for a vertical impact.
+    /// Impulse of the mean wave over its window, over the impact speed of the stated height: 1 + restitution for a vertical impact.
     pub impulse_over_v0: f64,
     /// Its standard error, samples taken as dependent.
     pub error: f64,
@@ -36,9 +37,7 @@ pub fn observables(waves: &Waves, model: &Model) -> Vec<Observable> {
         let square: f64 = each.iter().map(|one| (one - impulse_over_v0) * (one - impulse_over_v0)).sum();
         let error = (square / (count * (count - 1.0))).sqrt();
         let most = 2.0 + GRAVITY_M_S2 * waves.step_s * waves.samples as f64 / v0;
-        let mut peaks: Vec<f64> =
-            group.windows.iter().map(|window| window.iter().fold(0.0, |peak: f64, reading| peak.max(*reading))).collect();
-        peaks.sort_by(f64::total_cmp);
+        let peaks = group.windows.iter().map(|window| window.iter().fold(0.0, |peak: f64, reading| peak.max(*reading)));
         Observable {
             height_m: group.height_m,
             drops: group.windows.len(),
@@ -46,7 +45,7 @@ pub fn observables(waves: &Waves, model: &Model) -> Vec<Observable> {
             error,
             most,
             impossible: impulse_over_v0 - 2.0 * error > most,
-            median_peak_g: peaks[peaks.len() / 2],
+            median_peak_g: Spread::of(peaks).map_or(0.0, |peaks| peaks.median),
         }
     };
     waves.groups.iter().map(of).collect()

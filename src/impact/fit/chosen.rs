@@ -34,6 +34,14 @@ pub enum FitError {
         /// How many of them have the flag.
         saturated: usize,
     },
+    /// A magnitude of drops that have one axis.
+    #[error("{one_axis} of the {count} drops have one axis only: give --channel axial, or the columns x, y and z")]
+    OneAxis {
+        /// How many have one axis only.
+        one_axis: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// Mean waves need more.
     #[error(transparent)]
     Unusable(#[from] Unusable),
@@ -145,6 +153,15 @@ impl<'a> Chosen<'a> {
             });
         }
         Ok(Self { drops: kept, channel, left_out, impulses_kept })
+    }
+
+    /// The same drops, of which all axes were measured, as their magnitude takes.
+    ///
+    /// # Errors
+    /// When a drop has one axis only, whose size would pass for the magnitude.
+    pub fn of_all_axes(self) -> Result<Self, FitError> {
+        let one_axis = self.drops.iter().filter(|drop| drop.record.axes_g.is_none()).count();
+        if one_axis == 0 { Ok(self) } else { Err(FitError::OneAxis { one_axis, count: self.drops.len() }) }
     }
 
     /// The trigger-aligned drops.

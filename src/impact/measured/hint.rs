@@ -13,6 +13,10 @@ const FEWEST: usize = 3;
 const DROP: [f64; 2] = [0.7, 2.0];
 /// Impulse over v0 of an axis across the fall, at the most.
 const ACROSS: f64 = 0.35;
+/// Impulse over v0 of an axis without readings, at the most.
+const NOTHING: f64 = 1e-4;
+/// Share of a pulse's readings above half its height that lies at its top, from which on it is cut off there; half a sine has 0.2.
+const CUT_OFF: f64 = 0.5;
 /// From here on heights may be centimetres, m; and v0 of one read as metres over that of the height.
 const TALL_M: f64 = 5.0;
 const CENTIMETRES_V0: f64 = 0.1;
@@ -62,6 +66,14 @@ pub enum Hint {
         /// Its median impulse over the impact speed.
         of_axis: f64,
     },
+    /// Far less than a drop has.
+    #[error(
+        "the readings are too small, or the heights too large: the impulse is {over_v0:.2} v0, that of a drop 0.7 to 2 v0. Check --units (leave out m/s2 where the readings are in g) and the logger's scale"
+    )]
+    TooSmall {
+        /// Median impulse along the axis over the impact speed.
+        over_v0: f64,
+    },
     /// Heights in another unit.
     #[error("the heights look like cm, not m: from {height_m} m the impulse is {over_v0:.2} v0. Give --units cm")]
     Centimetres {
@@ -91,10 +103,21 @@ impl Hint {
         } else if height_m >= TALL_M && like(CENTIMETRES_V0) {
             Some(Self::Centimetres { height_m, over_v0 })
         } else if impulses.q1.abs().max(impulses.q3.abs()) <= ACROSS {
-            Self::exchanged(set, over_v0)
+            Self::exchanged(set, over_v0).or_else(|| Self::too_small(set, over_v0))
         } else {
             None
         }
+    }
+
+    /// Far less than a drop has along every axis. A sensor that is cut off at its full scale shows little, too: its drops are left alone.
+    fn too_small(set: &DropSet, over_v0_along: f64) -> Option<Self> {
+        let lateral = |axis: usize| {
+            let of_axis = |record: &Record| over_v0(record, record.axes_g.as_ref().map(|axes| &axes[axis][..])?);
+            Spread::of(set.records().filter_map(of_axis)).map_or(0.0, |spread| spread.median.abs())
+        };
+        let cut_off = 2 * set.records().filter(|record| is_cut_off(record)).count() >= set.records().count();
+        let too_small = over_v0_along.abs() > NOTHING && lateral(0).max(lateral(1)) <= ACROSS && !cut_off;
+        too_small.then_some(Self::TooSmall { over_v0: over_v0_along })
     }
 
     /// The one lateral axis that has the impulse of a drop, in most records.
@@ -113,6 +136,13 @@ impl Hint {
 /// Whether half of some impulses are so many times those of drops.
 fn is_like(impulses: &Spread, factor: f64) -> bool {
     [impulses.q1, impulses.q3].into_iter().all(|value| (DROP[0]..=DROP[1]).contains(&(value / factor)))
+}
+
+/// Whether most of what lies above half of a record's largest reading lies within a fiftieth of it.
+fn is_cut_off(record: &Record) -> bool {
+    let top = record.accel_g.iter().fold(0.0, |top: f64, reading| top.max(reading.abs()));
+    let above = |share: f64| record.accel_g.iter().filter(|reading| reading.abs() > share * top).count() as f64;
+    record.at_full_scale > 0 || above(0.98) >= CUT_OFF * above(0.5).max(4.0)
 }
 
 /// Impulse around the largest reading of an axis, over the impact speed. No trigger is asked: its level is in g.
@@ -161,6 +191,8 @@ mod tests {
         assert!(matches!(Hint::of(&set(1000.0)), Some(Hint::MilliG { .. })));
         assert!(matches!(Hint::of(&set(-0.85)), Some(Hint::Inverted { over_v0 }) if (-1.2..-1.0).contains(&over_v0)));
         assert!(matches!(Hint::of(&set(-9.81)), Some(Hint::InvertedMetresPerSecondSquared { .. })));
+        assert!(matches!(Hint::of(&set(1.0 / 9.81)), Some(Hint::TooSmall { over_v0 }) if (0.12..0.14).contains(&over_v0)));
+        assert_eq!(Hint::of(&set(0.0)), None);
         assert!(matches!(Hint::of(&of(1.0, 100.0, None)), Some(Hint::Centimetres { height_m: 100.0, over_v0 }) if over_v0 < 0.15));
         let axes = |along: f64, x: f64, y: f64| Hint::of(&of(along, 1.0, Some([x, y]))).map(|hint| hint.to_string());
         assert_eq!([axes(1.0, 0.0, 0.1), axes(0.0, 0.1, 0.2), axes(0.0, 1.0, 1.0), axes(0.8, 0.8, 0.0)], [None, None, None, None]);

@@ -68,7 +68,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
             ]
         })
         .collect();
-    let head = cells(["height, m", "drops", "median peak, g", "impulse / v0", "at most"]);
+    let head = cells(["height, m", "drops", "median peak, g", "impulse of the mean wave / v0", "at most"]);
     let mut blocks = vec![Block::Heading("Observations without a model".into()), Block::Table(head, rows)];
     let mut lines = vec![format!("Channel: {} (the model states: {}).", compared.channel, compared.stated_channel)];
     lines.push(compared.channel_reason.clone());

@@ -123,7 +123,7 @@ impl StudyReport<'_> {
 
     /// How many rows violate each rule, and why rows are no frames.
     fn failures(&self) -> Vec<Block> {
-        let rows = self.study.rows();
+        let (rows, known) = (self.study.rows(), self.outcomes.known());
         let violating = |at: usize| (0..rows).filter(|row| self.outcomes.figure(*row, at).is_some_and(|margin| margin < 0.0)).count();
         let margins = self.study.columns.iter().enumerate().filter_map(|(at, column)| match column {
             Column::Margin(rule) => Some((violating(at), rule)),
@@ -133,16 +133,16 @@ impl StudyReport<'_> {
         by_rule.sort_by(|(a, a_rule), (b, b_rule)| b.cmp(a).then(a_rule.id.cmp(b_rule.id)));
         let by_rule: Vec<Vec<String>> =
             by_rule.into_iter().map(|(count, rule)| vec![rule.id.into(), rule.title.into(), count.to_string()]).collect();
-        let mut reasons: BTreeMap<&str, usize> = BTreeMap::new();
+        let mut reasons: BTreeMap<String, usize> = BTreeMap::new();
         for row in 0..rows {
             if let Some(Outcome::Refused(why)) = self.outcomes.of(row) {
                 *reasons.entry(kind_of(why)).or_default() += 1;
             }
         }
-        let mut reasons: Vec<(&str, usize)> = reasons.into_iter().collect();
+        let mut reasons: Vec<(String, usize)> = reasons.into_iter().collect();
         reasons.sort_by(|(a, a_count), (b, b_count)| b_count.cmp(a_count).then(a.cmp(b)));
         let reasons: Vec<Vec<String>> =
-            reasons.into_iter().take(LISTED).map(|(why, count)| vec![why.to_string(), count.to_string()]).collect();
+            reasons.into_iter().take(LISTED).map(|(why, count)| vec![why, count.to_string()]).collect();
         let head = |words: &[&str]| words.iter().map(ToString::to_string).collect();
         let mut blocks = Vec::new();
         // A study may count violations without a margin of each rule.
@@ -151,7 +151,7 @@ impl StudyReport<'_> {
             counted.map_or(0, |at| (0..rows).filter(|row| self.outcomes.figure(*row, at).is_some_and(|count| count > 0.0)).count());
         if violating > 0 {
             let which = if by_rule.is_empty() { "; give the measures `margin.RULE` to see which" } else { "" };
-            blocks.push(Block::Text(format!("{violating} of {rows} rows violate a limit{which}.")));
+            blocks.push(Block::Text(format!("{violating} of {known} evaluated rows violate a limit{which}.")));
         }
         if violating == 0 && by_rule.is_empty() && reasons.is_empty() {
             blocks.push(Block::Text("Nothing that the study looks at.".into()));
@@ -166,9 +166,23 @@ impl StudyReport<'_> {
     }
 }
 
-/// A reason without its numbers, by which reasons are counted: up to the first digit.
-fn kind_of(why: &str) -> &str {
-    let end = why.find(|letter: char| letter.is_ascii_digit()).unwrap_or(why.len());
-    let kind = why[..end].trim_end();
-    if kind.is_empty() { why } else { kind }
+/// A reason by which rows are counted: its numbers are left out, each a `…`. A name with digits in it stays.
+fn kind_of(why: &str) -> String {
+    let without_number = |word: &str| {
+        let end = word.trim_start_matches(['-', '(']).trim_end_matches([',', ';', ':', ')', '.']);
+        if end.parse::<f64>().is_ok() { word.replace(end, "…") } else { word.to_string() }
+    };
+    why.split_whitespace().map(without_number).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_reasons_differ_by_their_words_alone() {
+        let told = "the struts would tilt by -12.5 deg (at most 80); battery-2s-850 stays, 3mm too.";
+        assert_eq!(kind_of(told), "the struts would tilt by -… deg (at most …); battery-2s-850 stays, 3mm too.");
+        assert_eq!(kind_of("1.0"), "…");
+    }
 }
