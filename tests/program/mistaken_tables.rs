@@ -176,7 +176,7 @@ fn planted_readings_that_are_far_too_small_are_told_and_refused() {
 fn planted_one_axis_is_no_magnitude() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(folder.path().join("a.csv"), table(HEAD, 1e-3, plain)).expect("can be written");
-    for options in [&["--channel", "magnitude"][..], &["--objective", "paper"]] {
+    for options in [&["--channel", "magnitude"][..], &["--objective", "paper", "--model", "paper"]] {
         let output = run("fit", folder.path(), &[options, &["--bootstrap", "0", "a.csv"]].concat());
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(output.status.code() == Some(2) && said.contains("10 of the 10 drops have one axis only: give --channel axial"), "{said}");

@@ -9,6 +9,7 @@ use crate::cli::frame_text::{self, Line};
 use crate::cli::options::Common;
 use crate::cli::output;
 use crate::cli::terminal;
+use crate::params::Frame;
 use crate::params::frame_file::Value;
 use crate::study::{Axis, Input, Study, Subject};
 
@@ -43,6 +44,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     if !common.quiet && !common.json {
         terminal::print(&format!("{}: written\n", place.display()))?;
+    }
+    if matches!(study.subject, Subject::Frames(_))
+        && let Err(error) = Frame::load(&place.display().to_string())
+    {
+        terminal::tell(&format!("note: row {row} is no frame: {error}"));
     }
     Ok(ExitCode::SUCCESS)
 }
