@@ -100,7 +100,15 @@ fn named(key: &str, what: &str, file: &FrameFile) -> Choice {
         ),
     };
     let value = if key == "base" { file.base.clone().map(|place| (typed(&place), place)) } else { stated(file, key) };
-    Choice { key: key.into(), what: what.into(), value, names, or: own.into_iter().map(String::from).collect(), without: false, sets: Vec::new() }
+    Choice {
+        key: key.into(),
+        what: what.into(),
+        value,
+        names,
+        or: own.into_iter().map(String::from).collect(),
+        without: false,
+        sets: Vec::new(),
+    }
 }
 
 fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {

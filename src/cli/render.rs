@@ -37,7 +37,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         printing_picture::pictures(&design)
     } else {
         // What lies on no bed is a finding of `check`.
-        let plates = plates::arrange(&design, &plates::all(&design)).unwrap_or_default();
+        let plates = plates::arrange_what_fits(&design, &plates::all(&design));
         scene::pictures(&design, &plates)
             .into_iter()
             .map(|(path, bytes)| (path.trim_start_matches("pictures/").to_string(), bytes))

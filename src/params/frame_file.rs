@@ -120,6 +120,7 @@ impl Value {
             Self::Number(_) => "a number",
             Self::Text(_) => "a text",
             Self::Other(toml::Value::Boolean(_)) => "true or false",
+            Self::Other(toml::Value::Array(list)) if list.is_empty() => "an empty array",
             Self::Other(toml::Value::Array(_)) => "an array",
             Self::Other(toml::Value::Table(_)) => "a table",
             Self::Other(toml::Value::Datetime(_)) => "a date",

@@ -53,15 +53,20 @@ pub fn lookup(key: &str) -> Result<&'static Parameter, LookupError> {
     let begun: Vec<&'static Parameter> = parameters().filter(|p| within(p) && !bare.is_empty() && p.key.starts_with(bare)).collect();
     match begun[..] {
         [only] => Ok(only),
-        [] => {
-            let near = nearest(bare, parameters().map(|p| p.key));
-            Err(LookupError::Unknown { key: key.into(), nearest: near.first().cloned() })
-        }
+        [] => Err(LookupError::Unknown { key: key.into(), nearest: meant_by(bare).map(String::from) }),
         _ => {
             let several = begun.iter().take(NAMED).map(|p| format!("`{}`", p.key)).collect();
             Err(LookupError::Ambiguous { key: key.into(), several })
         }
     }
+}
+
+/// The key that looks most like what was typed, with its ending or without.
+fn meant_by(typed: &str) -> Option<&'static str> {
+    let stems = || parameters().filter_map(|p| ENDINGS.iter().find_map(|ending| p.key.strip_suffix(ending)).map(|stem| (stem, p.key)));
+    let near = nearest(typed, parameters().map(|p| p.key).chain(stems().map(|(stem, _)| stem))).into_iter().next()?;
+    let whole = parameters().map(|p| p.key).find(|key| *key == near);
+    whole.or_else(|| stems().find(|(stem, _)| *stem == near).map(|(_, key)| key))
 }
 
 #[cfg(test)]
@@ -76,6 +81,7 @@ mod tests {
         }
         assert!(matches!(key("rods.nozzle"), Err(LookupError::Unknown { .. })));
         assert!(key("arm_rod_lenght_mm").expect_err("is none").to_string().contains("did you mean `arm_rod_length_mm`?"));
+        assert!(key("arm_rodd").expect_err("is none").to_string().contains("did you mean `arm_rod_length_mm`?"));
         assert!(matches!(key("sleeve_"), Err(LookupError::Ambiguous { .. })));
     }
 }

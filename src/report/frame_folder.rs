@@ -51,7 +51,7 @@ pub enum FolderError {
 pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: FolderChoice) -> Result<Vec<File>, FolderError> {
     let meshes = compensated(design)?;
     // What lies on no bed is a finding of `check`; the parts are written all the same.
-    let plates = with_pictures(design, plates::arrange(design, &plates::all(design)).unwrap_or_default());
+    let plates = with_pictures(design, plates::arrange_what_fits(design, &plates::all(design)));
     let of = Exported { design, masses, meshes: &meshes, plates: &plates };
     let mut files = Vec::new();
     for format in export::CATALOGUE.iter().filter(|format| choice.asks_for(format)) {
@@ -77,7 +77,7 @@ pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: 
 /// [`FolderError`] when one cannot be made.
 pub fn format_files(design: &Design, masses: &MassTable, format: &Format) -> Result<Vec<File>, FolderError> {
     let needs_plates = format.extension == three_mf::FORMAT.extension;
-    let plates = if needs_plates { plates::arrange(design, &plates::all(design)).unwrap_or_default() } else { Vec::new() };
+    let plates = if needs_plates { plates::arrange_what_fits(design, &plates::all(design)) } else { Vec::new() };
     let plates = with_pictures(design, plates);
     Ok((format.files)(&Exported { design, masses, meshes: &compensated(design)?, plates: &plates })?)
 }

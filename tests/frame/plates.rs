@@ -11,7 +11,7 @@ use flexframe::frame::assembly::Design;
 use flexframe::frame::assembly::compensated::Compensated;
 use flexframe::params::catalogue::{Bed, Printer};
 use flexframe::params::{Frame, FrameFile, PartName};
-use flexframe::printing::plates::{Plate, all, arrange};
+use flexframe::printing::plates::{Plate, all, arrange, arrange_what_fits};
 use proptest::prelude::*;
 
 fn design() -> Design {
@@ -136,6 +136,10 @@ fn planted_a_bed_that_is_too_small_or_too_low_is_refused_with_the_part() {
     design.frame.printer.size_mm = [60.0, 60.0];
     let refused = arrange(&design, &wanted).expect_err("has no room").to_string();
     assert!(refused.contains("has no room on the printer"), "{refused}");
+    // What fits alone is laid out without the rest.
+    let fit: Vec<_> = wanted.iter().copied().filter(|one| arrange(&design, &[*one]).is_ok()).collect();
+    assert!(!fit.is_empty() && fit.len() < wanted.len(), "{fit:?}");
+    assert_eq!(faults(&design, &arrange_what_fits(&design, &wanted), &fit), Vec::<String>::new());
     design.frame.printer.size_mm = [250.0, 250.0];
     design.frame.printer.height_mm = 1.0;
     assert!(arrange(&design, &wanted).is_err());

@@ -445,6 +445,8 @@ fn analytic_usage_errors_are_exit_2_and_help_is_0() {
         assert!(text(&help.stdout).contains("Example"), "{command}");
     }
     assert!(text(&flexframe(&["man"]).stdout).contains(".TH flexframe"));
+    assert!(text(&flexframe(&["man", "study", "run"]).stdout).contains(".TH flexframe-study-run"));
+    assert_eq!(flexframe(&["man", "stdy"]).status.code(), Some(2));
     assert!(text(&flexframe(&["weigh", "--help"]).stdout).contains("[FRAME] [READINGS.csv]\n"));
 }
 

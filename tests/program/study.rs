@@ -109,6 +109,10 @@ fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() 
     assert_eq!((report["rows"].as_u64(), report["refused"].as_u64()), (Some(8), Some(4)));
     let (code, _, err) = desk.run(&["report", "s.toml", "--goals", "mass,peak"]);
     assert!(code == 2 && err.contains("the study has no measure `peak`"), "{err}");
+    // One goal: the rows that are best in it.
+    desk.good(&["report", "s.toml", "--goals", "mass"]);
+    let report: Value = serde_json::from_str(&desk.read("out/study-s/report/report.json")).expect("JSON");
+    assert_eq!(report["front"].as_array().map(Vec::len), Some(1), "{report:#}");
 }
 
 #[test]

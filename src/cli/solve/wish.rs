@@ -114,6 +114,7 @@ fn one_of(name: &str, known: &Choice) -> Result<String, String> {
     if known.names.iter().any(|own| own == name) || known.without && name == "none" {
         return Ok(name.into());
     }
-    let near = nearest(name, known.names.iter().map(String::as_str)).first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
+    let near =
+        nearest(name, known.names.iter().map(String::as_str)).first().map_or(String::new(), |near| format!(", did you mean `{near}`?"));
     Err(format!("there is no `{name}`{near}; there are {}", known.names.join(", ")))
 }

@@ -21,7 +21,7 @@ use crate::variant::Better;
 pub(super) struct Args {
     #[command(flatten)]
     study: StudyOption,
-    /// Goals of the front: two or three measures of the study [default: its first two that have a better side].
+    /// Goals of the front: one to three measures of the study [default: its first two that have a better side].
     #[arg(long, value_delimiter = ',', value_name = "MEASURE,…")]
     goals: Vec<String>,
     /// For a study of hidden effects: a Markdown page. The tables are written between the two lines of it that name the study.
@@ -47,7 +47,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 
 fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common: &Common) -> Result<ExitCode, Failure> {
     let goals = goals(args, study)?;
-    let found = front(study, known, &goals).map_err(|error| Failure::Usage { message: format!("--goals: {error}") })?;
+    let usage = |error| Failure::Usage { message: format!("--goals: {error}") };
+    let found = if goals.is_empty() { Vec::new() } else { front(study, known, &goals).map_err(usage)? };
     let explained = explained(study, known);
     let report = StudyReport { study, outcomes: known, goals: &goals, front: &found, indices: &explained };
     let plots = study_plots::plots(study, known, &goals, &found, &explained);
@@ -73,10 +74,11 @@ fn goals(args: &Args, study: &Study) -> Result<Vec<String>, Failure> {
     let sided = study.columns.iter().filter(|column| matches!(column, Column::Measure(measure) if measure.better != Better::Neither));
     let goals: Vec<String> = if args.goals.is_empty() { sided.take(2).map(Column::name).collect() } else { args.goals.clone() };
     let twice = goals.iter().enumerate().any(|(at, goal)| goals[..at].contains(goal));
-    if (2..=3).contains(&goals.len()) && !twice {
+    // A study of which no measure has a better side has no front.
+    if goals.len() <= 3 && !twice {
         return Ok(goals);
     }
-    Err(Failure::Usage { message: "--goals: give two or three measures of the study, with commas between".into() })
+    Err(Failure::Usage { message: "--goals: give one to three different measures of the study, with commas between".into() })
 }
 
 /// The indices of every figure that varies, where the study is made for them.

@@ -57,6 +57,8 @@ pub struct Instead {
     pub softens_c: [Option<f64>; 2],
     /// The nozzle that it is printed at here, °C: that of its profile, or all that the printer has.
     pub nozzle_c: Option<f64>,
+    /// The nozzle that its profile sets, °C.
+    pub usual_c: Option<f64>,
 }
 
 /// All that can be compared of a material and a printer.
@@ -101,6 +103,7 @@ pub fn instead(design: &Design) -> Vec<Instead> {
             heavier_g: cm3 * (weight(material) - weight(&frame.rigid.material)),
             softens_c: [material.softens_c, frame.rigid.material.softens_c],
             nozzle_c: material.nozzle_c.map(|wanted| wanted.min(most)),
+            usual_c: material.nozzle_c,
         })
     };
     INSTEAD.into_iter().filter_map(of).collect()
@@ -109,8 +112,10 @@ pub fn instead(design: &Design) -> Vec<Instead> {
 impl Instead {
     /// In words.
     pub fn words(&self) -> String {
-        let Self { name, heavier_g, softens_c: [own, other], nozzle_c } = self;
-        let nozzle = nozzle_c.map_or(String::new(), |c| format!(" at {c:.0} °C"));
+        let Self { name, heavier_g, softens_c: [own, other], nozzle_c, usual_c } = self;
+        let cold = usual_c.filter(|usual| nozzle_c.is_some_and(|c| c < *usual));
+        let cold = cold.map_or(String::new(), |usual| format!(", colder than its usual {usual:.0} °C"));
+        let nozzle = nozzle_c.map_or(String::new(), |c| format!(" at {c:.0} °C{cold}"));
         let softer = own.zip(*other).map_or(String::new(), |(own, other)| format!(", softens at {own:.0} instead of {other:.0} °C"));
         format!("{name}{nozzle} ({heavier_g:+.1} g{softer})")
     }

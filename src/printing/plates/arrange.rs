@@ -44,7 +44,18 @@ pub fn all(design: &Design) -> Vec<Wanted> {
 /// # Errors
 /// [`NoRoom`] for a part that does not lie on the bed even alone.
 pub fn arrange(design: &Design, wanted: &[Wanted]) -> Result<Vec<Plate>, NoRoom> {
-    let mut plates = Vec::new();
+    let (plates, no_room) = laid_out(design, wanted);
+    no_room.into_iter().next().map_or(Ok(plates), Err)
+}
+
+/// The same without the parts that have no room: what can be printed of a frame on a small bed.
+pub fn arrange_what_fits(design: &Design, wanted: &[Wanted]) -> Vec<Plate> {
+    laid_out(design, wanted).0
+}
+
+/// Plates, and what lies on none.
+fn laid_out(design: &Design, wanted: &[Wanted]) -> (Vec<Plate>, Vec<NoRoom>) {
+    let (mut plates, mut no_room) = (Vec::new(), Vec::new());
     let supported = supported(design, wanted);
     for material in materials(design) {
         let parts: Vec<&Printed> = wanted
@@ -52,13 +63,13 @@ pub fn arrange(design: &Design, wanted: &[Wanted]) -> Result<Vec<Plate>, NoRoom>
             .filter(|(name, _)| design.material_of(*name).name == material.name)
             .flat_map(|(name, count)| design.part(*name).into_iter().flat_map(|part| std::iter::repeat_n(part, *count)))
             .collect();
-        for (at, mut items) in filled(&parts, &design.frame.printer)?.into_iter().enumerate() {
+        for (at, mut items) in filled(&parts, &design.frame.printer, &mut no_room).into_iter().enumerate() {
             items.sort_by(|a, b| a.part.cmp(&b.part).then(place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal)));
             let supported = supported.iter().copied().filter(|name| items.iter().any(|item| item.part == *name)).collect();
             plates.push(Plate { material: material.clone(), number: at + 1, items, supported });
         }
     }
-    Ok(plates)
+    (plates, no_room)
 }
 
 /// The wanted parts that hang over air by more than their material prints.
@@ -84,8 +95,8 @@ fn materials(design: &Design) -> Vec<&NamedMaterial> {
     if flexible.name == rigid.name { vec![flexible] } else { vec![flexible, rigid] }
 }
 
-/// Plates of parts of one material.
-fn filled(parts: &[&Printed], printer: &Printer) -> Result<Vec<Vec<Item>>, NoRoom> {
+/// Plates of parts of one material; what lies on no bed is added to `no_room`.
+fn filled(parts: &[&Printed], printer: &Printer, no_room: &mut Vec<NoRoom>) -> Vec<Vec<Item>> {
     let room = Room::of(printer);
     let low_enough = |at: &usize| parts[*at].mesh.size_mm()[2] <= printer.height_mm;
     let mut open: Vec<usize> = (0..parts.len()).collect();
@@ -100,13 +111,13 @@ fn filled(parts: &[&Printed], printer: &Printer) -> Result<Vec<Vec<Item>>, NoRoo
         }
         // The rectangles of none of those left go into the room; a bed is larger than it.
         let part = parts[first];
-        let Some(turned) = alone(part, printer) else {
-            return Err(NoRoom { part: part.name, size_mm: part.mesh.size_mm(), printer: printer.name.clone() });
-        };
-        plates.push(vec![Item { part: part.name, turned, middle_mm: room.middle_mm() }]);
+        match alone(part, printer) {
+            Some(turned) => plates.push(vec![Item { part: part.name, turned, middle_mm: room.middle_mm() }]),
+            None => no_room.push(NoRoom { part: part.name, size_mm: part.mesh.size_mm(), printer: printer.name.clone() }),
+        }
         open.retain(|at| *at != first);
     }
-    Ok(plates)
+    plates
 }
 
 /// What goes onto one plate: in the smallest rectangle of the room's proportions that takes as much as the whole room, as the middle of a

@@ -9,6 +9,6 @@ mod plate;
 mod room;
 mod settings;
 
-pub use arrange::{NoRoom, Wanted, all, arrange};
+pub use arrange::{NoRoom, Wanted, all, arrange, arrange_what_fits};
 pub use plate::{Item, Plate, short};
 pub use settings::{PrintSetting, PrintSettings, SlicerFamily};

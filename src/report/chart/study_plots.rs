@@ -20,7 +20,8 @@ pub fn plots(
     indices: &[(usize, Indices)],
 ) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
     let mut files = Vec::new();
-    if !front.is_empty() {
+    // The rows that are best in one goal alone are no front to draw.
+    if !front.is_empty() && goals.len() > 1 {
         let measures: Vec<&Measure> = goals.iter().filter_map(|name| measure(name)).collect();
         let points: Vec<&[f64]> = front.iter().map(|(_, figures)| &figures[..]).collect();
         files.extend(front_plot::plots(&measures, &points, &study.name)?);

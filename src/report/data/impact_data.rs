@@ -155,6 +155,7 @@ pub fn table(found: &Impacts) -> String {
             };
         }
     }
-    text += "\nproper: of the payload; sensor: behind a low-pass of 500 Hz; logged: of readings a millisecond apart, as measured peaks are\n\n";
+    text +=
+        "\nproper: of the payload; sensor: behind a low-pass of 500 Hz; logged: of readings a millisecond apart, as measured peaks are\n\n";
     text
 }

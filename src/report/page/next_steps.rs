@@ -53,10 +53,16 @@ fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
         format!("{}{hours}", linked(&plate.name()))
     };
     let files: Vec<String> = plates.iter().map(plate).collect();
-    let what = format!("print {pieces} parts on {}, {:.0} g", counted(plates.len(), "plate"), bill.printed_g);
+    let no_room = pieces as usize - plates.iter().map(|(plate, _)| plate.items.len()).sum::<usize>().min(pieces as usize);
+    let missing = if no_room > 0 { format!("; **{} no room on the printer's bed**", have(no_room)) } else { String::new() };
+    let what = format!("print {pieces} parts on {}, {:.0} g{missing}", counted(plates.len(), "plate"), bill.printed_g);
     let sums: Vec<String> = bill.filament_prices.iter().map(|(currency, sum)| price(*sum, *sum, currency)).collect();
     let cost = if sums.is_empty() { unknown() } else { sums.join(" and ") };
     [what, time, cost, format!("{}; [settings](print-settings.md)", files.join(", "))]
+}
+
+fn have(parts: usize) -> String {
+    format!("{} {}", counted(parts, "part"), if parts == 1 { "has" } else { "have" })
 }
 
 /// A plate's name as a link to its file; a material's name that is no plain word is written without one.

@@ -5,11 +5,15 @@ use std::fmt::Write;
 use crate::frame::assembly::Design;
 use crate::markdown::inert;
 use crate::params::catalogue::{Bed, Material, Printer};
+use crate::params::frame::NamedMaterial;
 use crate::printing::heat::{heats, sentence, unknown};
 use crate::printing::plates::{Plate, PrintSetting, PrintSettings, SlicerFamily};
 
 /// Section of a filament of 1.75 mm, mm².
 const FILAMENT_MM2: f64 = std::f64::consts::FRAC_PI_4 * 1.75 * 1.75;
+
+/// Nozzle of the profiles that the materials' entries name as their source, mm.
+const SOURCES_NOZZLE_MM: f64 = 0.4;
 
 /// The page.
 pub fn markdown(design: &Design, plates: &[Plate]) -> String {
@@ -30,7 +34,7 @@ pub fn markdown(design: &Design, plates: &[Plate]) -> String {
         printer.nozzle_mm
     );
     compensation(&mut text, printer);
-    heat(&mut text, design);
+    heat(&mut text, design, plates);
     let mut seen: Vec<&str> = Vec::new();
     for plate in plates {
         let name = plate.material.name.as_str();
@@ -59,10 +63,11 @@ fn compensation(text: &mut String, printer: &Printer) {
     }
 }
 
-/// What the printer lacks of a material's heat, and what its entry does not say.
-fn heat(text: &mut String, design: &Design) {
+/// What the printer lacks of the heat of the plates' materials, and what its entry does not say.
+fn heat(text: &mut String, design: &Design, plates: &[Plate]) {
     let (frame, mut open) = (&design.frame, Vec::new());
-    for material in [&frame.flexible, &frame.rigid] {
+    let printed = |material: &&NamedMaterial| plates.iter().any(|plate| plate.material.name == material.name);
+    for material in [&frame.flexible, &frame.rigid].into_iter().filter(printed) {
         let lacking = heats(&material.material, &frame.printer).into_iter().filter(|heat| heat.wanted > heat.has);
         for heat in lacking {
             let head = if heat.too_cold { "**This printer cannot print it**" } else { "**Watch out**" };
@@ -118,7 +123,13 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         }
     }
     if let Some(source) = &material.print_source {
-        let _ = write!(text, "\nSource: {}.\n", inert(source));
+        let nozzle_mm = design.frame.printer.nozzle_mm;
+        let scaled = if (nozzle_mm - SOURCES_NOZZLE_MM).abs() < 1e-9 {
+            String::new()
+        } else {
+            format!(" (its figures are for a nozzle of {SOURCES_NOZZLE_MM} mm, the tables are for {nozzle_mm} mm)")
+        };
+        let _ = write!(text, "\nSource{scaled}: {}.\n", inert(source));
     }
 }
 

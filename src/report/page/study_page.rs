@@ -40,8 +40,10 @@ impl StudyReport<'_> {
             })
         };
         let mut blocks = vec![Block::Text(self.counts()), self.ranges()];
-        blocks.push(Block::Heading("Frames that none beats".into()));
-        blocks.push(Block::Text(self.front_in_words()));
+        if !self.goals.is_empty() {
+            blocks.push(Block::Heading("Frames that none beats".into()));
+            blocks.push(Block::Text(self.front_in_words()));
+        }
         blocks.extend(figure("pareto", "The front: of two frames on it each is better in one of the goals."));
         blocks.extend((!self.front.is_empty()).then(|| self.front_table()));
         blocks.push(Block::Heading("All frames".into()));
@@ -141,8 +143,7 @@ impl StudyReport<'_> {
         }
         let mut reasons: Vec<(String, usize)> = reasons.into_iter().collect();
         reasons.sort_by(|(a, a_count), (b, b_count)| b_count.cmp(a_count).then(a.cmp(b)));
-        let reasons: Vec<Vec<String>> =
-            reasons.into_iter().take(LISTED).map(|(why, count)| vec![why, count.to_string()]).collect();
+        let reasons: Vec<Vec<String>> = reasons.into_iter().take(LISTED).map(|(why, count)| vec![why, count.to_string()]).collect();
         let head = |words: &[&str]| words.iter().map(ToString::to_string).collect();
         let mut blocks = Vec::new();
         // A study may count violations without a margin of each rule.
