@@ -379,20 +379,22 @@ khronos_validates_glbs() {
     fi
 }
 
-# Every page is there: one for the title and for each of three sub-assemblies, half a one for each mount, and one a step of the fold.
+# Every page is there: one for the title and for each of three sub-assemblies, half a one for each mount, before and after the cartridge
+# is made, and one a step of the fold.
 qpdf_reads_instructions() {
     heading "qpdf reads the instructions"
     if ! from_debian qpdf qpdf; then
         skipped "qpdf" "not installed"
         return
     fi
-    local file pages wanted name before folds after
+    local file pages wanted name before folds wires after
     for file in "$built"/*/instructions.pdf; do
         name=${file#"$built/"}
         before=$(grep -c '"stage": "before_fold"' "${file%/*}/fold.json")
         folds=$(grep -c '"stage": "fold"' "${file%/*}/fold.json")
-        after=$(grep -c '"stage": "after_fold"' "${file%/*}/fold.json")
-        wanted=$((5 + (before + 1) / 2 + folds + (after + 1) / 2))
+        wires=$(grep -c '"title": "Motor wires"' "${file%/*}/fold.json")
+        after=$(($(grep -c '"stage": "after_fold"' "${file%/*}/fold.json") - wires))
+        wanted=$((5 + (before + 1) / 2 + folds + (wires + 1) / 2 + (after + 1) / 2))
         pages=$(qpdf --show-npages "$file")
         if qpdf --check "$file" >"$work/qpdf.log" 2>&1 && [[ $pages == "$wanted" ]]; then
             ok "qpdf $name"

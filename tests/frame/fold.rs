@@ -385,6 +385,9 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
     assert_eq!(page.matches("<section class=\"parts-and-rods\">").count(), 1);
     assert_eq!(page.matches("<section class=\"assembly\">").count(), 3);
     assert_eq!(page.matches("<section class=\"half\">").count(), Mounting::new(&design, &sequence).steps().count());
+    // No step of the wires stands below the heading of the cartridge.
+    let heading = page.find("The battery cartridge").expect("has a heading");
+    assert!(page.find(". Motor wires</h2>").is_some_and(|wires| wires < heading), "the wires come after the heading");
     for step in &sequence.steps {
         assert!(page.contains(step.title) && step.caution.as_deref().is_none_or(|caution| page.contains(caution)), "{}", step.title);
     }

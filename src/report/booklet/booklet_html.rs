@@ -62,8 +62,10 @@ pub fn html(booklet: &Booklet) -> String {
     booklet.before.iter().for_each(|step| panel(&mut page, booklet, step));
     sub_assembly(&mut page, booklet, module);
     booklet.pages.iter().for_each(|step| section(&mut page, booklet, step));
+    let [wires, rest] = booklet.around_cartridge();
+    wires.iter().for_each(|step| panel(&mut page, booklet, step));
     sub_assembly(&mut page, booklet, cartridge);
-    booklet.after.iter().for_each(|step| panel(&mut page, booklet, step));
+    rest.iter().for_each(|step| panel(&mut page, booklet, step));
     page.push_str("</body>\n</html>\n");
     page
 }

@@ -83,8 +83,10 @@ fn sheets(booklet: &Booklet) -> Vec<Content<'_>> {
     sheets.extend(booklet.before.chunks(PANELS).map(Content::Panels));
     sheets.push(Content::Assembly(module));
     sheets.extend(booklet.pages.iter().map(Content::Step));
+    let [wires, rest] = booklet.around_cartridge();
+    sheets.extend(wires.chunks(PANELS).map(Content::Panels));
     sheets.push(Content::Assembly(cartridge));
-    sheets.extend(booklet.after.chunks(PANELS).map(Content::Panels));
+    sheets.extend(rest.chunks(PANELS).map(Content::Panels));
     sheets
 }
 

@@ -186,6 +186,16 @@ impl Booklet {
     }
 }
 
+impl Booklet {
+    /// What is mounted after the fold: what comes before the cartridge is made, and the rest.
+    pub fn around_cartridge(&self) -> [&[Panel]; 2] {
+        let [.., cartridge] = &self.assemblies;
+        let made = self.after.iter().position(|panel| cartridge.steps.contains(&panel.heading));
+        let (first, rest) = self.after.split_at(made.unwrap_or(0));
+        [first, rest]
+    }
+}
+
 /// The steps, by their numbers, that something is in the way of.
 fn barred_steps(mounting: &Mounting, folded: &[Sweep]) -> Vec<String> {
     let mounted = |steps: &[MountStep]| steps.iter().map(|step| barred(&step.sweep).is_some()).collect::<Vec<_>>();
