@@ -490,14 +490,17 @@ simulators_run_frames() {
     fi
 }
 
+# Presets whose plates are sliced: the others are the default frame with another motor, battery or rod, and each STL of theirs is sliced.
+sliced_frames=(cognifly cognifly-mini cognifly-v8)
+
 # Plates as a person opens them, under a profile that contradicts them.
 slicer_slices_plates() {
-    heading "PrusaSlicer slices the plates of every preset"
+    heading "PrusaSlicer slices the plates of ${sliced_frames[*]}"
     if from_debian prusa-slicer prusa-slicer; then
-        printf '%s\0' "$built"/*/plates | xargs -0 -P "$jobs" -n 1 dirname |
+        printf '%s\n' "${sliced_frames[@]/#/$built/}" |
             xargs -P "$jobs" -I {} bash tests/external/slice_plate.sh {} "$work" | tee -a "$results" || failed "plates" "exit code $?"
         heading "PrusaSlicer's print times"
-        python3 tests/external/print_time.py "$built" "$work/plates" "$work/print-times" | tee -a "$results" ||
+        python3 tests/external/print_time.py "$built" "$work/plates" "$work/print-times" "${sliced_frames[@]}" | tee -a "$results" ||
             failed "print times" "exit code $?"
         heading "PrusaSlicer opens the plates of the default frame for every printer"
         python3 tests/external/open_plates.py "$PWD/$binary" params/printers "$work/printers" | tee -a "$results" ||

@@ -1,6 +1,6 @@
-"""print_time.py BUILT GCODES WORK: times that print-settings.md states beside those of PrusaSlicer, one line a plate.
+"""print_time.py BUILT GCODES WORK FRAME...: times that print-settings.md states beside those of PrusaSlicer, one line a plate.
 
-BUILT has the frames of `build`, GCODES the plates of all of them as `slice_plate.sh` sliced them. The plates of the default frame are
+BUILT has the frames of `build`, GCODES the plates of each FRAME as `slice_plate.sh` sliced them. The plates of the default frame are
 sliced for two more printers: as quick and as slow as those of `params/printers` get, by the machine limits and profiles that
 PrusaSlicer 2.5 has for the Original Prusa i3 MK3 and the Creality Ender-3.
 """
@@ -45,14 +45,14 @@ def line(name, ours, theirs):
     return f"ok {told}" if abs(off) <= WITHIN else f"FAILED {told}"
 
 
-def main(built, gcodes, work):
+def main(built, gcodes, work, *frames):
     built, gcodes, work = Path(built), Path(gcodes), Path(work)
     work.mkdir(parents=True, exist_ok=True)
     for folder in sorted(path.parent for path in built.glob("*/print-settings.md")):
         plates = stated(folder)
         if set(plates) != {path.stem for path in (folder / "plates").glob("*.3mf")}:
             print(f"FAILED print time {folder.name}: print-settings.md has no time of a plate: {sorted(plates)}")
-        for name, (seconds, _) in plates.items():
+        for name, (seconds, _) in plates.items() if folder.name in frames else ():
             print(line(f"{folder.name} {name}", seconds, sliced(gcodes / f"{folder.name}-{name}.gcode")))
     for printer, settings in PRINTERS.items():
         profile = work / f"{printer}.ini"
