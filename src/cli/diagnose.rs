@@ -7,7 +7,7 @@ use super::bounded::{count, number};
 use super::candidates;
 use super::failure::Failure;
 use super::failure::mechanics_refused;
-use super::given_drops::{file_format, frame_and_paths, with_body_of};
+use super::given_drops::{file_format, frame_and_paths, read_drops, with_body_of};
 use super::options::{ChannelOption, Common, DropsOption, FormatOptions, FrameOption};
 use super::output;
 use super::progress::Progress;
@@ -18,7 +18,6 @@ use crate::frame::assembly::{Design, mass};
 use crate::impact::diagnose::{ComparedAxes, Diagnosis, EffectEstimate, Gap, Stage, Verdict};
 use crate::impact::effects::{Model, PAYLOAD_MODE};
 use crate::impact::frame_fit::{CURVE_MM, reduced_model};
-use crate::impact::measured;
 use crate::impact::measured::{DropSet, DropTable, StaticTest};
 use crate::impact::sim::HEIGHTS_M;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -124,7 +123,7 @@ fn drops(args: &Args, paths: &[PathBuf]) -> Result<(DropSet, Vec<String>), Failu
         args.covariate.iter().cloned().partition(|given| Path::new(given).extension().is_some_and(|end| end.eq_ignore_ascii_case("csv")));
     let mut format = file_format(&args.format)?;
     format.table.kept.clone_from(&names);
-    let mut set = measured::read(paths, &format)?;
+    let mut set = read_drops(paths, &args.format, &format)?;
     for file in files {
         let table = DropTable::read(Path::new(&file))?;
         let (without, all) = (table.add_to(&mut set), set.records().count());
@@ -216,7 +215,8 @@ fn gaps(found: &Diagnosis, compared: &Compared) -> String {
     let beside = landings.map_or_else(String::new, |landings| format!("   {}", landings.ids().join(" + ")));
     let head = format!("\ngap, g           before    after    floor{beside}\n");
     let fitted = row("fitted", &before.fitted, &after.fitted, landings.map(|landings| &landings.gaps.fitted));
-    head + &fitted + &row("held out", &before.held_out, &after.held_out, landings.map(|landings| &landings.gaps.held_out))
+    let note = compared.before(found).map_or(String::new(), |note| format!("{note}\n"));
+    head + &fitted + &row("held out", &before.held_out, &after.held_out, landings.map(|landings| &landings.gaps.held_out)) + &note
 }
 
 /// A table of parameters with their intervals.

@@ -8,7 +8,7 @@ use super::session;
 use crate::frame::assembly::mass;
 use crate::impact::body::DropBody;
 use crate::impact::effects::Model;
-use crate::impact::measured::{Calibration, FileFormat, TableFormat};
+use crate::impact::measured::{self, Calibration, DropSet, FileFormat, Record, TableFormat};
 use crate::params::preset;
 
 /// The frame among the drops, if there is one, and the paths of the drops. A frame is a preset's name that is no path, or a TOML
@@ -43,6 +43,26 @@ pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
     let table = TableFormat::new(&args.columns, &args.units, args.rate);
     let table = table.map_err(|error| Failure::Usage { message: error.to_string() })?;
     Ok(FileFormat { calibration: calibration(args)?, table: TableFormat { zero_g: zero_g(args)?, ..table } })
+}
+
+/// Reads drops whose files are written so.
+///
+/// # Errors
+/// Also when an option says how files are written of which none is there: it would say nothing.
+pub(super) fn read_drops(paths: &[PathBuf], args: &FormatOptions, format: &FileFormat) -> Result<DropSet, Failure> {
+    let set = measured::read(paths, format)?;
+    let of_table = |record: &&Record| [".csv", ".tsv"].iter().any(|ending| record.source.to_ascii_lowercase().ends_with(ending));
+    let tables = set.records().filter(of_table).count();
+    let logged = set.records().count() - tables;
+    let idle =
+        |options: &[(bool, &'static str)], files: usize| options.iter().find(|(given, _)| *given && files == 0).map(|(_, name)| *name);
+    match (idle(&args.of_tables(), tables), idle(&args.of_logger(), logged)) {
+        (Some(option), _) => Err(Failure::Usage { message: format!("{option} is about tables, and none of the drops is in one") }),
+        (_, Some(option)) => {
+            Err(Failure::Usage { message: format!("{option} is about the logger's .bin files, and none of the drops is in one") })
+        }
+        _ => Ok(set),
+    }
 }
 
 fn zero_g(args: &FormatOptions) -> Result<[f64; 3], Failure> {

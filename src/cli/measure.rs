@@ -4,12 +4,11 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use super::failure::Failure;
-use super::given_drops::file_format;
+use super::given_drops::{file_format, read_drops};
 use super::options::{Common, FormatOptions};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
-use crate::impact::measured;
 use crate::impact::measured::{Drop, DropGroup, JudgedDrops, Session, Spread, Summary, Zero};
 use crate::report::chart::measure_plots;
 use crate::report::data::measure_data;
@@ -34,7 +33,7 @@ pub(super) struct Args {
 /// Reads drops, judges each, and writes a folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("reading", common);
-    let set = measured::read(&args.paths, &file_format(&args.format)?)?;
+    let set = read_drops(&args.paths, &args.format, &file_format(&args.format)?)?;
     let judged = JudgedDrops::of(&set);
     let groups = &judged.groups;
     let json = measure_data::json(&set, &judged);

@@ -78,6 +78,28 @@ pub(super) struct FormatOptions {
     pub rate: Option<f64>,
 }
 
+impl FormatOptions {
+    /// The options about tables, each with whether it was given.
+    pub(super) fn of_tables(&self) -> [(bool, &'static str); 4] {
+        [
+            (!self.columns.is_empty(), "--columns"),
+            (!self.units.is_empty(), "--units"),
+            (!self.zero.is_empty(), "--zero"),
+            (self.rate.is_some(), "--rate"),
+        ]
+    }
+
+    /// The options about the logger's files, each with whether it was given.
+    pub(super) fn of_logger(&self) -> [(bool, &'static str); 2] {
+        [(self.offset_counts.is_some(), "--offset-counts"), (self.counts_per_g.is_some(), "--counts-per-g")]
+    }
+
+    /// One that was given.
+    pub(super) fn given(&self) -> Option<&'static str> {
+        self.of_tables().into_iter().chain(self.of_logger()).find(|(given, _)| *given).map(|(_, name)| name)
+    }
+}
+
 /// Which channel of the readings is compared with a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum ChannelOption {

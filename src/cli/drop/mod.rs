@@ -19,6 +19,12 @@ const FRAME: &str = "frame";
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let heights_m = &args.height[..];
     check_heights(heights_m).map_err(|error| Failure::Usage { message: error.to_string() })?;
+    if let Some(option) = args.format.given().filter(|_| args.fit.is_empty()) {
+        return Err(Failure::Usage { message: format!("{option} says how measured drops are written: it goes with --fit") });
+    }
+    if args.trace && !common.json {
+        return Err(Failure::Usage { message: "--trace goes with --json: a written folder has the series anyway".into() });
+    }
     if args.model != FRAME {
         return model::run(args, heights_m, common);
     }

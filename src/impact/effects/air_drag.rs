@@ -15,7 +15,7 @@ use super::spec::{Availability, Spec, Stage, singles};
 const BLUFF_1_M: f64 = 0.2;
 
 /// Its record.
-pub(super) const SPEC: Spec = Spec {
+pub const SPEC: Spec = Spec {
     id: "air_drag",
     title: "air drag in the fall",
     stage: Stage::Arrangement,

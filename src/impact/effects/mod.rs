@@ -40,6 +40,7 @@ mod sensor_saturation;
 mod spec;
 mod unilateral_contact;
 
+pub use air_drag::SPEC as AIR_DRAG;
 pub use arrangement::{Arrangement, AttachedMass, Feet, SpringCurve};
 pub use catalogue::{CATALOGUE, by_id, states, working};
 pub use drop_height_error::SPEC as DROP_HEIGHT_ERROR;

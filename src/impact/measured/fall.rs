@@ -48,7 +48,7 @@ impl Fall {
 
     /// Whether the fall lasted as long as its height says, within the release and three standard errors.
     pub fn agrees(&self) -> bool {
-        self.agrees_with(self.height_m)
+        self.lasted(self.expected_s)
     }
 
     /// The height of a free fall that lasts as long, m.
@@ -56,15 +56,15 @@ impl Fall {
         0.5 * GRAVITY_M_S2 * self.fall_s * self.fall_s
     }
 
-    /// Whether it lasted as long as a fall from another height, m, would have.
-    pub fn agrees_with(&self, height_m: f64) -> bool {
-        (self.fall_s - lasting_s(height_m)).abs() <= RELEASE_S + 3.0 * self.error_s
+    /// Whether it lasted so long, s, within the release and three standard errors.
+    pub fn lasted(&self, duration_s: f64) -> bool {
+        (self.fall_s - duration_s).abs() <= RELEASE_S + 3.0 * self.error_s
     }
 }
 
-/// How long a free fall lasts, s; from below the ground not at all.
+/// How long a free fall lasts, s.
 fn lasting_s(height_m: f64) -> f64 {
-    (2.0 * height_m.max(0.0) / GRAVITY_M_S2).sqrt()
+    (2.0 * height_m / GRAVITY_M_S2).sqrt()
 }
 
 #[cfg(test)]

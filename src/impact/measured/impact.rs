@@ -15,6 +15,8 @@ const FALL_G: f64 = 0.6;
 /// Time over which a fall is recognised, s, and the fewest samples of it.
 const FALL_S: f64 = 0.005;
 const FALL_SAMPLES: usize = 5;
+/// No fall is as short, s: from 2 mm. What is before the trigger is then no free fall, or its zero is off.
+const LEAST_FALL_S: f64 = 0.02;
 /// The last of the fall, from which the noise is estimated, s: the first may hold the release.
 const NOISE_S: f64 = 0.2;
 /// Before the trigger the ground may touch already, s.
@@ -47,7 +49,7 @@ pub struct Impact {
     pub flight_s: Option<f64>,
     /// Samples of the free fall, without the last 2 ms.
     pub falling: Range<usize>,
-    /// Length of the free fall, s; `None` when the record begins in it.
+    /// Length of the free fall, s; `None` when the record begins in it, or readings before the impact are none of a fall.
     pub fall_s: Option<f64>,
     /// Standard deviation along the axis in free fall, g; `None` with fewer than five samples of it.
     pub noise_g: Option<f64>,
@@ -82,7 +84,7 @@ impl Impact {
             impulse_magnitude_m_s: impulse(&|at| record.size_g(at)),
             second_hit,
             flight_s: second_hit.zip(release).map(|(hit, release)| record.t_s[hit] - record.t_s[release]),
-            fall_s: seen.then(|| record.t_s[trigger] - record.t_s[begin]),
+            fall_s: seen.then(|| record.t_s[trigger] - record.t_s[begin]).filter(|fall_s| *fall_s > LEAST_FALL_S),
             noise_g: deviation(&record.accel_g[last]),
             falling,
         })

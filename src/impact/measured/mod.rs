@@ -14,6 +14,7 @@ mod clock_trace;
 mod copied_records;
 #[cfg(feature = "cli")]
 mod disk;
+mod drop_order;
 mod drop_table;
 mod encoding;
 mod fall;

@@ -98,6 +98,21 @@ mod tests {
     }
 
     #[test]
+    fn analytic_drops_are_in_the_order_of_their_names_however_they_are_given() {
+        let file = |name: &str, trials: [u8; 2]| {
+            let row = |trial: u8| format!("{trial},0.5,0,0\n{trial},0.5,0.001,0\n");
+            (name.to_string(), format!("trial,height_m,t_s,accel_g\n{}{}", row(trials[0]), row(trials[1])).into_bytes())
+        };
+        let mut files = vec![file("d-10.csv", [22, 21]), file("d-9.csv", [3, 20])];
+        let read = |files: &[(String, Vec<u8>)]| read_bytes(files, &FileFormat::default()).expect("reads");
+        let set = read(&files);
+        let trials: Vec<&str> = set.records().map(|record| record.trial.as_str()).collect();
+        assert_eq!(trials, ["3", "20", "21", "22"]);
+        files.reverse();
+        assert_eq!(read(&files), set);
+    }
+
+    #[test]
     fn planted_bytes_that_are_no_record_are_refused() {
         for (name, bytes, says) in [
             ("drops.txt", &b"1"[..], "of no kind"),

@@ -1,5 +1,6 @@
 //! A record, and records by frame and height.
 
+use super::drop_order::in_order;
 use std::collections::BTreeMap;
 
 /// One drop as it was measured.
@@ -68,7 +69,7 @@ impl Record {
     }
 }
 
-/// Records of one frame from one height, in the order in which they were read.
+/// Records of one frame from one height, in the order in which they were made, as far as names tell it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DropGroup {
     /// What was dropped, where that is known.
@@ -103,6 +104,7 @@ impl DropSet {
                 }
             }
         }
+        groups.iter_mut().for_each(|group| in_order(&mut group.records));
         Self { groups, notes }
     }
 

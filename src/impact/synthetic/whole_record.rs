@@ -41,12 +41,10 @@ struct Course {
 }
 
 impl Course {
-    fn of(fine: &[f64], fine_s: f64, height_m: f64, record_s: f64, rng: &mut impl Rng) -> Self {
-        let fall_s = (2.0 * height_m / GRAVITY_M_S2).sqrt();
+    fn of(fine: &[f64], fine_s: f64, [fall_s, speed_m_s]: [f64; 2], record_s: f64, rng: &mut impl Rng) -> Self {
         let letting_go_s = RELEASE_S[0] + (RELEASE_S[1] - RELEASE_S[0]) * rng.random::<f64>();
         let earliest = fall_s + ROOM_S[0];
         let touch_s = earliest + (record_s - ROOM_S[1] - earliest).max(0.0) * rng.random::<f64>();
-        let speed_m_s = GRAVITY_M_S2 * fall_s;
         let pushed_m_s = GRAVITY_M_S2 * fine_s * fine.iter().sum::<f64>();
         let acting_s = fine.iter().rposition(|reading| reading.abs() > ACTING_G).map_or(0.0, |last| last as f64 * fine_s);
         let back = (pushed_m_s / speed_m_s - 1.0).clamp(0.0, 0.9);
@@ -113,7 +111,9 @@ impl Stalls {
         rng: &mut impl Rng,
     ) -> SyntheticRecord {
         let step_s = 1.0 / plan.rate_hz;
-        let course = Course::of(fine, fine_s, height_m, self.record_s, rng);
+        let fall = plan.model.arrangement().fall;
+        let fallen = [fall.duration_s(height_m), fall.impact_speed_m_s(height_m)];
+        let course = Course::of(fine, fine_s, fallen, self.record_s, rng);
         let times = self.times_s(step_s, rng);
         let lean: f64 = StandardNormal.sample(rng);
         let tilt = libm::cos(plan.scatter.tilt_deg.to_radians() * lean);

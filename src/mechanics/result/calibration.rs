@@ -29,10 +29,16 @@ pub struct Calibration {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CalibrationError {
     /// Too few points.
-    #[error("a calibration takes at least 3 points with a displacement above 0, there are {points}")]
+    #[error("a calibration takes at least 3 different displacements above 0, there are {points}")]
     TooFew {
         /// How many.
         points: usize,
+    },
+    /// Displacements that no dynamometer shows.
+    #[error("the largest displacement is {farthest_mm} mm: are displacements in mm?")]
+    Small {
+        /// The largest.
+        farthest_mm: f64,
     },
     /// The model ends before the data.
     #[error("the model finds no equilibrium at {displacement_mm} mm, which was measured")]
@@ -50,6 +56,9 @@ pub enum CalibrationError {
     #[error(transparent)]
     Curve(#[from] CurveError),
 }
+
+/// A test that goes less far than this is one in metres, mm.
+const LEAST_MM: f64 = 0.1;
 
 /// Misfit of a curve to points, N: root mean square.
 pub fn rms_n(curve: &StaticCurve, measured: &[Measured]) -> Option<f64> {
@@ -69,11 +78,16 @@ pub fn calibrate(
     settings: &MechanicsSettings,
     measured: &[Measured],
 ) -> Result<Calibration, CalibrationError> {
-    let points = measured.iter().filter(|[x, _]| *x > 0.0).count();
-    if points < 3 {
-        return Err(CalibrationError::TooFew { points });
+    let mut displacements: Vec<f64> = measured.iter().map(|[x, _]| *x).filter(|x| *x > 0.0).collect();
+    displacements.sort_by(f64::total_cmp);
+    displacements.dedup();
+    if displacements.len() < 3 {
+        return Err(CalibrationError::TooFew { points: displacements.len() });
     }
-    let farthest = measured.iter().map(|[x, _]| *x).fold(0.0, f64::max);
+    let farthest = displacements.iter().copied().fold(0.0, f64::max);
+    if farthest < LEAST_MM {
+        return Err(CalibrationError::Small { farthest_mm: farthest });
+    }
     let mut settings = settings.clone();
     for _ in 0..8 {
         let model = FrameModel::of_parts(design, parts, masses, &settings, Extent::Quarter).map_err(CurveError::from)?;

@@ -24,6 +24,8 @@ pub struct Compared {
     pub stated_channel: &'static str,
     /// Why it was used.
     pub channel_reason: String,
+    /// The model's own effects.
+    pub own_effects: Vec<&'static str>,
     /// Drops used, by height, m.
     pub drops: Vec<(f64, usize)>,
     /// How the readings of each height, m, were averaged and thinned out.
@@ -54,6 +56,15 @@ impl Compared {
     /// Landings on one foot first that touches show, where the verdict is another one.
     pub fn landings_beside(&self) -> Option<&LandingAssessment> {
         self.landing.as_ref().filter(|landing| landing.stands_beside())
+    }
+
+    /// What the gap before is one of, where that is not the model as it was given.
+    pub fn before(&self, diagnosis: &Diagnosis) -> Option<String> {
+        let kept = diagnosis.base.ids();
+        let left: Vec<&str> = self.own_effects.iter().copied().filter(|own| !kept.contains(own)).collect();
+        (!left.is_empty()).then(|| {
+            format!("before: spring and damper, fitted without {}, which the model has: it is judged among the others", left.join(" and "))
+        })
     }
 
     /// How the readings of each height are compared, in sentences.
@@ -150,7 +161,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "alternatives": rounded(alternatives.collect::<Value>()),
         "ranking": diagnosis.ranking.iter().map(ranked).collect::<Vec<_>>(),
         "correlations": { "of": keys, "matrix": rounded(correlations) },
-        "gap": rounded(gaps(diagnosis)),
+        "gap": rounded(gaps(diagnosis, compared.before(diagnosis))),
         "where": diagnosis.residual_map,
         "lack_of_fit_p": rounded(diagnosis.adequacy.p),
         "base_lack_of_fit": rounded(adequacy(&diagnosis.base_adequacy)),
@@ -222,7 +233,7 @@ fn ranked(ranked: &Ranked) -> Value {
     })
 }
 
-fn gaps(diagnosis: &Diagnosis) -> Value {
+fn gaps(diagnosis: &Diagnosis, note: Option<String>) -> Value {
     let raw = |gaps: &Gaps| json!({ "fitted": gaps.fitted.raw_g, "held_out": gaps.held_out.raw_g, "trials": gaps.trials.raw_g });
     let records =
         |before: &Gap, after: &Gap| json!({ "template": before.template_g, "before": before.records_g, "after": after.records_g });
@@ -239,6 +250,7 @@ fn gaps(diagnosis: &Diagnosis) -> Value {
         "trials_before": before.trials.net_g,
         "trials_after": after.trials.net_g,
         "records": records(&before.fitted, &after.fitted),
+        "before_is_without": note,
         "held_out_records": records(&before.held_out, &after.held_out),
         "raw_before": raw(before),
         "raw_after": raw(after),

@@ -2,13 +2,14 @@
 
 use super::diagnosis_data::Compared;
 use super::separating_experiment::SeparatingExperiment;
+use crate::figures::decimals;
 use crate::impact::body::Feet;
 use crate::impact::diagnose;
 use crate::impact::diagnose::{
     ChannelChoice, ComparedAxes, Covariate, CovariateEffect, Diagnosis, DiagnosisError, DiagnosisOptions, FrameMode, Stage,
     StaticComparison, Verdict, confounded,
 };
-use crate::impact::effects::{Channel, DROP_HEIGHT_ERROR, Model};
+use crate::impact::effects::{self, AIR_DRAG, Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
 use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence, UnjudgedLandings};
 use crate::impact::measured::{DropSet, Fall, FreeFallOffset, Session, StaticTest, symptoms};
@@ -124,7 +125,7 @@ impl DiagnosisRequest<'_> {
         );
         let mut found = found?;
         let mut compared = self.compared(&choice);
-        if let Some(reason) = contradiction_by_falls(&found, &compared.falls) {
+        if let Some(reason) = self.contradiction_by_falls(&found, &compared.falls) {
             found.reasons.push(reason);
             if found.verdict != Verdict::NothingMissing {
                 found.verdict = Verdict::NoneSuffices;
@@ -183,8 +184,8 @@ impl DiagnosisRequest<'_> {
     fn warn_of_the_records(&self, waves: &Waves, falls: &[Fall], found: &mut Diagnosis) {
         found.reasons.extend(symptoms(self.drops));
         found.reasons.extend(beyond_limit(waves, self.model.sensor.limit_g));
-        let dh_m = found.estimates.iter().find(|one| one.effect == DROP_HEIGHT_ERROR.id).map_or(0.0, |one| one.value);
-        let explained = |fall: &&Fall| fall.agrees() || (dh_m != 0.0 && fall.agrees_with(fall.height_m + dh_m));
+        let fallen = self.fall_of(found);
+        let explained = |fall: &&Fall| fall.agrees() || fall.lasted(fallen.duration_s(fall.height_m));
         if let Some(fall) = falls.iter().find(|fall| !explained(fall)) {
             let reason = format!(
                 "the fall from {} m lasted {:.0} ± {:.0} ms, which is that from {:.2} m: what is found rests on heights that were not those stated. \
@@ -199,6 +200,31 @@ impl DiagnosisRequest<'_> {
                 found.verdict = Verdict::NoneSuffices;
             }
         }
+    }
+
+    /// How the frame falls by the model and what was found beside it.
+    fn fall_of(&self, found: &Diagnosis) -> effects::Fall {
+        let own = self.model.arrangement().fall;
+        let sum = |effect: &str| found.estimates.iter().filter(|one| one.effect == effect).map(|one| one.value).sum::<f64>();
+        effects::Fall { extra_m: own.extra_m + sum(DROP_HEIGHT_ERROR.id), drag_1_m: own.drag_1_m + sum(AIR_DRAG.id) }
+    }
+
+    /// What the recorded falls say against an error of the drop heights or a drag that was found; nothing where they agree with it, or neither was
+    /// found.
+    fn contradiction_by_falls(&self, found: &Diagnosis, falls: &[Fall]) -> Option<String> {
+        let of_fall = |effect: &str| [DROP_HEIGHT_ERROR.id, AIR_DRAG.id].contains(&effect);
+        let named = found.estimates.iter().find(|one| of_fall(&one.effect) && found.verdict != Verdict::NothingMissing)?;
+        let fallen = self.fall_of(found);
+        let fall = falls.iter().find(|fall| !fall.lasted(fallen.duration_s(fall.height_m)))?;
+        Some(format!(
+            "{} of {} contradicts the recorded falls: from {} m they lasted {:.0} ± {:.0} ms, not {:.0} ms",
+            named.effect,
+            decimals(named.value, 2),
+            fall.height_m,
+            1e3 * fall.fall_s,
+            1e3 * fall.error_s,
+            1e3 * fallen.duration_s(fall.height_m)
+        ))
     }
 
     /// What the lateral axes are used for, or why they are not; nothing where there are none.
@@ -249,6 +275,7 @@ impl DiagnosisRequest<'_> {
             channel: choice.axes.word(),
             stated_channel: word(choice.stated),
             channel_reason: choice.reason.clone(),
+            own_effects: self.model.acting().map(|(spec, _)| spec.id).collect(),
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
             sampling: choice.waves.groups.iter().map(|group| (group.height_m, group.decimation)).collect(),
             left_out: chosen.left_out.clone(),
@@ -277,19 +304,6 @@ fn beyond_limit(waves: &Waves, limit_g: f64) -> Option<String> {
              (limit_g of the model's sensor), or what is found stands for that"
         )
     })
-}
-
-/// What the recorded falls say against an error of the drop heights that was found; nothing where they agree with it, or none was found.
-fn contradiction_by_falls(found: &Diagnosis, falls: &[Fall]) -> Option<String> {
-    let dh_m = found.estimates.iter().find(|one| one.effect == DROP_HEIGHT_ERROR.id && found.verdict != Verdict::NothingMissing)?.value;
-    let fall = falls.iter().find(|fall| !fall.agrees_with(fall.height_m + dh_m))?;
-    Some(format!(
-        "{} of {dh_m:.2} m contradicts the recorded falls: from {} m they lasted {:.0} ± {:.0} ms",
-        DROP_HEIGHT_ERROR.id,
-        fall.height_m,
-        1e3 * fall.fall_s,
-        1e3 * fall.error_s
-    ))
 }
 
 fn word(channel: Channel) -> &'static str {

@@ -143,6 +143,9 @@ pub fn table(found: &Impacts) -> String {
             100.0 * end.friction_mj / input,
         );
     }
+    if found.tilt_deg != [0.0; 2] {
+        text += "\nwhether the lowest body reaches the ground was not evaluated: that takes a level landing\n";
+    }
     if let Some(gap) = found.gap_mm {
         text.push('\n');
         for impact in found.impacts {

@@ -143,14 +143,16 @@ fn gaps(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     ];
     let mut head = cells(["mean wave against model", "before, g", "after, g", "ratio", "floor, g", "raw, g"]);
     head.extend(landings.map(|landings| format!("{}, g", landings.ids().join(" + "))));
-    vec![
+    let mut blocks = vec![
         Block::Heading("The gap, before and after".into()),
         Block::Text(
             "Root of the mean over samples of (mean wave − model)² − SE², in g; the floor is the standard error of the mean wave itself, and nothing below it can be seen. A dash: not computed, as that to other heights where all drops are from one."
                 .into(),
         ),
         Block::Table(head, rows),
-    ]
+    ];
+    blocks.extend(compared.before(diagnosis).map(Block::Text));
+    blocks
 }
 
 fn waves(diagnosis: &Diagnosis) -> Result<Vec<Block>, PlotError> {

@@ -45,7 +45,8 @@ impl Recovery {
                 truths.push(name);
             }
         }
-        let laws = ScatterLaw::NAMES.map(String::from).to_vec();
+        let is_used = |name: &&str| self.cases.iter().any(|case| case.law.name() == *name);
+        let laws = ScatterLaw::NAMES.into_iter().filter(is_used).map(String::from).collect();
         let axes = vec![
             Axis::Stated("level"),
             Axis::Name { key: "law".into(), names: laws },
