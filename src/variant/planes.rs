@@ -13,6 +13,8 @@ use super::search::{Point, Search};
 
 /// How much of a margin is kept in reserve, scaled: what is solved to equality is then on the good side.
 const RESERVE: f64 = 0.002;
+/// Planes that differ by less in the whole box are the same, scaled.
+const SAME: f64 = 1e-9;
 /// What a unit of a violated margin costs, in units of the aim: more than any aim gains by it.
 const PRICE: f64 = 10.0;
 /// Steps of COBYLA on the planes, in shares of the box, first and last, and the most of them.
@@ -118,12 +120,23 @@ impl Planes {
         search.values(&at(&step[..count]))
     }
 
-    /// The margins that a step within the box can bring below what is kept in reserve.
+    /// The margins that a step within the box can bring below what is kept in reserve, each once, and those that are below it where a step can
+    /// change them: with two planes that are the same, as of a limit and a goal of the same value, the solver has been seen to go round for ever.
     fn tight(&self, radius: f64) -> Vec<usize> {
-        let lowest = |at: usize| {
-            self.margins[at] - radius * self.slopes.row(self.point.measures.len() + at).iter().map(|slope| slope.abs()).sum::<f64>()
+        let slopes = |at: usize| self.slopes.row(self.point.measures.len() + at);
+        let steepness = |at: usize| slopes(at).iter().map(|slope| slope.abs()).sum::<f64>();
+        let same = |a: usize, b: usize| {
+            let off = (self.margins[a] - self.margins[b]).abs() + radius * (slopes(a) - slopes(b)).iter().map(|slope| slope.abs()).sum::<f64>();
+            off < SAME
         };
-        (0..self.margins.len()).filter(|&at| lowest(at) < RESERVE).collect()
+        let mut tight: Vec<usize> = Vec::new();
+        for at in 0..self.margins.len() {
+            let is_tight = steepness(at) > 0.0 && self.margins[at] - radius * steepness(at) < RESERVE;
+            if is_tight && tight.iter().all(|&other| !same(other, at)) {
+                tight.push(at);
+            }
+        }
+        tight
     }
 
     fn row(&self, row: usize, step: &[f64], radius: f64) -> f64 {

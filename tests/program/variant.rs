@@ -275,6 +275,16 @@ fn analytic_explain_says_what_a_name_chooses() {
     assert!(code == 2 && err.contains("is a name, not a number; `flexframe explain bought.battery` lists the names"), "{err}");
 }
 
+/// A goal of the value of a limit gave the solver of the planes two equal constraints, with which it never ended.
+#[test]
+fn regress_a_goal_that_is_also_a_limit_ends() {
+    let bench = Bench::new(&[]);
+    let vary = "cage_rod,arm_rod,strut_rod,motor_position";
+    let arguments = ["solve", "cognifly", "--minimise", "mass", "--vary", vary, "--subject-to", "clearance.propeller>=3mm", "--frames", "40"];
+    let (code, out, err) = bench.run(&arguments);
+    assert!(code == 0 && out.contains("looked at 40 frames") || out.contains("what holds it back"), "{out}{err}");
+}
+
 #[test]
 fn planted_solve_finds_a_lighter_frame_that_keeps_every_limit() {
     let bench = Bench::new(&[]);
