@@ -126,7 +126,8 @@ impl Planes {
         let slopes = |at: usize| self.slopes.row(self.point.measures.len() + at);
         let steepness = |at: usize| slopes(at).iter().map(|slope| slope.abs()).sum::<f64>();
         let same = |a: usize, b: usize| {
-            let off = (self.margins[a] - self.margins[b]).abs() + radius * (slopes(a) - slopes(b)).iter().map(|slope| slope.abs()).sum::<f64>();
+            let off =
+                (self.margins[a] - self.margins[b]).abs() + radius * (slopes(a) - slopes(b)).iter().map(|slope| slope.abs()).sum::<f64>();
             off < SAME
         };
         let mut tight: Vec<usize> = Vec::new();

@@ -280,7 +280,8 @@ fn analytic_explain_says_what_a_name_chooses() {
 fn regress_a_goal_that_is_also_a_limit_ends() {
     let bench = Bench::new(&[]);
     let vary = "cage_rod,arm_rod,strut_rod,motor_position";
-    let arguments = ["solve", "cognifly", "--minimise", "mass", "--vary", vary, "--subject-to", "clearance.propeller>=3mm", "--frames", "40"];
+    let arguments =
+        ["solve", "cognifly", "--minimise", "mass", "--vary", vary, "--subject-to", "clearance.propeller>=3mm", "--frames", "40"];
     let (code, out, err) = bench.run(&arguments);
     assert!(code == 0 && out.contains("looked at 40 frames") || out.contains("what holds it back"), "{out}{err}");
 }

@@ -181,21 +181,25 @@ fn beside(from: Bounds, to: Bounds) -> Vec<Point3<f64>> {
     vec![begin, Point3::new(out, begin.y, begin.z), Point3::new(out, end.y, end.z), end]
 }
 
-/// From a sensor's front edge up before its tray, and to the rear through the upper wire hole on the right.
-fn through_upright(design: &Design, [low, high]: Bounds, [board_low, board_high]: Bounds, radius_mm: f64) -> Vec<Point3<f64>> {
+/// From a sensor's front edge up before its tray, and to the rear through the upper wire hole on the right: of the battery's axes, with which
+/// sensor and bracket turn.
+fn through_upright(design: &Design, sensor: Bounds, board: Bounds, radius_mm: f64) -> Vec<Point3<f64>> {
     let (centre, bracket) = (&design.centre, &design.frame.bracket);
+    let own = |[low, high]: Bounds| centre.battery_axes.box_of([low.into(), high.into()]).map(Point3::from);
+    let ([low, high], [board_low, board_high]) = (own(sensor), own(board));
     let (x, z) = (0.5 * bracket.wire_hole_pitch_across_mm, centre.magnet_z_mm + centre.bracket_z_mm());
     let middle_z = 0.5 * (low.z + high.z);
     let before = high.y.max(centre.bracket_half_mm) + OUT_MM;
     let board_y = board_low.y + 0.5 * (1.0 + ON_BOARD) * (board_high.y - board_low.y);
-    vec![
+    let way = [
         Point3::new(x, high.y, middle_z),
         Point3::new(x, before, middle_z),
         Point3::new(x, before, z - 2.0 * radius_mm),
         Point3::new(x, centre.bracket_half_mm + OUT_MM, z),
         Point3::new(x, board_high.y + OUT_MM, z),
         Point3::new(x.min(ON_BOARD * board_high.x), board_y, 0.5 * (board_low.z + board_high.z)),
-    ]
+    ];
+    way.map(|point| centre.battery_axes.point(point)).into()
 }
 
 /// From the edge of what sits on the hub down between the bosses of the nearest module, under the hub, and to the controller.
@@ -226,6 +230,7 @@ fn down(design: &Design, [low, high]: Bounds, board: Bounds, radius_mm: f64) -> 
 mod tests {
     use super::*;
     use crate::params::Frame;
+    use crate::params::sleeve_direction::SleeveDirection;
     use crate::solid::gate;
 
     fn design(frame: &str) -> Design {
@@ -237,14 +242,22 @@ mod tests {
         (0..3).map(|axis| (low[axis] - point[axis]).max(point[axis] - high[axis])).fold(0.0, f64::max)
     }
 
+    /// The same frame with its sleeve across: bracket and sensor turn with it.
+    fn across(frame: &str) -> Design {
+        let mut frame = Frame::load(frame).expect("is a frame").0;
+        frame.sleeve_direction = SleeveDirection::Across;
+        Design::new(frame).expect("designs")
+    }
+
     #[test]
     fn analytic_cables_begin_and_end_at_what_they_join() {
+        let default = ["board_cable", "sensor_cable", "camera_cable", "computer_cable"];
         let wanted = [
-            ("cognifly", vec!["board_cable", "sensor_cable", "camera_cable", "computer_cable"]),
-            ("examples/frames/four-inch-long-range.toml", vec!["gps_cable", "fpv_cable"]),
+            ("cognifly", design("cognifly"), default.to_vec()),
+            ("cognifly across", across("cognifly"), default.to_vec()),
+            ("four-inch", design("examples/frames/four-inch-long-range.toml"), vec!["gps_cable", "fpv_cable"]),
         ];
-        for (frame, roles) in wanted {
-            let design = design(frame);
+        for (frame, design, roles) in wanted {
             let all = cables(&design);
             assert_eq!(all.iter().map(|cable| cable.role).collect::<Vec<_>>(), roles, "{frame}");
             for cable in &all {

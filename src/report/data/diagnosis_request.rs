@@ -213,7 +213,7 @@ impl DiagnosisRequest<'_> {
     /// found.
     fn contradiction_by_falls(&self, found: &Diagnosis, falls: &[Fall]) -> Option<String> {
         let of_fall = |effect: &str| [DROP_HEIGHT_ERROR.id, AIR_DRAG.id].contains(&effect);
-        let named = found.estimates.iter().find(|one| of_fall(&one.effect) && found.verdict != Verdict::NothingMissing)?;
+        let named = found.estimates.iter().find(|one| of_fall(one.effect) && found.verdict != Verdict::NothingMissing)?;
         let fallen = self.fall_of(found);
         let fall = falls.iter().find(|fall| !fall.lasted(fallen.duration_s(fall.height_m)))?;
         Some(format!(
