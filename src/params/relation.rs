@@ -157,7 +157,28 @@ fn bought(frame: &Frame) -> Result<(), Broken> {
     carried_camera(frame)?;
     accessories(frame)?;
     driven_motors(frame)?;
+    fastened(frame)?;
     stack(frame)
+}
+
+/// What is held by a fastener, by the fastener's key: what it is, and the roles of which one is there.
+const HELD: [(&str, &str, &[&str]); 4] = [
+    ("bought.motor_screw", "the motors", &["motor"]),
+    ("bought.stack_screw", "the boards under the hub", &["flight_controller", "motor_controller"]),
+    ("bought.stack_nut", "the boards on their screws", &["flight_controller", "motor_controller"]),
+    ("bought.tie", "the bracket with the battery", &["battery"]),
+];
+
+/// What has to be held has its fasteners, or an extra that stands for them.
+fn fastened(frame: &Frame) -> Result<(), Broken> {
+    let role = |key: &'static str| key.strip_prefix("bought.").unwrap_or(key);
+    let covered = |role: &str| frame.extras.values().any(|extra| extra.covers.iter().any(|covered| covered == role));
+    let has = |role: &&str| frame.bought.contains_key(*role);
+    let missing = |(key, _, held): &&(&'static str, &str, &[&str])| !has(&role(key)) && !covered(role(key)) && held.iter().any(has);
+    let Some((key, what, _)) = HELD.iter().find(missing) else { return Ok(()) };
+    let message = format!("`{key}` = \"none\" leaves nothing that holds {what}");
+    let remedy = format!("name one; what holds {what} instead is an entry of [extras] with covers = [\"{}\"]", role(key));
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller, and controllers on the

@@ -215,7 +215,8 @@ fn extras(file: &FrameFile) -> Result<BTreeMap<String, Extra>, Refusal> {
     let mut tables: BTreeMap<String, toml::Table> = BTreeMap::new();
     for (key, entry) in &file.entries {
         let Some(rest) = key.strip_prefix("extras.") else { continue };
-        match (rest.split_once('.'), &entry.value) {
+        // A name may have dots in it, a field's name has none.
+        match (rest.rsplit_once('.'), &entry.value) {
             (Some((name, field)), _) => {
                 in_one_line(file, key, "extra", name)?;
                 within_bounds(&Extra::FIGURES, field, file, key, &entry.value)?;
@@ -287,7 +288,17 @@ mod tests {
             assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(text.lines().count() + 1), "{text}");
         }
         assert!(resolved("[rods]\n[override]\n[extras]").is_ok(), "tables with nothing in them");
+        let dotted = "[extras.\"rx.v2\"]\nmass_g = 2\nmass_basis = \"estimate\"\nsource = \"a guess\"\nposition_mm = [0, 0, 0]";
+        assert!(resolved(dotted).is_ok_and(|frame| frame.extras.contains_key("rx.v2")), "a name with a dot in it");
         assert!(resolved("[battery]\nbattery_mass_g = 0").is_ok(), "a battery that is weighed with something else");
+        for role in ["tie", "motor_screw", "stack_screw", "stack_nut"] {
+            let refusal = resolved(&format!("[bought]\n{role} = \"none\"")).err().unwrap_or_else(|| panic!("{role} is not missed"));
+            assert!(refusal.reason.to_string().contains("leaves nothing that holds"), "{}", refusal.reason);
+            let extra = format!(
+                "[bought]\n{role} = \"none\"\n[extras.glue]\nmass_g = 1\nmass_basis = \"estimate\"\nsource = \"a guess\"\nposition_mm = [0, 0, 0]\ncovers = [\"{role}\"]"
+            );
+            assert!(resolved(&extra).is_ok(), "{role}");
+        }
     }
 
     /// Centimetres for millimetres, in a part of one's own and in one of the catalogue.

@@ -158,7 +158,8 @@ def sensitivities():
     problem = {"num_vars": 2, "names": ["arm", "strut"], "bounds": [[76, 80], [47, 52]]}
     theirs = sobol.analyze(problem, figures, calc_second_order=False, num_resamples=200, seed=1)
     code, said = study("report", plan, "-o", out, "--json")
-    result("study: a report of one measure asks for goals", code == 2 and "two or three" in said, said)
+    front = json.loads(said)["front"] if code == 0 else []
+    result("study: a report of one measure has the row that is best in it", len(front) == 1, said)
     plan.write_text(SENSITIVITY.replace('["mass"]', '["mass", "mass.rods"]'))
     code, said = study("run", plan, "-o", out, "--restart")
     code, said = study("report", plan, "-o", out, "--json")

@@ -2,17 +2,17 @@
 
 use std::cmp::Ordering;
 
-use super::record::Record;
-
-/// Puts records in the order of their files' names, and those of one file in the order of their trials where all of these are numbers. Numbers
-/// within names count as numbers: `acc_b-2` comes before `acc_b-10`. So the order does not depend on that in which files are given.
+/// Puts drops in the order of their files' names, and those of one file in the order of their trials where all of these are numbers; `of` gives
+/// the names of file and trial. Numbers within names count as numbers: `acc_b-2` comes before `acc_b-10`. So the order does not depend on that in
+/// which files are given.
 ///
 /// *When it is wrong:* where files were named otherwise than one after the other.
-pub(super) fn in_order(records: &mut [Record]) {
-    let numbered = records.iter().all(|record| number(&record.trial).is_some());
-    records.sort_by(|a, b| {
-        let trials = if numbered { number(&a.trial).partial_cmp(&number(&b.trial)).unwrap_or(Ordering::Equal) } else { Ordering::Equal };
-        by_number(&a.source, &b.source).then(trials)
+pub(super) fn in_order<T>(drops: &mut [T], of: impl Fn(&T) -> [&str; 2]) {
+    let numbered = drops.iter().all(|drop| number(of(drop)[1]).is_some());
+    drops.sort_by(|a, b| {
+        let ([a_file, a_trial], [b_file, b_trial]) = (of(a), of(b));
+        let trials = if numbered { number(a_trial).partial_cmp(&number(b_trial)).unwrap_or(Ordering::Equal) } else { Ordering::Equal };
+        by_number(a_file, b_file).then(trials)
     });
 }
 

@@ -104,7 +104,7 @@ impl DropSet {
                 }
             }
         }
-        groups.iter_mut().for_each(|group| in_order(&mut group.records));
+        groups.iter_mut().for_each(|group| in_order(&mut group.records, |record| [&record.source, &record.trial]));
         Self { groups, notes }
     }
 
