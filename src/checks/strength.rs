@@ -105,6 +105,11 @@ mod tests {
         assert!(notes(&good).is_empty());
         let deep = Prediction { descent: vec![[0.0, 4.4], [10.8, 3.5], [11.0, 3.0], [15.0, 0.0]], travel_mm: 15.0, ..good.clone() };
         assert!(notes(&deep)[0].message.contains("battery_sleeve, 10.9 mm above the ground, hits it at 3.2 m/s"), "{:?}", notes(&deep));
+        // A body that stands on the ground hits it as fast as the frame comes down.
+        assert_eq!(
+            [deep.speed_m_s(0.0), deep.speed_m_s(-1.0), deep.speed_m_s(15.0), deep.speed_m_s(15.1)],
+            [Some(4.4), Some(4.4), Some(0.0), None]
+        );
         assert_eq!(violated(&Prediction { payload_peak_g: 151.0, ..good.clone() }), 1);
         assert_eq!(violated(&Prediction { strain: ("bottom corner leg web", 1.5), ..good.clone() }), 1);
         assert_eq!(violated(&Prediction { rod: Some(RodForce { compression_n: 210.0, ..rod }), ..good }), 1);

@@ -8,7 +8,7 @@ use super::session;
 use crate::frame::assembly::mass;
 use crate::impact::body::DropBody;
 use crate::impact::effects::Model;
-use crate::impact::measured::{self, Calibration, DropSet, FileFormat, Record, TableFormat};
+use crate::impact::measured::{self, Calibration, DropSet, FileFormat, TableFormat};
 use crate::params::preset;
 
 /// The frame among the drops, if there is one, and the paths of the drops. A frame is a preset's name that is no path, or a TOML
@@ -51,8 +51,7 @@ pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
 /// Also when an option says how files are written of which none is there: it would say nothing.
 pub(super) fn read_drops(paths: &[PathBuf], args: &FormatOptions, format: &FileFormat) -> Result<DropSet, Failure> {
     let set = measured::read(paths, format)?;
-    let of_table = |record: &&Record| [".csv", ".tsv"].iter().any(|ending| record.source.to_ascii_lowercase().ends_with(ending));
-    let tables = set.records().filter(of_table).count();
+    let tables = set.records().filter(|record| record.is_of_table()).count();
     let logged = set.records().count() - tables;
     let idle =
         |options: &[(bool, &'static str)], files: usize| options.iter().find(|(given, _)| *given && files == 0).map(|(_, name)| *name);

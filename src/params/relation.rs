@@ -169,12 +169,17 @@ const HELD: [(&str, &str, &[&str]); 4] = [
     ("bought.tie", "the bracket with the battery", &["battery"]),
 ];
 
+/// Whether an extra stands for a role.
+fn is_covered(frame: &Frame, role: &str) -> bool {
+    frame.extras.values().any(|extra| extra.covers.iter().any(|covered| covered == role))
+}
+
 /// What has to be held has its fasteners, or an extra that stands for them.
 fn fastened(frame: &Frame) -> Result<(), Broken> {
     let role = |key: &'static str| key.strip_prefix("bought.").unwrap_or(key);
-    let covered = |role: &str| frame.extras.values().any(|extra| extra.covers.iter().any(|covered| covered == role));
     let has = |role: &&str| frame.bought.contains_key(*role);
-    let missing = |(key, _, held): &&(&'static str, &str, &[&str])| !has(&role(key)) && !covered(role(key)) && held.iter().any(has);
+    let missing =
+        |(key, _, held): &&(&'static str, &str, &[&str])| !has(&role(key)) && !is_covered(frame, role(key)) && held.iter().any(has);
     let Some((key, what, _)) = HELD.iter().find(missing) else { return Ok(()) };
     let message = format!("`{key}` = \"none\" leaves nothing that holds {what}");
     let remedy = format!("name one; what holds {what} instead is an entry of [extras] with covers = [\"{}\"]", role(key));
@@ -185,8 +190,7 @@ fn fastened(frame: &Frame) -> Result<(), Broken> {
 /// arms are an extra.
 fn driven_motors(frame: &Frame) -> Result<(), Broken> {
     let Some(board) = frame.bought.get("flight_controller") else { return Ok(()) };
-    let covered = frame.extras.values().any(|extra| extra.covers.iter().any(|role| role == "motor_controller"));
-    if covered || frame.bought.contains_key("motor_controller") {
+    if is_covered(frame, "motor_controller") || frame.bought.contains_key("motor_controller") {
         return Ok(());
     }
     let name = &board.name;

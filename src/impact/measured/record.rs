@@ -1,7 +1,10 @@
 //! A record, and records by frame and height.
 
-use super::drop_order::in_order;
 use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::drop_order::in_order;
+use super::file_kind::FileKind;
 
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,6 +62,11 @@ impl Record {
     /// Whether there is none; readers give no such record.
     pub fn is_empty(&self) -> bool {
         self.t_s.is_empty()
+    }
+
+    /// Whether it stands in a table, not in a file of the logger.
+    pub fn is_of_table(&self) -> bool {
+        FileKind::of(Path::new(&self.source)) == Some(FileKind::Table)
     }
 
     /// The median step of time, s; `None` for fewer than two samples.

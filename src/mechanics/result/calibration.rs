@@ -84,7 +84,7 @@ pub fn calibrate(
     if displacements.len() < 3 {
         return Err(CalibrationError::TooFew { points: displacements.len() });
     }
-    let farthest = displacements.iter().copied().fold(0.0, f64::max);
+    let farthest = displacements[displacements.len() - 1];
     if farthest < LEAST_MM {
         return Err(CalibrationError::Small { farthest_mm: farthest });
     }

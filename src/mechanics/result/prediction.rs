@@ -36,6 +36,9 @@ pub struct Prediction {
 impl Prediction {
     /// How fast the payload is when it has come down this far, m/s; none when it does not.
     pub fn speed_m_s(&self, down_mm: f64) -> Option<f64> {
+        if let Some([_, speed]) = self.descent.first().filter(|[way_mm, _]| *way_mm >= down_mm) {
+            return Some(*speed);
+        }
         let at = self.descent.windows(2).find(|pair| pair[0][0] < down_mm && pair[1][0] >= down_mm)?;
         let [[before_mm, before], [behind_mm, behind]] = [at[0], at[1]];
         Some(before + (down_mm - before_mm) / (behind_mm - before_mm) * (behind - before))

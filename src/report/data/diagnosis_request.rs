@@ -202,11 +202,11 @@ impl DiagnosisRequest<'_> {
         }
     }
 
-    /// How the frame falls by the model and what was found beside it.
+    /// How the frame falls by what was found, and by the model where nothing was found of that.
     fn fall_of(&self, found: &Diagnosis) -> effects::Fall {
         let own = self.model.arrangement().fall;
-        let sum = |effect: &str| found.estimates.iter().filter(|one| one.effect == effect).map(|one| one.value).sum::<f64>();
-        effects::Fall { extra_m: own.extra_m + sum(DROP_HEIGHT_ERROR.id), drag_1_m: own.drag_1_m + sum(AIR_DRAG.id) }
+        let of = |effect: &str| found.estimates.iter().find(|one| one.effect == effect).map(|one| one.value);
+        effects::Fall { extra_m: of(DROP_HEIGHT_ERROR.id).unwrap_or(own.extra_m), drag_1_m: of(AIR_DRAG.id).unwrap_or(own.drag_1_m) }
     }
 
     /// What the recorded falls say against an error of the drop heights or a drag that was found; nothing where they agree with it, or neither was
