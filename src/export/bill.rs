@@ -202,8 +202,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
         let part = &item.part;
         let weighed = masses.lines.iter().find(|line| line.kind == "bought" && line.name == *role);
         let quantity = if role == "rod" { stocks } else { item.quantity };
-        let is_both = role == "motor_controller" && !design.frame.bought.contains_key("flight_controller");
-        let searched = if is_both { ALL_IN_ONE } else { role };
+        let searched = if role == "motor_controller" && design.frame.is_all_in_one() { ALL_IN_ONE } else { role };
         BuyLine {
             role: role.clone(),
             name: item.name.clone(),

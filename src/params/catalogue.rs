@@ -144,6 +144,8 @@ pub struct BoughtPart {
     pub shaft_diameter_mm: Option<f64>,
     /// Thickness of a board without what is soldered onto it, mm.
     pub board_thickness_mm: Option<f64>,
+    /// Whether a board is flight controller and motor controllers in one.
+    pub all_in_one: Option<bool>,
     /// Width and thickness of a tie's strap, mm.
     pub strap_mm: Option<[f64; 2]>,
     /// Distances of a board's mounting holes, mm.

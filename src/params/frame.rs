@@ -144,6 +144,12 @@ impl Frame {
         wall_mm.map_or(0.0, |wall| (self.rods.rod_diameter_mm - 2.0 * wall).max(0.0))
     }
 
+    /// Whether one board under the hub is flight controller and motor controllers.
+    pub fn is_all_in_one(&self) -> bool {
+        let is_both = |item: &BoughtItem| item.part.all_in_one == Some(true);
+        !self.bought.contains_key("flight_controller") && self.bought.get("motor_controller").is_some_and(is_both)
+    }
+
     /// One of its numbers, by table and key.
     pub fn value(&self, table: &str, key: &str) -> Option<f64> {
         match table {

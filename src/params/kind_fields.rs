@@ -1,7 +1,7 @@
 //! Which fields of a bought part only some kinds have.
 
 /// Fields that only some kinds of bought part have, and those kinds; every kind has the others.
-const KINDS_OF: [(&str, &[&str]); 22] = [
+const KINDS_OF: [(&str, &[&str]); 23] = [
     ("diameter_mm", &["rod", "propeller"]),
     ("stock_length_mm", &["rod"]),
     ("material", &["rod"]),
@@ -17,6 +17,7 @@ const KINDS_OF: [(&str, &[&str]); 22] = [
     ("hole_pattern_mm", &["board", "camera"]),
     ("hole_pitch_mm", &["sensor"]),
     ("board_thickness_mm", &["board"]),
+    ("all_in_one", &["board"]),
     ("cells", &["battery"]),
     ("capacity_mah", &["battery"]),
     ("strap_mm", &["other"]),

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "edit")]
 pub mod amend;
+mod bought_relation;
 pub mod catalogue;
 mod choice;
 pub mod figure;

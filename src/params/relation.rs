@@ -77,7 +77,6 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "the gap between the leg's root and the hub",
         "raise hub_leg_mouth_mm, or lower hub_leg_socket_depth_mm or hub_leg_root_mm",
     )?;
-    bought(frame)?;
     battery_mass(frame)?;
     centre(frame)?;
     let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
@@ -149,120 +148,6 @@ fn battery_mass(frame: &Frame) -> Result<(), Broken> {
     );
     let remedy = "state its mass in grams, 0 if it is weighed with something else".into();
     Err(Broken { key: "battery.battery_mass_g", reason: Box::new(Reason::Impossible { message, remedy }) })
-}
-
-/// What is bought finds the holes that it needs, and something that carries it.
-fn bought(frame: &Frame) -> Result<(), Broken> {
-    motor_holes(frame)?;
-    carried_camera(frame)?;
-    accessories(frame)?;
-    driven_motors(frame)?;
-    fastened(frame)?;
-    stack(frame)
-}
-
-/// What is held by a fastener, by the fastener's key: what it is, and the roles of which one is there.
-const HELD: [(&str, &str, &[&str]); 4] = [
-    ("bought.motor_screw", "the motors", &["motor"]),
-    ("bought.stack_screw", "the boards under the hub", &["flight_controller", "motor_controller"]),
-    ("bought.stack_nut", "the boards on their screws", &["flight_controller", "motor_controller"]),
-    ("bought.tie", "the bracket with the battery", &["battery"]),
-];
-
-/// Whether an extra stands for a role.
-fn is_covered(frame: &Frame, role: &str) -> bool {
-    frame.extras.values().any(|extra| extra.covers.iter().any(|covered| covered == role))
-}
-
-/// What has to be held has its fasteners, or an extra that stands for them.
-fn fastened(frame: &Frame) -> Result<(), Broken> {
-    let role = |key: &'static str| key.strip_prefix("bought.").unwrap_or(key);
-    let has = |role: &&str| frame.bought.contains_key(*role);
-    let missing =
-        |(key, _, held): &&(&'static str, &str, &[&str])| !has(&role(key)) && !is_covered(frame, role(key)) && held.iter().any(has);
-    let Some((key, what, _)) = HELD.iter().find(missing) else { return Ok(()) };
-    let message = format!("`{key}` = \"none\" leaves nothing that holds {what}");
-    let remedy = format!("name one; what holds {what} instead is an entry of [extras] with covers = [\"{}\"]", role(key));
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
-}
-
-/// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller, and controllers on the
-/// arms are an extra.
-fn driven_motors(frame: &Frame) -> Result<(), Broken> {
-    let Some(board) = frame.bought.get("flight_controller") else { return Ok(()) };
-    if is_covered(frame, "motor_controller") || frame.bought.contains_key("motor_controller") {
-        return Ok(());
-    }
-    let name = &board.name;
-    let message =
-        format!("`bought.motor_controller` = \"none\" leaves nothing that drives the motors beside the flight controller `{name}`");
-    let remedy = format!(
-        "name a motor_controller; where `{name}` is both controllers on one board, write motor_controller = \"{name}\" and flight_controller = \"none\"; \
-         controllers on the arms are an entry of [extras] with covers = [\"motor_controller\"]"
-    );
-    Err(Broken { key: "bought.motor_controller", reason: Box::new(Reason::Impossible { message, remedy }) })
-}
-
-/// The camera stands on the computer's board.
-fn carried_camera(frame: &Frame) -> Result<(), Broken> {
-    let has = |role: &str| frame.bought.contains_key(role);
-    if has("computer") || !has("camera") {
-        return Ok(());
-    }
-    let message =
-        "`bought.computer` = \"none\" leaves nothing for the camera to stand on: its connectors are glued onto the computer's board".into();
-    let remedy = "write camera = \"none\" in [bought], too, or name a computer".into();
-    Err(Broken { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
-}
-
-/// The accessory plate lies where the computer's carrier does.
-fn accessories(frame: &Frame) -> Result<(), Broken> {
-    let Some(key) = ACCESSORY_KEYS.into_iter().find(|key| key.strip_prefix("bought.").is_some_and(|role| frame.bought.contains_key(role)))
-    else {
-        return Ok(());
-    };
-    if !frame.bought.contains_key("computer") {
-        return Ok(());
-    }
-    let message = format!("`{key}` lies on the accessory plate, which has its place where the computer's carrier is");
-    let remedy = "write computer = \"none\" and camera = \"none\" in [bought], or count the part as a mass in [extras]".into();
-    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
-}
-
-/// Keys of what the accessory plate carries.
-const ACCESSORY_KEYS: [&str; 4] = ["bought.receiver", "bought.buzzer", "bought.gps", "bought.fpv_camera"];
-
-/// The boards under the hub hang on four screws: their holes are one square.
-fn stack(frame: &Frame) -> Result<(), Broken> {
-    let boards = [("bought.flight_controller", "flight_controller"), ("bought.motor_controller", "motor_controller")];
-    let patterns = boards.into_iter().filter_map(|(key, role)| Some((key, frame.bought.get(role)?)));
-    for (key, item) in patterns {
-        let Some([along, across]) = item.part.hole_pattern_mm else { continue };
-        let pattern = frame.hub.stack_pattern_mm;
-        if [along, across].iter().all(|side| (side - pattern).abs() <= HOLE_PLAY_MM) {
-            continue;
-        }
-        let name = &item.name;
-        let message = format!("the holes of `{name}` are {along} x {across} mm apart, those of the hub's stack {pattern} x {pattern} mm");
-        let remedy = "choose boards of one square pattern for flight_controller and motor_controller, or \"none\" for one of them; without stack_pattern_mm the hub follows the first".into();
-        return Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) });
-    }
-    Ok(())
-}
-
-/// How far the holes of a board may be from those that it is screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
-const HOLE_PLAY_MM: f64 = 0.5;
-
-/// The motor mount has three screw holes, or four.
-fn motor_holes(frame: &Frame) -> Result<(), Broken> {
-    let Some(motor) = frame.bought.get("motor") else { return Ok(()) };
-    let count = motor.part.motor_holes();
-    if (3..=4).contains(&count) {
-        return Ok(());
-    }
-    let message = format!("the motor `{}` has {count} screw holes, a motor mount has 3 or 4", motor.name);
-    let remedy = "choose a motor with three or four holes; params/bought.toml shows them".into();
-    Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
 }
 
 /// The rigid centre: its bores stay apart, and the computer, where there is one, finds something to stand on.

@@ -13,7 +13,7 @@ use super::read::{bad_entry, in_one_line, text, to_blame};
 use super::refusal::{ROLE, Reason, Refusal, nearest};
 use super::roles::ROLES;
 use super::sleeve_direction::SleeveDirection;
-use super::{relation, renamed, target};
+use super::{bought_relation, relation, renamed, target};
 
 impl Frame {
     /// Reads a frame file or a preset and checks it.
@@ -63,7 +63,7 @@ impl Frame {
             bought,
             extras: extras(file)?,
         };
-        relation::hold(&frame).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
+        bought_relation::hold(&frame).and_then(|()| relation::hold(&frame)).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
         Ok(frame)
     }
 }
@@ -291,14 +291,41 @@ mod tests {
         let dotted = "[extras.\"rx.v2\"]\nmass_g = 2\nmass_basis = \"estimate\"\nsource = \"a guess\"\nposition_mm = [0, 0, 0]";
         assert!(resolved(dotted).is_ok_and(|frame| frame.extras.contains_key("rx.v2")), "a name with a dot in it");
         assert!(resolved("[battery]\nbattery_mass_g = 0").is_ok(), "a battery that is weighed with something else");
-        for role in ["tie", "motor_screw", "stack_screw", "stack_nut"] {
+    }
+
+    /// What nothing else does, unless an extra stands for it.
+    #[test]
+    fn planted_what_cannot_be_left_out_unless_an_extra_covers_it() {
+        for (role, does) in [
+            ("tie", "holds the bracket"),
+            ("motor_screw", "holds the motors"),
+            ("stack_screw", "holds the boards"),
+            ("stack_nut", "holds the boards"),
+            ("connector", "connects the battery"),
+            ("flight_controller", "flies the frame: `esc-4in1-20x20` is a motor controller alone"),
+            ("motor_controller", "drives the motors beside the flight controller"),
+        ] {
             let refusal = resolved(&format!("[bought]\n{role} = \"none\"")).err().unwrap_or_else(|| panic!("{role} is not missed"));
-            assert!(refusal.reason.to_string().contains("leaves nothing that holds"), "{}", refusal.reason);
+            assert!(refusal.reason.to_string().contains(&format!("leaves nothing that {does}")), "{}", refusal.reason);
+            assert!(refusal.remedy().contains(&format!("covers = [\"{role}\"]")), "{}", refusal.remedy());
+            assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(3), "{role}");
             let extra = format!(
                 "[bought]\n{role} = \"none\"\n[extras.glue]\nmass_g = 1\nmass_basis = \"estimate\"\nsource = \"a guess\"\nposition_mm = [0, 0, 0]\ncovers = [\"{role}\"]"
             );
             assert!(resolved(&extra).is_ok(), "{role}");
         }
+    }
+
+    #[test]
+    fn planted_one_board_is_both_controllers_where_its_entry_says_so() {
+        let one =
+            |board: &str, more: &str| resolved(&format!("[bought]\nflight_controller = \"none\"\nmotor_controller = \"{board}\"\n{more}"));
+        assert!(one("aio-20x20", "").is_ok_and(|frame| frame.is_all_in_one()));
+        assert!(one("esc-4in1-20x20", "[override.parts.esc-4in1-20x20]\nall_in_one = true").is_ok());
+        let refusal = one("aio-20x20", "[override.parts.aio-20x20]\nall_in_one = false").expect_err("nothing flies it");
+        assert!(refusal.remedy().contains("state all_in_one = true in [override.parts.aio-20x20]"), "{}", refusal.remedy());
+        let neither = resolved("[bought]\nflight_controller = \"none\"\nmotor_controller = \"none\"").expect_err("has no board");
+        assert!(neither.reason.to_string().contains("leaves nothing that"), "{}", neither.reason);
     }
 
     /// Centimetres for millimetres, in a part of one's own and in one of the catalogue.

@@ -70,7 +70,15 @@ fn planted_a_battery_that_meets_a_rod_comes_after_the_motor_wires_and_the_instru
     }
 }
 
-/// Dampers go into the flight controller, and where one board is both controllers, into that.
+/// A frame whose motor controller is the flight controller, too.
+fn all_in_one(roles: &[&str]) -> Design {
+    let mut frame = Frame::load("cognifly").expect("a preset").0;
+    frame.bought.retain(|role, _| !roles.contains(&role.as_str()) && role != "flight_controller");
+    frame.bought.get_mut("motor_controller").expect("has one").part.all_in_one = Some(true);
+    Design::with(frame, common::memo()).expect("designs")
+}
+
+/// Dampers go into the flight controller, and where one board is both controllers, or the only one, into that.
 #[test]
 fn analytic_dampers_go_into_the_upper_board() {
     let steps = |design: &Design| {
@@ -80,8 +88,11 @@ fn analytic_dampers_go_into_the_upper_board() {
     };
     let both = steps(&designed("cognifly"));
     assert!(both[0].is_some() && both[1].is_none() && both[2].is_some() && both[3].is_none());
-    let one = steps(&without(&["flight_controller", "flow_sensor"]));
+    let one = steps(&all_in_one(&["flow_sensor"]));
     assert!(one[0].is_none() && one[2].is_none() && one[1].is_some_and(|at| Some(at) < one[3]), "{one:?}");
+    let motors_alone = steps(&without(&["flight_controller", "flow_sensor"]));
+    assert!(motors_alone[0].is_none() && motors_alone[3].is_none(), "{motors_alone:?}");
+    assert!(motors_alone[1].is_some_and(|at| Some(at) < motors_alone[2]), "{motors_alone:?}");
 }
 
 /// A cable is drawn in the one step that brings its ends together.
@@ -102,7 +113,7 @@ fn analytic_texts_name_no_cable_of_what_the_design_lacks() {
         ["sensor cable", "board cable"].map(|cable| texts.contains(cable))
     };
     assert_eq!(told(&designed("cognifly")), [true; 2]);
-    assert_eq!(told(&without(&["flow_sensor", "flight_controller", "damper"])), [false; 2]);
+    assert_eq!(told(&all_in_one(&["flow_sensor", "damper"])), [false; 2]);
 }
 
 /// Every preset, and every frame of the gallery.

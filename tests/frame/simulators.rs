@@ -225,6 +225,6 @@ fn analytic_the_sensor_is_on_the_flight_controller_or_at_the_hub() {
     let [low, high] = design.shape(board).solid.bounds_in_mm(&board.pose);
     assert_eq!(with.imu.on, "flight_controller");
     assert!(low[2] < with.imu.position_m[2] * 1e3 && with.imu.position_m[2] * 1e3 < high[2], "{:?}", with.imu);
-    let (_, without) = of_text("base = \"cognifly\"\nbought.flight_controller = \"none\"\n");
+    let (_, without) = of_text("base = \"cognifly\"\nbought.flight_controller = \"none\"\nbought.motor_controller = \"aio-20x20\"\n");
     assert_eq!((without.imu.on.as_str(), without.imu.position_m), ("hub", [0.0; 3]));
 }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::mount::{Fixing, Mount, PLUGGED, Stage};
+use super::mount::{ALL_IN_ONE, Fixing, Mount, PLUGGED, Stage};
 use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
@@ -156,7 +156,10 @@ impl Mounting {
 /// The mounts that a design has a part for, or for which it has what they are about. Of several that bring the same part the first that
 /// has what it is put onto.
 pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
-    let has = |name: &str| design.bodies.iter().any(|body| body.name == name);
+    let has = |name: &str| match name {
+        ALL_IN_ONE => design.frame.is_all_in_one(),
+        name => design.bodies.iter().any(|body| body.name == name),
+    };
     let mut found: Vec<&'static Mount> = Vec::new();
     for mount in MOUNTS.iter().filter(|mount| mount.is_for(has)) {
         let brought = |name: &str| found.iter().any(|other| other.brings.contains(&name));

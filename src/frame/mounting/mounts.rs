@@ -1,6 +1,6 @@
 //! The catalogue of mounts: one record each. Nothing here says in which order.
 
-use super::mount::{Fixing, Mount, Stage};
+use super::mount::{ALL_IN_ONE, Fixing, Mount, Stage};
 use super::tool::Tool;
 
 const ABOVE: Option<[f64; 3]> = Some([0.0, 0.0, 1.0]);
@@ -106,7 +106,7 @@ pub static MOUNTS: [Mount; 29] = [
         from: BELOW,
         fixing: Fixing::Squeezed,
         title: "Dampers into the board",
-        text: "Squeeze one rubber damper into each corner hole of the board, which is flight and motor controller in one, until it lies in the damper's groove.",
+        text: "Squeeze one rubber damper into each corner hole of the board until it lies in the damper's groove.",
         tools: &[Tool::Hands],
         ..GLUED
     },
@@ -126,12 +126,15 @@ pub static MOUNTS: [Mount; 29] = [
     Mount {
         id: "motor_controller",
         brings: &["motor_controller"],
-        with: &["flight_controller"],
+        without: &[ALL_IN_ONE],
         onto: "hub",
         from: BELOW,
         fixing: Fixing::Screws("stack_screw"),
-        needs: &[("stack_screws", "the board hangs on the screws")],
-        title: "Motor controller under it",
+        needs: &[
+            ("stack_screws", "the board hangs on the screws"),
+            ("dampers_in_motor_controller", "the dampers sit between board and screws"),
+        ],
+        title: "Motor controller onto the screws",
         text: "{cables}Push the motor controller onto the screws, its battery pads to the {rear}.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
         tools: &[Tool::Hands],
@@ -140,7 +143,7 @@ pub static MOUNTS: [Mount; 29] = [
     Mount {
         id: "both_controllers",
         brings: &["motor_controller"],
-        without: &["flight_controller"],
+        with: &[ALL_IN_ONE],
         onto: "hub",
         from: BELOW,
         fixing: Fixing::Screws("stack_screw"),

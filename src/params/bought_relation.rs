@@ -1,0 +1,153 @@
+//! What is bought goes together: it finds the holes that it needs, what carries it, and what it cannot do without.
+
+use super::frame::Frame;
+use super::refusal::Reason;
+use super::relation::Broken;
+
+/// Checks every relation of what is bought.
+pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
+    motor_holes(frame)?;
+    carried_camera(frame)?;
+    accessories(frame)?;
+    driven_motors(frame)?;
+    flown(frame)?;
+    fastened(frame)?;
+    stack(frame)
+}
+
+/// What a bought part does for others, by its key: what nothing does without it, and the roles of which one is there.
+const SERVED: [(&str, &str, &[&str]); 5] = [
+    ("bought.motor_screw", "holds the motors", &["motor"]),
+    ("bought.stack_screw", "holds the boards under the hub", BOARDS),
+    ("bought.stack_nut", "holds the boards on their screws", BOARDS),
+    ("bought.tie", "holds the bracket with the battery", &["battery"]),
+    ("bought.connector", "connects the battery", &["battery"]),
+];
+
+/// Roles of the boards under the hub.
+const BOARDS: &[&str] = &["flight_controller", "motor_controller"];
+
+/// Whether an extra stands for a role.
+fn is_covered(frame: &Frame, role: &str) -> bool {
+    frame.extras.values().any(|extra| extra.covers.iter().any(|covered| covered == role))
+}
+
+/// Whether a frame has what a key of `[bought]` names, or an extra that stands for it.
+fn has(frame: &Frame, key: &str) -> bool {
+    let role = role(key);
+    frame.bought.contains_key(role) || is_covered(frame, role)
+}
+
+/// The role of a key of `[bought]`.
+fn role(key: &str) -> &str {
+    key.strip_prefix("bought.").unwrap_or(key)
+}
+
+/// What has to be held or connected has what does it, or an extra that stands for that.
+fn fastened(frame: &Frame) -> Result<(), Broken> {
+    let is_there = |served: &&str| frame.bought.contains_key(*served);
+    let missing = |(key, _, served): &&(&'static str, &str, &[&str])| !has(frame, key) && served.iter().any(is_there);
+    let Some((key, does, _)) = SERVED.iter().find(missing) else { return Ok(()) };
+    let message = format!("`{key}` = \"none\" leaves nothing that {does}");
+    let remedy = format!("name one; what {does} instead is an entry of [extras] with covers = [\"{}\"]", role(key));
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// A frame flies by a flight controller: a board of its own, or one that drives the motors, too.
+fn flown(frame: &Frame) -> Result<(), Broken> {
+    let key = "bought.flight_controller";
+    if has(frame, key) || frame.is_all_in_one() {
+        return Ok(());
+    }
+    let board = frame.bought.get("motor_controller").map(|board| board.name.as_str());
+    let alone = board.map_or(String::new(), |name| format!(": `{name}` is a motor controller alone"));
+    let both = board.map_or(String::new(), |name| {
+        format!(" where `{name}` is both controllers on one board, state all_in_one = true in [override.parts.{name}];")
+    });
+    let message = format!("`{key}` = \"none\" leaves nothing that flies the frame{alone}");
+    let remedy = format!(
+        "name one, or as motor_controller a board that is both, such as \"aio-20x20\";{both} one that is elsewhere on the frame is an entry of \
+         [extras] with covers = [\"flight_controller\"]"
+    );
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// A flight controller alone drives no motor: a board that is both controllers has the role of the motor controller, and controllers on the
+/// arms are an extra.
+fn driven_motors(frame: &Frame) -> Result<(), Broken> {
+    let key = "bought.motor_controller";
+    if has(frame, key) {
+        return Ok(());
+    }
+    let board = frame.bought.get("flight_controller").map(|board| board.name.as_str());
+    let beside = board.map_or(String::new(), |name| format!(" beside the flight controller `{name}`"));
+    let both = board.map_or(String::new(), |name| {
+        format!(" where `{name}` is both controllers on one board, write motor_controller = \"{name}\" and flight_controller = \"none\";")
+    });
+    let message = format!("`{key}` = \"none\" leaves nothing that drives the motors{beside}");
+    let remedy =
+        format!("name a motor_controller;{both} controllers on the arms are an entry of [extras] with covers = [\"motor_controller\"]");
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// The camera stands on the computer's board.
+fn carried_camera(frame: &Frame) -> Result<(), Broken> {
+    let has = |role: &str| frame.bought.contains_key(role);
+    if has("computer") || !has("camera") {
+        return Ok(());
+    }
+    let message =
+        "`bought.computer` = \"none\" leaves nothing for the camera to stand on: its connectors are glued onto the computer's board".into();
+    let remedy = "write camera = \"none\" in [bought], too, or name a computer".into();
+    Err(Broken { key: "bought.computer", reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// The accessory plate lies where the computer's carrier does.
+fn accessories(frame: &Frame) -> Result<(), Broken> {
+    let Some(key) = ACCESSORY_KEYS.into_iter().find(|key| key.strip_prefix("bought.").is_some_and(|role| frame.bought.contains_key(role)))
+    else {
+        return Ok(());
+    };
+    if !frame.bought.contains_key("computer") {
+        return Ok(());
+    }
+    let message = format!("`{key}` lies on the accessory plate, which has its place where the computer's carrier is");
+    let remedy = "write computer = \"none\" and camera = \"none\" in [bought], or count the part as a mass in [extras]".into();
+    Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) })
+}
+
+/// Keys of what the accessory plate carries.
+const ACCESSORY_KEYS: [&str; 4] = ["bought.receiver", "bought.buzzer", "bought.gps", "bought.fpv_camera"];
+
+/// The boards under the hub hang on four screws: their holes are one square.
+fn stack(frame: &Frame) -> Result<(), Broken> {
+    let boards = [("bought.flight_controller", "flight_controller"), ("bought.motor_controller", "motor_controller")];
+    let patterns = boards.into_iter().filter_map(|(key, role)| Some((key, frame.bought.get(role)?)));
+    for (key, item) in patterns {
+        let Some([along, across]) = item.part.hole_pattern_mm else { continue };
+        let pattern = frame.hub.stack_pattern_mm;
+        if [along, across].iter().all(|side| (side - pattern).abs() <= HOLE_PLAY_MM) {
+            continue;
+        }
+        let name = &item.name;
+        let message = format!("the holes of `{name}` are {along} x {across} mm apart, those of the hub's stack {pattern} x {pattern} mm");
+        let remedy = "choose boards of one square pattern for flight_controller and motor_controller, or \"none\" for one of them; without stack_pattern_mm the hub follows the first".into();
+        return Err(Broken { key, reason: Box::new(Reason::Impossible { message, remedy }) });
+    }
+    Ok(())
+}
+
+/// How far the holes of a board may be from those that it is screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
+const HOLE_PLAY_MM: f64 = 0.5;
+
+/// The motor mount has three screw holes, or four.
+fn motor_holes(frame: &Frame) -> Result<(), Broken> {
+    let Some(motor) = frame.bought.get("motor") else { return Ok(()) };
+    let count = motor.part.motor_holes();
+    if (3..=4).contains(&count) {
+        return Ok(());
+    }
+    let message = format!("the motor `{}` has {count} screw holes, a motor mount has 3 or 4", motor.name);
+    let remedy = "choose a motor with three or four holes; params/bought.toml shows them".into();
+    Err(Broken { key: "bought.motor", reason: Box::new(Reason::Impossible { message, remedy }) })
+}
