@@ -22,6 +22,8 @@ const MOTOR_LENGTH: &[&str] = &["bought.motor_screw", "motor_mount.motor_plate_t
 const STACK_THREAD: &[&str] = &["hub.stack_pilot_diameter_mm", "bought.stack_screw"];
 const STACK_HEAD: &[&str] = &["hub.stack_counterbore_diameter_mm", "bought.stack_screw"];
 const STACK_LENGTH: &[&str] = &["bought.stack_screw", "hub.stack_counterbore_depth_mm"];
+const FLIGHT_HOLES: &[&str] = &["bought.flight_controller", "bought.stack_screw", "bought.damper"];
+const STACK_HOLES: &[&str] = &["bought.motor_controller", "bought.stack_screw", "bought.damper"];
 const SEAT: &[&str] = &["motor_mount.propeller_height_mm"];
 const CAGE: &[&str] = &["rods.cage_rod_length_mm", "motor_mount.motor_position_mm", "bought.propeller"];
 const MOTOR_HOLES: &[&str] = &["motor_mount.motor_hole_circle_mm", "bought.motor"];
@@ -29,6 +31,9 @@ const COMPUTER_HOLES: &[&str] = &["pi_carrier.pi_pattern_along_mm", "pi_carrier.
 const CAMERA_HOLES: &[&str] = &["camera.camera_pattern_across_mm", "camera.camera_pattern_up_mm", "bought.camera"];
 const TIED: &[&str] = &["accessories.accessory_side_mm", "bought.receiver", "bought.buzzer"];
 const SENSOR_HOLES: &[&str] = &["sleeve.sensor_hole_pitch_mm", "bought.flow_sensor"];
+const COMPUTER_ALONE: &[&str] = &["bought.computer"];
+const CAMERA_ALONE: &[&str] = &["bought.camera"];
+const SENSOR_ALONE: &[&str] = &["bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
     id: "hardware_fit",
@@ -45,12 +50,17 @@ pub static RULE: Rule = Rule {
         STACK_THREAD,
         STACK_HEAD,
         STACK_LENGTH,
+        FLIGHT_HOLES,
+        STACK_HOLES,
         SEAT,
         CAGE,
         MOTOR_HOLES,
         COMPUTER_HOLES,
         CAMERA_HOLES,
         SENSOR_HOLES,
+        COMPUTER_ALONE,
+        CAMERA_ALONE,
+        SENSOR_ALONE,
         TIED,
     ]),
     blame: Blame::Levers,
@@ -73,11 +83,21 @@ const NUT: f64 = 0.8;
 /// By how much a self-tapping screw's thread is wider than its pilot hole, mm, in the middle (0.1 on the real frame), and how far off.
 const BITE_MM: [f64; 2] = [0.1, 0.2];
 
+/// Least wall of a damper's neck around the screw in it, mm: M2 dampers are made for holes of 3 mm, thinner rubber is cut by the thread.
+const NECK_MM: f64 = 0.25;
+/// Least width by which what keeps a board on its screw is wider than the board's hole, on each side, mm: the rim of an M2 damper has 1 mm, an
+/// M2 nut 0.5 mm beside a hole of 3 mm.
+const RIM_MM: f64 = 0.25;
+/// Holes that the small screws of the bill are for, mm: M2 is the smallest of them, and their washers have 5 mm.
+const SMALL_SCREWS_MM: [f64; 2] = [2.0, 4.5];
+
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let mut found = rods(&scene.design.frame);
     found.extend(stock(scene));
     found.extend(motor_screws(&scene.design.frame));
     found.extend(stack_screws(scene));
+    found.extend(stack_holes(scene));
+    found.extend(small_holes(&scene.design.frame));
     found.extend(holes(&scene.design.frame));
     found.extend(tied(scene));
     found.extend(seat(&scene.design.frame));
@@ -193,6 +213,60 @@ fn stack_screws(scene: &Scene) -> Vec<Finding> {
     found
 }
 
+/// The boards of the stack let their screws through, with the dampers that they hang in, and what keeps them on the screws does not slip
+/// through their holes.
+fn stack_holes(scene: &Scene) -> Vec<Finding> {
+    let frame = &scene.design.frame;
+    let Some(thread) = part(frame, "stack_screw").and_then(|screw| screw.thread_mm) else { return Vec::new() };
+    let stack = Stack::new(frame, &scene.design.centre);
+    let mut found = Vec::new();
+    for (at, board) in stack.boards.iter().enumerate() {
+        let Some(hole) = board.part.hole_diameter_mm else { continue };
+        let levers = if board.role == "flight_controller" { FLIGHT_HOLES } else { STACK_HOLES };
+        let (called, subject) = (name(frame, board.role), format!("holes of the {}", board.role));
+        let damper = stack.dampers.filter(|_| at == 0).map(|(damper, _)| damper);
+        let (what, least) = match damper {
+            Some(_) => (format!("the neck of a damper around the screw of {thread} mm"), thread + 2.0 * NECK_MM),
+            None => ("the screw".into(), thread),
+        };
+        let passed = measure(hole, least, "mm", levers);
+        let [wide, needed] = passed.figures(2);
+        let bare = damper.is_some() && (thread..least).contains(&hole);
+        let bare = if bare { "; with damper = \"none\" it hangs on the screws alone" } else { "" };
+        let message = format!("the holes of {called} are {wide} mm wide, {what} needs {needed} mm{bare}");
+        found.push(passed.at_least(format!("{subject}: screw"), message));
+        let keeps = damper.map(|damper| ("a damper", damper.size_mm[0].min(damper.size_mm[1])));
+        let Some((what, across)) = keeps.or_else(|| part(frame, "stack_nut").map(|nut| ("a nut", nut.size_mm[0].min(nut.size_mm[1]))))
+        else {
+            continue;
+        };
+        let kept = measure(hole, across - 2.0 * RIM_MM, "mm", levers);
+        let [wide, most] = kept.figures(2);
+        let message = format!("the holes of {called} are {wide} mm wide, {what} of {across} mm keeps it on its screw up to {most} mm");
+        found.push(kept.at_most(format!("{subject}: what keeps it"), message));
+    }
+    found
+}
+
+/// Boards that small screws hold have holes for these.
+fn small_holes(frame: &Frame) -> Vec<Finding> {
+    let held = [("computer", COMPUTER_ALONE), ("camera", CAMERA_ALONE), ("flow_sensor", SENSOR_ALONE)];
+    let [least, most] = SMALL_SCREWS_MM;
+    let of = |(role, levers): (&'static str, &'static [&'static str])| {
+        let hole = part(frame, role)?.hole_diameter_mm?;
+        let called = name(frame, role);
+        let (passed, kept) = (measure(hole, least, "mm", levers), measure(hole, most, "mm", levers));
+        let ([wide, needed], [_, room]) = (passed.figures(2), kept.figures(2));
+        let through = format!("the holes of {called} are {wide} mm wide, the smallest screw of the bill needs {needed} mm");
+        let washer = format!("the holes of {called} are {wide} mm wide, a washer of the bill keeps it on its screw up to {room} mm");
+        Some([
+            passed.at_least(format!("holes of the {role}: screw"), through),
+            kept.at_most(format!("holes of the {role}: what keeps it"), washer),
+        ])
+    };
+    held.into_iter().filter_map(of).flatten().collect()
+}
+
 /// The holes that carry a bought part are where it has its own.
 fn holes(frame: &Frame) -> Vec<Finding> {
     let [motor, computer, camera, sensor] = ["motor", "computer", "camera", "flow_sensor"].map(|role| part(frame, role));
@@ -297,7 +371,30 @@ mod tests {
                 (screw.thread_mm, screw.head_diameter_mm, screw.length_mm) = (Some(3.0), Some(5.5), Some(20.0))
             });
         });
-        assert_eq!(m3, ["screw of the stack: bite", "screw of the stack: head"]);
+        assert_eq!(m3, ["screw of the stack: bite", "screw of the stack: head", "holes of the flight_controller: screw"]);
+    }
+
+    #[test]
+    fn planted_holes_of_boards_that_do_not_take_what_holds_them() {
+        let of = |role: &'static str, hole_mm: f64| broken(|frame| own(frame, role, |board| board.hole_diameter_mm = Some(hole_mm)));
+        let says = |role: &str, what: &str| vec![format!("holes of the {role}: {what}")];
+        // An M2 screw with a damper's neck around it in the flight controller, alone in the board below it.
+        assert_eq!(of("flight_controller", 2.5), Vec::<String>::new());
+        assert_eq!(of("flight_controller", 2.4), says("flight_controller", "screw"));
+        assert_eq!(of("motor_controller", 2.0), Vec::<String>::new());
+        assert_eq!(of("motor_controller", 1.9), says("motor_controller", "screw"));
+        // A damper has 5 mm, a nut 4 mm.
+        assert_eq!(of("flight_controller", 4.6), says("flight_controller", "what keeps it"));
+        assert_eq!(of("motor_controller", 3.6), says("motor_controller", "what keeps it"));
+        for role in ["computer", "camera", "flow_sensor"] {
+            assert_eq!(of(role, 1.9), says(role, "screw"));
+            assert_eq!(of(role, 4.6), says(role, "what keeps it"));
+        }
+        let alone = broken(|frame| {
+            frame.bought.remove("flight_controller");
+            own(frame, "motor_controller", |board| board.hole_diameter_mm = Some(2.0));
+        });
+        assert_eq!(alone, says("motor_controller", "screw"), "an only board hangs in the dampers");
     }
 
     #[test]

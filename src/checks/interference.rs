@@ -24,8 +24,11 @@ const SLEEVE: &[&str] = &["battery.battery_clearance_across_mm", "battery.batter
 const OTHER: &[&str] = &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"];
 const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "bought.motor_screw"];
 const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
+/// The same where the board is the motor controller, or the only one.
+const LOWER_STACK: &[&str] = &["bracket.bay_height_mm", "bought.motor_controller", "bought.stack_screw"];
 /// A board that is too long for the bay may have the room across it.
 const BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.flight_controller"];
+const LOWER_BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.motor_controller"];
 const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
 const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
 const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
@@ -37,7 +40,22 @@ pub static RULE: Rule = Rule {
     requires: "bodies share no volume beyond the intended press fits",
     units: &["mm3"],
     limits: &[],
-    levers: Levers::Sets(&[ROD_FIT, PLUG_FIT, KNEE_WINDOW, SLEEVE, OTHER, MOTOR_SCREWS, STACK, BAY, COMPUTER, CAMERA, SENSOR, ACCESSORY]),
+    levers: Levers::Sets(&[
+        ROD_FIT,
+        PLUG_FIT,
+        KNEE_WINDOW,
+        SLEEVE,
+        OTHER,
+        MOTOR_SCREWS,
+        STACK,
+        LOWER_STACK,
+        BAY,
+        LOWER_BAY,
+        COMPUTER,
+        CAMERA,
+        SENSOR,
+        ACCESSORY,
+    ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick_where_bent(check, None)]),
@@ -79,12 +97,14 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
     }
     let is = |name| a.is_part(name) || b.is_part(name);
     let has = |name: &str| [a, b].iter().any(|p| matches!(p.shape.kind, Kind::Bought(bought) if bought == name));
+    let is_lower = has("motor_controller") || !frame.bought.contains_key("flight_controller");
+    let (stack, bay) = if is_lower { (LOWER_STACK, LOWER_BAY) } else { (STACK, BAY) };
     let [in_motor, in_hub] = threads_mm3(frame, &scene.design.centre).map(|thread| thread * ROUNDING);
     match () {
         () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
-        () if has("stack_screw") && is(PartName::Hub) => (in_hub, STACK),
-        () if has("flight_controller") && is(PartName::BatteryBracket) => (0.0, BAY),
-        () if ["flight_controller", "motor_controller", "stack_screw", "stack_nut", "damper"].into_iter().any(has) => (0.0, STACK),
+        () if has("stack_screw") && is(PartName::Hub) => (in_hub, stack),
+        () if ["flight_controller", "motor_controller"].into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
+        () if ["flight_controller", "motor_controller", "stack_screw", "stack_nut", "damper"].into_iter().any(has) => (0.0, stack),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),
         () if has("flow_sensor") => (0.0, SENSOR),
@@ -151,6 +171,18 @@ mod tests {
         let found = Planted::frame(large).found(check);
         for meets in ["battery_bracket and flight_controller", "battery_sleeve and flight_controller"] {
             assert!(violated(&found).iter().any(|f| f.subject == meets && f.value > 100.0), "{meets}: {found:?}");
+        }
+    }
+
+    #[test]
+    fn planted_a_board_that_meets_something_is_among_what_drives_that() {
+        for (role, levers) in [("flight_controller", [BAY, STACK]), ("motor_controller", [LOWER_BAY, LOWER_STACK])] {
+            let large = |frame: &mut Frame| frame.bought.get_mut(role).expect("has one").part.size_mm = [90.0, 90.0, 60.0];
+            let found = Planted::frame(large).found(check);
+            for (other, levers) in ["battery_bracket", "battery_sleeve"].into_iter().zip(levers) {
+                let met = violated(&found).into_iter().find(|f| f.subject == format!("{other} and {role}")).expect("meet");
+                assert_eq!(met.levers, levers, "{}", met.subject);
+            }
         }
     }
 

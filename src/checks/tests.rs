@@ -57,7 +57,7 @@ fn analytic_margin_and_verdict_agree() {
 }
 
 /// Keys of a frame file that choose something whole.
-const CHOICES: [&str; 16] = [
+const CHOICES: [&str; 18] = [
     "printer",
     "materials.flexible",
     "materials.rigid",
@@ -66,9 +66,11 @@ const CHOICES: [&str; 16] = [
     "bought.buzzer",
     "bought.camera",
     "bought.computer",
+    "bought.damper",
     "bought.flight_controller",
     "bought.flow_sensor",
     "bought.motor",
+    "bought.motor_controller",
     "bought.motor_screw",
     "bought.propeller",
     "bought.receiver",

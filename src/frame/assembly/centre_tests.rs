@@ -131,6 +131,19 @@ fn analytic_bought_parts_have_their_catalogued_size() {
     }
 }
 
+/// Dampers that the bill has are drawn, also at a board whose holes let no neck of theirs pass: a rim above it and one below.
+#[test]
+fn regress_dampers_are_drawn_at_holes_that_are_too_small_for_them() {
+    let (mut frame, _) = Frame::load("examples/frames/whoop-aio-fpv.toml").expect("a frame");
+    let pieces = |frame: &Frame| {
+        let dampers = BoughtPart::Dampers.feature(frame, &Centre::new(frame)).expect("are drawn");
+        MeshSolid::build(&dampers).body_boxes().len()
+    };
+    assert_eq!(pieces(&frame), 4);
+    frame.bought.get_mut("motor_controller").expect("has one").part.hole_diameter_mm = Some(2.0);
+    assert_eq!(pieces(&frame), 8);
+}
+
 /// The nuts touch what the screws hold, and are on the screws by their whole height: below the lowest board, or below its dampers.
 #[test]
 fn regress_nuts_hold_the_lowest_board() {

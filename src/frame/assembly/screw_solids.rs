@@ -56,29 +56,33 @@ pub(super) fn motor_screws(part: &BoughtPart, frame: &Frame) -> Option<Feature> 
     Some(Feature::union(screws?))
 }
 
-/// The dampers: round, above and below the first board, and through its holes.
+/// Least thickness of a damper's rim in the drawing, mm.
+const DAMPER_RIM_MM: f64 = 0.2;
+/// Least difference of two diameters of a damper in the drawing, mm.
+const DAMPER_STEP_MM: f64 = 0.2;
+
+/// The dampers: round, above and below the first board, and through its holes where these let a neck pass; none where the screw is wider
+/// than they are.
 pub(super) fn dampers(frame: &Frame, centre: &Centre) -> Option<Feature> {
     let stack = Stack::new(frame, centre);
     let (part, middle) = stack.dampers?;
     let board = stack.boards.first()?.part;
     let thread = frame.bought.get("stack_screw").and_then(|screw| screw.part.thread_mm).unwrap_or(0.0);
     let [across, _, height] = part.size_mm;
-    let (neck, thick) = (board.hole_diameter_mm.unwrap_or(0.0).min(across), board.board_mm().min(height));
+    let (neck, thick) = (board.hole_diameter_mm.unwrap_or(0.0).min(across), board.board_mm());
     let one = |[x, y]: [f64; 2]| {
         let piece = |from: f64, to: f64, diameter: f64| {
             Feature::cylinder_between(Point3::new(x, y, middle + from), Point3::new(x, y, middle + to), 0.5 * diameter)
         };
-        let (half, half_board) = (0.5 * height, 0.5 * thick);
+        let half_board = 0.5 * thick;
+        let half = (0.5 * height).max(half_board + DAMPER_RIM_MM);
         let bore = Feature::bore_between(Point3::new(x, y, middle - height), Point3::new(x, y, middle + height), 0.5 * thread);
-        let body = Feature::union([
-            piece(half_board, half, across),
-            piece(-half, -half_board, across),
-            piece(-half_board - 0.1, half_board + 0.1, neck),
-        ]);
+        let rims = [piece(half_board, half, across), piece(-half, -half_board, across)];
+        let neck = (neck > thread + DAMPER_STEP_MM).then(|| piece(-half_board - 0.1, half_board + 0.1, neck));
+        let body = Feature::union(rims.into_iter().chain(neck));
         if thread > 0.0 { body.minus([bore]) } else { body }
     };
-    // A board without holes that a damper's neck passes has no dampers.
-    (neck > thread + 0.2 && height > thick + 0.4).then(|| Feature::union(Stack::axes_mm(frame).map(one)))
+    (across > thread + DAMPER_STEP_MM).then(|| Feature::union(Stack::axes_mm(frame).map(one)))
 }
 
 /// What of the ties is in their holes, in the battery's axes: through hub and carrier, at the ends of the bracket down into it and out of its slots.
