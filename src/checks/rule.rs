@@ -49,8 +49,8 @@ pub enum Limit {
 pub enum Levers {
     /// A set for each kind of subject.
     Sets(&'static [&'static [&'static str]]),
-    /// A set for each printed part.
-    OfPart(fn(PartName) -> &'static [&'static str]),
+    /// The sets of each printed part.
+    OfPart(fn(PartName) -> Vec<&'static [&'static str]>),
 }
 
 /// What a violation is blamed on, before the levers.

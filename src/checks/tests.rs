@@ -86,7 +86,7 @@ fn is_key(key: &str) -> bool {
 fn lever_sets(rule: &Rule) -> Vec<&'static [&'static str]> {
     match rule.levers {
         Levers::Sets(sets) => sets.to_vec(),
-        Levers::OfPart(levers) => PartName::ALL.into_iter().map(levers).collect(),
+        Levers::OfPart(levers) => PartName::ALL.into_iter().flat_map(levers).collect(),
     }
 }
 

@@ -10,7 +10,7 @@ pub static RULE: Rule = Rule {
     requires: "no gap is narrower than a printed line",
     units: &["mm"],
     limits: &[Limit::Printer],
-    levers: Levers::OfPart(|part| record(part).walls),
+    levers: Levers::OfPart(|part| record(part).walls.iter().map(|wall| wall.keys).collect()),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: true },
     found: Found::WithAnother,

@@ -15,7 +15,7 @@ use crate::checks::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use crate::checks::scene::Scene;
 use crate::figures::decimals;
 use crate::frame::assembly::{Design, Printed};
-use crate::frame::parts::record;
+use crate::frame::parts::{WallPlace, record};
 use crate::params::PartName;
 use crate::printing::printability::{Thin, Walls};
 use crate::solid::MeshSolid;
@@ -26,7 +26,7 @@ pub static RULE: Rule = Rule {
     requires: "no wall is thinner than the nozzle can print",
     units: &["mm"],
     limits: &[Limit::Printer],
-    levers: Levers::OfPart(|part| record(part).walls),
+    levers: Levers::OfPart(|part| record(part).walls.iter().map(|wall| wall.keys).collect()),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -56,6 +56,8 @@ pub struct ThinnestWall {
     pub thinnest: Option<Thin>,
     /// Least thickness or width, mm.
     pub limit_mm: f64,
+    /// What makes it thicker or wider.
+    pub levers: &'static [&'static str],
 }
 
 impl ThinnestWall {
@@ -66,17 +68,19 @@ impl ThinnestWall {
         let (layer_mm, reach_mm) = (printer.layer_mm(&design.material_of(part.name).material), REACH * limit_mm);
         let inputs = (part.flat.key(), part.print_pose, layer_mm, reach_mm);
         let [wall, gap] = *design.memo.get("walls", part.name.slug(), &inputs, || measured(part, layer_mm, reach_mm));
-        let one = |gap, thinnest, limit_mm| Self { part: part.name, gap, thinnest, limit_mm };
-        [one(false, wall, limit_mm), one(true, gap, printer.line_mm())]
+        let one = |gap, thinnest, limit_mm, levers| Self { part: part.name, gap, thinnest, limit_mm, levers };
+        let anywhere = record(part.name).walls.last().map_or(&[][..], |wall| wall.keys);
+        let there = wall.map_or(anywhere, |thin| wall_keys(design, part, thin));
+        [one(false, wall, limit_mm, there), one(true, gap, printer.line_mm(), anywhere)]
     }
 
     /// Whether the limit is kept, and what was found.
     pub fn finding(&self) -> Finding {
-        let Self { part, gap: is_gap, thinnest, limit_mm } = self;
+        let Self { part, gap: is_gap, thinnest, limit_mm, levers } = self;
         let reach_mm = REACH * limit_mm;
         let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));
         let rule = if *is_gap { &gap::RULE } else { &RULE };
-        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers: record(*part).walls };
+        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers };
         let [size, needed] = measure.figures(2);
         let where_it_is = thinnest.map(|thin| thin.at_mm.map(|mm| decimals(mm, 1)).join(", "));
         let message = match (where_it_is.filter(|_| value < reach_mm), is_gap) {
@@ -87,6 +91,12 @@ impl ThinnestWall {
         };
         measure.at_least(part.slug().into(), message)
     }
+}
+
+/// What makes a wall thicker, by the part's record.
+fn wall_keys(design: &Design, part: &Printed, thin: Thin) -> &'static [&'static str] {
+    let at_mm = part.print_pose.inverse_transform_point(&Point3::from(thin.at_mm)).into();
+    record(part.name).wall_keys(&design.frame, &design.centre, &WallPlace { at_mm, thick_mm: thin.mm })
 }
 
 /// The thinnest wall or floor of a part, and its narrowest gap, as far as they are within reach.
@@ -150,6 +160,7 @@ pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
 mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
+    use crate::params::Frame;
 
     #[test]
     fn measured_the_real_frame_has_two_walls_too_thin() {
@@ -170,6 +181,30 @@ mod tests {
         assert_eq!(skirt(0.8), []);
         let thin = skirt(0.78);
         assert!(thin.len() == 1 && thin[0].message.contains("is 0.78 mm") && thin[0].message.contains("needs 0.80 mm"), "{thin:?}");
+    }
+
+    /// Each lever of the hub's thinnest wall, beside the counterbore of a stack's screw or elsewhere, makes it thicker.
+    #[test]
+    fn planted_what_drives_the_hub_s_thinnest_wall_depends_on_where_it_is() {
+        let hub = |change: &dyn Fn(&mut Frame)| {
+            let found = Planted::frame(|frame| {
+                frame.printer.nozzle_mm = 0.6;
+                change(frame);
+            });
+            found.found(check).into_iter().find(|f| f.rule == RULE.id && f.subject == "hub").expect("is looked at")
+        };
+        let usual = hub(&|_| ());
+        assert_eq!(usual.levers, ["hub.hub_mouth_mm", "hub_joint.plug_length_mm", "hub.stack_counterbore_diameter_mm"]);
+        let moved: [fn(&mut Frame); 3] = [
+            |frame| frame.hub.hub_mouth_mm += 0.1,
+            |frame| frame.hub_joint.plug_length_mm -= 0.1,
+            |frame| frame.hub.stack_counterbore_diameter_mm -= 0.2,
+        ];
+        for change in moved {
+            assert!(hub(&change).value > usual.value + 0.09, "{usual:?}");
+        }
+        let thin_boss: fn(&mut Frame) = |frame| frame.hub.hub_boss_wall_mm = 0.8;
+        assert_eq!(hub(&thin_boss).levers[0], "hub.hub_boss_wall_mm");
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use nalgebra::UnitQuaternion;
 
 use super::outline::{SINK_MM, along_x, face, sharp, upright};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall};
 use crate::frame::skeleton::{Accessories, Centre, SLOT_MM};
 use crate::params::catalogue::BoughtPart;
 use crate::params::groups::AccessoryParameters;
@@ -22,7 +22,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn: UnitQuaternion::identity,
     needed: Accessories::wanted,
-    walls: &["accessories.accessory_plate_thickness_mm", "accessories.fpv_cheek_mm", "accessories.mast_diameter_mm"],
+    walls: &[Wall::anywhere(&["accessories.accessory_plate_thickness_mm", "accessories.fpv_cheek_mm", "accessories.mast_diameter_mm"])],
 };
 
 /// How far the mast's foot and shelf reach out beyond the mast at the least, mm; both lean out at 45°, which prints without support.

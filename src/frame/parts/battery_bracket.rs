@@ -6,7 +6,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, along_x, along_y, bore, bore_y, face, sharp};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::groups::BracketParameters;
 use crate::params::{Frame, PartName};
@@ -21,7 +21,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn,
     needed: always,
-    walls: &["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"],
+    walls: &[Wall::anywhere(&["bracket.bracket_floor_mm", "bracket.bracket_side_wall_mm", "hub.tie_ring_radius_mm"])],
 };
 
 /// Rounding of the two uncut corners of the connector, mm.

@@ -7,7 +7,7 @@ use nalgebra::{Isometry3, Point2, Rotation2, Translation3, UnitQuaternion, Vecto
 
 use super::battery_bracket::connector;
 use super::outline::{SINK_MM, along_x, along_y, arc, face, sharp, upright};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Feature, Profile};
@@ -22,7 +22,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn,
     needed: always,
-    walls: &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"],
+    walls: &[Wall::anywhere(&["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "lid.lid_cheek_mm"])],
 };
 
 /// Fillets in the trough between the cheeks: at its bottom and at the block, mm.

@@ -5,7 +5,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
@@ -20,7 +20,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn,
     needed: always,
-    walls: &["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"],
+    walls: &[Wall::anywhere(&["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"])],
 };
 
 /// Lugs of a side that are nearer to each other are one, mm.

@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Point3, Unit, UnitQuaternion, Vector2, Vector3};
 
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{half_space, placed, plate, turn};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature};
@@ -21,7 +21,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Bends(|frame, closure| BottomCorner::from_frame(frame, closure.strut_tilt).bends(closure.leg_tilt)),
     print_turn: BottomCorner::print_turn,
     needed: always,
-    walls: &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
+    walls: &[Wall::anywhere(&["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"])],
 };
 
 /// How far the wedges that shape the pocket reach, mm.

@@ -6,7 +6,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, bore_y, face, sharp, upright};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
@@ -21,7 +21,7 @@ pub static LEFT: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn: print_turn_left,
     needed: carries_a_camera,
-    walls: &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
+    walls: &[Wall::anywhere(&["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"])],
 };
 
 /// The record of the right one.
@@ -33,7 +33,7 @@ pub static RIGHT: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn: print_turn_right,
     needed: carries_a_camera,
-    walls: &["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"],
+    walls: &[Wall::anywhere(&["camera.camera_foot_mm", "camera.camera_hole_diameter_mm"])],
 };
 
 fn carries_a_camera(frame: &Frame) -> bool {

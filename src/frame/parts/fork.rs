@@ -6,7 +6,7 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::place::{SINK_MM, along_y, half_space, with_mirror};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature};
@@ -21,7 +21,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Moves,
     print_turn: Fork::print_turn,
     needed: always,
-    walls: &["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"],
+    walls: &[Wall::anywhere(&["fork.fork_wall_mm", "fork.fork_bar_height_mm", "fork.fork_finger_width_mm"])],
 };
 
 /// How far a leg's outer line stays behind the bar's front where they meet, mm.

@@ -8,7 +8,8 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, WallPlace, always};
+use crate::frame::skeleton::Stack;
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile, SEGMENTS_PER_TURN};
@@ -23,8 +24,21 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn,
     needed: always,
-    walls: &["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"],
+    walls: &[
+        Wall { keys: &["hub.hub_mouth_mm", "hub_joint.plug_length_mm", "hub.stack_counterbore_diameter_mm"], is_at: is_beside_counterbore },
+        Wall::anywhere(&["hub.hub_boss_wall_mm", "hub.hub_tie_wall_mm", "hub.hub_back_wall_mm"]),
+    ],
 };
+
+/// Whether a wall is between the counterbore of a stack's screw and what ends the plate beside it.
+fn is_beside_counterbore(frame: &Frame, _: &Centre, wall: &WallPlace) -> bool {
+    let [x, y, _] = wall.at_mm;
+    let reach_mm = 0.5 * frame.hub.stack_counterbore_diameter_mm + wall.thick_mm + FACET_MM;
+    Stack::axes_mm(frame).into_iter().any(|[a, b]| libm::hypot(x - a, y - b) <= reach_mm)
+}
+
+/// How far a facet of a round wall is from the circle, and a point of it from the nearest of the wall, mm.
+const FACET_MM: f64 = 0.1;
 
 /// The fillet between the plate and a boss, and in the plate's outline, mm.
 const FILLET_MM: f64 = 3.0;

@@ -6,7 +6,7 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::place::{SINK_MM, plate, with_mirror};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature, Profile};
@@ -21,7 +21,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Bends(|frame, closure| HubJoint::from_frame(frame).bends(closure.leg_tilt)),
     print_turn: HubJoint::print_turn,
     needed: always,
-    walls: &["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"],
+    walls: &[Wall::anywhere(&["hub_joint.hub_joint_diameter_mm", "hub_joint.neck_thickness_mm"])],
 };
 
 /// Cutters reach this far past a face, mm.

@@ -6,7 +6,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 pub use super::knee_window::KneeWindow;
 use super::place::{SINK_MM, along_x, half_space, placed, plate, turn, with_mirror};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
@@ -21,7 +21,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Moves,
     print_turn: Knee::print_turn,
     needed: always,
-    walls: &["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"],
+    walls: &[Wall::anywhere(&["knee.knee_back_wall_mm", "knee.knee_side_wall_mm"])],
 };
 
 /// Reach of prisms that something else ends, mm.

@@ -31,7 +31,7 @@ pub use fork::Fork;
 pub use hub_joint::HubJoint;
 pub use knee::Knee;
 pub use motor_mount::MotorMount;
-pub use record::{Fold, MaterialClass, PrintedPart, Seat};
+pub use record::{Fold, MaterialClass, PrintedPart, Seat, Wall, WallPlace};
 pub use top_corner::TopCorner;
 
 #[cfg(test)]

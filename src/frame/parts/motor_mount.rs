@@ -7,7 +7,7 @@ use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 use super::motor_outline::Outline;
 use super::place::{along_y, half_space, turn, with_mirror};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::Feature;
@@ -22,7 +22,11 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Moves,
     print_turn: MotorMount::print_turn,
     needed: always,
-    walls: &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "motor_mount.motor_shaft_hole_mm"],
+    walls: &[Wall::anywhere(&[
+        "motor_mount.motor_skirt_wall_mm",
+        "motor_mount.motor_plate_diameter_mm",
+        "motor_mount.motor_shaft_hole_mm",
+    ])],
 };
 
 /// A plate this much higher than the rings' tops gets sloping arms, mm.

@@ -5,7 +5,7 @@
 use nalgebra::{Point2, UnitQuaternion, Vector2};
 
 use super::outline::{Line, Pen};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
@@ -20,7 +20,7 @@ pub static PART: PrintedPart = PrintedPart {
     print_turn,
     // Without a computer the ties that hold the bracket run over the hub.
     needed: |frame| frame.bought.contains_key("computer"),
-    walls: &["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"],
+    walls: &[Wall::anywhere(&["pi_carrier.carrier_pad_radius_mm", "hub.tie_ring_radius_mm", "pi_carrier.carrier_tie_hole_diameter_mm"])],
 };
 
 /// The carrier of a frame. An impossible one (see [`profile`]) is empty.

@@ -23,8 +23,33 @@ pub struct PrintedPart {
     pub print_turn: fn() -> UnitQuaternion<f64>,
     /// Whether a frame has a use for it.
     pub needed: fn(&Frame) -> bool,
-    /// The keys of its thinnest walls, three at the most.
-    pub walls: &'static [&'static str],
+    /// Its walls: the first that is at a place has the keys for it.
+    pub walls: &'static [Wall],
+}
+
+/// Walls of a part, and what makes them thicker.
+#[derive(Debug)]
+pub struct Wall {
+    /// Keys, three at the most.
+    pub keys: &'static [&'static str],
+    /// Whether they are at a place.
+    pub is_at: fn(&Frame, &Centre, &WallPlace) -> bool,
+}
+
+/// Where a wall was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallPlace {
+    /// A point of one of its faces, in the part's own axes, mm.
+    pub at_mm: [f64; 3],
+    /// How thick it is, mm.
+    pub thick_mm: f64,
+}
+
+impl Wall {
+    /// Walls that are at every place of a part.
+    pub const fn anywhere(keys: &'static [&'static str]) -> Self {
+        Self { keys, is_at: |_, _, _| true }
+    }
 }
 
 /// Which of a frame's two materials a part is printed of.
@@ -68,6 +93,11 @@ impl PrintedPart {
     /// Whether it is printed of the flexible material.
     pub fn is_flexible(&self) -> bool {
         self.material == MaterialClass::Flexible
+    }
+
+    /// What makes its wall at a place thicker.
+    pub fn wall_keys(&self, frame: &Frame, centre: &Centre, place: &WallPlace) -> &'static [&'static str] {
+        self.walls.iter().find(|wall| (wall.is_at)(frame, centre, place)).map_or(&[], |wall| wall.keys)
     }
 
     /// How it bends when the frame is folded.

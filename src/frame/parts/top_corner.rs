@@ -7,7 +7,7 @@ use nalgebra::{Point2, Point3, UnitQuaternion, Vector2, Vector3};
 
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{SINK_MM, along_x, half_space, plate};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature, Segment};
@@ -22,7 +22,7 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Bends(|frame, closure| TopCorner::from_frame(frame, closure.strut_tilt).bends()),
     print_turn: TopCorner::print_turn,
     needed: always,
-    walls: &["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"],
+    walls: &[Wall::anywhere(&["corner.corner_wall_mm", "corner.corner_hinge_thickness_mm"])],
 };
 
 /// The top corner.
