@@ -2,7 +2,8 @@
 //!
 //! The levers of a violated rule are moved, each alone and step by step up to its bounds, until the rule holds; then the step is made as
 //! small as it can be, and every rule but the fold's is asked about the frame with it. Where no lever helps, and none of them chooses a bought
-//! part, the rods and what else drives the parts that the violation names are tried. This takes seconds: it is for a person who reads a report, not for a search.
+//! part, the rods and what else drives the parts that the violation names are tried, and another choice of what sets the limit, such as the
+//! printer. This takes seconds: it is for a person who reads a report, not for a search.
 //!
 //! A change that takes back what the user's file asks for comes last, and is called so; before it stands what follows from the wish (`wishes`). Of
 //! warnings those are looked at that another choice of material or printer clears.
@@ -41,7 +42,7 @@ const OTHERS: usize = 3;
 /// Remedies that are named for a violation.
 const NAMED: usize = 2;
 /// Groups of violations that are looked at; the first are the report's first.
-const GROUPS: usize = 3;
+const GROUPS: usize = 8;
 
 /// A change that clears a violation.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +79,7 @@ pub fn advice(file: &FrameFile, findings: &[Finding], memo: &Arc<Memo>) -> Vec<S
         told.push(match known {
             _ if !asks(finding) || !bench.sees(finding) => String::new(),
             Some(text) => text,
-            None if groups.len() >= GROUPS => String::new(),
+            None if groups.len() >= GROUPS => not_looked_at(finding),
             None => {
                 let text = bench.sentence(finding);
                 groups.push((finding, text.clone()));
@@ -87,6 +88,12 @@ pub fn advice(file: &FrameFile, findings: &[Finding], memo: &Arc<Memo>) -> Vec<S
         });
     }
     told
+}
+
+/// What is said of a violation beyond the groups that are looked at.
+fn not_looked_at(finding: &Finding) -> String {
+    let levers = if finding.levers.is_empty() { String::new() } else { format!("driven by {}; ", finding.levers.join(", ")) };
+    format!("{levers}no remedy was looked for: it is for the first {GROUPS} kinds of violation, ask again when these are mended")
 }
 
 /// Whether one remedy is to clear both.
@@ -197,6 +204,8 @@ impl<'a> Bench<'a> {
         if !bought && finding.verdict == Verdict::Violated && found.iter().all(|remedy| remedy.breaks.is_some() || self.takes_back(remedy))
         {
             found.extend(of(&self.effective(finding, rule, &levers)));
+            let limit = rule.limit_key(&finding.subject).filter(|key| !levers.contains(key));
+            found.extend(limit.and_then(|key| self.by_name(finding, rule, key)));
         }
         if found.iter().any(|remedy| remedy.breaks.is_none()) {
             found.retain(|remedy| remedy.breaks.is_none());
@@ -247,22 +256,25 @@ impl<'a> Bench<'a> {
                 let nearest = ways.into_iter().flatten().min_by(|a, b| (a - value).abs().total_cmp(&(b - value).abs()))?;
                 self.remedy(key, plain(value), Value::Number(nearest), plain(nearest))
             }
-            None => {
-                let now = match self.file.entries.get(key).map(|entry| &entry.value) {
-                    Some(Value::Text(name)) => name.clone(),
-                    _ => return None,
-                };
-                let clears = |name: &String| {
-                    let value = Value::Text(name.clone());
-                    let cleared = self.margin(finding, rule, key, &value)? >= 0.0;
-                    cleared.then(|| self.remedy(key, now.clone(), value, name.clone())).flatten()
-                };
-                let names: Vec<String> = preset::names_for(key).into_iter().filter(|name| *name != now).collect();
-                let found: Vec<Remedy> = names.par_iter().filter_map(clears).collect();
-                let rank = |remedy: &Remedy| (remedy.breaks.is_some(), remedy.heavier_g.abs());
-                found.into_iter().min_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)))
-            }
+            None => self.by_name(finding, rule, key),
         }
+    }
+
+    /// Another choice by name that clears a violation, the one that changes the mass least.
+    fn by_name(&self, finding: &Finding, rule: &Rule, key: &str) -> Option<Remedy> {
+        let now = match self.file.entries.get(key).map(|entry| &entry.value) {
+            Some(Value::Text(name)) => name.clone(),
+            _ => return None,
+        };
+        let clears = |name: &String| {
+            let value = Value::Text(name.clone());
+            let cleared = self.margin(finding, rule, key, &value)? >= 0.0;
+            cleared.then(|| self.remedy(key, now.clone(), value, name.clone())).flatten()
+        };
+        let names: Vec<String> = preset::names_for(key).into_iter().filter(|name| *name != now).collect();
+        let found: Vec<Remedy> = names.par_iter().filter_map(clears).collect();
+        let rank = |remedy: &Remedy| (remedy.breaks.is_some(), remedy.heavier_g.abs());
+        found.into_iter().min_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)))
     }
 
     /// The nearest value of a number in one direction that clears a violation, rounded away from the value it has.
@@ -395,6 +407,35 @@ mod tests {
         assert!(heat.starts_with("materials.rigid abs -> pla clears it (+5.5 g)") && heat.contains("; or printer ender-3 -> "), "{heat}");
         // A printer that states no heat is not known to be hot enough.
         assert!(!heat.contains("generic"), "{heat}");
+    }
+
+    #[test]
+    fn planted_each_wall_that_is_too_thin_for_a_wide_nozzle_is_answered() {
+        let text = "base = \"cognifly\"\nprinter = \"generic-0.4\"\n[override.printers.\"generic-0.4\"]\nnozzle_mm = 0.6\n";
+        let file = FrameFile::parse("own.toml", text).expect("reads");
+        let memo = Arc::default();
+        let found = Bench::new(&file, &memo).expect("can be designed").found;
+        let told: Vec<(String, String)> = advice(&file, &found, &memo)
+            .into_iter()
+            .zip(&found)
+            .filter(|(_, f)| f.rule == "thinnest_wall" && asks(f))
+            .map(|(advice, f)| (f.subject.clone(), advice))
+            .collect();
+        assert!(told.len() == 8 && told.iter().all(|(_, advice)| !advice.is_empty()), "{told:?}");
+        // Two of its walls are too thin: one lever does not clear both, another printer does.
+        let hub = told.iter().find(|(part, _)| part == "hub").expect("is too thin");
+        assert!(hub.1.contains("printer generic-0.4 -> "), "{hub:?}");
+    }
+
+    #[test]
+    fn analytic_what_is_not_looked_at_says_so_with_its_levers() {
+        let file = FrameFile::load("cognifly").expect("a preset");
+        let bench = Bench::new(&file, &Arc::default()).map(|bench| bench.found).expect("can be designed");
+        let mut finding = bench.into_iter().find(|f| f.rule == "envelope").expect("is looked at");
+        finding.levers = vec!["a.b".into(), "c.d".into()];
+        assert!(not_looked_at(&finding).starts_with("driven by a.b, c.d; no remedy was looked for"));
+        finding.levers.clear();
+        assert!(not_looked_at(&finding).starts_with("no remedy was looked for"));
     }
 
     /// The diameter is that of the propeller which is bought, unless the file states its own.
