@@ -15,6 +15,7 @@ pub mod impact_file;
 mod kind_fields;
 pub mod lookup;
 pub mod parameter;
+mod layer_height;
 pub mod part_name;
 pub mod preset;
 mod read;

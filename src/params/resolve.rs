@@ -13,7 +13,7 @@ use super::read::{bad_entry, in_one_line, text, to_blame};
 use super::refusal::{ROLE, Reason, Refusal, nearest};
 use super::roles::ROLES;
 use super::sleeve_direction::SleeveDirection;
-use super::{bought_relation, relation, renamed, target};
+use super::{bought_relation, layer_height, relation, renamed, target};
 
 impl Frame {
     /// Reads a frame file or a preset and checks it.
@@ -64,6 +64,7 @@ impl Frame {
             extras: extras(file)?,
         };
         bought_relation::hold(&frame).and_then(|()| relation::hold(&frame)).map_err(|broken| file.refuse(broken.key, *broken.reason))?;
+        layer_height::hold(file, &frame)?;
         Ok(frame)
     }
 }
@@ -326,6 +327,27 @@ mod tests {
         assert!(refusal.remedy().contains("state all_in_one = true in [override.parts.aio-20x20]"), "{}", refusal.remedy());
         let neither = resolved("[bought]\nflight_controller = \"none\"\nmotor_controller = \"none\"").expect_err("has no board");
         assert!(neither.reason.to_string().contains("leaves nothing that"), "{}", neither.reason);
+    }
+
+    /// At most 0.8 of the nozzle: 0.2 mm of both materials from 0.25 mm on.
+    #[test]
+    fn planted_layers_that_are_as_high_as_the_nozzle_is_wide() {
+        let on = |nozzle_mm: f64, more: &str| resolved(&format!("[override.printers.\"generic-0.4\"]\nnozzle_mm = {nozzle_mm}\n{more}"));
+        assert!(on(0.25, "").is_ok());
+        let thin =
+            |layer_mm: f64| format!("[override.materials.tpu-95a]\nlayer_mm = {layer_mm}\n[override.materials.abs]\nlayer_mm = {layer_mm}");
+        assert!(on(0.2, &thin(0.16)).is_ok());
+        for (refused, line, says) in [
+            (on(0.2, ""), 3, "layers of 0.20 mm of tpu-95a are too high for a nozzle of 0.2 mm: 0.16 mm at most"),
+            (on(0.24, ""), 3, "layers of 0.20 mm of tpu-95a are too high for a nozzle of 0.24 mm: 0.19 mm at most"),
+            (on(0.2, &thin(0.17)), 5, "layers of 0.17 mm of tpu-95a are too high for a nozzle of 0.2 mm: 0.16 mm at most"),
+            (on(0.2, "[override.materials.tpu-95a]\nlayer_mm = 0.1"), 3, "layers of 0.20 mm of abs"),
+        ] {
+            let refusal = refused.err().unwrap_or_else(|| panic!("{says} is not said"));
+            assert!(refusal.reason.to_string().contains(says), "{}", refusal.reason);
+            assert_eq!(refusal.place.as_ref().map(|place| place.line_column()[0]), Some(line), "{says}");
+            assert!(refusal.remedy().contains("in [override.materials."), "{}", refusal.remedy());
+        }
     }
 
     /// Centimetres for millimetres, in a part of one's own and in one of the catalogue.
