@@ -176,9 +176,6 @@ pub struct BoughtPart {
     pub price_date: Option<String>,
 }
 
-/// Least mean density of a part's box that is not taken for a mass in kilograms, g/cm³: propellers, the lightest for their box, have 0.03.
-const LEAST_G_CM3: f64 = 0.01;
-
 /// Thickness of a circuit board that does not state its own, mm: that of usual FR-4 laminate.
 const USUAL_BOARD_MM: f64 = 1.6;
 
@@ -208,57 +205,6 @@ impl BoughtPart {
     /// Thickness of its circuit board, mm: as stated, else that of most boards, and no more than the whole is high.
     pub fn board_mm(&self) -> f64 {
         self.board_thickness_mm.unwrap_or(USUAL_BOARD_MM).min(self.size_mm[2])
-    }
-
-    /// What is stated of it and cannot be, with the key to change.
-    pub fn contradiction(&self) -> Option<(&'static str, String)> {
-        let [length, width, height] = self.size_mm;
-        let g_cm3 = self.mass_g / (1e-3 * length * width * height);
-        if g_cm3 > 0.0 && g_cm3 < LEAST_G_CM3 {
-            let message = format!(
-                "`mass_g`: {} g in {length} x {width} x {height} mm are {g_cm3:.2e} g/cm³, less than any part has: state it in grams",
-                self.mass_g
-            );
-            return Some(("mass_g", message));
-        }
-        if let Some([along, across]) = self.hole_pattern_mm {
-            // A camera's pattern is stated as it hangs, a board's as it lies: both beside the first two sizes.
-            if along >= length || across >= width {
-                let message = format!("`hole_pattern_mm`: holes {along} x {across} mm apart lie outside of {length} x {width} mm");
-                return Some(("hole_pattern_mm", message));
-            }
-        }
-        if self.board_thickness_mm.is_some_and(|board| board > height) {
-            return Some(("board_thickness_mm", format!("`board_thickness_mm` is more than the whole is high, {height} mm")));
-        }
-        if let (Some(price), Some(most)) = (self.price, self.price_most)
-            && most < price
-        {
-            return Some(("price_most", format!("`price_most` = {most} is less than `price` = {price}, the lowest")));
-        }
-        if self.price_date.as_ref().is_some_and(|date| !is_date(date)) {
-            return Some(("price_date", "`price_date` is no date: write the year, the month and the day, such as 2026-11-23".into()));
-        }
-        match (self.wall_mm, self.diameter_mm) {
-            (Some(wall), Some(diameter)) if 2.0 * wall >= diameter => {
-                Some(("wall_mm", format!("`wall_mm`: a tube of {diameter} mm has no wall of {wall} mm; a solid rod states none")))
-            }
-            _ => None,
-        }
-    }
-}
-
-/// Whether a text is a year, a month of a year, or a day.
-fn is_date(text: &str) -> bool {
-    let parts: Vec<&str> = text.split('-').collect();
-    let number = |part: &str, digits: usize, range: std::ops::RangeInclusive<u32>| {
-        part.len() == digits && part.bytes().all(|byte| byte.is_ascii_digit()) && part.parse().is_ok_and(|number| range.contains(&number))
-    };
-    match parts[..] {
-        [year] => number(year, 4, 1900..=9999),
-        [year, month] => number(year, 4, 1900..=9999) && number(month, 2, 1..=12),
-        [year, month, day] => number(year, 4, 1900..=9999) && number(month, 2, 1..=12) && number(day, 2, 1..=31),
-        _ => false,
     }
 }
 
@@ -319,22 +265,5 @@ impl Printer {
     /// Height of a layer of a material, mm; half a nozzle where it does not say.
     pub fn layer_mm(&self, material: &Material) -> f64 {
         material.layer_mm.unwrap_or(0.5 * self.nozzle_mm)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn analytic_dates_of_prices() {
-        for date in ["1900", "2026-01", "2026-12", "2026-11-01", "2026-11-31"] {
-            assert!(is_date(date), "{date}");
-        }
-        for date in
-            ["1899", "26", "2026-00", "2026-13", "2026-1", "2026-11-00", "2026-11-32", "2026-11-1", "2026-13-01", "+202", "2026-11-23-1"]
-        {
-            assert!(!is_date(date), "{date}");
-        }
     }
 }

@@ -5,6 +5,7 @@ pub mod amend;
 mod bought_relation;
 pub mod catalogue;
 mod choice;
+mod contradiction;
 pub mod figure;
 pub mod files;
 pub mod follows;
