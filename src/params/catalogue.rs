@@ -138,7 +138,7 @@ pub struct BoughtPart {
     pub hole_count: Option<u32>,
     /// Diameter of the mounting holes, or thread of a motor's, mm.
     pub hole_diameter_mm: Option<f64>,
-    /// Hole that a motor's shaft needs in what it stands on, mm.
+    /// Hole that a motor's shaft needs in what it stands on, mm; 0 for none.
     pub shaft_hole_diameter_mm: Option<f64>,
     /// Diameter of a motor's shaft, mm.
     pub shaft_diameter_mm: Option<f64>,

@@ -298,6 +298,7 @@ mod tests {
     fn analytic_a_shaft_above_the_motor_and_a_battery_that_is_weighed_elsewhere_go_together() {
         let size = |size_mm: [f64; 3]| toml::Value::Array(size_mm.into_iter().map(Into::into).collect());
         assert_eq!(entry("motor-1104", &[("size_mm", size([14.0, 14.0, 20.0]))]).contradiction(), None);
+        assert_eq!(entry("motor-1104", &[("shaft_hole_diameter_mm", 0.0.into())]).contradiction(), None);
         assert_eq!(entry("battery-3s-650", &[("mass_g", 0.0.into())]).contradiction(), None);
         let (key, message) = entry("motor-1104", &[("size_mm", size([30.0, 30.0, 10.8]))]).contradiction().expect("contradicts");
         let said = "`body_diameter_mm` = 14 does not go with `size_mm`: what turns is within the box around the motor, and makes most of its \

@@ -66,7 +66,7 @@ impl BoughtPart {
         figure("hole_pcd_mm", [0.5, 200.0], "mm"),
         figure("hole_count", [1.0, 16.0], ""),
         figure("hole_diameter_mm", [0.1, 50.0], "mm"),
-        figure("shaft_hole_diameter_mm", [0.1, 50.0], "mm"),
+        figure("shaft_hole_diameter_mm", [0.0, 50.0], "mm"),
         figure("hole_pattern_mm", [0.5, 500.0], "mm"),
         figure("hole_pitch_mm", [0.5, 500.0], "mm"),
         figure("cells", [1.0, 16.0], ""),
