@@ -8,7 +8,7 @@ use super::failure::Failure;
 use super::output;
 use crate::params::amend::{Amendment, amended, formatted, quoted};
 use crate::params::frame_file::Value;
-use crate::params::{FrameFile, preset};
+use crate::params::{FrameFile, frame_name, preset};
 
 /// A line of a frame file.
 pub(super) struct Line {
@@ -25,9 +25,8 @@ pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
     let path = PathBuf::from(if name.ends_with(".toml") { name.to_string() } else { format!("{name}.toml") });
     let usage = |message: String| Failure::Usage { message };
     let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-    let plain = !stem.is_empty() && stem.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !stem.starts_with('.');
-    if !plain {
-        return Err(usage(format!("the name {stem:?} cannot be a folder's name: use letters, digits, '-', '_' and '.'")));
+    if let Some(fault) = frame_name::fault(stem) {
+        return Err(usage(format!("{fault}: {}", frame_name::rule())));
     }
     if preset::text(stem).is_some() {
         return Err(usage(format!(

@@ -10,6 +10,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::files::{Disk, Files};
 use super::follows;
+use super::frame_name;
 use super::preset;
 use super::refusal::{LONGEST_CHAIN, Place, Reason, Refusal, Source, nearest};
 
@@ -183,18 +184,24 @@ impl FrameFile {
     fn read(name: String, source: Arc<Source>, folder: Option<PathBuf>, files: &dyn Files) -> Result<Self, LoadError> {
         let mut file = Self { name, entries: BTreeMap::new(), files: Vec::new(), base: None };
         file.stack(source, folder, files, &mut Vec::new())?;
-        if let Some(Entry { value: Value::Text(name), .. }) = file.entries.get("name") {
-            let plain = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c)) && !name.starts_with('.');
-            if !plain {
-                let reason = Reason::Impossible {
-                    message: format!("the name {name:?} cannot be a folder's name"),
-                    remedy: "use letters, digits, '-', '_' and '.' only, and do not begin with '.'".into(),
-                };
-                return Err(file.refuse("name", reason).into());
-            }
-            file.name = name.clone();
-        }
+        file.take_name()?;
         Ok(file)
+    }
+
+    /// Takes the name that the file states, else that of the file itself; refuses one that no frame can have.
+    fn take_name(&mut self) -> Result<(), Refusal> {
+        let rule = frame_name::rule();
+        let remedy = match self.entries.get("name").map(|entry| &entry.value) {
+            Some(Value::Text(name)) => {
+                self.name = name.clone();
+                rule
+            }
+            _ => format!("rename the file, or state another name in it, such as name = \"light\": {rule}"),
+        };
+        match frame_name::fault(&self.name) {
+            Some(message) => Err(self.refuse("name", Reason::Impossible { message, remedy })),
+            None => Ok(()),
+        }
     }
 
     /// Adds a file's entries where no nearer file has them, then its base's.

@@ -154,6 +154,21 @@ fn planted_names_that_lead_out() {
             bench.ends(&[command, "frame.toml", "-o", "out"], 2, "");
         }
     }
+    for name in ["a b", "a:b", ".hidden", "é"] {
+        bench.write(&format!("{name}.toml"), "base = \"cognifly\"\n");
+        for command in ["check", "build", "params"] {
+            bench.ends(&[command, &format!("{name}.toml")], 2, "cannot be a folder's name");
+            bench.ends(&[command, &format!("{name}.toml")], 2, "rename the file, or state another name in it");
+        }
+        bench.write(&format!("{name}.toml"), "base = \"cognifly\"\nname = \"plain\"\n");
+        bench.ends(&["params", &format!("{name}.toml")], 0, "");
+    }
+    let long = "a".repeat(210);
+    for (file, text) in [(long.as_str(), String::new()), ("frame", format!("name = \"{long}\"\n"))] {
+        bench.write(&format!("{file}.toml"), format!("base = \"cognifly\"\n{text}"));
+        bench.ends(&["check", &format!("{file}.toml")], 2, "has 210 letters, a frame's has at most 100");
+    }
+    bench.ends(&["new", &long, "--mass", "250"], 2, "has 210 letters, a frame's has at most 100");
     for name in ["..", "a b", ".x", "sub/.x", ""] {
         bench.ends(&["new", name, "--mass", "250"], 2, "cannot be a folder's name");
     }
