@@ -329,6 +329,14 @@ mod tests {
         assert!(neither.reason.to_string().contains("leaves nothing that"), "{}", neither.reason);
     }
 
+    #[test]
+    fn planted_a_motor_whose_shaft_ends_in_its_base_needs_no_hole() {
+        let frame = resolved("[override.parts.motor-1104]\nshaft_hole_diameter_mm = 0").expect("is allowed");
+        assert_eq!(frame.motor_mount.motor_shaft_hole_mm, 0.0);
+        let refusal = resolved("[override.parts.motor-1104]\nshaft_hole_diameter_mm = -0.1").expect_err("is no hole");
+        assert!(refusal.reason.to_string().contains("0 to 50 mm"), "{}", refusal.reason);
+    }
+
     /// At most 0.8 of the nozzle: 0.2 mm of both materials from 0.25 mm on.
     #[test]
     fn planted_layers_that_are_as_high_as_the_nozzle_is_wide() {

@@ -253,6 +253,16 @@ mod tests {
     }
 
     #[test]
+    fn analytic_without_a_shaft_hole_the_plate_is_whole_in_the_middle() {
+        let mut frame = v8();
+        for (hole_mm, tunnels, faces) in [(4.1, 7, 0), (0.0, 6, 2)] {
+            frame.motor_mount.motor_shaft_hole_mm = hole_mm;
+            let mesh = printed(&MotorMount::from_frame(&frame).feature(), tunnels);
+            assert_eq!(hits(&mesh, [0.1, 0.2, -9.0], Vector3::z()).len(), faces);
+        }
+    }
+
+    #[test]
     fn measured_raised_mounts_are_like_the_originals() {
         assert_like(&printed(&part(5.0).feature(), 7), [15.0, 31.93, 11.6], 1110.0, 0.03);
         assert_like(&printed(&part(10.0).feature(), 7), [15.0, 31.93, 16.6], 1418.7, 0.10);
