@@ -107,6 +107,25 @@ fn planted_friction_of_legs_and_mass_of_feet_are_named_beside_the_slopes() {
     assert!(landing.given_touches.p >= 0.01, "{:?}", landing.given_touches);
 }
 
+/// Which drop's spikes a simulated landing is read with does not depend on the order in which drops were made.
+#[test]
+fn regress_the_order_of_drops_changes_nothing_of_the_landings() {
+    let plan = Plan { drops: 20, ..plan(Landings { rate_rad_s: 0.3, ..LEVEL }, 14) };
+    let chosen = Chosen::of(&read(&records(&plan)), Channel::Axial, Keep::Evidence).expect("usable").clone();
+    let waves = chosen.waves().expect("usable");
+    let mut observed = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
+    let mut fits = [false, true].map(|turned| {
+        if turned {
+            observed.heights.iter_mut().for_each(|height| height.drops.reverse());
+        }
+        let evidence = LandingEvidence { fitted: &waves, held_out: None, observed: &observed, model: &plan.model, seed: 1 };
+        UnjudgedLandings::of(&evidence).expect("can be fitted").fit().clone()
+    });
+    let [a, b] = &mut fits;
+    assert!((a.legs.stiffness_n_m / b.legs.stiffness_n_m - 1.0).abs() < 1e-3, "{a:?} {b:?}");
+    assert!((a.slopes.rate_rad_s - b.slopes.rate_rad_s).abs() < 1e-3, "{a:?} {b:?}");
+}
+
 /// Whatever explains the mean waves along the vertical as well: it is the landings that predict single drops. All that is said of the model
 /// after is then of them.
 #[test]

@@ -63,7 +63,7 @@ impl std::fmt::Display for Decimation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let (native_hz, kept_hz, readings) = (1.0 / self.native_s, 1.0 / self.kept_s, self.readings());
         if readings == 1.0 {
-            return write!(f, "{native_hz:.0} Hz, as recorded");
+            return write!(f, "{native_hz:.0} Hz, every reading");
         }
         write!(f, "{native_hz:.0} Hz, means of {readings:.1} readings at {kept_hz:.1} Hz; the model's wave goes through the same mean")
     }

@@ -39,6 +39,18 @@ pub fn minimise(
     steps: &[f64],
     most_steps: usize,
 ) -> Option<Minimum> {
+    minimise_until(ENOUGH, residual, start, bounds, steps, most_steps)
+}
+
+/// The same, until a step lowers the sum by less than `enough`.
+pub fn minimise_until(
+    enough: f64,
+    residual: impl Fn(&[f64]) -> Option<DVector<f64>>,
+    start: &[f64],
+    bounds: &[[f64; 2]],
+    steps: &[f64],
+    most_steps: usize,
+) -> Option<Minimum> {
     let mut at: Vec<f64> = start.iter().zip(bounds).map(|(value, [min, max])| value.clamp(*min, *max)).collect();
     let mut here = residual(&at)?;
     let mut sum = here.norm_squared();
@@ -53,7 +65,7 @@ pub fn minimise(
         let fell = sum - there.norm_squared();
         (at, here, sum) = (next, there.clone(), there.norm_squared());
         jacobian = quotients(&residual, &at, &here, bounds, steps);
-        if fell < ENOUGH {
+        if fell < enough {
             settled = true;
             break;
         }

@@ -31,7 +31,7 @@ pub use expected::{Expected, Ready};
 pub use fine_wave::FINE_S;
 pub use fitting::{Fit, Objective, ParameterEstimate, fit};
 pub use free::{Free, Layout};
-pub use least_squares::{Minimum, at_bounds, inverse, minimise};
+pub use least_squares::{Minimum, at_bounds, inverse, minimise, minimise_until};
 pub use likelihood::Likelihood;
 pub use paper::PaperObjective;
 pub use problem::{FitProblem, Fitted, MeanWave};

@@ -24,12 +24,16 @@ use super::posterior::given_touches;
 use super::table::LandingTable;
 use super::touched_slopes::{TouchedSlopes, left_of_quartiles};
 use crate::impact::effects::Model;
-use crate::impact::fit::{FitProblem, Minimum, at_bounds, minimise};
+use crate::impact::fit::{FitProblem, Minimum, at_bounds, minimise, minimise_until};
 
 /// Most steps of the legs' fit.
 const MOST_STEPS: usize = 25;
 /// Most turns in which slopes and legs are fitted.
 pub const MOST_TURNS: usize = 5;
+/// Fall of the sum of squares below which a step is the last: far below the price of a parameter, which decides among fits.
+const SETTLED_SUM: f64 = 1e-3;
+/// The same of fits from several begins, of which one goes on.
+pub const ROUGH_SUM: f64 = 0.5;
 /// A turn that moves the legs by less, in steps of difference quotients, is the last.
 const SETTLED: f64 = 0.5;
 
@@ -161,7 +165,7 @@ impl LandingProblem<'_> {
     /// Fits a population, from another fit's end where there is one.
     pub fn fitted(&self, from: Option<&LandingFit>) -> Option<LandingFit> {
         let plain = || self.parameters().iter().map(|parameter| parameter.inward(parameter.start)).collect();
-        self.fitted_from(from.map_or_else(plain, |fit: &LandingFit| fit.scaled.clone()), MOST_TURNS)
+        self.fitted_from(from.map_or_else(plain, |fit: &LandingFit| fit.scaled.clone()), MOST_TURNS, SETTLED_SUM)
     }
 
     /// A population that was not fitted, as the end of a fit.
@@ -179,8 +183,8 @@ impl LandingProblem<'_> {
         LandingFit { legs, slopes, scaled, at_bound, sum: f64::NAN }
     }
 
-    /// Slopes and legs in turn, until the legs stay.
-    pub(super) fn fitted_from(&self, mut scaled: Vec<f64>, most_turns: usize) -> Option<LandingFit> {
+    /// Slopes and legs in turn, until the legs stay; in a turn until a step lowers the sum of squares by less than `enough`.
+    pub(super) fn fitted_from(&self, mut scaled: Vec<f64>, most_turns: usize, enough: f64) -> Option<LandingFit> {
         let (bounds, steps) = (self.bounds(), self.steps());
         let legs = bounds.len() - SLOPES;
         let mut best = None;
@@ -188,7 +192,7 @@ impl LandingProblem<'_> {
             scaled = self.with_touched_slopes(&scaled)?;
             let slopes = scaled[legs..].to_vec();
             let left = |moved: &[f64]| self.left_of_drops(&[moved, &slopes].concat());
-            let found = minimise(left, &scaled[..legs], &bounds[..legs], &steps[..legs], MOST_STEPS)?;
+            let found = minimise_until(enough, left, &scaled[..legs], &bounds[..legs], &steps[..legs], MOST_STEPS)?;
             let moved = found.at.iter().zip(&scaled).zip(&steps).map(|((to, from), step)| ((to - from) / step).abs()).fold(0.0, f64::max);
             scaled[..legs].copy_from_slice(&found.at);
             best = Some(found);

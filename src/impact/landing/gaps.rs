@@ -147,7 +147,7 @@ pub fn held_out_gaps(
         ..problem.waves.clone()
     };
     let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
-    let touches = touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes, seed);
+    let touches = touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes);
     let other = LandingProblem { observed: &touches, ..unread };
     let unseen: Option<Vec<Unseen>> =
         held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, seed)).collect();

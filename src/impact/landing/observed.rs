@@ -1,8 +1,6 @@
 //! Drops with their touch times, height by height, as the fits compare them.
 
 use nalgebra::DVector;
-use rand::SeedableRng;
-use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::legged_body::Slopes;
@@ -91,12 +89,11 @@ impl ObservedLandings {
 
     /// The same with how touch times are read, by the landings that were simulated at each height, and how frequent they are.
     #[must_use]
-    pub fn with_errors(&self, tables: &[LandingTable], slopes: &Slopes, seed: u64) -> Self {
+    pub fn with_errors(&self, tables: &[LandingTable], slopes: &Slopes) -> Self {
         let with = |(height, table): (&HeightLandings, &LandingTable)| {
             let weights = Population::of(table, slopes).weights().clone();
-            let mut rng = Pcg64::seed_from_u64(seed);
             let patterns: Vec<&TouchPattern> = height.drops.iter().map(|drop| &drop.pattern).collect();
-            HeightLandings { errors: TouchErrors::of(&patterns, table, &weights, &mut rng), ..height.clone() }
+            HeightLandings { errors: TouchErrors::of(&patterns, table, &weights), ..height.clone() }
         };
         Self { heights: self.heights.par_iter().zip(tables).map(with).collect() }
     }

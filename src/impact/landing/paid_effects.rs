@@ -2,7 +2,7 @@
 //! friction of the legs, and mass of the feet or a mount of the sensor.
 
 use super::fit_step::SLOPES;
-use super::fitting::{LandingFit, LandingProblem, MOST_TURNS, ModelParts};
+use super::fitting::{LandingFit, LandingProblem, MOST_TURNS, ModelParts, ROUGH_SUM};
 use super::legged_body::fall;
 use super::parameter::{FEET, FEET_HZ, FRICTION_N, LEGS, MOUNT_ZETA, MOUNTS, MOUNTS_HZ, Parameter};
 use super::score_sums::ScoreSums;
@@ -57,8 +57,9 @@ impl LandingProblem<'_> {
             let smooth = problem.with(ModelParts { rubbing: false, ..problem.parts });
             let mut start = fit.scaled.clone();
             start.remove(LEGS);
-            let without = smooth.fitted_from(start, MOST_TURNS)?;
+            let without = smooth.fitted_from(start, MOST_TURNS, ROUGH_SUM)?;
             if !problem.friction_pays(&without, &fit)? {
+                let without = smooth.fitted(Some(&without))?;
                 return Some((smooth, without));
             }
         }
@@ -68,7 +69,7 @@ impl LandingProblem<'_> {
     /// A turn of a fit with more parameters from the end of a fit without them: from each start, at this place among the others, the best one.
     fn begun_with(&self, without: &LandingFit, at: usize, starts: &[Vec<f64>]) -> Option<LandingFit> {
         let (before, behind) = without.scaled.split_at(at);
-        let fits = starts.iter().filter_map(|start| self.fitted_from([before, start, behind].concat(), 1));
+        let fits = starts.iter().filter_map(|start| self.fitted_from([before, start, behind].concat(), 1, ROUGH_SUM));
         fits.min_by(|a, b| a.sum.total_cmp(&b.sum))
     }
 

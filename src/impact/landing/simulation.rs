@@ -6,6 +6,8 @@
 //! (stiffness/4) d + (damping/4) d' + (friction/4) d'/√(d'² + w²), w = 0.05 m/s, d being how far it stands below the ground, and never pulled.
 //! Dry friction is that of hinges and sockets, and of feet that slide apart; the root in place of the sign is the same for fast legs, and
 //! creeps where slower ones would stick. Feet may have mass of their own, which then meets the ground ([`FootMode`]). In every step the forces are taken at its middle (the explicit midpoint method, order 2).
+//! A foot that comes down within a step has the part of its force that is the part of the step in which it touches ([`touching_share`]), and its
+//! touch is timed between the points: so waves and touch times change evenly with the legs, as a fit by difference quotients needs.
 //!
 //! *When it is wrong:* beyond slopes of about 0.3 rad along both diagonals, as turns about the two are taken to be independent; where feet slide
 //! far; where the frame between the feet and the hub bends long after the touch.
@@ -19,6 +21,9 @@ pub use crate::impact::fit::FINE_S as STEP_S;
 
 /// Speed over which friction changes its sign, m/s.
 const TURN_M_S: f64 = 0.05;
+
+/// A foot that comes down slower than this has its touch spread over as long a way, m/s.
+const SLOW_M_S: f64 = 1e-3;
 
 /// Feet: at the positive and the negative end of the first diagonal, then of the second.
 pub const FEET: usize = 4;
@@ -118,7 +123,9 @@ impl Mechanics {
             let begin_m = sunk_m + self.foot_radius_m * sine.abs();
             let speed_m_s = z_rate + turned_m_s + self.foot_radius_m * rate.abs();
             let end_m = begin_m + for_s * (speed_m_s + 0.5 * GRAVITY_M_S2 * for_s);
-            begin_m < -CLEAR_M && end_m < -CLEAR_M
+            // A foot pushes from half a step before it touches on.
+            let clear_m = CLEAR_M + 0.5 * STEP_S * (speed_m_s + GRAVITY_M_S2 * for_s).max(SLOW_M_S);
+            begin_m < -clear_m && end_m < -clear_m
         })
     }
 }
@@ -132,6 +139,7 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
 ) -> [Option<Landing>; N] {
     let mut accel_g = Vec::with_capacity(points);
     let mut touch_s = [[None; FEET]; N];
+    let mut before_m = [[0.0; N]; FEET];
     for point in 0..points {
         let (rate, pressed_n, depth_m) = change::<N, FREE, RUBS>(mechanics, &state);
         let mut read_g = [0.0; N];
@@ -139,11 +147,14 @@ fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
             let upright_g = pressed_n[at] / mechanics.mass_kg / GRAVITY_M_S2;
             read_g[at] = if axis == SensorAxis::Body { upright_g * state.body[2][at] * state.body[4][at] } else { upright_g };
             for foot in 0..FEET {
-                if depth_m[foot][at] >= -1e-12 && touch_s[at][foot].is_none() {
-                    touch_s[at][foot] = Some(point as f64 * STEP_S);
+                let depth_m = depth_m[foot][at];
+                if depth_m >= -1e-12 && touch_s[at][foot].is_none() {
+                    let since = if point == 0 { 0.0 } else { depth_m / (depth_m - before_m[foot][at]) };
+                    touch_s[at][foot] = Some((point as f64 - since.clamp(0.0, 1.0)) * STEP_S);
                 }
             }
         }
+        before_m = depth_m;
         accel_g.push(read_g);
         let left_s = (points - point) as f64 * STEP_S;
         if !FREE && (0..N).all(|at| mechanics.flies(&state, at, left_s)) {
@@ -246,8 +257,16 @@ fn pressed<const RUBS: bool>(legs: &Legs, depth_m: f64, speed_m_s: f64) -> f64 {
     if RUBS {
         all_n += legs.friction_n * (speed_m_s / (speed_m_s * speed_m_s + TURN_M_S * TURN_M_S).sqrt());
     }
-    let pressed_n = 0.25 * all_n;
-    if (depth_m > 0.0) & (pressed_n > 0.0) { pressed_n } else { 0.0 }
+    let pressed_n = 0.25 * all_n * touching_share(depth_m, speed_m_s);
+    if pressed_n > 0.0 { pressed_n } else { 0.0 }
+}
+
+/// The part of a step around a moment in which a foot stands below the ground, by its depth and speed at that moment. It takes the whole of a foot
+/// that leaves the ground: there its force has come to nothing before.
+#[inline(always)]
+fn touching_share(depth_m: f64, speed_m_s: f64) -> f64 {
+    let in_a_step_m = STEP_S * speed_m_s.max(SLOW_M_S);
+    (0.5 + depth_m / in_a_step_m).clamp(0.0, 1.0)
 }
 
 #[inline(always)]

@@ -26,10 +26,16 @@ pub struct GridPoint {
     pub around: [(usize, f64); 4],
 }
 
-/// Slopes to simulate, the directions fastest: along the two diagonals, rad.
+/// Slopes to simulate, along the two diagonals, rad: none, which has no direction, and then each slope in all directions.
 pub fn simulated() -> Vec<[f64; 2]> {
     let each = |(slope, direction): (f64, f64)| [slope * libm::cos(direction), slope * libm::sin(direction)];
-    (0..SIMULATED[0]).flat_map(|i| (0..SIMULATED[1]).map(move |j| each((size(i as f64), angle(j as f64))))).collect()
+    let sloped = (1..SIMULATED[0]).flat_map(|i| (0..SIMULATED[1]).map(move |j| each((size(i as f64), angle(j as f64)))));
+    std::iter::once([0.0; 2]).chain(sloped).collect()
+}
+
+/// The place of a slope and a direction among those that are simulated.
+fn node([slope, direction]: [usize; 2]) -> usize {
+    slope.checked_sub(1).map_or(0, |sloped| 1 + sloped * SIMULATED[1] + direction)
 }
 
 /// The points between them.
@@ -51,12 +57,11 @@ fn computed_points() -> Vec<GridPoint> {
         let slope_rad = fine(i, 0, size);
         for j in 0..=counts[1] {
             let (low, high_share) = along(1, j);
-            let node = |di: usize, dj: usize| (left + di) * SIMULATED[1] + low + dj;
             let around = [
-                (node(0, 0), (1.0 - right_share) * (1.0 - high_share)),
-                (node(0, 1), (1.0 - right_share) * high_share),
-                (node(1, 0), right_share * (1.0 - high_share)),
-                (node(1, 1), right_share * high_share),
+                (node([left, low]), (1.0 - right_share) * (1.0 - high_share)),
+                (node([left, low + 1]), (1.0 - right_share) * high_share),
+                (node([left + 1, low]), right_share * (1.0 - high_share)),
+                (node([left + 1, low + 1]), right_share * high_share),
             ];
             let cell = width(i, 0, size) * width(j, 1, angle) / FRAC_PI_4;
             points.push(GridPoint { slope_rad, direction_rad: fine(j, 1, angle), cell, around });

@@ -1,5 +1,6 @@
 //! A drop's lateral axes with other touches.
 
+use std::cmp::Ordering;
 use std::sync::Arc;
 
 use super::lateral_readings::{FourSpikes, LateralReadings, beside, first_of};
@@ -42,6 +43,13 @@ impl TouchPattern {
             first,
             sizes_g: all.map(|spike| spike.size_g),
         }
+    }
+
+    /// An order of patterns that depends on nothing but what was measured.
+    pub fn in_order(&self, other: &Self) -> Ordering {
+        let numbers = |pattern: &Self| [pattern.first_s].into_iter().chain(pattern.sizes_g).collect::<Vec<_>>();
+        let each = numbers(self).into_iter().zip(numbers(other)).map(|(a, b)| a.total_cmp(&b));
+        each.fold(Ordering::Equal, Ordering::then)
     }
 
     /// What would have been read of this drop, had its feet touched with other delays: of the opposite foot, and of those beside, the earlier one

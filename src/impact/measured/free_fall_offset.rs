@@ -18,6 +18,10 @@ const END_OF_FALL: f64 = 0.5;
 const TOUCH_S: f64 = 0.025;
 /// Fewest samples of a fall.
 const FALLING: usize = 20;
+/// Samples at the begin of a record that starts shortly before the ground is touched.
+const AT_BEGIN: usize = 4;
+/// By how much the reading rises from there when the ground is touched, at least, g.
+const TOUCHED_G: f64 = 5.0;
 /// Half of the readings in a fall lie within this, g.
 const QUIET_G: f64 = 0.5;
 
@@ -48,7 +52,7 @@ impl FreeFallOffset {
     fn of(session: String, records: &[&Record]) -> Option<Self> {
         let spread = |axis: usize| {
             let axis_of = |record: &Record| match (&record.axes_g, axis) {
-                (_, 2) => Some(in_fall_g(record, &record.accel_g)),
+                (_, 2) => Some(in_fall_g(record, &record.accel_g).or_else(|| at_begin_g(record))),
                 (Some(axes), _) => Some(in_fall_g(record, &axes[axis])),
                 (None, _) => None,
             };
@@ -70,6 +74,17 @@ fn in_fall_g(record: &Record, readings_g: &[f64]) -> Option<f64> {
     let falling = at(END_OF_FALL * fall_s)..at(TOUCH_S);
     let spread = Spread::of(readings_g.get(falling).filter(|readings| readings.len() >= FALLING)?.iter().copied())?;
     (spread.q3 - spread.q1 < QUIET_G).then_some(spread.median)
+}
+
+/// Median reading along the axis at the begin of a record that starts shortly before the ground is touched, g. The ground may touch already, but
+/// it only pushes: no more than a reading below zero is one of free fall.
+fn at_begin_g(record: &Record) -> Option<f64> {
+    let readings_g = &record.accel_g;
+    let peak = (0..record.len()).max_by(|a, b| readings_g[*a].total_cmp(&readings_g[*b]))?;
+    let is_short = record.t_s[peak] - record.t_s[0] < TOUCH_S + FALLING as f64 * record.step_s()?;
+    let spread = Spread::of(readings_g.get(..AT_BEGIN).filter(|_| is_short && peak >= AT_BEGIN)?.iter().copied())?;
+    let rises = readings_g[peak] > spread.median + TOUCHED_G;
+    (rises && spread.median < 0.0 && spread.q3 - spread.q1 < QUIET_G).then_some(spread.median)
 }
 
 impl fmt::Display for FreeFallOffset {
@@ -98,10 +113,15 @@ mod tests {
 
     /// Four drops from half a metre, held for 0.1 s before; readings are moved by an offset, x, y and along the axis, g.
     fn all(offset_g: [f64; 3]) -> Vec<FreeFallOffset> {
+        all_from(0, offset_g)
+    }
+
+    /// The same, recorded from a moment on, ms; the ground touches at 419.
+    fn all_from(begin_ms: i32, offset_g: [f64; 3]) -> Vec<FreeFallOffset> {
         let mut text = "trial,height_m,t_s,accel_g,x,y\n".to_string();
         let [x, y, along] = offset_g;
         for trial in 0..4 {
-            for ms in 0..500 {
+            for ms in begin_ms..500 {
                 let since = f64::from(ms - 419) / 12.0;
                 let impact_g = if (0.0..1.0).contains(&since) { 53.0 * libm::sin(since * std::f64::consts::PI) } else { 0.0 };
                 let held_g = f64::from(u8::from(!(100..431).contains(&ms)));
@@ -125,5 +145,16 @@ mod tests {
         }
         let said = all([0.0, 0.0, -1.0]).first().expect("is told").to_string();
         assert!(said.contains("gravity was taken off") && said.contains("--zero=0.0"), "{said}");
+    }
+
+    #[test]
+    fn planted_gravity_that_was_taken_off_of_records_that_begin_with_the_touch() {
+        for begin_ms in [385, 405, 414] {
+            let said = all_from(begin_ms, [0.0, 0.0, -1.0]).first().map(ToString::to_string).unwrap_or_default();
+            assert!(said.contains("gravity was taken off"), "{begin_ms}: {said}");
+            assert_eq!(all_from(begin_ms, [0.0; 3]), [], "{begin_ms}");
+        }
+        // A record that begins when the ground touches says nothing.
+        assert_eq!(all_from(422, [0.0, 0.0, -1.0]), []);
     }
 }

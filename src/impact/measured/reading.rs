@@ -10,6 +10,9 @@ use super::record::{DropSet, Record};
 use super::symptom::symptoms;
 use super::table;
 
+/// Share by which a sampling rate that is given and that of the time stamps are different.
+const SAME_RATE: f64 = 0.03;
+
 /// The kind of a file that has to be a record.
 pub(super) fn known_kind(path: &Path) -> Result<FileKind, Malformed> {
     let foreign = || Fault::Foreign { what: "of no kind that is identified by its ending".into() };
@@ -42,9 +45,14 @@ pub(super) fn records(
             Ok((vec![record], Vec::new()))
         }
         FileKind::Table => {
-            let (records, others) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
-            let note = (!others.is_empty()).then(|| format!("{source}: columns left aside: {}", others.join(", ")));
-            Ok((records, note.into_iter().collect()))
+            let (records, aside) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
+            let columns = (!aside.columns.is_empty()).then(|| format!("{source}: columns left aside: {}", aside.columns.join(", ")));
+            let rates = aside.stamped_hz.zip(format.table.rate_hz).filter(|(stamped, given)| (stamped / given - 1.0).abs() > SAME_RATE);
+            let rate = rates.map(|(stamped, given)| {
+                let places = if stamped < 10.0 { 2 } else { 0 };
+                format!("{source}: the time stamps say {stamped:.places$} Hz; --rate {given} is used instead of them")
+            });
+            Ok((records, columns.into_iter().chain(rate).collect()))
         }
     }
 }
@@ -84,6 +92,7 @@ pub fn read_bytes(files: &[(String, Vec<u8>)], format: &FileFormat) -> Result<Dr
 
 #[cfg(test)]
 mod tests {
+    use super::super::TableFormat;
     use super::*;
 
     #[test]
@@ -110,6 +119,18 @@ mod tests {
         assert_eq!(trials, ["3", "20", "21", "22"]);
         files.reverse();
         assert_eq!(read(&files), set);
+    }
+
+    #[test]
+    fn planted_a_sampling_rate_that_contradicts_the_time_stamps() {
+        let rows: String = (0..50).map(|at| format!("1,0.5,{},0\n", f64::from(at) * 1e-3)).collect();
+        let files = [("a.csv".to_string(), format!("trial,height_m,t_s,accel_g\n{rows}").into_bytes())];
+        let notes = |rate_hz: f64| {
+            let table = TableFormat::new(&[], &[], Some(rate_hz)).expect("is one");
+            read_bytes(&files, &FileFormat { table, ..FileFormat::default() }).expect("reads").notes
+        };
+        assert_eq!(notes(500.0), ["a.csv: the time stamps say 1000 Hz; --rate 500 is used instead of them"]);
+        assert_eq!(notes(1010.0), Vec::<String>::new());
     }
 
     #[test]

@@ -12,6 +12,7 @@ use super::encoding::plain;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
+use super::spread::Spread;
 use super::table_format::TableFormat;
 use super::table_header::{Header, separator};
 use crate::units::GRAVITY_M_S2;
@@ -62,10 +63,37 @@ struct Builder<'a> {
     format: &'a TableFormat,
     header: Header,
     records: Vec<Record>,
+    /// What the time stamps of each record say where a sampling rate is given instead.
+    stamps: Vec<Stamps>,
     /// By trial and bits of the height.
     places: BTreeMap<(Vec<u8>, u64), usize>,
     /// The row before: its trial and height as they stand in the file, and its record.
     before: Option<(Vec<u8>, Vec<u8>, usize)>,
+}
+
+/// First and last time stamp of a record, s, and how many there are.
+#[derive(Clone, Copy)]
+struct Stamps {
+    first_s: f64,
+    last_s: f64,
+    count: usize,
+}
+
+impl Stamps {
+    /// Samples a second by a record's length, Hz; none of stamps that do not ascend.
+    fn rate_hz(&self) -> Option<f64> {
+        let lasts_s = self.last_s - self.first_s;
+        (lasts_s > 0.0).then(|| (self.count - 1) as f64 / lasts_s)
+    }
+}
+
+/// What a table holds beside its records.
+#[derive(Debug, Default, PartialEq)]
+pub(super) struct Aside {
+    /// Names of columns that were left aside.
+    pub columns: Vec<String>,
+    /// Sampling rate by the time stamps, Hz, where one was given instead of them: the median of the records.
+    pub stamped_hz: Option<f64>,
 }
 
 impl Builder<'_> {
@@ -78,6 +106,7 @@ impl Builder<'_> {
         }
         let stamp_s = self.header.time.map(|at| scaled(row, at, "t_s", &TIMES_S, "s", self.format.time_s)).transpose()?;
         let at = self.place(row, stamp_s)?;
+        self.keep_stamp(row, at);
         let record = &mut self.records[at];
         let differs = self.header.kept.iter().find(|(name, column)| record.columns.get(name).is_some_and(|of| *of != text(row, *column)));
         if let Some((name, _)) = differs {
@@ -97,6 +126,17 @@ impl Builder<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Keeps a time stamp that is not used; what is no number says nothing.
+    fn keep_stamp(&mut self, row: &csv::ByteRecord, record: usize) {
+        let Some(last_s) = self.header.unused_time.and_then(|at| scaled(row, at, "t_s", &TIMES_S, "s", self.format.time_s).ok()) else {
+            return;
+        };
+        match self.stamps.get_mut(record) {
+            Some(stamps) => *stamps = Stamps { last_s, count: stamps.count + 1, ..*stamps },
+            None => self.stamps.push(Stamps { first_s: last_s, last_s, count: 1 }),
+        }
     }
 
     /// The record that a row belongs to.
@@ -193,14 +233,8 @@ fn scaled(
     Err(Fault::OutOfBounds { column, value, min: *bounds.start(), max: *bounds.end(), unit })
 }
 
-/// Reads a table: its records, and the names of the columns that were left aside. A label says trial, frame and height where the
-/// table does not.
-pub(super) fn records(
-    bytes: &[u8],
-    source: &str,
-    label: Option<&Label>,
-    format: &TableFormat,
-) -> Result<(Vec<Record>, Vec<String>), Refused> {
+/// Reads a table: its records, and what it holds beside them. A label says trial, frame and height where the table does not.
+pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format: &TableFormat) -> Result<(Vec<Record>, Aside), Refused> {
     let bytes = plain(bytes)?;
     if bytes.trim_ascii().is_empty() {
         return Err((SourcePosition::Whole, Fault::Empty));
@@ -208,7 +242,8 @@ pub(super) fn records(
     let mut reader = csv::ReaderBuilder::new().delimiter(separator(bytes)).buffer_capacity(1 << 16).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?;
     let header = Header::of(names, format, label.is_some()).map_err(|fault| (SourcePosition::Line(1), fault))?;
-    let mut builder = Builder { source, label, format, header, records: Vec::new(), places: BTreeMap::new(), before: None };
+    let mut builder =
+        Builder { source, label, format, header, records: Vec::new(), stamps: Vec::new(), places: BTreeMap::new(), before: None };
     let mut row = csv::ByteRecord::new();
     while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
         let line = row.position().map_or(0, csv::Position::line);
@@ -218,7 +253,8 @@ pub(super) fn records(
         return Err((SourcePosition::Whole, Fault::Empty));
     }
     builder.one_height_each().map_err(|fault| (SourcePosition::Whole, fault))?;
-    Ok((builder.records, builder.header.others))
+    let stamped_hz = Spread::of(builder.stamps.iter().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
+    Ok((builder.records, Aside { columns: builder.header.others, stamped_hz }))
 }
 
 pub(super) fn refused(error: &csv::Error) -> Refused {
@@ -233,7 +269,7 @@ pub(super) fn refused(error: &csv::Error) -> Refused {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<(Vec<Record>, Vec<String>), Refused> {
+    fn read(text: &str) -> Result<(Vec<Record>, Aside), Refused> {
         records(text.as_bytes(), "a.csv", None, &TableFormat::default())
     }
 
@@ -241,7 +277,7 @@ mod tests {
     fn analytic_columns_stand_in_any_order() {
         let (records, others) =
             read("t_s,y,accel_g,x,trial,height_m,mood\r\n0,3,12,4,a,0.5,good\r\n0.001,0,-1,0,a,0.5,bad\r\n").expect("reads");
-        assert_eq!((records.len(), others), (1, vec!["mood".to_string()]));
+        assert_eq!((records.len(), others.columns), (1, vec!["mood".to_string()]));
         assert_eq!((records[0].accel_g.clone(), [records[0].size_g(0), records[0].size_g(1)]), (vec![12.0, -1.0], [13.0, 1.0]));
     }
 
@@ -276,7 +312,7 @@ mod tests {
         let label = Label { trial: "7".into(), source: "7.csv".into(), frame: Some("soft".into()), height_m: 0.5 };
         let (all, others) = records(b"x\ty\tz\ttemperature\n3\t4\t0\t20\n0\t0\t1\t20\n", "7.csv", Some(&label), &format).expect("reads");
         assert_eq!((all[0].trial.as_str(), all[0].height_m, all[0].t_s.clone()), ("7", 0.5, vec![0.0, 0.0005]));
-        assert_eq!((all[0].size_g(0), all[0].accel_g.clone(), others), (5.0, vec![0.0, 1.0], vec!["temperature".to_string()]));
+        assert_eq!((all[0].size_g(0), all[0].accel_g.clone(), others.columns), (5.0, vec![0.0, 1.0], vec!["temperature".to_string()]));
     }
 
     #[test]

@@ -16,6 +16,8 @@ pub(super) struct Header {
     pub height: Option<usize>,
     pub speed: Option<usize>,
     pub time: Option<usize>,
+    /// Time stamps that are not used, as a sampling rate is given.
+    pub unused_time: Option<usize>,
     pub axial: Place,
     /// x, y, z.
     pub axes: [Option<Place>; 3],
@@ -56,6 +58,7 @@ impl Header {
             height,
             speed,
             time: place(Quantity::Time).filter(|_| format.rate_hz.is_none()),
+            unused_time: place(Quantity::Time).filter(|_| format.rate_hz.is_some()),
             axial,
             axes: [Quantity::X, Quantity::Y, Quantity::Z].map(signed),
             kept,
