@@ -1,7 +1,7 @@
 //! `flexframe check`: the gate.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use super::failure::{Failure, mechanics_refused};
 use super::options::{Common, FrameOption, MechanicsOption};
 use super::progress::Progress;
 use super::session;
-use super::{frames, output, table, terminal};
+use super::{frame_text, frames, output, table, terminal};
 use crate::checks::gate::{
     Baseline, CheckedFrame, NO_FRAME_REMEDY, Outcome, Policy, Refused, Standing, acceptance, data, github, junit, markdown, sarif,
 };
@@ -99,8 +99,8 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     for message in &messages {
         terminal::tell(message.trim_end());
     }
-    if args.baseline.is_some() {
-        told_apart(&outcomes)?;
+    if let Some(list) = baseline.as_ref().or(former.as_ref()) {
+        told_apart(list, &outcomes)?;
     }
     if args.update_baseline {
         return update(args, common, &outcomes, former);
@@ -110,6 +110,16 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         for done in acceptance::no_longer_failing(list, &outcomes, args.mechanics.strength) {
             let line =
                 format!("note: {}: {} of {} no longer fails; remove it from {}", done.frame, done.rule, done.subject, path.display());
+            terminal::tell(&line);
+        }
+        for (frame, judged, entry) in acceptance::accepted_of_another_file(list, &outcomes) {
+            let [here, there] = [&frame.file, &entry.file].map(|file| file.as_deref().unwrap_or(&frame.frame));
+            let Finding { rule, subject, .. } = &judged.finding;
+            let line = format!(
+                "note: {here}: {} accepts {rule} of {subject} of `{}` in {there}; if that is the same frame, --update-baseline accepts it here",
+                path.display(),
+                frame.frame
+            );
             terminal::tell(&line);
         }
     }
@@ -128,6 +138,8 @@ fn hold(asked: &str, args: &Args, policy: Policy, memo: &Arc<Memo>) -> Result<Ch
     if let Some(settings) = session::mechanics(&args.mechanics)? {
         findings.extend(strength(frame.clone(), &file, &settings, memo)?);
     }
+    let listed = args.baseline.as_ref().map(|list| listed_file(asked, list));
+    let policy = Policy { file: listed.as_deref(), ..policy };
     let advice = if args.remedies { advice(&file, &findings, memo) } else { Vec::new() };
     Ok(CheckedFrame::new(&frame, &file, findings, masses, policy).advised(advice))
 }
@@ -158,15 +170,24 @@ fn baseline(args: &Args) -> Result<Option<Baseline>, Failure> {
     Baseline::parse(&source.text).map(Some).map_err(wrong)
 }
 
-/// A list knows frames by name: two of one name would answer for each other.
-fn told_apart(outcomes: &[Outcome]) -> Result<(), Failure> {
+/// How a list names a frame's file: by the way from the list's folder, wherever the program runs; a preset by its name.
+fn listed_file(asked: &str, list: &Path) -> String {
+    if Path::new(asked).is_file() { frame_text::named_from(list, asked) } else { asked.into() }
+}
+
+/// A list that says no files knows frames by name: two of one name would answer for each other.
+fn told_apart(list: &Baseline, outcomes: &[Outcome]) -> Result<(), Failure> {
     let held: Vec<(&str, &str)> = outcomes
         .iter()
         .filter_map(|outcome| outcome.result.as_ref().ok().map(|held| (held.frame.as_str(), outcome.asked.as_str())))
+        .filter(|(name, _)| list.is_of_any_file(name))
         .collect();
     for (at, (name, asked)) in held.iter().enumerate() {
         if let Some((_, other)) = held[..at].iter().find(|(other, _)| other == name) {
-            let message = format!("--baseline: {other} and {asked} are both called `{name}`; give one of them another `name`");
+            let message = format!(
+                "--baseline: {other} and {asked} are both called `{name}`, and the list does not say of which file its findings are; \
+                 give one of them another `name`"
+            );
             return Err(Failure::Usage { message });
         }
     }

@@ -12,12 +12,13 @@ use super::terminal;
 use crate::checks::{self, Finding, Verdict};
 use crate::export::stl;
 use crate::frame::assembly::mass;
+use crate::frame::fold;
 use crate::impact::measured::{FoldReading, read_folds};
 use crate::params::Frame;
 use crate::params::frame_file::Value;
 use crate::printing::coupon::{Coupon, FOLDS, FoldedHinge, Found, HINGE_KEY, HingeLimit, Hinges};
 use crate::printing::plates::PrintSettings;
-use crate::report::page::coupon_page;
+use crate::report::page::coupon_page::{self, FOLD_TABLE};
 
 /// Write a test coupon for a printer's clearances and the strain limit of hinges; turn its readings into parameters of a frame file.
 #[derive(Debug, clap::Args)]
@@ -62,7 +63,7 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
         let bytes = coupon_page::plate(frame, &plate);
         files.push((name.clone(), bytes.map_err(|error| Failure::Machine { what: format!("cannot make {name}"), error })?));
     }
-    files.push((coupon_page::FOLD_TABLE.into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));
+    files.push((FOLD_TABLE.into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));
     files.push(("coupon.png".into(), coupon_page::picture(&coupon)));
     let folder = format!("{}-coupon", frame.name);
     files.push(("coupon.md".into(), coupon_page::markdown(frame, &coupon, &args.frame.frame).into_bytes()));
@@ -109,14 +110,16 @@ fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure
         let hinges = limit.as_ref().map(|(_, limit)| hinge_lines(limit)).unwrap_or_default();
         terminal::print(&format!("{hinges}{formatted}{}\n", place.display()))?;
     }
-    tell_violated(place, common)?;
+    tell_changes(frame, place, common)?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// Says which limits the frame with the new values violates: parts grow around wider bores.
-fn tell_violated(place: &Path, common: &Common) -> Result<(), Failure> {
+/// Says what the frame with the new values does that the former did not: which limits it violates, as parts grow around wider bores, and by how
+/// much more a thinner web is strained.
+fn tell_changes(before: &Frame, place: &Path, common: &Common) -> Result<(), Failure> {
     let frame = place.display().to_string();
     let design = session::design(&FrameOption { frame: frame.clone(), rigid: None }, common)?;
+    tell_strain(before, &design.frame);
     let found = checks::check(&design, &mass::table(&design));
     let violated: Vec<&Finding> = found.iter().filter(|finding| finding.verdict == Verdict::Violated).collect();
     for finding in &violated {
@@ -126,6 +129,18 @@ fn tell_violated(place: &Path, common: &Common) -> Result<(), Failure> {
         terminal::tell(&format!("`flexframe check {frame} --remedies` looks for what helps"));
     }
     Ok(())
+}
+
+/// Says that a thinner web is strained more, which a tongue that folds flat does not show.
+fn tell_strain(before: &Frame, after: &Frame) {
+    let [was_mm, is_mm] = [before, after].map(|frame| frame.corner.corner_hinge_thickness_mm);
+    let strain = |frame: &Frame| fold::largest_web_strain_percent(frame).ok();
+    if let (true, Some(was), Some(is)) = (is_mm < was_mm, strain(before), strain(after)) {
+        terminal::tell(&format!(
+            "corner.corner_hinge_thickness_mm {was_mm} -> {is_mm}: the corners' webs are strained by {is:.0} % instead of {was:.0} % when the frame \
+             is folded, as a thinner web is stretched over a shorter length; {FOLD_TABLE} of the coupon finds what strain they bear"
+        ));
+    }
 }
 
 fn is_table(said: &str) -> bool {

@@ -71,19 +71,27 @@ pub(super) fn amend(place: &Path, frame: &str, description: &str, lines: &[Line]
 
 /// A base as a file in another folder names it: a preset's name, or the way from one file to the other.
 pub(super) fn base_for(place: &Path, base: &str) -> Result<String, Failure> {
-    let folder = |path: &Path| std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_path_buf));
-    let here = folder(place).unwrap_or_default();
-    if !base.ends_with(".toml") {
-        let shadow = here.join(format!("{base}.toml"));
-        if shadow.exists() {
-            let message = format!("the preset {base} is hidden by {}: give that file, or write elsewhere", shadow.display());
-            return Err(Failure::Usage { message });
-        }
-        return Ok(base.into());
+    if base.ends_with(".toml") {
+        return Ok(named_from(place, base));
     }
-    let file = Path::new(base);
+    let shadow = folder(place).join(format!("{base}.toml"));
+    if shadow.exists() {
+        let message = format!("the preset {base} is hidden by {}: give that file, or write elsewhere", shadow.display());
+        return Err(Failure::Usage { message });
+    }
+    Ok(base.into())
+}
+
+/// A file as another file names it: the way from that one's folder, where there is one.
+pub(super) fn named_from(place: &Path, named: &str) -> String {
+    let file = Path::new(named);
     let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    Ok(way(&here, &folder(file).unwrap_or_default()).map_or_else(|| base.to_string(), |way| way + &name))
+    way(&folder(place), &folder(file)).map_or_else(|| named.to_string(), |way| way + &name)
+}
+
+/// The folder of a file.
+fn folder(path: &Path) -> PathBuf {
+    std::path::absolute(path).ok().and_then(|path| path.parent().map(Path::to_path_buf)).unwrap_or_default()
 }
 
 /// The way from one folder to another, with a slash at its end; none between drives. Links on the way are resolved, where

@@ -52,6 +52,7 @@ mod varied;
 mod watch;
 mod weigh;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
@@ -138,10 +139,15 @@ fn groups(command: &clap::Command) -> String {
 /// Prints help, or why the command line does not parse; with --json among its words as a JSON object, too.
 fn unparsed(error: clap::Error) -> ExitCode {
     let is_wrong = error.use_stderr();
-    // A closed pipe while printing help is nobody's failure.
-    let _ = error.print();
+    let printed = error.print().and_then(|()| std::io::stdout().flush());
     if !is_wrong {
-        return ExitCode::SUCCESS;
+        return match printed {
+            // A closed pipe while printing help is nobody's failure.
+            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                failed(&Failure::Machine { what: "cannot print".into(), error })
+            }
+            _ => ExitCode::SUCCESS,
+        };
     }
     let failure = Failure::Usage { message: cause(&error) };
     if std::env::args_os().any(|word| word == "--json") {
@@ -177,12 +183,18 @@ pub fn run() -> ExitCode {
     match arguments.command.run(&arguments.common) {
         Ok(code) => code,
         Err(failure) => {
-            terminal::tell(failure.render().trim_end());
+            let code = failed(&failure);
             if arguments.common.json {
                 // A closed pipe is nobody's failure; the exit code is.
                 let _ = terminal::print_json(&failure.json());
             }
-            ExitCode::from(failure.exit_code())
+            code
         }
     }
+}
+
+/// Tells why it failed; the exit code.
+fn failed(failure: &Failure) -> ExitCode {
+    terminal::tell(failure.render().trim_end());
+    ExitCode::from(failure.exit_code())
 }

@@ -84,6 +84,7 @@ pub(super) fn baseline() -> Value {
                 "required": ["frame", "rule", "subject", "margin", "unit"],
                 "properties": {
                     "frame": text("Name of the frame."),
+                    "file": text("The file that describes it, from the list's folder, or the preset's name; without it the frame's name alone counts."),
                     "rule": text("The rule."),
                     "subject": text("What it looked at."),
                     "margin": { "type": "number", "description": "How far beyond its limit it was; worse fails." },

@@ -37,6 +37,8 @@ const PATIENCE: usize = 5;
 const HALVINGS: usize = 5;
 /// Share of the value by which other keys are moved to see whether they have an effect.
 const PROBE: f64 = 0.2;
+/// Shares of that step, of which the largest that leaves a frame counts.
+const PROBES: [f64; 2] = [1.0, 0.4];
 /// Keys, beyond the levers, that are tried in earnest: those with the most effect.
 const OTHERS: usize = 3;
 /// Remedies that are named for a violation.
@@ -239,7 +241,9 @@ impl<'a> Bench<'a> {
             let value = self.frame.value(parameter.table, parameter.key)?;
             let step = PROBE * value.abs().max(0.1 * (parameter.max - parameter.min));
             let margin = |to: f64| self.margin(finding, rule, key, &Value::Number(to.clamp(parameter.min, parameter.max)));
-            [value + step, value - step].into_iter().filter_map(margin).reduce(f64::max).map(|margin| (margin, key.clone()))
+            // A whole step may leave no frame where a part of it helps.
+            let probed = |way: f64| PROBES.into_iter().find_map(|share| margin(value + way * share * step));
+            [1.0, -1.0].into_iter().filter_map(probed).reduce(f64::max).map(|margin| (margin, key.clone()))
         };
         let mut gains: Vec<(f64, String)> =
             keys.par_iter().filter_map(gain).filter(|(margin, _)| *margin > finding.margin + 1e-6).collect();
@@ -288,7 +292,7 @@ impl<'a> Bench<'a> {
             if to == last {
                 return None;
             }
-            let margin = at(to)?;
+            let Some(margin) = at(to) else { return self.least(&at, between(&at, [last, to])?, parameter) };
             if margin >= 0.0 {
                 return self.least(&at, [last, to], parameter);
             }
@@ -328,6 +332,20 @@ impl<'a> Bench<'a> {
         let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));
         Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
     }
+}
+
+/// Between a value that does not clear a violation and one with which there is no frame: the last value that does not, and the first that
+/// was seen to clear it.
+fn between(margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut none]: [f64; 2]) -> Option<[f64; 2]> {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (bad + none);
+        match margin(middle) {
+            Some(margin) if margin >= 0.0 => return Some([bad, middle]),
+            Some(_) => bad = middle,
+            None => none = middle,
+        }
+    }
+    None
 }
 
 /// The rules that a change is asked by: a search for a fold takes longer than all others together.
@@ -438,6 +456,24 @@ mod tests {
             found.contains(&"motor_mount.propeller_diameter_mm".to_string()) && !found.contains(&"bought.propeller".into()),
             "{found:?}"
         );
+    }
+
+    /// Its last step, to 103 mm, leaves no frame; from 92 mm on the propellers are clear.
+    #[test]
+    fn planted_a_motor_position_short_of_where_there_is_no_frame() {
+        let wide = "base = \"cognifly\"\nbought.propeller = \"propeller-4-inch\"\nbought.motor = \"motor-1404\"\n\
+                    [target]\nwidth_mm = 300\nheight_mm = 140\nstrut_tilt_deg = 24\n\
+                    [limits]\nenvelope_width_mm = 300\nenvelope_height_mm = 140\nmass_budget_g = 350\n";
+        let told = told(wide, "propeller_clearance");
+        assert!(told.starts_with("motor_mount.motor_position_mm 78 -> 91.") && !told.contains("bought.propeller"), "{told}");
+    }
+
+    #[test]
+    fn analytic_between_what_does_not_clear_and_what_is_no_frame() {
+        let margin = |to: f64| (to < 7.0).then_some(to - 6.0);
+        let [bad, good] = between(&margin, [4.0, 8.0]).expect("is found");
+        assert!(bad < 6.0 && (6.0..7.0).contains(&good), "{bad} {good}");
+        assert_eq!(between(&|to: f64| (to < 5.0).then_some(to - 6.0), [4.0, 8.0]), None);
     }
 
     #[test]

@@ -451,6 +451,24 @@ fn analytic_usage_errors_are_exit_2_and_help_is_0() {
 }
 
 #[test]
+fn planted_options_that_would_say_nothing_are_refused() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    let row = |ms: i32| format!("1,0.5,{},0\n", f64::from(ms) * 1e-3);
+    bench.write("drops.csv", &format!("trial,height_m,t_s,accel_g\n{}", (0..50).map(row).collect::<String>()));
+    let table = bench.path("drops.csv");
+    for (arguments, said) in [
+        (&["measure", &table, "--counts-per-g", "1,1,1"][..], "--counts-per-g is about the logger's .bin files, and none"),
+        (&["diagnose", "--model", "paper", &table, "--offset-counts", "1,1,1"], "--offset-counts is about the logger's .bin files"),
+        (&["drop", "--model", "paper", "--rate", "500"], "--rate says how measured drops are written: it goes with --fit"),
+        (&["drop", "--model", "paper", "--trace", "-o", &bench.path("o")], "--trace goes with --json"),
+    ] {
+        let output = flexframe(arguments);
+        let message = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && message.contains(said), "{arguments:?}: {message}");
+    }
+}
+
+#[test]
 fn regress_a_command_line_that_does_not_parse_is_an_error_in_json_too() {
     for arguments in [&["check", "--json", "--nosuchopt"][..], &["--json", "biuld"], &["fold", "--step", "x", "--json"]] {
         let output = flexframe(arguments);
@@ -763,6 +781,11 @@ fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
     let frame = bench.path("frame.toml");
     let output = flexframe(&["coupon", &frame, "--read", "held=2.8,slides=3.1,hinge=2.5", "--into", &frame, "-q"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    // r θ / (2 t) with a web of 2.5 in place of 2.9 mm, and a socket that is 0.05 mm thinner.
+    assert_says(
+        &text(&output.stderr),
+        &["corner.corner_hinge_thickness_mm 2.9 -> 2.5: the corners' webs are strained by", "instead of 99 %"],
+    );
     let written = fs::read_to_string(&frame).expect("is there");
     for line in [
         "base = \"cognifly\" # mine",

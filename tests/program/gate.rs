@@ -147,8 +147,19 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
     assert!(code == 0 && err.is_empty(), "{err}");
     assert_eq!(bench.check(&["heavy.toml", "--baseline", "accepted.json", "--update-baseline"]).0, 0);
     assert!(bench.read("accepted.json").contains("design_drop"));
+    // A list that says no files is asked about one frame of a name only; one that does accepts each where it was found.
     bench.write("other/heavy.toml", HEAVY);
-    let (code, _, err) = bench.check(&["heavy.toml", "other/heavy.toml", "--baseline", "accepted.json"]);
+    let (code, _, err) = bench.check(&["other/heavy.toml", "--baseline", "accepted.json"]);
+    let told = "note: other/heavy.toml: accepted.json accepts mass_budget of take-off mass of `heavy` in heavy.toml";
+    assert!(code == 1 && err.contains(told), "{err}");
+    let written = bench.read("accepted.json");
+    let unfiled: String = written.lines().filter(|line| !line.contains("\"file\"")).map(|line| format!("{line}\n")).collect();
+    bench.write("unfiled.json", &unfiled);
+    assert_eq!(bench.check(&["other/heavy.toml", "--baseline", "unfiled.json"]).0, 0);
+    let both = ["heavy.toml", "other/heavy.toml", "--baseline"];
+    assert_eq!(bench.check(&[&both[..], &["accepted.json", "--update-baseline"]].concat()).0, 0);
+    assert_eq!(bench.check(&[&both[..], &["accepted.json"]].concat()).0, 0);
+    let (code, _, err) = bench.check(&[&both[..], &["unfiled.json"]].concat());
     assert!(code == 2 && err.contains("heavy.toml and other/heavy.toml are both called `heavy`"), "{err}");
 }
 

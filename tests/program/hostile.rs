@@ -221,7 +221,16 @@ fn planted_places_that_cannot_be_written() {
     bench.ends(&["build", "frame.toml", "-o", "/proc/out", "--no-pictures"], 3, "cannot make the folder /proc/out");
     bench.ends(&["diff", "cognifly", "frame.toml", "-o", "/proc/out"], 3, "cannot make the folder /proc/out");
     bench.ends(&["check", "frame.toml", "--baseline", "/proc/x.json", "--update-baseline"], 3, "cannot write /proc/x.json");
-    for arguments in [&["schema"][..], &["params"], &["check", "--format", "sarif"], &["bom"], &["explain", "battery_mass_g"]] {
+    for arguments in [
+        &["--help"][..],
+        &["check", "--help"],
+        &["--version"],
+        &["schema"],
+        &["params"],
+        &["check", "--format", "sarif"],
+        &["bom"],
+        &["explain", "battery_mass_g"],
+    ] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full").expect("is there");
         let output =
             Command::new(cargo_bin("flexframe")).args(arguments).env("FLEXFRAME_CACHE", "off").stdout(full).output().expect("starts");

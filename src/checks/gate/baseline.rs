@@ -16,6 +16,10 @@ const VERSION: u32 = 1;
 pub struct Accepted {
     /// Name of the frame.
     pub frame: String,
+    /// The file that describes it, by its path from the list's folder, or the preset's name. A list that says nothing here
+    /// accepts the finding of every frame of that name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
     /// The rule.
     pub rule: String,
     /// What it looked at.
@@ -26,14 +30,28 @@ pub struct Accepted {
     pub unit: String,
 }
 
+/// A frame as a list tells it from others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ListedFrame<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The file that describes it, as [`Accepted::file`]; none where no list is asked.
+    pub file: Option<&'a str>,
+}
+
 impl Accepted {
-    fn key(&self) -> [&str; 3] {
-        [&self.frame, &self.rule, &self.subject]
+    fn key(&self) -> [&str; 4] {
+        [&self.frame, &self.rule, &self.subject, self.file.as_deref().unwrap_or("")]
     }
 
-    /// Whether it is a finding of a frame, whatever the numbers.
-    pub fn is(&self, frame: &str, finding: &Finding) -> bool {
-        self.key() == [frame, &*finding.rule, finding.subject.as_str()]
+    /// Whether it is about a frame.
+    pub fn is_of(&self, frame: ListedFrame) -> bool {
+        self.frame == frame.name && self.file.as_deref().is_none_or(|file| frame.file == Some(file))
+    }
+
+    /// Whether it is a finding of a rule about something, whatever the frame and the numbers.
+    pub fn is(&self, finding: &Finding) -> bool {
+        (self.rule.as_str(), &self.subject) == (&*finding.rule, &finding.subject)
     }
 }
 
@@ -60,10 +78,11 @@ pub enum BaselineError {
 }
 
 impl Baseline {
-    /// A list of the findings given, each with the name of its frame.
-    pub fn of<'a>(findings: impl Iterator<Item = (&'a str, &'a Finding)>) -> Self {
-        let accept = |(frame, f): (&str, &Finding)| Accepted {
-            frame: frame.into(),
+    /// A list of the findings given, each with its frame.
+    pub fn of<'a>(findings: impl Iterator<Item = (ListedFrame<'a>, &'a Finding)>) -> Self {
+        let accept = |(frame, f): (ListedFrame, &Finding)| Accepted {
+            frame: frame.name.into(),
+            file: frame.file.map(String::from),
             rule: f.rule.clone().into_owned(),
             subject: f.subject.clone(),
             margin: (f.margin * 1e6).round() / 1e6,
@@ -103,8 +122,13 @@ impl Baseline {
     }
 
     /// Whether a finding of a frame is on the list and no worse than there.
-    pub fn accepts(&self, frame: &str, finding: &Finding) -> bool {
-        self.accepted.iter().any(|entry| entry.is(frame, finding) && finding.margin >= entry.margin - SAME)
+    pub fn accepts(&self, frame: ListedFrame, finding: &Finding) -> bool {
+        self.accepted.iter().any(|entry| entry.is_of(frame) && entry.is(finding) && finding.margin >= entry.margin - SAME)
+    }
+
+    /// Whether an entry about frames of a name does not say of which file.
+    pub fn is_of_any_file(&self, name: &str) -> bool {
+        self.accepted.iter().any(|entry| entry.frame == name && entry.file.is_none())
     }
 }
 

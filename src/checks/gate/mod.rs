@@ -12,7 +12,7 @@ mod outcome;
 mod policy;
 pub mod sarif;
 
-pub use baseline::{Accepted, Baseline, BaselineError};
+pub use baseline::{Accepted, Baseline, BaselineError, ListedFrame};
 pub use blame::{Spot, spots};
 pub use outcome::{CheckedFrame, Judged, NO_FRAME_REMEDY, Outcome, Refused};
 pub use policy::{Policy, Standing};

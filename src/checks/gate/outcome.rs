@@ -1,5 +1,6 @@
 //! What became of a frame at the gate.
 
+use super::baseline::ListedFrame;
 use super::blame::{Spot, masses_named, spots};
 use super::policy::{Policy, Standing};
 use crate::checks::Finding;
@@ -39,6 +40,8 @@ impl Judged {
 pub struct CheckedFrame {
     /// Its name.
     pub frame: String,
+    /// Its file, as a list of accepted findings names it; none where no list is asked.
+    pub file: Option<String>,
     /// Its findings, in the order of the rules.
     pub findings: Vec<Judged>,
     /// Its masses.
@@ -48,14 +51,20 @@ pub struct CheckedFrame {
 impl CheckedFrame {
     /// Judges the findings of a frame.
     pub fn new(frame: &Frame, file: &FrameFile, findings: Vec<Finding>, masses: MassTable, policy: Policy) -> Self {
+        let listed = ListedFrame { name: &frame.name, file: policy.file };
         let judge = |finding: Finding| {
-            let (rule, standing) = (policy.rule(&finding), policy.standing(&frame.name, &finding));
+            let (rule, standing) = (policy.rule(&finding), policy.standing(listed, &finding));
             let spots = if standing == Standing::Good { Vec::new() } else { spots(&finding, rule, file, &masses) };
             let made_of = rule.map_or(String::new(), |rule| masses_named(rule, &masses));
             Judged { finding, standing, spots, advice: String::new(), made_of }
         };
         let findings = findings.into_iter().map(judge).collect();
-        Self { frame: frame.name.clone(), findings, masses }
+        Self { frame: frame.name.clone(), file: policy.file.map(String::from), findings, masses }
+    }
+
+    /// The frame as a list of accepted findings knows it.
+    pub fn listed(&self) -> ListedFrame<'_> {
+        ListedFrame { name: &self.frame, file: self.file.as_deref() }
     }
 
     /// The same with what was tried for each of its findings, in their order.

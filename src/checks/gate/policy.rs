@@ -1,6 +1,6 @@
 //! What a finding means to a job.
 
-use super::baseline::Baseline;
+use super::baseline::{Baseline, ListedFrame};
 use crate::checks::{CATALOGUE, Finding, Rule, Verdict};
 
 /// What a finding means to a job.
@@ -23,13 +23,15 @@ pub struct Policy<'a> {
     pub strict: bool,
     /// What was accepted before.
     pub baseline: Option<&'a Baseline>,
+    /// The frame's file, as the list names it; none where no list is asked.
+    pub file: Option<&'a str>,
     /// The rules that the findings are of.
     pub rules: &'a [&'static Rule],
 }
 
 impl Default for Policy<'_> {
     fn default() -> Self {
-        Self { strict: false, baseline: None, rules: &CATALOGUE }
+        Self { strict: false, baseline: None, file: None, rules: &CATALOGUE }
     }
 }
 
@@ -40,7 +42,7 @@ impl Policy<'_> {
     }
 
     /// What a finding means.
-    pub fn standing(&self, frame: &str, finding: &Finding) -> Standing {
+    pub fn standing(&self, frame: ListedFrame, finding: &Finding) -> Standing {
         let warns = finding.verdict == Verdict::Note && finding.margin < 0.0;
         let fails = finding.verdict == Verdict::Violated || (warns && self.strict);
         match (fails, warns) {
@@ -79,13 +81,20 @@ mod tests {
             (finding(Verdict::Note, -3.0), Standing::Warning, Standing::Fails),
             (finding(Verdict::Violated, -3.0), Standing::Fails, Standing::Fails),
         ] {
-            assert_eq!((lax.standing("a", &finding), strict.standing("a", &finding)), (standing, strictly), "{finding:?}");
+            let a = ListedFrame { name: "a", file: None };
+            assert_eq!((lax.standing(a, &finding), strict.standing(a, &finding)), (standing, strictly), "{finding:?}");
         }
-        let accepted = Baseline::of([("a", &finding(Verdict::Violated, -3.0))].into_iter());
+        let [here, there] = ["a.toml", "other/a.toml"].map(|file| ListedFrame { name: "a", file: Some(file) });
+        let accepted = Baseline::of([(here, &finding(Verdict::Violated, -3.0))].into_iter());
         let policy = Policy { baseline: Some(&accepted), ..Policy::default() };
-        assert_eq!(policy.standing("a", &finding(Verdict::Violated, -3.0)), Standing::Accepted);
-        assert_eq!(policy.standing("a", &finding(Verdict::Violated, -2.0)), Standing::Accepted, "it got better");
-        assert_eq!(policy.standing("a", &finding(Verdict::Violated, -3.1)), Standing::Fails, "it got worse");
-        assert_eq!(policy.standing("b", &finding(Verdict::Violated, -3.0)), Standing::Fails, "of another frame");
+        let standing = |frame, margin: f64| policy.standing(frame, &finding(Verdict::Violated, margin));
+        assert_eq!(standing(here, -3.0), Standing::Accepted);
+        assert_eq!(standing(here, -2.0), Standing::Accepted, "it got better");
+        assert_eq!(standing(here, -3.1), Standing::Fails, "it got worse");
+        assert_eq!(standing(ListedFrame { name: "b", ..here }, -3.0), Standing::Fails, "of another frame");
+        assert_eq!(standing(there, -3.0), Standing::Fails, "of another frame of that name");
+        let unfiled = Baseline::of([(ListedFrame { name: "a", file: None }, &finding(Verdict::Violated, -3.0))].into_iter());
+        let policy = Policy { baseline: Some(&unfiled), ..Policy::default() };
+        assert_eq!(policy.standing(there, &finding(Verdict::Violated, -3.0)), Standing::Accepted, "by a list that says no file");
     }
 }

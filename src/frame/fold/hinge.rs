@@ -13,6 +13,7 @@
 
 use serde::Serialize;
 
+use crate::frame::skeleton::{Closure, ClosureError};
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -39,6 +40,15 @@ pub fn web(frame: &Frame, fold: Angle) -> HingeLoad {
 /// Largest strain of a web of some thickness under the sockets of a frame's corners, %.
 pub fn web_strain_percent(frame: &Frame, thickness_mm: f64, fold: Angle) -> f64 {
     100.0 * socket_radius_mm(frame) * fold.to_rad() / (2.0 * thickness_mm)
+}
+
+/// Largest strain of a frame's webs, %: that of the struts' at the fold of the assembled frame.
+///
+/// # Errors
+/// When the frame does not close, so that nothing says how far they fold.
+pub fn largest_web_strain_percent(frame: &Frame) -> Result<f64, ClosureError> {
+    let strut = Angle::deg(90.0 + Closure::solve(frame)?.strut_tilt.to_deg());
+    Ok(web(frame, strut).strain_percent)
 }
 
 fn socket_radius_mm(frame: &Frame) -> f64 {

@@ -22,7 +22,7 @@ mod timeline;
 pub use cut_rods::when_cut;
 pub use depth::{Depth, depth};
 pub use flat::{FlatError, FlatState, Lying, TABLE_MM};
-pub use hinge::{HingeLoad, necks, web, web_strain_percent};
+pub use hinge::{HingeLoad, largest_web_strain_percent, necks, web, web_strain_percent};
 pub use linkage::{FREE_WAY, Linkage, LinkageError, MOST_PULLED, Stance};
 pub use member::{Member, Side};
 pub use piece::mesh_at;

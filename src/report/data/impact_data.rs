@@ -158,7 +158,9 @@ pub fn table(found: &Impacts) -> String {
             };
         }
     }
+    let open = found.impacts.iter().map(|impact| impact.unaccounted.abs()).fold(0.0, f64::max);
+    text += &format!("\nthe energies add up to within {:.1} % of that of the impact\n", 100.0 * open);
     text +=
-        "\nproper: of the payload; sensor: behind a low-pass of 500 Hz; logged: of readings a millisecond apart, as measured peaks are\n\n";
+        "proper: of the payload; sensor: behind a low-pass of 500 Hz; logged: of readings a millisecond apart, as measured peaks are\n\n";
     text
 }

@@ -120,6 +120,11 @@ pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
         example_mm(frame, Fit::Held),
         example_mm(frame, Fit::Slides)
     );
+    let tongue = " `hinge=` sets the thickness of the corners' webs. A tongue folds back on itself, which a thin one bears more easily; a web folds only as \
+                  far as its rods ask, and a thinner web is then stretched over a shorter length, so that its strain by the rule `hinge_strain` is larger. \
+                  Read the tongues to learn whether the print splits between its layers; what strain a web bears is found with the hinges below.\n";
+    text.push('\n');
+    text.push_str(tongue.trim_start());
     hinges(&mut text, frame, &coupon.hinges, given);
     text
 }
