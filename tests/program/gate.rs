@@ -141,7 +141,7 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
     assert_eq!(bench.check(&["good.toml", "--baseline", "accepted.json", "--update-baseline"]).0, 0);
     assert_eq!(bench.read("accepted.json"), before);
     // A run without the drop says nothing about what was accepted of the drop.
-    let drop = r#"{ "frame": "heavy", "rule": "design_drop", "subject": "payload", "margin": -9.0, "unit": "g" }, {"#;
+    let drop = r#"{ "frame": "heavy", "file": "heavy.toml", "rule": "design_drop", "subject": "payload", "margin": -9.0, "unit": "g" }, {"#;
     bench.write("accepted.json", &before.replacen('{', drop, 2).replacen(drop, "{", 1));
     let (code, _, err) = bench.check(&["heavy.toml", "--baseline", "accepted.json"]);
     assert!(code == 0 && err.is_empty(), "{err}");
