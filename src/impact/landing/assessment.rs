@@ -8,7 +8,7 @@ use super::chosen_model::ChosenModel;
 use super::evidence::TouchEvidence;
 use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
-use super::gaps::{LandingGaps, gaps_of_one_height, held_out_gaps, left_out_gaps};
+use super::gaps::{LandingGaps, gaps_of_one_height, held_out_ci95_g, held_out_gaps, left_out_gaps};
 use super::gate::Gate;
 use super::landing_evidence::LandingEvidence;
 use super::landing_scatter::LandingScatter;
@@ -28,6 +28,9 @@ use super::touches::LegTouches;
 use super::uncertainty::FitUncertainty;
 use crate::impact::diagnose::{Adequacy, Covariate, Diagnosis, EffectEstimate, LinearisedFit, PreparedDrops, RARE, Verdict, joined, judge};
 use crate::impact::fit::{FitProblem, Waves};
+
+/// Legs and slopes that may be the true ones, by which the gap to other heights has its interval.
+const DRAWN: usize = 80;
 
 /// A height with the spread of slopes that its touch times show.
 #[derive(Clone, Copy, Debug, serde::Serialize)]
@@ -114,6 +117,9 @@ impl LandingAssessment {
             None if evidence.fitted.groups.len() < 2 => gaps_of_one_height(&problem, evidence.fitted, &fit)?,
             None => left_out_gaps(&problem, evidence.fitted, &fit, evidence.seed)?,
         };
+        let may_be = uncertainty.drawn(&problem, &fit, DRAWN, evidence.seed);
+        let held_out_ci95_g = held.as_ref().and_then(|(waves, _)| held_out_ci95_g(&problem, waves, &may_be));
+        let gaps = LandingGaps { held_out_ci95_g, ..gaps };
         let estimates = uncertainty.estimates(&problem, &fit)?;
         let effects_steady_p = problem.effects_steady_p(&fit);
         let tables = problem.tables(&fit.legs)?;

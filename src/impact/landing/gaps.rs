@@ -6,12 +6,14 @@ use rand::seq::SliceRandom;
 use rand_pcg::Pcg64;
 
 use super::fitting::{LandingFit, LandingProblem};
+use super::legged_body::{Legs, Slopes};
 use super::observed::{ObservedLanding, ObservedLandings};
 use super::population::Population;
 use super::posterior::given_touches;
 use super::touched_slopes::TouchedSlopes;
 use crate::impact::diagnose::{Gap, errors};
 use crate::impact::fit::{FitProblem, MeanWave, WaveGroup, Waves};
+use crate::impact::measured::Spread;
 
 /// Permutations of the touches among the drops of a height.
 const PERMUTED: usize = 199;
@@ -23,6 +25,8 @@ pub struct LandingGaps {
     pub fitted: Gap,
     /// The same at held-out heights, or at each height, fitted to the others.
     pub held_out: Gap,
+    /// 95 % interval of the gap at heights that were named for it, by how well the fitted heights tell legs and slopes, g.
+    pub held_out_ci95_g: Option<[f64; 2]>,
     /// The same with the slopes that the touch times of the predicted height itself show: what is left without releases that differ from height
     /// to height.
     pub own_slopes: Gap,
@@ -92,6 +96,7 @@ fn gaps_of(unseen: &[Unseen], fitted: Gap) -> LandingGaps {
     LandingGaps {
         fitted,
         held_out,
+        held_out_ci95_g: None,
         own_slopes,
         given_touches,
         dealt_g: (dealt[PERMUTED / 2] / count.max(1) as f64).sqrt(),
@@ -124,6 +129,7 @@ pub(super) fn gaps_of_one_height(problem: &LandingProblem, waves: &Waves, fit: &
     Some(LandingGaps {
         fitted,
         held_out: Gap::UNKNOWN,
+        held_out_ci95_g: None,
         own_slopes: Gap::UNKNOWN,
         given_touches: Gap::UNKNOWN,
         dealt_g: f64::NAN,
@@ -140,18 +146,33 @@ pub fn held_out_gaps(
     touches: &ObservedLandings,
     seed: u64,
 ) -> Option<LandingGaps> {
-    // Whitening is of the fitted heights and not asked for here.
-    let waves = FitProblem {
-        means: held.groups.iter().map(MeanWave::of).collect(),
-        chosen: (0..held.groups.len()).collect(),
-        ..problem.waves.clone()
-    };
+    let waves = waves_of(problem, held);
     let unread = LandingProblem { waves: &waves, observed: touches, ..problem.clone() };
     let touches = touches.with_errors(&unread.tables(&fit.legs)?, &fit.slopes);
     let other = LandingProblem { observed: &touches, ..unread };
     let unseen: Option<Vec<Unseen>> =
         held.groups.iter().enumerate().map(|(height, group)| Unseen::of(&other, group, height, fit, seed)).collect();
     Some(gaps_of(&unseen?, fitted_gap(problem, fitted, fit)?))
+}
+
+/// Waves of other heights than the fitted ones; whitening is of these, and not asked for.
+fn waves_of(problem: &LandingProblem, held: &Waves) -> FitProblem {
+    FitProblem { means: held.groups.iter().map(MeanWave::of).collect(), chosen: (0..held.groups.len()).collect(), ..problem.waves.clone() }
+}
+
+/// The middle 95 % of the gaps that legs and slopes leave which may be the true ones, g; `None` where a landing is lost.
+pub fn held_out_ci95_g(problem: &LandingProblem, held: &Waves, may_be: &[(Legs, Slopes)]) -> Option<[f64; 2]> {
+    let waves = waves_of(problem, held);
+    let there = problem.at(&waves);
+    let means: Vec<Vec<f64>> = held.groups.iter().map(errors).collect();
+    let samples = waves.expected.samples;
+    let gap = |(legs, slopes): &(Legs, Slopes)| {
+        let predicted = there.mean_windows(legs, slopes)?;
+        let each = held.groups.iter().zip(&means).zip(predicted.as_slice().chunks(samples));
+        let between = Gap::between(each.map(|((group, errors), predicted)| (&group.mean[..], predicted, &errors[..], group.windows.len())));
+        Some(between.net_g)
+    };
+    Spread::middle(may_be.iter().map(gap).collect::<Option<Vec<f64>>>()?, 0.95)
 }
 
 /// At each height, fitted to the others.

@@ -41,9 +41,12 @@ impl LandingAssessment {
                 gaps.held_out.net_g < base.min(best),
                 if gaps.held_out.net_g.is_finite() {
                     format!(
-                        "the gap to heights that no fit saw is {:.2} g with random slopes, {base:.2} g without, {best:.2} g with {} instead; \
+                        "the gap to heights that no fit saw is {:.2} g with random slopes{}, {base:.2} g without, {best:.2} g with {} instead; \
                          {:.2} g with the slopes that their own touch times show",
                         gaps.held_out.net_g,
+                        gaps.held_out_ci95_g.map_or(String::new(), |[least, most]| format!(
+                            " ({least:.1} to {most:.1} g by how well the fitted heights tell them)"
+                        )),
                         joined(&diagnosis.chosen),
                         gaps.own_slopes.net_g
                     )
