@@ -149,7 +149,8 @@ mod tests {
     use super::super::fine_wave::FINE_S;
     use super::*;
 
-    /// Half sines of different steepness, whose readings vary by a third and by two thirds of themselves.
+    /// Half sines of different steepness, whose readings vary by a third and by two thirds of themselves: within hundredths of a g, where mean waves are
+    /// known to grams.
     #[test]
     fn analytic_eight_phases_say_what_four_hundred_say() {
         let even = || (0..400).map(|phase| [(f64::from(phase) + 0.5) / 400.0, 1.0 / 400.0]);
@@ -162,9 +163,9 @@ mod tests {
                 (jitter.by_time[0], jitter.by_time[TIMES_S.len()]) = (0.7 * variance, 0.3 * variance);
                 let lags = jitter.lags(1e-3, 30);
                 let (all, few) = (jitter.shift_over(even(), &fine, 1e-3, &lags), jitter.shift(&fine, 1e-3, &lags));
-                let [most, off] = [|all: f64, _: f64| all.abs(), |all: f64, few: f64| (all - few).abs()]
-                    .map(|of| all.iter().zip(&few).map(|(all, few)| of(*all, *few)).fold(0.0, f64::max));
-                assert!(most > 0.1 && off < 0.02 * most, "{peak_g} g, {variance}: {off} of {most} g");
+                let most = all.iter().map(|all| all.abs()).fold(0.0, f64::max);
+                let off = all.iter().zip(&few).map(|(all, few)| (all - few).abs()).fold(0.0, f64::max);
+                assert!(most > 0.1 && off < 0.05, "{peak_g} g, {variance}: {off} of {most} g");
             }
         }
     }

@@ -83,18 +83,18 @@ impl TouchErrors {
     }
 }
 
-/// A stride through so many places that reaches each of them, and spreads any few that follow each other: the next one above the golden section that
+/// A stride through so many places that reaches each of them, and spreads any few that follow each other: the one nearest to the golden section that
 /// has no divisor in common with their number.
 fn even_stride(places: usize) -> usize {
-    let coprime = |stride: &usize| {
-        let (mut a, mut b) = (places, *stride);
+    let has_common_divisor = |stride: usize| {
+        let (mut a, mut b) = (places, stride);
         while b > 0 {
             (a, b) = (b, a % b);
         }
-        a == 1
+        a > 1
     };
-    let golden = (GOLDEN * places as f64) as usize;
-    (golden.max(1)..).find(coprime).unwrap_or(1)
+    let off = |stride: &usize| (*stride as f64 - GOLDEN * places as f64).abs();
+    (1..=places).filter(|stride| !has_common_divisor(*stride)).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(1)
 }
 
 #[cfg(test)]
@@ -110,7 +110,7 @@ mod tests {
                 let mut few: Vec<usize> = reached[..8].to_vec();
                 few.sort_unstable();
                 let gaps = few.windows(2).map(|pair| pair[1] - pair[0]).chain([few[0] + places - few[7]]);
-                assert!(gaps.max().is_some_and(|gap| 4 * gap < places + 4), "{places}: {few:?}");
+                assert!(gaps.max().is_some_and(|gap| 3 * gap < places), "{places}: {few:?}");
             }
             reached.sort_unstable();
             assert!(reached.into_iter().eq(0..places), "{places}");
