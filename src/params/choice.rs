@@ -24,7 +24,11 @@ static PART_FIELDS: LazyLock<Vec<String>> = LazyLock::new(fields::<BoughtPart>);
 static MATERIAL_FIELDS: LazyLock<Vec<String>> = LazyLock::new(fields::<Material>);
 static PRINTER_FIELDS: LazyLock<Vec<String>> = LazyLock::new(fields::<Printer>);
 
+/// The shipped catalogues, read once: that takes longer than all else of reading a frame.
+static SHIPPED: LazyLock<Catalogues> = LazyLock::new(Catalogues::shipped);
+
 /// The catalogues with the frame file's own entries on top.
+#[derive(Clone)]
 pub(super) struct Catalogues {
     parts: toml::Table,
     materials: toml::Table,
@@ -32,13 +36,17 @@ pub(super) struct Catalogues {
 }
 
 impl Catalogues {
-    /// The shipped catalogues under the file's overrides.
-    pub fn read(file: &FrameFile) -> Result<Self, Refusal> {
+    fn shipped() -> Self {
         let shipped = |text: &str| -> toml::Table { toml::from_str(text).unwrap_or_default() };
         let within = |text: &str, table: &str| shipped(text).get(table).and_then(|t| t.as_table()).cloned().unwrap_or_default();
         let printers = preset::PRINTERS.iter().map(|(name, text)| (name.to_string(), toml::Value::Table(shipped(text)))).collect();
+        Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers }
+    }
+
+    /// The shipped catalogues under the file's overrides.
+    pub fn read(file: &FrameFile) -> Result<Self, Refusal> {
         let texts: BTreeSet<&str> = file.entries.values().filter_map(|entry| entry.value.text()).collect();
-        let mut all = Self { parts: within(preset::BOUGHT, "parts"), materials: within(preset::MATERIALS, "materials"), printers };
+        let mut all = SHIPPED.clone();
         for (key, entry) in file.entries.iter().filter(|(key, _)| key.starts_with("override.")) {
             // A name may have dots in it, as in [override.printers."generic-0.4"]; a table's and a field's have none.
             let table = key.split('.').nth(1).unwrap_or_default();

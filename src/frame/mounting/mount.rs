@@ -50,9 +50,9 @@ pub struct Mount {
     pub id: &'static str,
     /// The bodies that it brings; those that the design lacks are left out.
     pub brings: &'static [&'static str],
-    /// It is done only where the design has one of these bodies, or [`ALL_IN_ONE`]; empty where any will do.
+    /// It is done only where the design has one of these bodies, or `ALL_IN_ONE`; empty where any will do.
     pub with: &'static [&'static str],
-    /// It is done only where the design has none of these bodies, and not [`ALL_IN_ONE`].
+    /// It is done only where the design has none of these bodies, and not `ALL_IN_ONE`.
     pub without: &'static [&'static str],
     /// Lines of the bill, used up, that its text tells of beside the cables whose ends it brings together.
     pub supplies: &'static [&'static str],
