@@ -45,11 +45,11 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     // Given each drop's own touches, landings on one foot leave less than that mean wave does: 20.2 g is the aim.
     let given = &study.landing.gaps.given_touches;
     assert!(given.records_g < study.landing.gaps.held_out.template_g && given.records_g <= 20.2, "{given:?}");
-    // 3.5 g is the aim (3.51 measured; 3.2 to 3.7, by the order of the drops, while waves did not change evenly with the legs).
+    // 3.5 g is the aim (3.47 measured; 3.2 to 3.7, by the order of the drops, while waves did not change evenly with the legs).
     assert!(given.net_g <= 3.55, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
-    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (9.4 measured;
-    // 8.0 to 9.5 by the order of the drops before).
+    // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (10.9 measured,
+    // with an interval of 6.5 to 15.2; 8.0 to 9.5 by the order of the drops before).
     let population = study.landing.gaps.held_out.net_g;
     assert!(population < 0.6 * study.judged.before.held_out.net_g && population < after.net_g, "{population}");
     // They pass every test but `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
