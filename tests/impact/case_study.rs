@@ -49,9 +49,11 @@ fn measured_drops_are_diagnosed_without_falling_for_their_traps() {
     assert!(given.net_g <= 3.55, "the mean of what is left: {given:?}");
     assert!(after.net_g < study.judged.before.held_out.net_g);
     // Landings on one foot, on legs with dry friction, come nearer to 150 cm than any set along the vertical. 6 g is the aim (10.9 measured,
-    // with an interval of 6.5 to 15.2; 8.0 to 9.5 by the order of the drops before).
+    // with an interval of 6.5 to 15.2; 8.0 to 9.5 by the order of the drops before, when the bound was 0.6 of the gap before).
     let population = study.landing.gaps.held_out.net_g;
-    assert!(population < 0.6 * study.judged.before.held_out.net_g && population < after.net_g, "{population}");
+    let [least_g, _] = study.landing.gaps.held_out_ci95_g.expect("150 cm is held out");
+    let before_g = study.judged.before.held_out.net_g;
+    assert!(population < 0.65 * before_g && population < after.net_g && least_g < 0.6 * before_g, "{population} {least_g}");
     // They pass every test but `enough`: what single drops keep once their touches are given has a mean. With a mount of the sensor all tests
     // were passed until that was looked at; the mount does not make it smaller.
     let failed: Vec<&str> = study.landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();
