@@ -16,6 +16,9 @@ use super::roles::ROLES;
 /// Roles that no frame can be without.
 const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];
 
+/// The catalogues, by their tables within `override`.
+pub(super) const CATALOGUES: [&str; 3] = ["parts", "materials", "printers"];
+
 /// Kinds of materials, and what a message calls them.
 const MATERIAL_KINDS: [(&str, &str); 2] = [("printed", "a material that is printed"), ("rod", "a material of rods")];
 
@@ -58,10 +61,7 @@ impl Catalogues {
                 ("parts", Some((name, field))) => (&mut all.parts, &BoughtPart::FIGURES[..], &PART_FIELDS, name, field),
                 ("materials", Some((name, field))) => (&mut all.materials, &Material::FIGURES[..], &MATERIAL_FIELDS, name, field),
                 ("printers", Some((name, field))) => (&mut all.printers, &Printer::FIGURES[..], &PRINTER_FIELDS, name, field),
-                _ => {
-                    let known = ["override.parts.NAME.mass_g", "override.materials.NAME.print_factor", "override.printers.NAME.nozzle_mm"];
-                    return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: nearest(key, known) }));
-                }
+                _ => return Err(file.refuse(key, Reason::UnknownKey { key: key.clone(), nearest: in_a_catalogue(key) })),
             };
             // A new entry is named by the frame, or says what it is: a base's own battery may be replaced by its variants.
             let named = texts.contains(name);
@@ -279,4 +279,14 @@ fn bad_override(file: &FrameFile, key: &str, kind: &str, table: &str, name: &str
     let named = changed.iter().find(|key| key.strip_prefix(&own).is_some_and(|field| message.contains(&format!("`{field}`"))));
     let at = named.or(changed.first()).map_or(key, |key| key.as_str());
     bad_entry(file, at, kind, name, message)
+}
+/// What a key of `override` was probably meant to be that names no catalogue: the same field in each that has it.
+fn in_a_catalogue(key: &str) -> Vec<String> {
+    let mut words = key.split('.').skip(1).collect::<Vec<_>>();
+    let field = words.pop().unwrap_or_default();
+    let name = words.pop().unwrap_or("NAME");
+    let fields = [&PART_FIELDS, &MATERIAL_FIELDS, &PRINTER_FIELDS];
+    let has = CATALOGUES.iter().zip(fields).filter(|(_, fields)| fields.iter().any(|known| known == field));
+    let meant: Vec<String> = has.map(|(table, _)| format!("override.{table}.{name}.{field}")).collect();
+    if meant.is_empty() { CATALOGUES.map(|table| format!("override.{table}.{name}")).into() } else { meant }
 }

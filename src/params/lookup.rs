@@ -40,25 +40,39 @@ fn meant(nearest: Option<&str>) -> String {
 /// # Errors
 /// When there is none, or more than one.
 pub fn lookup(key: &str) -> Result<&'static Parameter, LookupError> {
-    let whole = |p: &&Parameter| key == p.key || key == format!("{}.{}", p.table, p.key);
-    let bare = key.rsplit('.').next().unwrap_or(key);
+    found(key).map_err(|begun| match begun[..] {
+        [] => LookupError::Unknown { key: key.into(), nearest: meant_by(bare(key)).map(String::from) },
+        _ => {
+            let several = begun.iter().take(NAMED).map(|p| format!("`{}`", p.key)).collect();
+            LookupError::Ambiguous { key: key.into(), several }
+        }
+    })
+}
+
+/// The same where a key may also be something else: nothing is said of what it was meant to be, which takes longer than to look it up.
+pub fn known(key: &str) -> Option<&'static Parameter> {
+    found(key).ok()
+}
+
+/// A key without its table.
+fn bare(key: &str) -> &str {
+    key.rsplit('.').next().unwrap_or(key)
+}
+
+/// The parameter of a key, or those whose keys begin like it where that is not one.
+fn found(key: &str) -> Result<&'static Parameter, Vec<&'static Parameter>> {
+    let bare = bare(key);
     let table = key.rsplit_once('.').map(|(table, _)| table);
     let within = |p: &&Parameter| table.is_none_or(|table| table == p.table);
-    let short = |p: &&Parameter| within(p) && ENDINGS.iter().any(|ending| p.key == format!("{bare}{ending}"));
+    let whole = |p: &&Parameter| within(p) && p.key == bare;
+    let short = |p: &&Parameter| within(p) && p.key.strip_prefix(bare).is_some_and(|ending| ENDINGS.contains(&ending));
     for fits in [&whole as &dyn Fn(&&Parameter) -> bool, &short] {
         if let Some(found) = parameters().find(|p| fits(p)) {
             return Ok(found);
         }
     }
     let begun: Vec<&'static Parameter> = parameters().filter(|p| within(p) && !bare.is_empty() && p.key.starts_with(bare)).collect();
-    match begun[..] {
-        [only] => Ok(only),
-        [] => Err(LookupError::Unknown { key: key.into(), nearest: meant_by(bare).map(String::from) }),
-        _ => {
-            let several = begun.iter().take(NAMED).map(|p| format!("`{}`", p.key)).collect();
-            Err(LookupError::Ambiguous { key: key.into(), several })
-        }
-    }
+    if let [only] = begun[..] { Ok(only) } else { Err(begun) }
 }
 
 /// The key that looks most like what was typed, with its ending or without.

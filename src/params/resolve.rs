@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::choice::Catalogues;
+use super::choice::{CATALOGUES, Catalogues};
 use super::figure::within_bounds;
 use super::follows;
 use super::frame::{BoughtItem, Extra, Frame, catalogue};
@@ -139,6 +139,9 @@ fn meant(key: &str, known: &[String]) -> Vec<String> {
         return same_name;
     }
     let (table, rest) = key.split_once('.').unwrap_or((key, ""));
+    if CATALOGUES.contains(&table) && !rest.is_empty() {
+        return vec![format!("override.{key}")];
+    }
     let tables = known.iter().filter_map(|k| k.split('.').next()).chain(FREE_TABLES);
     match nearest(table, tables).first() {
         Some(near) if rest.is_empty() => vec![near.clone()],

@@ -13,7 +13,7 @@ use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
 use crate::params::frame_file::Value;
-use crate::params::lookup::lookup;
+use crate::params::lookup::{known, lookup};
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{Frame, FrameFile, ImpactFile, LoadError};
 use crate::variant::Vary;
@@ -227,7 +227,7 @@ fn from_table(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input
         return Err(refuse(format!("the table has {} columns, more than {MOST_COLUMNS}", head.len())));
     }
     let mut axes: Vec<Axis> =
-        head.iter().map(|key| lookup(key).map_or_else(|_| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
+        head.iter().map(|key| known(key).map_or_else(|| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
     let mut known: Vec<BTreeSet<String>> = vec![BTreeSet::new(); axes.len()];
     let mut rows = Vec::new();
     for (at, record) in reader.records().enumerate() {

@@ -3,7 +3,9 @@
 //! Only the steps that depend on a change are computed again, and every answer lists them. Results are those of a frame that is read and
 //! built without a cache, to the last bit. Nothing here opens a file.
 
+mod advice;
 mod answer;
+mod bench;
 mod remedy;
 #[cfg(test)]
 mod tests;
@@ -11,8 +13,9 @@ mod wishes;
 
 use std::sync::Arc;
 
+pub use advice::advice;
 pub use answer::{Answer, Refused};
-pub use remedy::{Remedy, advice};
+pub use remedy::Remedy;
 
 use crate::checks::{self, CATALOGUE, Cost, Finding};
 use crate::export::File;

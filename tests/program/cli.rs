@@ -228,7 +228,10 @@ fn planted_what_cannot_be_left_out() {
 fn planted_mistyped_tables() {
     let say = |table: &str, what: &str| assert_says(&refused(&format!("base = \"cognifly\"\n[{table}]\nmass_g = 6.0\n")), &[what]);
     say("overide.parts.motor-1104", "did you mean `override.parts.motor-1104.mass_g`?");
-    say("override.part.motor-1104", "did you mean `override.parts.NAME.mass_g`?");
+    say("override.part.motor-1104", "did you mean `override.parts.motor-1104.mass_g`?");
+    say("override.bought.mine", "did you mean `override.parts.mine.mass_g`?");
+    say("override.mine", "did you mean `override.parts.mine.mass_g`?");
+    say("parts.mine", "did you mean `override.parts.mine.mass_g`?");
     say("extra.receiver", "did you mean `extras.receiver.mass_g`?");
     say("extras", "did you mean `extras.NAME.mass_g`?");
     assert_says(&refused("base = \"cognifly\"\n[rodz]\n"), &["unknown key `rodz`", "did you mean `rods`"]);

@@ -1,0 +1,299 @@
+//! The frame on which remedies are tried before they are named.
+//!
+//! The levers of a violated rule are moved, each alone and step by step up to its bounds, until the rule holds; then the step is made as
+//! small as it can be, and every rule but the fold's is asked about the frame with it. Where no lever helps, and none of them chooses a bought
+//! part, the rods and what else drives the parts that the violation names are tried, and another choice of what sets the limit, such as the
+//! printer. This takes seconds: it is for a person who reads a report, not for a search.
+
+use std::collections::BTreeSet;
+use std::sync::{Arc, OnceLock};
+
+use rayon::prelude::*;
+
+use super::remedy::{Remedy, alike, asks, joined, named};
+use super::wishes::Wishes;
+use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
+use crate::frame::assembly::Design;
+use crate::frame::assembly::mass;
+use crate::memo::Memo;
+use crate::params::frame_file::Value;
+use crate::params::parameter::Parameter;
+use crate::params::{Frame, FrameFile, follows, parameters, preset};
+
+/// Rods are tried for every violation.
+const RODS: [&str; 3] = ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm"];
+/// First step, as a share of the value, and of the way between the bounds where that is more.
+const FIRST_STEP: [f64; 2] = [0.02, 0.01];
+/// A step is twice the one before it, so many times.
+const DOUBLINGS: i32 = 6;
+/// Steps without effect after which a direction is given up.
+const PATIENCE: usize = 5;
+/// How often the last step is halved.
+const HALVINGS: usize = 5;
+/// Share of the value by which other keys are moved to see whether they have an effect.
+const PROBE: f64 = 0.2;
+/// Shares of that step, of which the largest that leaves a frame counts.
+const PROBES: [f64; 2] = [1.0, 0.4];
+/// Keys, beyond the levers, that are tried in earnest: those with the most effect.
+const OTHERS: usize = 3;
+
+/// The frame on which changes are tried.
+pub(super) struct Bench<'a> {
+    file: &'a FrameFile,
+    frame: Frame,
+    memo: &'a Arc<Memo>,
+    /// Its mass, g.
+    pub(super) mass_g: f64,
+    /// All that is found of it.
+    pub(super) found: Vec<Finding>,
+    wishes: Wishes<'a>,
+    /// What keeps the wishes, looked for once.
+    kept_by: OnceLock<Option<String>>,
+}
+
+impl<'a> Bench<'a> {
+    /// None for a frame that cannot be designed.
+    pub(super) fn new(file: &'a FrameFile, memo: &'a Arc<Memo>) -> Option<Self> {
+        let frame = Frame::resolve(file).ok()?;
+        let design = Design::with(frame.clone(), memo).ok()?;
+        let masses = mass::table(&design);
+        let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
+        let (wishes, kept_by) = (Wishes::of(file), OnceLock::new());
+        Some(Self { file, frame, memo, mass_g: masses.total_g, found, wishes, kept_by })
+    }
+
+    /// Whether it is found again: only then its end can be seen.
+    pub(super) fn sees(&self, finding: &Finding) -> bool {
+        self.found.iter().any(|f| f.rule == finding.rule && f.subject == finding.subject && asks(f))
+    }
+
+    /// What a person reads of the remedies of a finding.
+    pub(super) fn sentence(&self, finding: &Finding) -> String {
+        let (back, mut other): (Vec<Remedy>, Vec<Remedy>) = self.remedies(finding).into_iter().partition(|remedy| self.takes_back(remedy));
+        if finding.verdict == Verdict::Note {
+            other.extend(back.iter().cloned());
+        }
+        if other.iter().any(|remedy| remedy.breaks.is_none()) || (back.is_empty() && !other.is_empty() && !self.has_wishes(finding)) {
+            return joined(&other);
+        }
+        let kept = self.kept_by.get_or_init(|| self.wishes.kept_by(self.memo, &all_but_the_fold()));
+        match (kept, &back[..], &other[..]) {
+            (Some(kept), ..) if finding.verdict == Verdict::Violated => kept.clone(),
+            // What warns says itself what is done about it.
+            (_, [], []) if finding.warns() => String::new(),
+            (_, [], []) => self.wishes.nothing_found(),
+            (_, [], _) => joined(&other),
+            (_, _, [_, ..]) => format!("{}; or, against what the file asks for: {}", joined(&other), joined(&back)),
+            _ => format!("all that was found takes back what the file asks for: {}", joined(&back)),
+        }
+    }
+
+    /// Whether a remedy takes back a wish.
+    fn takes_back(&self, remedy: &Remedy) -> bool {
+        self.wishes.takes_back(&remedy.key, [&remedy.from, &remedy.to].map(|value| value.parse().ok()))
+    }
+
+    /// Whether a key that drives a finding is a wish.
+    fn has_wishes(&self, finding: &Finding) -> bool {
+        finding.levers.iter().any(|lever| self.wishes.has(lever))
+    }
+
+    /// The frame with a key changed; none where that is refused.
+    fn design(&self, key: &str, value: &Value) -> Option<Design> {
+        let mut file = self.file.clone();
+        file.set(key, value.clone());
+        Design::with(Frame::resolve(&file).ok()?, self.memo).ok()
+    }
+
+    /// The least margin of the findings that are like this one, with a key changed; none where there is no such frame. A choice after which the
+    /// rule says nothing of its kind is not known to clear it.
+    fn margin(&self, finding: &Finding, rule: &Rule, key: &str, value: &Value) -> Option<f64> {
+        let design = self.design(key, value)?;
+        let found = checks::check_one(rule, &design, &mass::table(&design));
+        let of_kind =
+            |f: &&Finding| alike(f, finding) || finding.verdict == Verdict::Note && f.rule == finding.rule && f.levers == finding.levers;
+        let counts = |f: &&Finding| f.verdict != Verdict::Note || finding.verdict == Verdict::Note;
+        if matches!(value, Value::Text(_)) && !found.iter().any(|f| of_kind(&f)) {
+            return None;
+        }
+        let same = found.iter().filter(counts).filter(|f| of_kind(f) || f.subject == finding.subject);
+        Some(same.map(|f| f.margin).fold(f64::INFINITY, f64::min))
+    }
+
+    /// The remedies of a violation, the lightest change first; those that break something else only where there are no others.
+    pub(super) fn remedies(&self, finding: &Finding) -> Vec<Remedy> {
+        let Some(rule) = CATALOGUE.iter().find(|rule| rule.id == finding.rule) else { return Vec::new() };
+        let levers: Vec<&str> = finding.levers.iter().map(|lever| &**lever).collect();
+        let of = |keys: &[String]| -> Vec<Remedy> { keys.par_iter().flat_map_iter(|key| self.by_key(finding, rule, key)).collect() };
+        let mut found = of(&self.chosen(&levers));
+        // A bought part that is in the way is replaced, not built around.
+        let bought = levers.iter().any(|lever| lever.starts_with("bought."));
+        if !bought && finding.verdict == Verdict::Violated && found.iter().all(|remedy| remedy.breaks.is_some() || self.takes_back(remedy))
+        {
+            found.extend(of(&self.effective(finding, rule, &levers)));
+            let limit = rule.limit_key(&finding.subject).filter(|key| !levers.contains(key));
+            found.extend(limit.and_then(|key| self.by_name(finding, rule, key)));
+        }
+        let (back, kept) = found.into_iter().partition(|remedy| self.takes_back(remedy));
+        named(kept, back)
+    }
+
+    /// What a person chooses: instead of a number that follows from a bought part the choice of that part, unless the file states the number.
+    fn chosen(&self, levers: &[&str]) -> Vec<String> {
+        let mut keys = Vec::new();
+        for lever in levers {
+            let role = lever.rsplit('.').next().and_then(follows::role_of).filter(|_| !self.file.entries.contains_key(*lever));
+            let key = role.map_or_else(|| (*lever).to_string(), |role| format!("bought.{role}"));
+            if !keys.contains(&key) {
+                keys.push(key);
+            }
+        }
+        keys
+    }
+
+    /// Other keys with an effect, the most effective first: rods, and what drives the parts that the subject names.
+    fn effective(&self, finding: &Finding, rule: &Rule, levers: &[&str]) -> Vec<String> {
+        let drives = |p: &&Parameter| p.drives.iter().any(|part| finding.subject.contains(part.slug()));
+        let driving = parameters().filter(drives).filter(|p| p.table != "fit").map(|p| format!("{}.{}", p.table, p.key));
+        let keys: BTreeSet<String> = driving.chain(RODS.map(String::from)).filter(|key| !levers.contains(&key.as_str())).collect();
+        let keys: Vec<String> = keys.into_iter().collect();
+        let gain = |key: &String| {
+            let parameter = parameter(key)?;
+            let value = self.frame.value(parameter.table, parameter.key)?;
+            let step = PROBE * value.abs().max(0.1 * (parameter.max - parameter.min));
+            let margin = |to: f64| self.margin(finding, rule, key, &Value::Number(to.clamp(parameter.min, parameter.max)));
+            // A whole step may leave no frame where a part of it helps.
+            let probed = |way: f64| PROBES.into_iter().find_map(|share| margin(value + way * share * step));
+            [1.0, -1.0].into_iter().filter_map(probed).reduce(f64::max).map(|margin| (margin, key.clone()))
+        };
+        let mut gains: Vec<(f64, String)> =
+            keys.par_iter().filter_map(gain).filter(|(margin, _)| *margin > finding.margin + 1e-6).collect();
+        gains.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
+        gains.into_iter().take(OTHERS).map(|(_, key)| key).collect()
+    }
+
+    /// The smallest change of one key that clears a violation.
+    fn by_key(&self, finding: &Finding, rule: &Rule, key: &str) -> Option<Remedy> {
+        match parameter(key) {
+            Some(parameter) => {
+                let value = self.frame.value(parameter.table, parameter.key)?;
+                let ways = [1.0, -1.0].map(|way| self.number(finding, rule, parameter, value, way));
+                let nearest = ways.into_iter().flatten().min_by(|a, b| (a - value).abs().total_cmp(&(b - value).abs()))?;
+                self.remedy(key, plain(value), Value::Number(nearest), plain(nearest))
+            }
+            None => self.by_name(finding, rule, key),
+        }
+    }
+
+    /// Another choice by name that clears a violation, the one that changes the mass least.
+    fn by_name(&self, finding: &Finding, rule: &Rule, key: &str) -> Option<Remedy> {
+        let now = match self.file.entries.get(key).map(|entry| &entry.value) {
+            Some(Value::Text(name)) => name.clone(),
+            _ => return None,
+        };
+        let clears = |name: &String| {
+            let value = Value::Text(name.clone());
+            let cleared = self.margin(finding, rule, key, &value)? >= 0.0;
+            cleared.then(|| self.remedy(key, now.clone(), value, name.clone())).flatten()
+        };
+        let names: Vec<String> = preset::names_for(key).into_iter().filter(|name| *name != now).collect();
+        let found: Vec<Remedy> = names.par_iter().filter_map(clears).collect();
+        let rank = |remedy: &Remedy| (remedy.breaks.is_some(), remedy.heavier_g.abs());
+        found.into_iter().min_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)))
+    }
+
+    /// The nearest value of a number in one direction that clears a violation, rounded away from the value it has.
+    fn number(&self, finding: &Finding, rule: &Rule, parameter: &Parameter, value: f64, way: f64) -> Option<f64> {
+        let key = format!("{}.{}", parameter.table, parameter.key);
+        let at = |to: f64| self.margin(finding, rule, &key, &Value::Number(to));
+        let first = (FIRST_STEP[0] * value.abs()).max(FIRST_STEP[1] * (parameter.max - parameter.min));
+        let (mut last, mut idle) = (value, 0);
+        for doubling in 0..=DOUBLINGS {
+            let to = (value + way * first * libm::exp2(f64::from(doubling))).clamp(parameter.min, parameter.max);
+            if to == last {
+                return None;
+            }
+            let Some(margin) = at(to) else { return self.least(&at, between(&at, [last, to])?, parameter) };
+            if margin >= 0.0 {
+                return self.least(&at, [last, to], parameter);
+            }
+            idle = if margin > finding.margin + 1e-9 { 0 } else { idle + 1 };
+            if idle >= PATIENCE {
+                return None;
+            }
+            last = to;
+        }
+        None
+    }
+
+    /// The value nearest to the first, which does not clear a violation, that clears it as the second does.
+    fn least(&self, margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut good]: [f64; 2], parameter: &Parameter) -> Option<f64> {
+        let clears = |to: f64| margin(to).is_some_and(|margin| margin >= 0.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (bad + good);
+            if clears(middle) {
+                good = middle;
+            } else {
+                bad = middle;
+            }
+        }
+        let grid = if parameter.max - parameter.min > 20.0 { 10.0 } else { 100.0 };
+        let away = if good > bad { (good * grid).ceil() } else { (good * grid).floor() } / grid;
+        [away, good].into_iter().map(|to| to.clamp(parameter.min, parameter.max)).find(|to| clears(*to))
+    }
+
+    /// A change that clears a violation, with what else it does.
+    fn remedy(&self, key: &str, from: String, value: Value, to: String) -> Option<Remedy> {
+        let design = self.design(key, &value)?;
+        let masses = mass::table(&design);
+        let known =
+            |f: &Finding| self.found.iter().any(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
+        let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
+        let new = found.iter().find(|f| f.verdict == Verdict::Violated && !known(f));
+        let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));
+        Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
+    }
+}
+
+/// Between a value that does not clear a violation and one with which there is no frame: the last value that does not, and the first that
+/// was seen to clear it.
+fn between(margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut none]: [f64; 2]) -> Option<[f64; 2]> {
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (bad + none);
+        match margin(middle) {
+            Some(margin) if margin >= 0.0 => return Some([bad, middle]),
+            Some(_) => bad = middle,
+            None => none = middle,
+        }
+    }
+    None
+}
+
+/// The rules that a change is asked by: a search for a fold takes longer than all others together.
+fn all_but_the_fold() -> Vec<&'static Rule> {
+    CATALOGUE.into_iter().filter(|rule| rule.id != "fold_sequence").collect()
+}
+
+/// The parameter of a key; none of a name.
+fn parameter(key: &str) -> Option<&'static Parameter> {
+    let (table, key) = key.split_once('.')?;
+    parameters().find(|p| p.table == table && p.key == key)
+}
+
+/// A value as a person types it.
+fn plain(value: f64) -> String {
+    format!("{}", (value * 1e4).round() / 1e4)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_between_what_does_not_clear_and_what_is_no_frame() {
+        let margin = |to: f64| (to < 7.0).then_some(to - 6.0);
+        let [bad, good] = between(&margin, [4.0, 8.0]).expect("is found");
+        assert!(bad < 6.0 && (6.0..7.0).contains(&good), "{bad} {good}");
+        assert_eq!(between(&|to: f64| (to < 5.0).then_some(to - 6.0), [4.0, 8.0]), None);
+    }
+}
