@@ -3,7 +3,7 @@
 use super::bill_figure::{BILL_FIGURES, BillFigure};
 use super::recovery::RecoveryMeasure;
 use crate::checks::{CATALOGUE, Rule, Verdict};
-use crate::variant::{Evaluation, MEASURES, Measure};
+use crate::variant::{Evaluation, MEASURES, Measure, caveats};
 
 /// A column of figures.
 #[derive(Clone, Copy)]
@@ -49,6 +49,11 @@ impl Column {
             Self::Bill(figure) => figure.unit,
             Self::Recovery(measure) => measure.unit,
         }
+    }
+
+    /// What has to be said of some columns, each once: a name of that, and the sentence.
+    pub fn caveats(columns: &[Self]) -> Vec<[&'static str; 2]> {
+        caveats(columns.iter().filter_map(|column| if let Self::Measure(measure) = column { Some(*measure) } else { None }))
     }
 
     /// The words that its figures stand for, by their place; none where they are numbers.

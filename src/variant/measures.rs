@@ -1,8 +1,9 @@
 //! What a frame measures, by name: the vocabulary of `diff`, `explain`, `solve` and `watch`.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use super::peak::predicted_peak;
+use super::peak::{PEAK_CAVEAT, predicted_peak};
 use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
@@ -160,6 +161,14 @@ impl Measure {
         matches!(self.value, Source::Mechanics(_))
     }
 
+    /// What has to be said wherever its figures are: a name of that, and the sentence.
+    fn caveat(&self) -> Option<[&'static str; 2]> {
+        match self.name {
+            "peak" => Some(["peak", PEAK_CAVEAT]),
+            _ => self.is_mechanics().then_some(["mechanics", MECHANICS_CAVEAT]),
+        }
+    }
+
     /// How many decimals its unit is reported with.
     pub fn places(&self) -> usize {
         if matches!(self.unit, "mm3" | "mm") && self.name.starts_with("printed") { 0 } else { 2 }
@@ -233,6 +242,12 @@ const fn mechanics(name: &'static str, unit: &'static str, doc: &'static str, be
 pub const MECHANICS_CAVEAT: &str = "stiffness, design_drop: by the frame's own mechanics; between frames of one material their ratios hold, as such they \
                                     are known to the band of the material's modulus (docs/mechanics.md)";
 
+/// What has to be said of some measures, each once: a name of that, and the sentence.
+pub fn caveats<'a>(measures: impl Iterator<Item = &'a Measure>) -> Vec<[&'static str; 2]> {
+    let said: BTreeSet<[&'static str; 2]> = measures.filter_map(Measure::caveat).collect();
+    said.into_iter().rev().collect()
+}
+
 /// A measure by its name.
 pub fn measure(name: &str) -> Option<&'static Measure> {
     MEASURES.iter().find(|measure| measure.name == name)
@@ -246,6 +261,12 @@ pub fn measure_names() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn analytic_each_caveat_is_said_once() {
+        assert_eq!(caveats(MEASURES.iter()), [["peak", PEAK_CAVEAT], ["mechanics", MECHANICS_CAVEAT]]);
+        assert_eq!(caveats(MEASURES.iter().filter(|measure| measure.name == "mass")), [[""; 2]; 0]);
+    }
 
     #[test]
     fn analytic_the_body_is_that_of_a_drop_and_quick_is_the_same_frame() {

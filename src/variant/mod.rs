@@ -26,7 +26,7 @@ pub use create::{CreateError, Creation, Moved, Request, create, movable};
 pub use difference::{Changed, Difference, Side, Trend, why_not_compared};
 pub use ended::Ended;
 pub use goal::{Goal, GoalError, Increase, Sense};
-pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, measure, measure_names};
+pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, caveats, measure, measure_names};
 pub use pareto::{Front, FrontPoint, front};
 pub use peak::{PEAK_CAVEAT, PredictedPeak, predicted_peak};
 pub use problem::{Binding, SearchProblem, SearchProgress, Solution, SolveError, Vary};

@@ -404,6 +404,9 @@ fn planted_solve_chooses_by_name_comes_near_and_finds_a_front() {
     let csv = fs::read_to_string(bench.path("out/pareto-cognifly/pareto.csv")).expect("is there");
     assert!(csv.starts_with("mass (g),clearance.propeller (mm),rods.arm_rod_length_mm,rods.cage_rod_length_mm\n"), "{csv}");
     assert_eq!(csv.lines().count(), points.len() + 1);
+    assert!(front.get("peak").is_none(), "{front}");
+    let peaks = bench.json(&["solve", "--pareto", "mass,peak", "--vary", "arm_rod", "--frames", "4", "--json"]);
+    assert!(peaks["peak"].as_str().is_some_and(|said| said.starts_with("peak: of a mass on a spring")), "{peaks}");
     for (arguments, says) in [
         (&["solve", "--pareto", "mass", "--vary", "arm_rod"][..], "give two or three measures"),
         (&["solve", "--pareto", "mass,mass", "--vary", "arm_rod"], "mass stands there twice"),

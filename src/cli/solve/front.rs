@@ -11,7 +11,7 @@ use crate::cli::terminal;
 use crate::figures::decimals;
 use crate::report::chart::front_plot;
 use crate::report::data::front_data;
-use crate::variant::Front;
+use crate::variant::{Front, caveats};
 
 /// Says what was found, and writes it when asked to; exit code 1 when nothing was.
 pub(super) fn report_front(found: &Option<Front>, frame: &str, into: Option<&Path>, common: &Common) -> Result<ExitCode, Failure> {
@@ -46,6 +46,9 @@ fn table(front: &Front) -> String {
         let values = point.values.iter().map(|value| format!("{:>22}", decimals(*value, 3)));
         text += &goals.chain(values).collect::<String>();
         text.push('\n');
+    }
+    for [_, caveat] in caveats(front.goals.iter().copied()) {
+        text += &format!("\n{caveat}\n");
     }
     text
 }

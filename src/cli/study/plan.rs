@@ -7,7 +7,7 @@ use super::study_option::load;
 use crate::cli::failure::Failure;
 use crate::cli::options::Common;
 use crate::cli::terminal;
-use crate::study::{Axis, Evaluator, Outcome, Study};
+use crate::study::{Axis, Column, Evaluator, Outcome, Study};
 
 /// Report the size of a study and its estimated duration.
 #[derive(Debug, clap::Args)]
@@ -52,6 +52,7 @@ fn formatted(study: &Study, tried: usize, refused: usize, a_row_s: f64) -> Strin
         text += format!("  {:<34} {}", column.name(), column.unit()).trim_end();
         text.push('\n');
     }
+    Column::caveats(&study.columns).iter().for_each(|[_, caveat]| text += &format!("{caveat}\n"));
     let hours = a_row_s * study.rows() as f64 / 3600.0;
     text += &format!("\n{tried} rows tried, {refused} refused: {a_row_s:.2} s a row, about {hours:.2} core hours\n");
     text

@@ -107,7 +107,7 @@ fn json(report: &StudyReport) -> serde_json::Value {
             "axes": study.axes.iter().enumerate().map(axis).collect::<Vec<_>>(),
         })
     };
-    serde_json::json!({
+    let mut value = serde_json::json!({
         "schema_version": 1,
         "study": study.name,
         "rows": study.rows(),
@@ -116,5 +116,9 @@ fn json(report: &StudyReport) -> serde_json::Value {
         "goals": report.goals,
         "front": report.front.iter().map(point).collect::<Vec<_>>(),
         "indices": report.indices.iter().map(index).collect::<Vec<_>>(),
-    })
+    });
+    for [name, caveat] in Column::caveats(&study.columns) {
+        value[name] = caveat.into();
+    }
+    value
 }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::export::ExportError;
 use crate::export::table;
-use crate::variant::Front;
+use crate::variant::{Front, caveats};
 
 /// The front as JSON; `ended` says why the search ended.
 pub fn json(front: &Front, frame: &str, ended: &str) -> Value {
@@ -15,14 +15,18 @@ pub fn json(front: &Front, frame: &str, ended: &str) -> Value {
     let goals: Vec<String> = front.goals.iter().map(|goal| goal.name.to_string()).collect();
     let point =
         |point: &crate::variant::FrontPoint| json!({ "values": named(&keys, &point.values), "measures": named(&goals, &point.goals) });
-    json!({
+    let mut value = json!({
         "schema_version": 1,
         "frame": frame,
         "goals": front.goals.iter().map(|goal| json!({ "measure": goal.name, "unit": goal.unit })).collect::<Vec<_>>(),
         "looked_at": front.looked_at,
         "ended": ended,
         "points": front.points.iter().map(point).collect::<Vec<_>>(),
-    })
+    });
+    for [name, caveat] in caveats(front.goals.iter().copied()) {
+        value[name] = caveat.into();
+    }
+    value
 }
 
 /// The front as CSV: the goals, each with its unit, then what varied, a row a frame.

@@ -40,6 +40,7 @@ impl StudyReport<'_> {
             })
         };
         let mut blocks = vec![Block::Text(self.counts()), self.ranges()];
+        blocks.extend(Column::caveats(&self.study.columns).into_iter().map(|[_, caveat]| Block::Text(caveat.into())));
         if !self.goals.is_empty() {
             blocks.push(Block::Heading("Frames that none beats".into()));
             blocks.push(Block::Text(self.front_in_words()));
