@@ -1,19 +1,19 @@
 //! The plan of a study as typed, and what is wrong with it.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::axis::{Axis, Input};
+use super::axis::Axis;
 use super::column::Column;
 use super::plan::{Frames, Study, Subject};
 use super::plan_keys::{impossible, named, only_known, text, whole};
 use super::recovery;
+use super::samples::samples;
 use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
 use crate::params::frame_file::Value;
-use crate::params::lookup::{known, lookup};
+use crate::params::lookup::lookup;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{Frame, FrameFile, ImpactFile, LoadError};
 use crate::variant::Vary;
@@ -26,8 +26,6 @@ const GRID_POINTS: usize = 5;
 const MOST_POINTS: f64 = 10_000.0;
 /// Most names of all axes together: the frame's reader looks at each of them.
 const MOST_NAMES: usize = 1000;
-/// Most columns of a table of samples: each is looked up among the keys of a frame.
-const MOST_COLUMNS: usize = 1000;
 /// Largest table of samples read, bytes.
 const LARGEST_TABLE: u64 = 1 << 30;
 /// Keys beside the tables `vary` and `choose`.
@@ -65,7 +63,7 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
             let listed = read(&beside(folder, table), files)?;
-            let (axes, rows) = from_table(&file, &listed)?;
+            let (axes, rows) = samples(&file, &listed)?;
             (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
         }
         None => {
@@ -212,45 +210,4 @@ fn grid(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
         Some(_) => Ok(Sampling::Grid { points }),
         None => Err(file.refuse("points", impossible(format!("the grid has more than {most} rows"), "take fewer points".into()))),
     }
-}
-
-/// The axes and rows of a table of samples: a head of keys, then numbers and names.
-fn from_table(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input>>), Refusal> {
-    let refuse =
-        |message: String| file.refuse("table", impossible(message, "a head of keys, then a row a frame, with commas between".into()));
-    if file.entries.keys().any(|key| key.starts_with("vary.") || key.starts_with("choose.")) {
-        return Err(refuse("with a table, its columns vary, and nothing else".into()));
-    }
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-    let head = reader.headers().map_err(|error| refuse(error.to_string()))?.clone();
-    if head.len() > MOST_COLUMNS {
-        return Err(refuse(format!("the table has {} columns, more than {MOST_COLUMNS}", head.len())));
-    }
-    let mut axes: Vec<Axis> =
-        head.iter().map(|key| known(key).map_or_else(|| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
-    let mut known: Vec<BTreeSet<String>> = vec![BTreeSet::new(); axes.len()];
-    let mut rows = Vec::new();
-    for (at, record) in reader.records().enumerate() {
-        let record = record.map_err(|error| refuse(error.to_string()))?;
-        let mut row = Vec::new();
-        for ((axis, known), field) in axes.iter_mut().zip(&mut known).zip(&record) {
-            row.push(match axis {
-                Axis::Name { names, .. } => {
-                    if known.insert(field.into()) {
-                        names.push(field.into());
-                    }
-                    Input::Name(field.into())
-                }
-                Axis::Number(_) | Axis::Listed(_) | Axis::Stated(_) => {
-                    let number = field.parse::<f64>().ok().filter(|value| value.is_finite());
-                    Input::Number(number.ok_or_else(|| refuse(format!("row {at}: {field:?} is no number for {}", axis.key())))?)
-                }
-            });
-        }
-        rows.push(row);
-    }
-    if rows.is_empty() || axes.is_empty() {
-        return Err(refuse("the table has no rows".into()));
-    }
-    Ok((axes, rows))
 }

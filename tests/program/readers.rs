@@ -21,7 +21,7 @@ use flexframe::params::refusal::Refusal;
 use flexframe::params::{Frame, FrameFile, ImpactFile, LoadError};
 use flexframe::printing::coupon::{FOLDS, FoldedHinge, Found, HingeLimit, Hinges};
 use flexframe::solid::Mesh;
-use flexframe::study::{Journal, Study, Subject, load};
+use flexframe::study::{Journal, Study, Subject, load, samples};
 use flexframe::variant::{Goal, Increase};
 use nalgebra::Point3;
 
@@ -41,7 +41,7 @@ pub const READERS: [Reader; 19] = [
     Reader { name: "synthetic_plans", read: |bytes| impact_file(bytes, |file| Plan::resolve(file).map(drop)) },
     Reader { name: "mechanics_settings", read: |bytes| impact_file(bytes, mechanics_settings) },
     Reader { name: "study_plans", read: |bytes| study(&[("fuzz.toml", bytes)]) },
-    Reader { name: "study_samples", read: |bytes| study(&[("fuzz.toml", b"table = \"fuzz.csv\"\n"), ("fuzz.csv", bytes)]) },
+    Reader { name: "study_samples", read: study_samples },
     Reader { name: "study_journals", read: study_journal },
     Reader { name: "logger_files", read: |bytes| drops("soft_050cm/fuzz.bin", bytes) },
     Reader { name: "drop_tables", read: |bytes| drops("soft_050cm/fuzz.csv", bytes) },
@@ -71,6 +71,7 @@ static DESIGN: LazyLock<Mutex<(Design, MassTable)>> = LazyLock::new(|| {
     design.shapes.truncate(1);
     Mutex::new((design, masses))
 });
+static SAMPLED: LazyLock<ImpactFile> = LazyLock::new(|| ImpactFile::parse("fuzz.toml", "table = \"fuzz.csv\"\n").expect("is a plan"));
 static STUDY: LazyLock<Study> = LazyLock::new(|| {
     let plan = b"samples = 8\nmeasures = [\"mass\", \"peak\"]\n[vary]\ncage_rod = [100, 200]\n";
     load("fuzz.toml", &memory(&[("fuzz.toml", plan)])).expect("is a plan")
@@ -81,6 +82,7 @@ pub fn prepared(name: &str) {
     match name {
         "mesh_files" => drop(LazyLock::force(&DESIGN)),
         "study_journals" => drop(LazyLock::force(&STUDY)),
+        "study_samples" => drop(LazyLock::force(&SAMPLED)),
         _ => drop(LazyLock::force(&FRAME)),
     }
 }
@@ -177,6 +179,13 @@ fn study(files: &[(&str, &[u8])]) -> bool {
                 let _ = Frame::resolve(&study.frame_file(frames, row)).map_err(|refusal| refused(&refusal));
             }
         }
+    }))
+}
+
+/// Each row has a figure or a name for each column. That rows become frames is for `study_plans` and `amended_frames`.
+fn study_samples(bytes: &[u8]) -> bool {
+    taken(samples(&SAMPLED, &text(bytes)).map_err(LoadError::Refused).map(|(axes, rows)| {
+        assert!(!rows.is_empty() && rows.iter().all(|row| row.len() == axes.len()));
     }))
 }
 

@@ -1,0 +1,56 @@
+//! A table of samples: rows that a study takes as they are.
+
+use std::collections::BTreeSet;
+
+use super::axis::{Axis, Input};
+use super::plan_keys::impossible;
+use crate::params::ImpactFile;
+use crate::params::lookup::known;
+use crate::params::refusal::Refusal;
+
+/// Most columns: each is looked up among the keys of a frame.
+const MOST_COLUMNS: usize = 1000;
+
+/// The axes and rows of a table of samples: a head of keys, then numbers and names. Whether they make frames is not looked at.
+///
+/// # Errors
+/// When the table is none, or the plan, which names it, lets something vary beside it.
+pub fn samples(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Input>>), Refusal> {
+    let refuse =
+        |message: String| file.refuse("table", impossible(message, "a head of keys, then a row a frame, with commas between".into()));
+    if file.entries.keys().any(|key| key.starts_with("vary.") || key.starts_with("choose.")) {
+        return Err(refuse("with a table, its columns vary, and nothing else".into()));
+    }
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let head = reader.headers().map_err(|error| refuse(error.to_string()))?.clone();
+    if head.len() > MOST_COLUMNS {
+        return Err(refuse(format!("the table has {} columns, more than {MOST_COLUMNS}", head.len())));
+    }
+    let mut axes: Vec<Axis> =
+        head.iter().map(|key| known(key).map_or_else(|| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
+    let mut known: Vec<BTreeSet<String>> = vec![BTreeSet::new(); axes.len()];
+    let mut rows = Vec::new();
+    for (at, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| refuse(error.to_string()))?;
+        let mut row = Vec::new();
+        for ((axis, known), field) in axes.iter_mut().zip(&mut known).zip(&record) {
+            row.push(match axis {
+                Axis::Name { names, .. } => {
+                    if known.insert(field.into()) {
+                        names.push(field.into());
+                    }
+                    Input::Name(field.into())
+                }
+                Axis::Number(_) | Axis::Listed(_) | Axis::Stated(_) => {
+                    let number = field.parse::<f64>().ok().filter(|value| value.is_finite());
+                    Input::Number(number.ok_or_else(|| refuse(format!("row {at}: {field:?} is no number for {}", axis.key())))?)
+                }
+            });
+        }
+        rows.push(row);
+    }
+    if rows.is_empty() || axes.is_empty() {
+        return Err(refuse("the table has no rows".into()));
+    }
+    Ok((axes, rows))
+}
