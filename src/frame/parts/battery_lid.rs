@@ -6,7 +6,7 @@
 use nalgebra::{Isometry3, Point2, Rotation2, Translation3, UnitQuaternion, Vector2, Vector3};
 
 use super::battery_bracket::connector;
-use super::outline::{SINK_MM, along_x, along_y, arc, face, sharp, upright};
+use super::outline::{Pen, SINK_MM, along_x, along_y, face, sharp, upright};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
@@ -90,27 +90,19 @@ impl<'a> Lid<'a> {
         let slope = (self.top - self.deck) / -self.front;
         let (low, under) = (-oh - 1.0, ih - 0.03);
         let arch = self.frame.lid.lid_arch_radius_mm.min(self.overhang() - 1.5);
-        // Where the block stands out, the envelope rounds its upper edge.
-        let beyond = if self.overhang() > 0.3 { 1.0 } else { 0.0 };
-        let mut view = vec![
-            sharp(1.0, low),
-            sharp(1.0, self.deck - slope),
-            sharp(self.front - 0.05, self.top),
-            sharp(self.front - 0.05, self.top + beyond),
-            ([self.rear - beyond, self.top + beyond], self.edge_mm()),
-        ];
+        let mut view = vec![sharp(1.0, low), sharp(1.0, self.deck - slope), sharp(self.front - 0.05, self.top)];
         if self.overhang() > 0.3 {
-            view.push(sharp(self.rear, under));
-            if arch > 0.5 {
-                view.extend(arc([self.shell - arch, under - arch], arch, 90.0, 0.0));
-            } else {
-                view.push(sharp(self.shell, under));
-            }
-            view.push(sharp(self.shell, low));
-        } else if self.overhang() > -0.3 {
-            view.push(sharp(self.rear, low));
+            // The upper edge of a block that stands out is rounded by the envelope.
+            let arch = if arch > 0.5 { arch } else { 0.0 };
+            view.extend([sharp(self.front - 0.05, self.top + 1.0), sharp(self.rear - 1.0, self.top + 1.0)]);
+            view.extend([sharp(self.rear, under), ([self.shell, under], arch), sharp(self.shell, low)]);
         } else {
-            view.extend([sharp(self.rear, oh), sharp(self.shell, oh), sharp(self.shell, low)]);
+            view.push(([self.rear, self.top], self.edge_mm()));
+            if self.overhang() > -0.3 {
+                view.push(sharp(self.rear, low));
+            } else {
+                view.extend([sharp(self.rear, oh), sharp(self.shell, oh), sharp(self.shell, low)]);
+            }
         }
         face(&view)
     }
@@ -118,6 +110,11 @@ impl<'a> Lid<'a> {
     /// Rounding of the shell's long edges and of the block's upper edge, mm.
     fn edge_mm(&self) -> f64 {
         self.frame.sleeve.sleeve_edge_radius_mm.min(0.97 * self.frame.sleeve.sleeve_side_wall_mm)
+    }
+
+    /// Rounding of the rear corners, seen from above, mm: further forward than the block stands out, they would cut into the shell's side walls.
+    fn corner_mm(&self) -> f64 {
+        self.frame.lid.lid_corner_radius_mm.min(self.overhang())
     }
 
     /// What the lid may fill: from the rim backwards, with rounded long edges and rear corners, and the block's upper edge rounded around
@@ -128,8 +125,7 @@ impl<'a> Lid<'a> {
         if self.overhang() <= 0.3 {
             return along_y(section, [self.rear.min(self.shell), 2.0]);
         }
-        // Rounded further forward than the block stands out, the corners would cut into the shell's side walls.
-        let r = self.frame.lid.lid_corner_radius_mm.min(self.overhang());
+        let r = self.corner_mm();
         let low = self.centre.inner_mm[1] - self.overhang();
         let corner = Feature::revolve(face(&[sharp(0.0, low), sharp(r, low), ([r, self.top], e.min(r)), sharp(0.0, self.top)]));
         let corners = [-1.0, 1.0].map(|side| corner.clone().at(side * (w - r), self.rear + r, 0.0));
@@ -183,8 +179,13 @@ impl<'a> Lid<'a> {
         let (low, ahead) = (deep.y.min(self.top) - 0.3, back + 1.1 * r);
         let under = [fillet, top, deep, Point2::new(deep.x, low), Point2::new(ahead, low), Point2::new(ahead, fillet.y)];
         let under = face(&under.map(|p| sharp(p.x, p.y)));
-        let hollow = hollow(w, r).at(0.0, fillet.x, fillet.y);
-        vec![flat, along_x(under, [-w, w]).minus([hollow])]
+        // Corners of the polygons of what is round along x lie where it touches the slope, and where it touches the tower.
+        let touch = Angle::rad(libm::atan2(inwards.y, inwards.x));
+        let hollow = Feature::union([hollow(w, r), hollow(w, r).turned_x(touch)]).at(0.0, fillet.x, fillet.y);
+        let half = w.min(self.centre.outer_mm[0] - self.corner_mm());
+        let rim = Feature::cylinder(edge, 2.0 * half).turned_y(Angle::deg(90.0)).turned_x(touch);
+        let rim = rim.at(-half, self.rear + edge, self.top - edge);
+        vec![flat, rim, along_x(under, [-w, w]).minus([hollow])]
     }
 
     /// The trough between the cheeks that the bracket slides in, with fillets at its bottom and at the block.
@@ -214,11 +215,13 @@ impl<'a> Lid<'a> {
 /// What the fillet leaves free, along x: a roller that widens towards its ends as the tower's upright edges are rounded.
 fn hollow(half_width_mm: f64, radius_mm: f64) -> Feature {
     let (w, r) = (half_width_mm, radius_mm);
-    let mut outline = vec![sharp(0.0, w + 1.0), sharp(0.0, -w - 1.0), sharp(2.0 * r + SINK_MM, -w - 1.0), sharp(2.0 * r + SINK_MM, -w)];
-    outline.extend(arc([2.0 * r, r - w], r, 270.0, 180.0));
-    outline.extend(arc([2.0 * r, w - r], r, 180.0, 90.0));
-    outline.extend([sharp(2.0 * r + SINK_MM, w), sharp(2.0 * r + SINK_MM, w + 1.0)]);
-    Feature::revolve(face(&outline)).turned_y(Angle::deg(90.0))
+    let wide = 2.0 * r + SINK_MM;
+    let mut pen = Pen::new(Point2::new(0.0, w + 1.0));
+    pen.line(Point2::new(0.0, -w - 1.0)).line(Point2::new(wide, -w - 1.0)).line(Point2::new(wide, -w));
+    pen.arc(Point2::new(2.0 * r, r - w), Point2::new(2.0 * r, -w), Point2::new(r, r - w), false);
+    pen.arc(Point2::new(2.0 * r, w - r), Point2::new(r, w - r), Point2::new(2.0 * r, w), false);
+    pen.line(Point2::new(wide, w)).line(Point2::new(wide, w + 1.0));
+    Feature::revolve(Profile::new(pen.close())).turned_y(Angle::deg(90.0))
 }
 
 #[cfg(test)]

@@ -94,7 +94,7 @@ impl HubJoint {
             pivot: Point3::new(self.leg_bottom_mm() - self.leg_pivot_mm, 0.0, 0.0),
             axis: Vector3::y_axis(),
             inner_mm: self.radius_mm(),
-            outer_mm: self.inner_wall_mm(),
+            outer_mm: self.cheek_side_mm(),
             angle: leg,
         }]
     }
@@ -130,6 +130,11 @@ impl HubJoint {
         0.5 * self.arm_pitch_mm - self.radius_mm()
     }
 
+    /// Distance of the cheeks' inner sides from the leg's axis, where the necks begin, mm: a little before the sockets' walls.
+    fn cheek_side_mm(&self) -> f64 {
+        self.inner_wall_mm() - 2.0 * SINK_MM
+    }
+
     /// Bottom of the leg's bore, ahead of the hub's face, mm.
     pub fn leg_bottom_mm(&self) -> f64 {
         self.leg_mouth_mm - self.leg_depth_mm
@@ -157,12 +162,12 @@ impl HubJoint {
         Feature::intersection([ring, between_arms])
     }
 
-    /// Block that carries the arch's end into an arm socket.
+    /// Block that carries the arch's end into an arm socket. Its top and underside are the arch's and end just before they touch the socket: a
+    /// hundredth lower they would cross it in slivers.
     fn cheek(&self, arch: &Arch) -> Feature {
         let (r, wall) = (self.radius_mm(), self.inner_wall_mm());
         let front = arch.centre_mm + libm::sqrt(arch.outer_mm * arch.outer_mm - wall * wall);
-        let (end, top) = (0.5 * self.arm_pitch_mm - 0.03 * r, r - SINK_MM);
-        Feature::cuboid_between([0.0, wall - 2.0 * SINK_MM, -top], [front, end, top])
+        Feature::cuboid_between([0.0, self.cheek_side_mm(), -r], [front, 0.5 * self.arm_pitch_mm - SINK_MM, r])
     }
 
     /// Block behind the leg socket, ended by the arch's outer circle.

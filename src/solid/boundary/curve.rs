@@ -3,6 +3,7 @@
 use nalgebra::{Isometry3, Point3, Unit, Vector3};
 
 use super::surface::{Surface, across};
+use super::touching::touching_tubes;
 
 /// A curve between the two vertices of an edge, mm.
 #[derive(Clone, Debug, PartialEq)]
@@ -110,7 +111,7 @@ impl Curve {
                 let apart = axis.cross(other_axis).normalize().dot(&(other_point - point)).abs();
                 if (radius_mm - other_radius_mm).abs() < 1e-9 && apart < 1e-9 { mitre(a, b, chain) } else { spline(a, b, chain) }
             }
-            _ => match common_axis(a, b) {
+            _ => match common_axis(a, b).or_else(|| touching_tubes(a, b)).or_else(|| touching_tubes(b, a)) {
                 Some((point, axis)) => circle(&point, &axis, chain),
                 None => spline(a, b, chain),
             },
@@ -221,11 +222,12 @@ fn spline(a: &Surface, b: &Surface, chain: &[Point3<f64>]) -> Option<Curve> {
     }
     let last = points.len() - 1;
     points[last] = chain[chain.len() - 1];
-    // Piecewise steps that all but vanish say nothing about the curve.
+    let crossing = |p: &Point3<f64>| a.normal_at(p).cross(&b.normal_at(p));
+    // Piecewise steps that all but vanish say nothing about the curve, nor do points beside an end in which the surfaces touch.
     let mut kept = vec![points[0]];
     for p in &points[1..last] {
         let [before, after] = [kept[kept.len() - 1], points[last]].map(|q| (p - q).norm());
-        if before > 0.02 && after > 0.02 {
+        if before > 0.02 && after > 0.02 && crossing(p).norm() > LEAST_CROSSING {
             kept.push(*p);
         }
     }
@@ -233,7 +235,10 @@ fn spline(a: &Surface, b: &Surface, chain: &[Point3<f64>]) -> Option<Curve> {
     let tangent = |i: usize| {
         let p = &kept[i];
         let along = kept[(i + 1).min(kept.len() - 1)] - kept[i.saturating_sub(1)];
-        let cross = a.normal_at(p).cross(&b.normal_at(p));
+        let cross = crossing(p);
+        let is_end = i == 0 || i + 1 == kept.len();
+        // In an end in which the surfaces touch their normals are the same; the next point tells the way.
+        let cross = if is_end && cross.norm() < LEAST_CROSSING { across(&Unit::new_normalize(a.normal_at(p)), &along) } else { cross };
         Unit::try_new(if cross.dot(&along) < 0.0 { -cross } else { cross }, LEAST_CROSSING)
     };
     let tangents = (0..kept.len()).map(tangent).collect::<Option<Vec<_>>>()?;

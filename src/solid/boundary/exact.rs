@@ -14,6 +14,7 @@ use super::regions::{Facet, Regions};
 use super::small_faces::{LEAST_FACE_MM2, absorb_small_faces};
 use super::surface::Surface;
 use super::topology::{Boundary, Edge, FLATNESS_MM, Face};
+use super::touching::contact;
 use crate::solid::half_edges::HalfEdges;
 use crate::solid::{Feature, Mesh};
 
@@ -125,8 +126,15 @@ fn corners(positions: &[Point3<f64>], chains: &Chains, regions: &Regions) -> Res
     (0..positions.len()).map(meet).collect()
 }
 
-/// Where surfaces meet, at most so far from a point, mm.
+/// Where surfaces meet, at most so far from a point, mm; of surfaces that touch, where they do, if all meet there.
 pub(super) fn corner(surfaces: &[&Surface], near: &Point3<f64>, most_mm: f64) -> Result<Point3<f64>, NotExact> {
+    let pairs = (0..surfaces.len()).flat_map(|i| surfaces[i + 1..].iter().map(move |other| (surfaces[i], *other)));
+    let contacts: Vec<Surface> = pairs.filter_map(|(a, b)| contact(a, b)).collect();
+    let with_contacts: Vec<&Surface> = surfaces.iter().copied().chain(&contacts).collect();
+    meeting(&with_contacts, near, most_mm).or_else(|_| meeting(surfaces, near, most_mm))
+}
+
+fn meeting(surfaces: &[&Surface], near: &Point3<f64>, most_mm: f64) -> Result<Point3<f64>, NotExact> {
     let found = curve::onto(surfaces, near).unwrap_or(Point3::origin());
     let off_mm = (found - near).norm();
     let beside = surfaces.iter().map(|surface| surface.distance_mm(&found).abs()).fold(0.0, f64::max);

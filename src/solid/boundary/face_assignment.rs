@@ -26,7 +26,9 @@ pub(super) fn of(facets: &[Facet], half_edges: &HalfEdges, known: &[Known]) -> R
 pub(super) fn where_found(facets: &[Facet], half_edges: &HalfEdges, known: &[Known]) -> Vec<Option<usize>> {
     let best = |facet: &Facet| {
         let near = known.iter().enumerate().filter_map(|(at, known)| Some((at, known.beside_mm(facet)?)));
-        near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(at, _)| at)
+        // Where rounded edges touch, a facet may pass for one of each; its corners lie on the surface that it is of.
+        let corners_mm = |at: usize| known[at].corners_beside_mm(facet);
+        near.min_by(|a, b| a.1.total_cmp(&b.1).then_with(|| corners_mm(a.0).total_cmp(&corners_mm(b.0)))).map(|(at, _)| at)
     };
     let wide = |facet: &&Facet| facet.height_mm >= SLIVER_MM;
     let mut assignment: Vec<Option<usize>> = facets.iter().map(|facet| Some(facet).filter(wide).and_then(best)).collect();

@@ -3,6 +3,7 @@
 use nalgebra::{Isometry3, Matrix3, Point2, Point3, Unit, Vector3};
 
 use super::regions::Facet;
+use super::spanned::between;
 use super::surface::{Surface, across};
 use crate::solid::profile::{Contour, Profile, Segment, circumscribed, sweep_angle};
 use crate::solid::{Feature, MeshSolid, SEGMENTS_PER_TURN};
@@ -31,7 +32,7 @@ const TURNED_SHARE: f64 = 1.2;
 /// A facet that lies on a plane this well is not taken for a chord of a cylinder, mm.
 const PLANE_FIRST_MM: f64 = 1e-4;
 
-/// Every plane and round surface of a tree, moved by a pose. Left out is what a hull spans between round bodies.
+/// Every plane and round surface of a tree, moved by a pose. Of what a hull spans between round bodies, planes and cylinders.
 pub(super) fn surfaces(feature: &Feature, pose: &Isometry3<f64>) -> Vec<Known> {
     let mut found: Vec<Known> = Vec::new();
     let place = (pose.rotation.to_rotation_matrix().into_inner(), pose.translation.vector);
@@ -71,7 +72,10 @@ fn collect(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
             if of.iter().all(has_planes_only) {
                 hull(feature, place, found);
             } else {
+                let first = found.len();
                 of.iter().for_each(|feature| collect(feature, place, found));
+                let spans = spanned(&found[first..]);
+                found.extend(spans);
             }
         }
         Feature::Union(of) | Feature::Intersection(of) => of.iter().for_each(|feature| collect(feature, place, found)),
@@ -234,6 +238,12 @@ fn hull(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
     }
 }
 
+/// The planes and cylinders that a hull spans between each two of its round surfaces that are alike.
+fn spanned(of: &[Known]) -> Vec<Known> {
+    let pairs = (0..of.len()).flat_map(|i| of[i + 1..].iter().map(move |other| (&of[i], other)));
+    pairs.flat_map(|(one, other)| between(&one.surface, &other.surface).into_iter().map(|surface| one.spanning(surface))).collect()
+}
+
 impl Known {
     /// How far a facet is from being a piece of this surface, mm; `None` when it is none.
     pub(super) fn beside_mm(&self, facet: &Facet) -> Option<f64> {
@@ -273,6 +283,23 @@ impl Known {
             }
         };
         (off < BESIDE_MM).then_some(off)
+    }
+
+    /// How far a facet's corners lie beside a cone, a sphere or a torus, mm, all together; 0 of surfaces whose chords say enough.
+    pub(super) fn corners_beside_mm(&self, facet: &Facet) -> f64 {
+        match &self.surface {
+            Surface::Plane { .. } | Surface::Cylinder { .. } => 0.0,
+            round => facet.corners.iter().map(|p| round.distance_mm(p).abs()).sum(),
+        }
+    }
+
+    /// A surface that a hull spans from this one to another that is alike: its chords are those of this one's meridian.
+    fn spanning(&self, surface: Surface) -> Self {
+        let reach_mm = match &surface {
+            Surface::Cylinder { radius_mm, .. } => [radius_mm * libm::cos(self.turned_rad - STEP_RAD), *radius_mm],
+            _ => [0.0; 2],
+        };
+        Self { surface, reach_mm, turned_rad: 0.0 }
     }
 
     pub(super) fn is_cylinder(&self) -> bool {

@@ -17,8 +17,10 @@ mod mixed;
 mod not_exact;
 mod regions;
 mod small_faces;
+mod spanned;
 mod surface;
 mod topology;
+mod touching;
 
 pub use curve::Curve;
 pub use not_exact::NotExact;
