@@ -86,8 +86,8 @@ mod tests {
         let file = FrameFile::parse("own.toml", text).expect("reads");
         let memo = Arc::default();
         let bench = Bench::new(&file, &memo).expect("can be designed");
-        let found = bench.found.clone();
-        advice(&file, &found, &memo).into_iter().zip(found).find(|(_, f)| f.rule == rule && asks(f)).expect("is found").0
+        let finding = bench.found.iter().find(|f| f.rule == rule && asks(f)).expect("is found");
+        bench.sentence(finding)
     }
 
     #[test]

@@ -115,79 +115,37 @@ impl SpikeShape {
         let first = near_s.map_or(span_s, |near_s| [near_s - AROUND_S, near_s + AROUND_S]);
         let coarse = self.best(channel, &grid(first[0], first[1], SEARCH_S[0]), &grid(from_s, to_s, SEARCH_S[0]));
         let around = |spike: &Spike| grid(spike.at_s - SEARCH_S[0], spike.at_s + SEARCH_S[0], SEARCH_S[1]);
-        let fine = self.best(channel, &around(&coarse[0]), &around(&coarse[1]));
-        self.between_steps(channel, fine)
-    }
-
-    /// The pair with each begin moved by up to half a step of the search, to the top of the parabola through its gain and those a step sooner and
-    /// later. Of times on a grid, quartiles jump by a whole step where a parameter changes evenly.
-    fn between_steps(&self, channel: &Channel, pair: [Spike; 2]) -> [Spike; 2] {
-        let found_s = pair.map(|spike| spike.at_s);
-        let top_s: [f64; 2] = std::array::from_fn(|which| {
-            let gain = |steps: f64| {
-                let mut times_s = found_s;
-                times_s[which] += steps * SEARCH_S[1];
-                self.pair_at(channel, times_s).0
-            };
-            let [before, here, behind] = [gain(-1.0), gain(0.0), gain(1.0)];
-            let curvature = before - 2.0 * here + behind;
-            let steps = if curvature < 0.0 { (0.5 * (before - behind) / curvature).clamp(-0.5, 0.5) } else { 0.0 };
-            found_s[which] + steps * SEARCH_S[1]
-        });
-        self.pair_at(channel, top_s).1
-    }
-
-    /// What two spikes at these times take off a channel's sum of squares, with the sizes that take most.
-    fn pair_at(&self, channel: &Channel, [along_s, against_s]: [f64; 2]) -> (f64, [Spike; 2]) {
-        let (along, against) = (Candidate::of(self, channel, along_s), Candidate::of(self, channel, against_s));
-        along.beside(&against, SIZE_RIDGE * along.own.max(1e-12))
+        self.best(channel, &around(&coarse[0]), &around(&coarse[1]))
     }
 
     /// The best pair of begins.
     fn best(&self, channel: &Channel, along_s: &[f64], against_s: &[f64]) -> [Spike; 2] {
-        let candidates = |times: &[f64]| times.iter().map(|at_s| Candidate::of(self, channel, *at_s)).collect::<Vec<_>>();
-        let (along, against) = (candidates(along_s), candidates(against_s));
-        let ridge = SIZE_RIDGE * along.iter().map(|one| one.own).fold(0.0, f64::max).max(1e-12);
+        let column = |at_s: &f64| channel.t_s.iter().map(|t_s| self.at(t_s - at_s)).collect::<Vec<f64>>();
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let columns = |times: &[f64]| {
+            let of = |at_s: &f64| {
+                let column = column(at_s);
+                let (own, with) = (product(&column, &column), product(&column, &channel.along_g));
+                (*at_s, column, own, with)
+            };
+            times.iter().map(of).collect::<Vec<_>>()
+        };
+        let (along, against) = (columns(along_s), columns(against_s));
+        let ridge = SIZE_RIDGE * along.iter().map(|one| one.2).fold(0.0, f64::max).max(1e-12);
         let mut best = (f64::NEG_INFINITY, [Spike::default(); 2]);
-        for one in &along {
-            for other in &against {
-                let pair = one.beside(other, ridge);
-                if pair.0 > best.0 {
-                    best = pair;
+        for (a_s, a, a_own, a_with) in &along {
+            for (b_s, b, b_own, b_with) in &against {
+                // The second one points the other way.
+                let (shared, b_with) = (-product(a, b), -b_with);
+                let sizes = not_negative([a_own + ridge, b_own + ridge], shared, [*a_with, b_with]);
+                let gain = sizes[0] * a_with + sizes[1] * b_with;
+                if gain > best.0 {
+                    best = (gain, [Spike { at_s: *a_s, size_g: sizes[0] }, Spike { at_s: *b_s, size_g: sizes[1] }]);
                 }
             }
         }
         best.1
     }
-}
-
-/// A spike of height 1 that begins at a time, as a channel's readings would show it.
-struct Candidate {
-    at_s: f64,
-    column: Vec<f64>,
-    /// Its sum of squares.
-    own: f64,
-    /// Its product with the readings.
-    with: f64,
-}
-
-impl Candidate {
-    fn of(shape: &SpikeShape, channel: &Channel, at_s: f64) -> Self {
-        let column: Vec<f64> = channel.t_s.iter().map(|t_s| shape.at(t_s - at_s)).collect();
-        Self { at_s, own: product(&column, &column), with: product(&column, &channel.along_g), column }
-    }
-
-    /// What this spike along a channel and another one against it take off its sum of squares, with the sizes that take most.
-    fn beside(&self, other: &Self, ridge: f64) -> (f64, [Spike; 2]) {
-        let (shared, against) = (-product(&self.column, &other.column), -other.with);
-        let sizes = not_negative([self.own + ridge, other.own + ridge], shared, [self.with, against]);
-        let spike = |candidate: &Self, size_g: f64| Spike { at_s: candidate.at_s, size_g };
-        (sizes[0] * self.with + sizes[1] * against, [spike(self, sizes[0]), spike(other, sizes[1])])
-    }
-}
-
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Minimises p x² + q y² + 2 s x y - 2 (u x + v y) over x, y ≥ 0.
