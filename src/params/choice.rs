@@ -280,11 +280,13 @@ fn bad_override(file: &FrameFile, key: &str, kind: &str, table: &str, name: &str
     let at = named.or(changed.first()).map_or(key, |key| key.as_str());
     bad_entry(file, at, kind, name, message)
 }
+
 /// What a key of `override` was probably meant to be that names no catalogue: the same field in each that has it.
 fn in_a_catalogue(key: &str) -> Vec<String> {
-    let mut words = key.split('.').skip(1).collect::<Vec<_>>();
-    let field = words.pop().unwrap_or_default();
-    let name = words.pop().unwrap_or("NAME");
+    let typed = key.strip_prefix("override.").unwrap_or(key);
+    let (within, field) = typed.rsplit_once('.').unwrap_or(("NAME", typed));
+    // A table that is none stands before a name, which may have dots in it.
+    let name = within.split_once('.').map_or(within, |(_, name)| name);
     let fields = [&PART_FIELDS, &MATERIAL_FIELDS, &PRINTER_FIELDS];
     let has = CATALOGUES.iter().zip(fields).filter(|(_, fields)| fields.iter().any(|known| known == field));
     let meant: Vec<String> = has.map(|(table, _)| format!("override.{table}.{name}.{field}")).collect();

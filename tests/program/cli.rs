@@ -230,6 +230,7 @@ fn planted_mistyped_tables() {
     say("overide.parts.motor-1104", "did you mean `override.parts.motor-1104.mass_g`?");
     say("override.part.motor-1104", "did you mean `override.parts.motor-1104.mass_g`?");
     say("override.bought.mine", "did you mean `override.parts.mine.mass_g`?");
+    say("override.bought.\"mine-0.4\"", "did you mean `override.parts.mine-0.4.mass_g`?");
     say("override.mine", "did you mean `override.parts.mine.mass_g`?");
     say("parts.mine", "did you mean `override.parts.mine.mass_g`?");
     say("extra.receiver", "did you mean `extras.receiver.mass_g`?");
