@@ -402,6 +402,26 @@ qpdf_reads_instructions() {
             failed "qpdf $name" "$pages pages, not $wanted; $(tail -1 "$work/qpdf.log")"
         fi
     done
+    # A text that would end itself and the object around it.
+    local hostile=') Tj ET endstream endobj >> %PDF-1.4 \\( <</S/JavaScript>>'
+    cat >"$work/hostile.toml" <<TOML
+base = "cognifly"
+name = "hostile"
+description = '$hostile'
+materials.rigid = '$hostile'
+[override.materials.'$hostile']
+kind = "printed"
+density_g_cm3 = 1.2
+print_factor = 1.0
+colour = [0.5, 0.5, 0.5, 1.0]
+source = '$hostile'
+TOML
+    if "$binary" fold "$work/hostile.toml" -q -o "$work/hostile" && qpdf --check "$work/hostile/hostile-fold/instructions.pdf" >"$work/qpdf.log" 2>&1 &&
+        ! qpdf --qdf --object-streams=disable "$work/hostile/hostile-fold/instructions.pdf" - | grep -aq '/S */JavaScript'; then
+        ok "qpdf hostile texts"
+    else
+        failed "qpdf hostile texts" "$(tail -1 "$work/qpdf.log")"
+    fi
 }
 
 python_agrees_with_manifests() {
@@ -470,7 +490,8 @@ occt_reads_steps() {
         return
     fi
     local frame folders=()
-    for frame in cognifly cognifly-v8; do
+    for frame in params/frames/*.toml; do
+        frame=$(basename "$frame" .toml)
         if "$binary" build "$frame" --step --no-pictures -q -o "$work/step"; then
             folders+=("$work/step/$frame")
         else

@@ -58,9 +58,9 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
             PrintSettings::of_part(false, material, &frame.printer).ini() + &PrintSettings::of_filament(material, &frame.printer).ini();
         files.push((format!("{}.ini", piece.name), settings.into_bytes()));
     }
-    for plate in coupon.plates(&frame.printer) {
-        let name = coupon_page::plate_file(&plate);
-        let bytes = coupon_page::plate(frame, &plate);
+    let plates = coupon.plates(&frame.printer);
+    for (plate, name) in plates.iter().zip(coupon_page::plate_files(&plates)) {
+        let bytes = coupon_page::plate(frame, plate);
         files.push((name.clone(), bytes.map_err(|error| Failure::Machine { what: format!("cannot make {name}"), error })?));
     }
     files.push((FOLD_TABLE.into(), coupon_page::fold_table(&coupon.hinges).into_bytes()));

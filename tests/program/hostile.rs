@@ -50,6 +50,11 @@ impl Bench {
         assert_eq!(self.names(), before, "{arguments:?} left something behind");
     }
 
+    fn makes(&self, arguments: &[&str]) {
+        let output = self.run(arguments);
+        assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+
     fn names(&self) -> Vec<PathBuf> {
         fn walk(folder: &Path, found: &mut Vec<PathBuf>) {
             for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -64,6 +69,14 @@ impl Bench {
         found.sort();
         found
     }
+}
+
+/// What is in a folder, in order.
+fn listed(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("can be read");
+    let mut names: Vec<String> = entries.map(|entry| entry.expect("is there").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
 }
 
 #[test]
@@ -210,6 +223,67 @@ fn planted_links_are_not_followed_when_writing() {
     assert!(outside.path("report.md.yours").is_symlink() && !outside.path("report.md").is_symlink());
     assert_eq!(fs::read_to_string(apart.path("report.md")).expect("is there"), "keep");
     assert_eq!(apart.names(), [apart.path("report.md")]);
+}
+
+/// Names of own materials are free texts, and plates are named after them.
+#[test]
+fn planted_materials_whose_names_lead_out() {
+    let bench = Bench::new();
+    let own = |name: &str| {
+        format!(
+            "[override.materials.{name:?}]\nkind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.5, 0.5, 0.5, 1.0]\n\
+             source = \"s\"\n"
+        )
+    };
+    for name in ["../../../up", "/tmp/up", "a/b/../../../../up", "..", ".hidden", "a\\b"] {
+        let text = format!("base = \"cognifly\"\nname = \"own\"\n[materials]\nrigid = {name:?}\n{}", own(name));
+        bench.write("frame.toml", text);
+        bench.makes(&["build", "frame.toml", "-o", "a/b/out", "--no-pictures"]);
+        bench.makes(&["coupon", "frame.toml", "-o", "a/b/out"]);
+        let place = bench.path("a/b/out");
+        assert_eq!(listed(&bench.path("a")), ["b"], "{name}");
+        assert_eq!(listed(&bench.path("a/b")), ["out"], "{name}");
+        assert_eq!(listed(&place), ["own", "own-coupon"], "{name}");
+        assert!(!Path::new("/tmp/up_1.3mf").exists());
+        let plates = listed(&place.join("own/plates"));
+        assert!(plates.len() == 4 && plates.iter().all(|plate| !plate.starts_with('.')), "{name}: {plates:?}");
+    }
+}
+
+/// Two grades of one material have plates of different names.
+#[test]
+fn planted_grades_of_one_material_share_no_file() {
+    let bench = Bench::new();
+    let hard = "[override.materials.tpu-64d]\nkind = \"printed\"\ndensity_g_cm3 = 1.2\nprint_factor = 1.0\ncolour = [0.5, 0.5, 0.5, 1.0]\n\
+                source = \"s\"\n";
+    bench.write("frame.toml", format!("base = \"cognifly\"\nname = \"own\"\n[materials]\nrigid = \"tpu-64d\"\n{hard}"));
+    bench.makes(&["build", "frame.toml", "-o", "out", "--no-pictures"]);
+    bench.makes(&["coupon", "frame.toml", "-o", "out"]);
+    assert_eq!(listed(&bench.path("out/own/plates")), ["tpu_1.3mf", "tpu_1.png", "tpu_2.3mf", "tpu_2.png"]);
+    let coupon = listed(&bench.path("out/own-coupon"));
+    assert!(["plate_tpu.3mf", "plate_tpu_2.3mf"].iter().all(|plate| coupon.iter().any(|name| name == plate)), "{coupon:?}");
+}
+
+/// A file that cannot grow stands for a disk that fills up.
+#[cfg(target_os = "linux")]
+#[test]
+fn planted_a_disk_that_fills_up_is_exit_3_and_leaves_the_last_result() {
+    let bench = Bench::new();
+    bench.write("frame.toml", "base = \"cognifly\"\nname = \"own\"\n");
+    bench.makes(&["build", "frame.toml", "-o", "out", "--no-pictures"]);
+    let before = listed(&bench.path("out/own/parts"));
+    let hub = fs::read(bench.path("out/own/parts/hub.stl")).expect("is there");
+    bench.write("frame.toml", "base = \"cognifly\"\nname = \"own\"\n[hub]\nhub_plate_thickness_mm = 4.4\n");
+    // The hub's file has some 700 kB.
+    let limited = "trap '' XFSZ; ulimit -f 300; exec \"$0\" build frame.toml -o out --no-pictures";
+    let mut shell = Command::new("bash");
+    shell.args(["-c", limited]).arg(cargo_bin("flexframe")).env("FLEXFRAME_CACHE", "off").current_dir(bench.folder.path());
+    let output = shell.output().expect("starts");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(3) && said.contains("cannot write"), "{:?}: {said}", output.status);
+    assert_eq!(listed(&bench.path("out")), ["own"], "nothing is left beside it");
+    assert_eq!(listed(&bench.path("out/own/parts")), before);
+    assert!(fs::read(bench.path("out/own/parts/hub.stl")).expect("is there") == hub, "the last result stays");
 }
 
 #[cfg(target_os = "linux")]

@@ -16,7 +16,7 @@ mod tests;
 
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use super::failure::Failure;
 use super::interrupt::Step;
@@ -112,7 +112,11 @@ fn write_files(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Failure
     let record = record.map(|bytes| (RECORD.to_string(), bytes));
     let (first, rest): (Vec<_>, Vec<_>) = files.iter().partition(|(path, _)| path == MANIFEST);
     for (path, bytes) in record.iter().chain(first).chain(rest) {
+        let within = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
         let path = folder.join(path);
+        if !within {
+            return Err(failed("write", &path)(io::Error::new(io::ErrorKind::InvalidInput, "its name leads out of the folder")));
+        }
         let _step = Step::begin();
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).map_err(failed("write", &path))?;

@@ -54,6 +54,17 @@ fn put(bench: &TempDir, path: &str, text: &str) {
 }
 
 #[test]
+fn planted_no_file_is_written_beside_its_folder() {
+    for path in ["../up.txt", "/tmp/up.txt", "a/../../up.txt"] {
+        let bench = tempfile::tempdir().expect("a folder");
+        let refused = write_folder(&bench.path().join("o"), "r", &files(&[("in.txt", "x"), (path, "x")]));
+        assert!(refused.is_err_and(|failure| failure.to_string().contains("leads out of the folder")), "{path}");
+        let left = super::folder::entries(bench.path()).expect("can be read");
+        assert!(left.iter().all(|entry| entry.is.is_dir() && !entry.path.ends_with("r")), "{path}");
+    }
+}
+
+#[test]
 fn planted_what_is_not_ours_stays_and_what_is_no_longer_made_goes() {
     let bench = bench();
     put(&bench, "o/r/mine.txt", "mine");

@@ -3,7 +3,7 @@
 use crunch::{Item as Box, PackedItem, Rect, Rotation};
 use rayon::prelude::*;
 
-use super::plate::{Item, Plate};
+use super::plate::{Item, Plate, short};
 use super::room::{GAP_MM, Room, alone};
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
@@ -63,10 +63,12 @@ fn laid_out(design: &Design, wanted: &[Wanted]) -> (Vec<Plate>, Vec<NoRoom>) {
             .filter(|(name, _)| design.material_of(*name).name == material.name)
             .flat_map(|(name, count)| design.part(*name).into_iter().flat_map(|part| std::iter::repeat_n(part, *count)))
             .collect();
+        // Two grades of one material have plates of one name.
+        let before = plates.iter().filter(|plate: &&Plate| short(&plate.material.name) == short(&material.name)).count();
         for (at, mut items) in filled(&parts, &design.frame.printer, &mut no_room).into_iter().enumerate() {
             items.sort_by(|a, b| a.part.cmp(&b.part).then(place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal)));
             let supported = supported.iter().copied().filter(|name| items.iter().any(|item| item.part == *name)).collect();
-            plates.push(Plate { material: material.clone(), number: at + 1, items, supported });
+            plates.push(Plate { material: material.clone(), number: before + at + 1, items, supported });
         }
     }
     (plates, no_room)

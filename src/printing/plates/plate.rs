@@ -35,7 +35,7 @@ impl Item {
 pub struct Plate {
     /// What it is printed of.
     pub material: NamedMaterial,
-    /// Number among the plates of its material, from 1.
+    /// Number among the plates whose material has the same [`short`] name, from 1.
     pub number: usize,
     /// What lies on it, in the order of [`PartName::ALL`].
     pub items: Vec<Item>,
@@ -71,7 +71,25 @@ impl Plate {
     }
 }
 
-/// A material's name up to its grade.
-pub fn short(material: &str) -> &str {
-    material.split('-').next().unwrap_or(material)
+/// A material's name up to its grade, in letters, digits and `_` only: the names of own materials are free texts, and this is part of files' names.
+pub fn short(material: &str) -> String {
+    let family = material.split('-').next().unwrap_or_default();
+    let plain: String = family.chars().take(LONGEST).map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    if plain.is_empty() { "plate".into() } else { plain }
+}
+
+/// Most letters of a material in a file's name.
+const LONGEST: usize = 40;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planted_names_of_materials_are_no_paths() {
+        for (name, wanted) in [("tpu-95a", "tpu"), ("../../up", "______up"), ("/tmp/x", "_tmp_x"), ("-", "plate"), ("", "plate"), ("a\\b:c", "a_b_c")] {
+            assert_eq!(short(name), wanted);
+        }
+        assert_eq!(short(&"a".repeat(500)).len(), 40);
+    }
 }

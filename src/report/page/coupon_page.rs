@@ -35,9 +35,19 @@ pub fn picture(coupon: &Coupon) -> Vec<u8> {
     picture::png(&items, View::Perspective, SIZE[0], SIZE[1])
 }
 
-/// What a plate's file is called.
-pub fn plate_file(plate: &CouponPlate) -> String {
-    format!("plate_{}.3mf", short(&plate.material.name))
+/// What the files of plates are called, by their materials; two grades of one material have one name, and the second a number.
+pub fn plate_files(plates: &[CouponPlate]) -> Vec<String> {
+    let names = plates.iter().map(|plate| short(&plate.material.name));
+    let mut seen: Vec<String> = Vec::new();
+    names
+        .map(|name| {
+            seen.push(name.clone());
+            match seen.iter().filter(|other| **other == name).count() {
+                1 => format!("plate_{name}.3mf"),
+                count => format!("plate_{name}_{count}.3mf"),
+            }
+        })
+        .collect()
 }
 
 /// A plate as the bytes of a 3MF file.
