@@ -43,12 +43,13 @@ pub enum Feature {
         /// Radius, mm.
         radius_mm: f64,
     },
-    /// The profile in (r, z), r >= 0, turned about z through an angle from the xz plane.
+    /// The profile in (r, z), r >= 0, turned once about z.
     Revolve {
         /// Outline in r, z.
         profile: Profile,
-        /// Angle of the turn.
-        turn: Angle,
+        /// Where the polygon that stands for the circle has corners, from x towards y: where another surface touches this one. None: even
+        /// steps from x.
+        corners: Vec<Angle>,
     },
     /// The convex hull of all.
     Hull(Vec<Feature>),
@@ -117,7 +118,12 @@ impl Feature {
 
     /// A profile in (r, z) turned once about z.
     pub fn revolve(profile: Profile) -> Self {
-        Self::Revolve { profile, turn: Angle::deg(360.0) }
+        Self::revolve_with_corners(profile, [])
+    }
+
+    /// The same with corners of its polygon where another surface touches it, as angles from x towards y.
+    pub fn revolve_with_corners(profile: Profile, corners: impl IntoIterator<Item = Angle>) -> Self {
+        Self::Revolve { profile, corners: corners.into_iter().collect() }
     }
 
     /// An axis-parallel box around the origin, by its edge lengths.

@@ -15,7 +15,9 @@ use super::mesh::Mesh;
 use super::oriented_box::{Between, OrientedBox};
 use super::profile::{Profile, circumscribed};
 use super::region::Region;
+use super::turn_polygon;
 use crate::memo::{Key, Memo};
+use crate::units::Angle;
 
 /// Straight pieces that stand for a full circle: 0.3 % of its area is lost, 3 µm of a rod's radius.
 pub const SEGMENTS_PER_TURN: u32 = 48;
@@ -50,12 +52,17 @@ pub struct Hit {
 impl MeshSolid {
     /// Builds a feature tree; an impossible one (a negative height, an empty result) comes out empty.
     pub fn build(feature: &Feature) -> Self {
-        Self::of(Builder { made: Vec::new(), memo: None }.solid(feature))
+        Self::build_finely(feature, SEGMENTS_PER_TURN)
+    }
+
+    /// The same with so many straight pieces in a full circle: with more of them it comes nearer to the solid that the tree means.
+    pub fn build_finely(feature: &Feature, per_turn: u32) -> Self {
+        Self::of(Builder { made: Vec::new(), memo: None, per_turn }.solid(feature))
     }
 
     /// The same with the branches of former trees that are the same.
     pub fn build_from(feature: &Feature, memo: &Memo) -> Self {
-        Self::of(Builder { made: Vec::new(), memo: Some(memo) }.solid(feature))
+        Self::of(Builder { made: Vec::new(), memo: Some(memo), per_turn: SEGMENTS_PER_TURN }.solid(feature))
     }
 
     fn of(kernel: Manifold) -> Self {
@@ -308,6 +315,8 @@ struct Builder<'a> {
     made: Vec<(&'a Feature, Manifold)>,
     /// Branches of other trees.
     memo: Option<&'a Memo>,
+    /// Straight pieces that stand for a full circle.
+    per_turn: u32,
 }
 
 impl<'a> Builder<'a> {
@@ -333,19 +342,21 @@ impl<'a> Builder<'a> {
     }
 
     fn make(&mut self, feature: &'a Feature) -> Manifold {
-        let n = SEGMENTS_PER_TURN as i32;
+        let n = self.per_turn as i32;
         match feature {
-            Feature::Extrude { profile, height_mm } => Manifold::extrude(&outlines(profile), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0)),
+            Feature::Extrude { profile, height_mm } => {
+                Manifold::extrude(&outlines(profile, self.per_turn), *height_mm, 0, 0.0, Vec2::new(1.0, 1.0))
+            }
             Feature::Cylinder { radius_mm, height_mm } => Manifold::cylinder(*height_mm, *radius_mm, *radius_mm, n),
             Feature::Bore { radius_mm, height_mm } => {
-                let radius = circumscribed(*radius_mm, SEGMENTS_PER_TURN);
+                let radius = circumscribed(*radius_mm, self.per_turn);
                 Manifold::cylinder(*height_mm, radius, radius, n)
             }
             Feature::Cone { bottom_radius_mm, top_radius_mm, height_mm } => {
                 Manifold::cylinder(*height_mm, *bottom_radius_mm, *top_radius_mm, n)
             }
             Feature::Sphere { radius_mm } => Manifold::sphere(*radius_mm, n),
-            Feature::Revolve { profile, turn } => Manifold::revolve(&outlines(profile), n, turn.to_deg()),
+            Feature::Revolve { profile, corners } => revolution(profile, corners, self.per_turn),
             Feature::Hull(of) => Manifold::hull_manifolds(&self.solids(of)),
             Feature::Union(of) => union(self.solids(of)),
             Feature::Intersection(of) => pairwise(self.solids(of), OpType::Intersect),
@@ -354,6 +365,22 @@ impl<'a> Builder<'a> {
             Feature::Mirrored { normal, of } => self.solid(of).mirror(vec3(normal)),
         }
     }
+}
+
+/// A profile turned once about z, with corners of its polygon at these angles.
+fn revolution(profile: &Profile, corners: &[Angle], per_turn: u32) -> Manifold {
+    let angles = turn_polygon::angles_rad(corners, per_turn);
+    let even = std::f64::consts::TAU / angles.len() as f64;
+    let whole = Manifold::revolve(&outlines(profile, per_turn), angles.len() as i32, 360.0);
+    if corners.is_empty() {
+        return whole;
+    }
+    whole.warp(|v| {
+        let at = (libm::atan2(v.y, v.x) / even).round() as i64;
+        let (sin, cos) = libm::sincos(angles[at.rem_euclid(angles.len() as i64) as usize]);
+        let radius = libm::hypot(v.x, v.y);
+        (v.x, v.y) = (radius * cos, radius * sin);
+    })
 }
 
 /// All together. Solids whose boxes are apart need no boolean: they are only listed as one.
@@ -385,7 +412,7 @@ fn pairwise(mut solids: Vec<Manifold>, op: OpType) -> Manifold {
 }
 
 /// Contours in the kernel's direction: outer counter-clockwise, holes clockwise.
-fn outlines(profile: &Profile) -> Vec<Vec<Vec2>> {
+fn outlines(profile: &Profile, per_turn: u32) -> Vec<Vec<Vec2>> {
     let oriented = |points: Vec<nalgebra::Point2<f64>>, ccw: bool| {
         let mut outline: Vec<Vec2> = points.iter().map(|p| Vec2::new(p.x, p.y)).collect();
         let twice_area: f64 = (0..outline.len())
@@ -399,8 +426,8 @@ fn outlines(profile: &Profile) -> Vec<Vec<Vec2>> {
         }
         outline
     };
-    let holes = profile.holes.iter().map(|hole| oriented(hole.points(SEGMENTS_PER_TURN), false));
-    std::iter::once(oriented(profile.outer.points(SEGMENTS_PER_TURN), true)).chain(holes).collect()
+    let holes = profile.holes.iter().map(|hole| oriented(hole.points(per_turn), false));
+    std::iter::once(oriented(profile.outer.points(per_turn), true)).chain(holes).collect()
 }
 
 fn vec3(v: &Vector3<f64>) -> Vec3 {

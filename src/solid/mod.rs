@@ -19,6 +19,7 @@ mod oriented_box;
 mod profile;
 mod region;
 mod stout;
+mod turn_polygon;
 
 pub use bend::Bend;
 pub use boundary::{Boundary, Curve, Edge, Face, NotExact, Side, Surface, square_to};

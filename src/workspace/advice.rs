@@ -44,10 +44,15 @@ fn not_looked_at(finding: &Finding) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::LazyLock;
+
     use super::super::remedy::Remedy;
     use super::*;
     use crate::checks::Verdict;
     use crate::params::frame_file::Value;
+
+    /// Parts and findings of the tests: they look at much the same frames.
+    static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(Arc::default);
 
     /// The file with a remedy in it.
     fn mended(file: &FrameFile, remedy: &Remedy) -> FrameFile {
@@ -60,14 +65,13 @@ mod tests {
     /// Each remedy for the first violation of a rule, applied, clears it; the keys.
     fn keys(text: &str, rule: &str) -> Vec<String> {
         let file = FrameFile::parse("own.toml", text).expect("reads");
-        let memo = Arc::default();
-        let bench = Bench::new(&file, &memo).expect("can be designed");
+        let bench = Bench::new(&file, &MEMO).expect("can be designed");
         let violated = |found: &[Finding], of: &Finding| found.iter().any(|f| f.verdict == Verdict::Violated && alike(f, of));
         let broken = bench.found.iter().find(|f| f.rule == rule && f.verdict == Verdict::Violated).expect("is violated");
         let remedies = bench.remedies(broken);
         for remedy in &remedies {
             let mended = mended(&file, remedy);
-            let after = Bench::new(&mended, &memo).expect("can be designed");
+            let after = Bench::new(&mended, &MEMO).expect("can be designed");
             assert!(!violated(&after.found, broken), "{remedy}");
             assert!((after.mass_g - bench.mass_g - remedy.heavier_g).abs() < 1e-6, "{remedy}");
         }
@@ -84,8 +88,7 @@ mod tests {
     /// What a person reads of the remedies of the first violation of a rule.
     fn told(text: &str, rule: &str) -> String {
         let file = FrameFile::parse("own.toml", text).expect("reads");
-        let memo = Arc::default();
-        let bench = Bench::new(&file, &memo).expect("can be designed");
+        let bench = Bench::new(&file, &MEMO).expect("can be designed");
         let finding = bench.found.iter().find(|f| f.rule == rule && asks(f)).expect("is found");
         bench.sentence(finding)
     }
@@ -128,7 +131,7 @@ mod tests {
     #[test]
     fn analytic_what_is_not_looked_at_says_so_with_its_levers() {
         let file = FrameFile::load("cognifly").expect("a preset");
-        let bench = Bench::new(&file, &Arc::default()).map(|bench| bench.found).expect("can be designed");
+        let bench = Bench::new(&file, &MEMO).map(|bench| bench.found).expect("can be designed");
         let mut finding = bench.into_iter().find(|f| f.rule == "envelope").expect("is looked at");
         finding.levers = vec!["a.b".into(), "c.d".into()];
         assert!(not_looked_at(&finding).starts_with("driven by a.b, c.d; no remedy was looked for"));
@@ -162,8 +165,7 @@ mod tests {
     #[test]
     fn analytic_nothing_is_said_of_a_frame_that_keeps_its_limits() {
         let file = FrameFile::load("cognifly").expect("a preset");
-        let memo = Arc::default();
-        let bench = Bench::new(&file, &memo).expect("can be designed");
-        assert!(advice(&file, &bench.found, &memo).iter().all(String::is_empty));
+        let bench = Bench::new(&file, &MEMO).expect("can be designed");
+        assert!(advice(&file, &bench.found, &MEMO).iter().all(String::is_empty));
     }
 }

@@ -1,6 +1,6 @@
 """check_step.py FOLDER...: OCCT (through CadQuery's binding) reads every STEP file of frames built with `build --step`.
 
-Each file is read in a process of its own with a time limit. A part must be one valid, closed solid with the volume that the
+Each file is read in a process of its own with a time limit. A part must be exact, and one valid, closed solid with the volume that the
 manifest gives for the mesh, within 0.5 %, and with its own, within 0.02 %. OCCT's integral over trimmed faces was found 0.03 % off its own triangulation
 where a solid has many faces, so the finer of the two decides where the integral is beyond the limit. The assembly must have the names, places and colours
 of `frame.glb`, and each solid in it must be as good as a part; screws and ties that are one shape are as many solids as pieces. One line a file: "ok NAME" or "FAILED NAME: WHY".
@@ -103,6 +103,8 @@ def check_part(path, entry):
     shape = reader.OneShape()
     if shape.IsNull() or shape.ShapeType() != TopAbs_SOLID or entry["pieces"] != 1:
         return ["is not one solid"]
+    if entry["made"] != "exact":
+        return [f"is {entry['made']}: {entry['because']}"]
     return faults_of(shape, entry)
 
 

@@ -3,6 +3,8 @@
 //! Frame of reference: origin in the middle of the battery's cross section where the lid meets the sleeve's rear
 //! rim, y front, z up; the lid extends towards -y and slides away that way.
 
+use std::f64::consts::PI;
+
 use nalgebra::{Isometry3, Point2, Rotation2, Translation3, UnitQuaternion, Vector2, Vector3};
 
 use super::battery_bracket::connector;
@@ -181,7 +183,7 @@ impl<'a> Lid<'a> {
         let under = face(&under.map(|p| sharp(p.x, p.y)));
         // Corners of the polygons of what is round along x lie where it touches the slope, and where it touches the tower.
         let touch = Angle::rad(libm::atan2(inwards.y, inwards.x));
-        let hollow = Feature::union([hollow(w, r), hollow(w, r).turned_x(touch)]).at(0.0, fillet.x, fillet.y);
+        let hollow = hollow(w, r, [0.0, touch.to_rad()]).at(0.0, fillet.x, fillet.y);
         let half = w.min(self.centre.outer_mm[0] - self.corner_mm());
         let rim = Feature::cylinder(edge, 2.0 * half).turned_y(Angle::deg(90.0)).turned_x(touch);
         let rim = rim.at(-half, self.rear + edge, self.top - edge);
@@ -212,8 +214,9 @@ impl<'a> Lid<'a> {
     }
 }
 
-/// What the fillet leaves free, along x: a roller that widens towards its ends as the tower's upright edges are rounded.
-fn hollow(half_width_mm: f64, radius_mm: f64) -> Feature {
+/// What the fillet leaves free, along x: a roller that widens towards its ends as the tower's upright edges are rounded. It touches what is
+/// beside it in these directions, rad from y towards z.
+fn hollow(half_width_mm: f64, radius_mm: f64, touches_rad: [f64; 2]) -> Feature {
     let (w, r) = (half_width_mm, radius_mm);
     let wide = 2.0 * r + SINK_MM;
     let mut pen = Pen::new(Point2::new(0.0, w + 1.0));
@@ -221,7 +224,9 @@ fn hollow(half_width_mm: f64, radius_mm: f64) -> Feature {
     pen.arc(Point2::new(2.0 * r, r - w), Point2::new(2.0 * r, -w), Point2::new(r, r - w), false);
     pen.arc(Point2::new(2.0 * r, w - r), Point2::new(r, w - r), Point2::new(2.0 * r, w), false);
     pen.line(Point2::new(wide, w)).line(Point2::new(wide, w + 1.0));
-    Feature::revolve(Profile::new(pen.close())).turned_y(Angle::deg(90.0))
+    // Turned about z, with -z in place of x, then laid along x.
+    let corners = touches_rad.map(|touch| Angle::rad(0.5 * PI + touch));
+    Feature::revolve_with_corners(Profile::new(pen.close()), corners).turned_y(Angle::deg(90.0))
 }
 
 #[cfg(test)]

@@ -3,16 +3,16 @@
 //!
 //! Frame of reference: origin on the hub axis in the plane of the arms, x right, y front, z up.
 
-use std::f64::consts::FRAC_1_SQRT_2;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Point2, Rotation2, UnitQuaternion, Vector3};
 
-use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
+use super::outline::{Pen, SINK_MM, along_x, along_y, bore, face, sharp, upright};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, WallPlace, always};
 use crate::frame::skeleton::Stack;
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
-use crate::solid::{Contour, Feature, Profile, SEGMENTS_PER_TURN};
+use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
 
 /// The record of the part.
@@ -48,6 +48,12 @@ const RING_FILLET_MM: f64 = 2.0;
 
 /// What of a boss has to stand out beyond the end of a fillet along it, mm; otherwise there is no fillet.
 const BEYOND_FILLET_MM: f64 = 0.5;
+
+/// What is left flat of a ring around its tie hole, mm.
+const TIE_RIM_MM: f64 = 0.1;
+
+/// Less than half of a step between corners of a rounding, rad.
+const SHORT_RAD: f64 = 0.05;
 
 /// The hub of a frame, in the assembly's axes.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {
@@ -113,16 +119,25 @@ impl Hub<'_> {
         let h = self.centre.hub_half_height_mm;
         let (tc, flank, inner) = (0.5 * self.frame.hub_joint.arm_pitch_mm, self.centre.flank_mm, self.inner_flank_mm());
         let (re, zs) = (self.edge_mm(), self.centre.plate_top_mm.min(0.0));
-        let turned = 180.0 + libm::asin(-zs / self.centre.hub_half_height_mm).to_degrees();
-        let mut outline = vec![([inner, -h], re), ([flank, -h], re), ([flank, h], re)];
-        outline.extend(arc([tc, 0.0], h, 90.0, turned));
+        let mut outline = Pen::new(Point2::new(flank - re, -h));
+        outline.arc(Point2::new(flank - re, re - h), Point2::new(flank - re, -h), Point2::new(flank, re - h), true);
+        outline.arc(Point2::new(flank - re, h - re), Point2::new(flank, h - re), Point2::new(flank - re, h), true);
+        // The circle has a corner of its polygon where the fillet touches it.
+        let (middle, end) = (Point2::new(tc, 0.0), Point2::new(inner, zs));
+        let touch = self.web_touch();
+        outline.arc(middle, Point2::new(tc, h), touch, true);
+        outline.arc(middle, touch, end, true);
+        outline.arc(Point2::new(inner + re, re - h), Point2::new(inner, re - h), Point2::new(inner + re, -h), true);
         // A boss ends where its neighbour on the next diagonal takes over.
         let own = face(&[
             sharp(-0.7, 0.0),
             sharp(self.frame.hub.hub_mouth_mm + 5.0, 0.0),
             sharp(self.frame.hub.hub_mouth_mm + 5.0, self.frame.hub.hub_mouth_mm + 5.7),
         ]);
-        let boss = Feature::intersection([along_x(face(&outline), [0.0, self.frame.hub.hub_mouth_mm]), upright(own, [-2.0 * h, 2.0 * h])]);
+        let boss = Feature::intersection([
+            along_x(Profile::new(outline.close()), [0.0, self.frame.hub.hub_mouth_mm]),
+            upright(own, [-2.0 * h, 2.0 * h]),
+        ]);
         let one = Feature::union([boss, self.corner()]);
         Feature::union([one.clone(), one.mirrored(Vector3::y())])
     }
@@ -131,7 +146,7 @@ impl Hub<'_> {
     /// trims it.
     fn corner(&self) -> Feature {
         let (edge, flank) = (self.centre.plate_edge_mm, self.inner_flank_mm());
-        let [x, y] = [edge + FILLET_MM - SINK_MM, flank - FILLET_MM + SINK_MM];
+        let [x, y] = [edge + FILLET_MM, flank - FILLET_MM];
         if edge + FILLET_MM >= self.frame.hub.hub_mouth_mm - BEYOND_FILLET_MM {
             return self.web(edge - 0.05);
         }
@@ -139,35 +154,49 @@ impl Hub<'_> {
         let inwards = self.edge_mm() + 0.1;
         let outline = face(&[sharp(edge - inwards, y), sharp(x, y), sharp(x, flank + inwards), sharp(edge - inwards, flank + inwards)]);
         let low = upright(outline, [-self.centre.hub_half_height_mm, self.centre.plate_top_mm]);
-        Feature::union([low, self.web(x)]).minus([self.hollow(FILLET_MM, false).at(x, y, 0.0)])
+        Feature::union([low, self.web(x)]).minus([self.hollow(FILLET_MM, false, &[]).at(x, y, 0.0)])
     }
 
     /// What a fillet in the outline leaves free, about z: a cylinder that widens where the edges at the underside are rounded, and at
-    /// the top, too, where that is rounded.
-    fn hollow(&self, radius_mm: f64, top: bool) -> Feature {
+    /// the top, too, where that is rounded. It touches what is beside it in these directions, rad.
+    fn hollow(&self, radius_mm: f64, top: bool, touches_rad: &[f64]) -> Feature {
         let (h, re) = (self.centre.hub_half_height_mm, self.edge_mm());
         let (wide, high) = (radius_mm + re, 2.0 * h + FILLET_MM);
-        let mut outline = vec![sharp(0.0, -high), sharp(wide + SINK_MM, -high), sharp(wide + SINK_MM, -h)];
-        outline.extend(arc([wide, re - h], re, 270.0, 180.0));
+        let beyond = wide + SINK_MM;
+        let mut outline = Pen::new(Point2::new(0.0, -high));
+        outline.line(Point2::new(beyond, -high)).line(Point2::new(beyond, -h));
+        outline.arc(Point2::new(wide, re - h), Point2::new(wide, -h), Point2::new(radius_mm, re - h), false);
         if top {
-            outline.extend(arc([wide, h - re], re, 180.0, 90.0));
-            outline.extend([sharp(wide + SINK_MM, h), sharp(wide + SINK_MM, high)]);
+            outline.arc(Point2::new(wide, h - re), Point2::new(radius_mm, h - re), Point2::new(wide, h), false);
+            outline.line(Point2::new(beyond, h)).line(Point2::new(beyond, high));
         } else {
-            outline.push(sharp(radius_mm, high));
+            outline.line(Point2::new(radius_mm, high));
         }
-        outline.push(sharp(0.0, high));
-        Feature::revolve(face(&outline))
+        outline.line(Point2::new(0.0, high));
+        Feature::revolve_with_corners(Profile::new(outline.close()), touches_rad.iter().copied().map(Angle::rad))
+    }
+
+    /// Axis of the fillet between the plate and the inner flank of a boss, drawn along x: y and z.
+    fn web_centre(&self) -> Point2<f64> {
+        let (h, tc) = (self.centre.hub_half_height_mm, 0.5 * self.frame.hub_joint.arm_pitch_mm);
+        let z = self.centre.plate_top_mm + FILLET_MM;
+        Point2::new(tc - ((h + FILLET_MM).powi(2) - z * z).max(0.01).sqrt(), z)
+    }
+
+    /// Where that fillet touches the boss.
+    fn web_touch(&self) -> Point2<f64> {
+        let middle = Point2::new(0.5 * self.frame.hub_joint.arm_pitch_mm, 0.0);
+        middle + (self.web_centre() - middle).normalize() * self.centre.hub_half_height_mm
     }
 
     /// The fillet between the plate and the inner flank of a boss, drawn along x up to there.
     fn web(&self, to_mm: f64) -> Feature {
         let (h, zt, tc) = (self.centre.hub_half_height_mm, self.centre.plate_top_mm, 0.5 * self.frame.hub_joint.arm_pitch_mm);
-        let cz = zt + FILLET_MM - SINK_MM;
-        let ct = tc - ((h + FILLET_MM).powi(2) - cz * cz).max(0.01).sqrt();
-        let mut web = vec![sharp(ct, zt - 0.4)];
-        web.extend(arc([ct, cz], FILLET_MM, -90.0, libm::atan2(-cz, tc - ct).to_degrees()));
-        web.extend([sharp(tc - 0.5 * h, -0.2), sharp(tc - 0.5 * h, zt - 0.4)]);
-        along_x(face(&web), [self.inner_flank_mm(), to_mm])
+        let (centre, touch) = (self.web_centre(), self.web_touch());
+        let mut web = Pen::new(Point2::new(centre.x, zt - 0.4));
+        web.arc(centre, Point2::new(centre.x, zt), touch, true);
+        web.line(Point2::new(tc - 0.5 * h, -0.2)).line(Point2::new(tc - 0.5 * h, zt - 0.4));
+        along_x(Profile::new(web.close()), [self.inner_flank_mm(), to_mm])
     }
 
     /// What the bosses leave free above the plate: the inner sides of the four pads.
@@ -178,14 +207,29 @@ impl Hub<'_> {
         let xt = self.centre.tie_side_mm - self.frame.hub.hub_pad_depth_mm;
         let dz = zu - zl;
         let xc = xt - ((r1 + r2).powi(2) - dz * dz).max(0.04).sqrt();
-        let tangent = 180.0 + libm::asin((dz / (r1 + r2)).clamp(-1.0, 1.0)).to_degrees();
-        let mut right = vec![sharp(xc, zt - 0.3)];
-        right.extend(arc([xc, zl], r1, -90.0, tangent - 180.0));
-        right.extend(arc([xt, zu], r2, tangent, 90.0).into_iter().skip(1));
-        right.push(sharp(xt, h + 1.0));
+        let outline = |out_mm: f64| {
+            let (low, high) = (Point2::new(xc + out_mm, zl), Point2::new(xt + out_mm, zu));
+            let towards = (high - low).normalize();
+            let left = |p: Point2<f64>| Point2::new(-p.x, p.y);
+            // The first chord beyond the turn is a short one: else it could lie in one line with the last before it.
+            let short = high + Rotation2::new(-SHORT_RAD) * (-towards * r2);
+            let (bottom, ends, begins, top) = (Point2::new(low.x, zt), low + towards * r1, high - towards * r2, Point2::new(high.x, h));
+            let mut pen = Pen::new(Point2::new(-low.x, zt - 0.3));
+            pen.line(Point2::new(low.x, zt - 0.3))
+                .arc(low, bottom, ends, true)
+                .arc(high, begins, short, false)
+                .arc(high, short, top, false);
+            pen.line(Point2::new(high.x, h + 1.0)).line(Point2::new(-high.x, h + 1.0));
+            pen.arc(left(high), left(top), left(short), false).arc(left(high), left(short), left(begins), false).arc(
+                left(low),
+                left(ends),
+                left(bottom),
+                true,
+            );
+            Profile::new(pen.close())
+        };
         let forward = self.centre.places.forward_mm;
-        let front: Vec<Corner> = right.iter().map(|([y, z], r)| ([y + forward, *z], *r)).collect();
-        let [across, along] = [right, front].map(|half| face(&[mirrored(&half), half].concat()));
+        let [across, along] = [0.0, forward].map(outline);
         let wide = 3.0 * self.centre.flank_mm;
         Feature::intersection([along_y(across, [-wide - forward, wide + forward]), along_x(along, [-wide - 1.0, wide + 1.0])])
     }
@@ -213,9 +257,9 @@ impl Hub<'_> {
     fn ears(&self) -> Vec<Feature> {
         let (r, h, re) = (self.frame.hub.tie_ring_radius_mm, self.centre.hub_half_height_mm, self.edge_mm());
         let flank = self.centre.flank_mm;
-        let ring = Feature::revolve(face(&[sharp(0.0, -h), ([r, -h], re), ([r, h], re), sharp(0.0, h)]))
-            .turned_z(Angle::deg(45.0 + 180.0 / f64::from(SEGMENTS_PER_TURN)))
-            .at(flank, flank, 0.0);
+        let section = face(&[sharp(0.0, -h), ([r, -h], re), ([r, h], re), sharp(0.0, h)]);
+        let touches = [self.ring_touch_rad(), 0.5 * PI - self.ring_touch_rad()];
+        let ring = Feature::revolve_with_corners(section, touches.map(Angle::rad)).at(flank, flank, 0.0);
         let blended = Feature::union(std::iter::once(ring.clone()).chain(self.ring_fillets()));
         let at = |i: u8, ear: &Feature| quarter(ear.clone(), 90.0 * f64::from(i) - 90.0);
         // Those at the sides stay, in the middle of the bars, where the halves stand apart.
@@ -225,17 +269,29 @@ impl Hub<'_> {
 
     /// The fillets between a ring and the two bosses that it stands between.
     fn ring_fillets(&self) -> Vec<Feature> {
-        let (r, flank) = (self.frame.hub.tie_ring_radius_mm, self.centre.flank_mm);
-        let y = flank + RING_FILLET_MM - SINK_MM;
-        let x = flank + ((r + RING_FILLET_MM).powi(2) - RING_FILLET_MM * RING_FILLET_MM).sqrt() - SINK_MM;
+        let flank = self.centre.flank_mm;
+        let [x, y] = self.ring_fillet_mm().map(|out_mm| flank + out_mm);
         if x >= self.frame.hub.hub_mouth_mm - BEYOND_FILLET_MM {
             return Vec::new();
         }
         let (h, inwards) = (self.centre.hub_half_height_mm, flank - self.edge_mm() - 0.1);
-        // Begins within the ring, however much of it is rounded, and reaches a little beyond the diagonal to its mirror image.
-        let outline = face(&[sharp(flank - 0.15, flank + 0.1), sharp(inwards - 0.3, inwards), sharp(x, inwards), sharp(x, y)]);
-        let one = upright(outline, [-h, h]).minus([self.hollow(RING_FILLET_MM, true).at(x, y, 0.0)]);
+        // Begins in the middle of the ring, however much of it is rounded, and reaches a little beyond the diagonal to its mirror image.
+        let outline = face(&[sharp(flank, flank), sharp(inwards - 0.3, inwards), sharp(x, inwards), sharp(x, y)]);
+        let touches = [-0.5 * PI, PI + self.ring_touch_rad()];
+        let one = upright(outline, [-h, h]).minus([self.hollow(RING_FILLET_MM, true, &touches).at(x, y, 0.0)]);
         vec![one.clone(), one.mirrored(Vector3::new(1.0, -1.0, 0.0))]
+    }
+
+    /// Axis of the fillet between a ring and the boss along x, from the ring's, mm: it touches both.
+    fn ring_fillet_mm(&self) -> [f64; 2] {
+        let r = self.frame.hub.tie_ring_radius_mm;
+        [((r + RING_FILLET_MM).powi(2) - RING_FILLET_MM * RING_FILLET_MM).sqrt(), RING_FILLET_MM]
+    }
+
+    /// The direction in which that fillet touches the ring, rad.
+    fn ring_touch_rad(&self) -> f64 {
+        let [x, y] = self.ring_fillet_mm();
+        libm::atan2(y, x)
     }
 
     fn holes(&self) -> Vec<Feature> {
@@ -261,8 +317,11 @@ impl Hub<'_> {
         holes
     }
 
+    /// Rounding of all edges, mm: around a tie hole it leaves a rim, or its end would be the hole's edge.
     fn edge_mm(&self) -> f64 {
-        self.frame.hub.hub_edge_radius_mm.min(self.frame.hub.hub_plate_thickness_mm - 0.5).min(self.centre.hub_half_height_mm - 0.3)
+        let hub = &self.frame.hub;
+        let beside_hole = hub.tie_ring_radius_mm - 0.5 * hub.hub_tie_hole_diameter_mm - TIE_RIM_MM;
+        hub.hub_edge_radius_mm.min(hub.hub_plate_thickness_mm - 0.5).min(self.centre.hub_half_height_mm - 0.3).min(beside_hole)
     }
 
     /// From the diagonal to the inner flank of a boss, at the plate.

@@ -5,7 +5,7 @@
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 
 pub use super::knee_window::KneeWindow;
-use super::place::{SINK_MM, along_x, half_space, placed, plate, turn, with_mirror};
+use super::place::{along_x, half_space, placed, plate, turn, with_mirror};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::placement;
 use crate::params::{Frame, PartName};
@@ -26,6 +26,9 @@ pub static PART: PrintedPart = PrintedPart {
 
 /// Reach of prisms that something else ends, mm.
 const FAR_MM: f64 = 40.0;
+
+/// How far beyond the place where the tube's back crosses the rib's the rib begins to round off, mm.
+const PAST_CROSSING_MM: f64 = 0.05;
 
 /// The outer plate.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,17 +96,16 @@ impl Knee {
 
     /// The part in its frame.
     pub fn feature(&self) -> Feature {
-        let (half, high) = (self.half_width_mm(), self.window.half_z_mm() + 0.5);
+        let (half, high) = (self.half_width_mm(), self.rib_end_mm() + 0.5);
         let front = self.front_mm();
-        let core = Feature::cuboid_between([self.window.back_mm(), SINK_MM - half, -high], [front + 1.0, half - SINK_MM, high]);
+        let core = Feature::cuboid_between([self.window.back_mm(), -half, -high], [front + 1.0, half, high]);
         let body = Feature::union([self.rib(), with_mirror(self.tube(), Vector3::z()), core, self.outer_plate()]);
         let mouth = half_space(Point3::from(self.strut() * self.mouth_mm()), -self.strut());
         let ends = [body, half_space(Point3::new(front, 0.0, 0.0), -Vector3::x()), mouth.clone(), mouth.mirrored(Vector3::z())];
-        let mut cutters = self.window.cutters(half, self.plate.width_mm);
         let bottom = Point3::from(self.strut() * self.bottom_mm);
         let bore = Feature::bore_between(bottom, bottom + self.strut() * (self.depth_mm + 10.0), 0.5 * self.bore_mm);
-        cutters.extend([bore.clone(), bore.mirrored(Vector3::z())]);
-        Feature::intersection(ends).minus(cutters)
+        let window = self.window.cutter(half, 2.0 * self.plate.width_mm);
+        Feature::intersection(ends).minus([window, bore.clone(), bore.mirrored(Vector3::z())])
     }
 
     /// The turn that lays the outer plate on the bed.
@@ -133,28 +135,42 @@ impl Knee {
         self.edge_round_mm.min(self.half_width_mm() - 0.05)
     }
 
-    /// Two rounded pucks around the window's inner corners, and what lies between them.
+    /// Face behind the bores, from the struts' axes, mm.
+    fn back_mm(&self) -> f64 {
+        0.5 * self.bore_mm + self.back_wall_mm
+    }
+
+    /// How high above the middle the rib begins to round off, mm: at the window's corners, or further out, where the tube's back comes forth
+    /// from behind the rib's, but not where the tube is the wall behind its bore.
+    fn rib_end_mm(&self) -> f64 {
+        let (sin, cos) = (self.strut_tilt.sin(), self.strut_tilt.cos());
+        let rib_back = self.window.back_mm() - self.rib_mm;
+        let crossing = (rib_back * cos + self.back_mm()) / sin;
+        let behind_bore = self.bottom_mm * cos + self.back_mm() * sin;
+        self.window.half_z_mm().max(behind_bore.min(crossing + PAST_CROSSING_MM))
+    }
+
+    /// Two rounded pucks where the rib ends, and what lies between them.
     fn rib(&self) -> Feature {
-        let half = self.half_width_mm() - 0.5 * SINK_MM;
+        let half = self.half_width_mm();
         let round = self.edge_round_mm().min(self.rib_mm - 0.05);
         let corners = [([0.0, -half], 0.0), ([self.rib_mm, -half], round), ([self.rib_mm, half], round), ([0.0, half], 0.0)];
         let puck = Feature::revolve(Profile::new(Contour::rounded_polygon(&corners)));
         let puck = placed(puck, turn(Vector3::z(), Vector3::x(), Vector3::y()), Point3::origin());
         let at = |z: f64| puck.clone().at(self.window.back_mm(), 0.0, z);
-        Feature::hull([at(self.window.half_z_mm()), at(-self.window.half_z_mm())])
+        Feature::hull([at(self.rib_end_mm()), at(-self.rib_end_mm())])
     }
 
     /// The upper strut's socket: a prism along the strut with rounded inner edges; the other end is in the plate.
     fn tube(&self) -> Feature {
         let half = self.half_width_mm();
-        let back = 0.5 * self.bore_mm + self.back_wall_mm;
+        let back = self.back_mm();
         let round = self.edge_round_mm();
         let section = [([half, FAR_MM], 0.0), ([-half, FAR_MM], 0.0), ([-half, -back], round), ([half, -back], round)];
         let prism = plate(Contour::rounded_polygon(&section), -5.0, self.mouth_mm() + 5.0);
         let outward = Vector3::new(self.strut_tilt.cos(), 0.0, -self.strut_tilt.sin());
         let prism = placed(prism, turn(-Vector3::y(), outward, self.strut()), Point3::origin());
-        let low = self.window.half_z_mm() - 0.1;
-        let above = Feature::cuboid_between([-60.0, -60.0, low], [self.front_mm() + 1.0, 60.0, 60.0]);
+        let above = Feature::cuboid_between([-60.0, -60.0, self.rib_end_mm()], [self.front_mm() + 1.0, 60.0, 60.0]);
         Feature::intersection([prism, above])
     }
 
@@ -162,7 +178,7 @@ impl Knee {
     fn outer_plate(&self) -> Feature {
         let face = self.window.front_mm() + self.window.flare_mm;
         let (front, half) = (self.front_mm() + 1.0, 0.5 * self.plate.width_mm);
-        let stem = self.half_width_mm() - 2.0 * SINK_MM;
+        let stem = self.half_width_mm();
         let fillet = self.edge_round_mm().min(0.9 * (half - stem));
         let back = face - fillet - 20.0;
         let tee = Contour::rounded_polygon(&[

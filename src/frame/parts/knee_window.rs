@@ -1,9 +1,9 @@
 //! The knee's window: a slot for the fork's bar whose rims are rounded on both sides.
 
-use nalgebra::Vector3;
+use nalgebra::Point2;
 
-use super::place::along_y;
-use crate::solid::{Contour, Feature};
+use super::outline::{Pen, along_x, upright};
+use crate::solid::{Contour, Feature, Profile};
 use crate::units::Angle;
 
 /// The window.
@@ -21,12 +21,14 @@ pub struct KneeWindow {
     pub flare_mm: f64,
 }
 
-/// A rim grows on one wall of the window only; the other side of its cutter stays inside the window.
-#[derive(Clone, Copy, PartialEq)]
-enum Wall {
-    Rib,
-    Plate,
-}
+/// How far round a rim has gone where it meets the knee's sides, degrees: short of a quarter turn, it crosses them at an angle.
+const AT_SIDE_DEG: f64 = 75.0;
+
+/// How far round its cutter goes, degrees: it grows by nine tenths of the rim's radius, and stays under the plate's face.
+const CUTTER_END_DEG: f64 = 84.0;
+
+/// What of a wall stays flat between its rounded corners, on each side of its middle, mm.
+const LEAST_FLAT_MM: f64 = 0.05;
 
 impl KneeWindow {
     /// Inner wall, mm from the node.
@@ -44,52 +46,72 @@ impl KneeWindow {
         0.5 * self.size_z_mm
     }
 
-    /// Slot and rims. The rib's sides are at ± `half_width_mm`; the plate is wider.
-    pub fn cutters(&self, half_width_mm: f64, plate_width_mm: f64) -> Vec<Feature> {
-        let fl = self.flare_mm;
-        let along = |angle: Angle| half_width_mm - fl + fl * angle.sin();
-        let growth = |angle: Angle| fl * (1.0 - angle.cos());
-        let on_arc = |degrees: &f64| (along(Angle::deg(*degrees)), growth(Angle::deg(*degrees)));
-        // Towards the plate the rim goes on at 45° until just under the plate's face.
-        let rib: Vec<_> = [4.0, 25.0, 45.0, 65.0, 82.0].iter().map(on_arc).collect();
-        let mut plate: Vec<_> = [6.0, 28.0, 45.0].iter().map(on_arc).collect();
-        let (last, end) = (plate[plate.len() - 1], 0.9 * fl);
-        plate.push((last.0 + end - last.1, end));
-        let reach = 2.0 * plate_width_mm;
-        let slot = self.section([0.0, 0.0, 0.0], 0.95 * self.round_mm);
-        let mut cutters = vec![along_y(slot, -reach, reach)];
-        for (points, wall) in [(rib, Wall::Rib), (plate, Wall::Plate)] {
-            for (step, ends) in points.windows(2).enumerate() {
-                let frustum = self.frustum(ends[0], ends[1], wall, step, plate_width_mm);
-                cutters.extend([frustum.clone().mirrored(Vector3::y()), frustum]);
-            }
-        }
-        cutters
+    /// The slot with its rims, which end in the knee's sides at ± `half_width_mm`; it reaches `length_mm` to each side.
+    pub fn cutter(&self, half_width_mm: f64, length_mm: f64) -> Feature {
+        let rim = Rim::new(self.flare_mm.min(0.9 * half_width_mm), half_width_mm, length_mm);
+        let round = self.round_mm.min(0.5 * self.size_x_mm.min(self.size_z_mm) - LEAST_FLAT_MM);
+        let (up, back, front) = (self.half_z_mm() - round, self.back_mm() + round, self.front_mm() - round);
+        let corner = Feature::revolve(Profile::new(rim.beside_axis(round))).turned_x(Angle::deg(-90.0));
+        let corners = [(back, up), (back, -up), (front, up), (front, -up)].map(|(x, z)| corner.clone().at(x, 0.0, z));
+        let [rib_and_plate, above_and_below] = [
+            upright(Profile::new(rim.across([self.back_mm(), self.front_mm()])), [-up, up]),
+            along_x(Profile::new(rim.along([-self.half_z_mm(), self.half_z_mm()])), [back, front]),
+        ];
+        Feature::union(corners.into_iter().chain([rib_and_plate, above_and_below]))
+    }
+}
+
+/// How the window grows along y: rounded between its walls and the knee's sides.
+struct Rim {
+    radius_mm: f64,
+    /// Where the rounding begins and ends, on each side, mm.
+    begins_mm: f64,
+    ends_mm: f64,
+    /// What the window has grown by there, mm.
+    grown_mm: f64,
+    length_mm: f64,
+}
+
+impl Rim {
+    fn new(radius_mm: f64, half_width_mm: f64, length_mm: f64) -> Self {
+        let [at_side, end] = [AT_SIDE_DEG, CUTTER_END_DEG].map(Angle::deg);
+        let begins_mm = half_width_mm - radius_mm * at_side.sin();
+        Self { radius_mm, begins_mm, ends_mm: begins_mm + radius_mm * end.sin(), grown_mm: radius_mm * (1.0 - end.cos()), length_mm }
     }
 
-    /// One chord of the rim: it starts inside the slot, and goes on at its last size beyond the chord.
-    /// Neighbouring chords get slightly different corners, so that no edge of one runs into an edge of another.
-    fn frustum(&self, from: (f64, f64), to: (f64, f64), wall: Wall, step: usize, length_mm: f64) -> Feature {
-        let slope = (to.1 - from.1) / (to.0 - from.0);
-        let odd = (step % 2) as f64;
-        let inside = -0.15 * self.size_x_mm;
-        let slab = |y: f64, thick: f64, grown: f64| {
-            let (towards_rib, towards_plate, up) = match wall {
-                Wall::Rib => (grown, inside, grown - 0.006 * (1.0 + odd)),
-                Wall::Plate => (inside, grown, grown - 0.08 - 0.03 * odd),
-            };
-            let round = ((self.round_mm + up) * (1.0 - 0.03 * odd)).max(0.1);
-            along_y(self.section([towards_rib, towards_plate, up], round), y, y + thick)
-        };
-        let back = (0.3 * self.size_x_mm).min(0.8 * self.round_mm) / slope;
-        let past = 0.03;
-        Feature::hull([slab(from.0 - back, 1e-3, from.1 - slope * back), slab(to.0 + past, length_mm, to.1 + slope * past)])
+    /// Draws one wall at a place across, from -y to y or back, growing outwards; `at` makes points of places across and along y.
+    fn wall(&self, pen: &mut Pen, across_mm: f64, outwards: f64, at: &dyn Fn(f64, f64) -> Point2<f64>, counter_clockwise: bool) {
+        let grown = across_mm + outwards * self.grown_mm;
+        let centre = across_mm + outwards * self.radius_mm;
+        let [from, to] = [-outwards, outwards];
+        pen.line(at(grown, from * self.length_mm));
+        pen.arc(at(centre, from * self.begins_mm), at(grown, from * self.ends_mm), at(across_mm, from * self.begins_mm), counter_clockwise);
+        pen.arc(at(centre, to * self.begins_mm), at(across_mm, to * self.begins_mm), at(grown, to * self.ends_mm), counter_clockwise);
+        pen.line(at(grown, to * self.length_mm));
     }
 
-    /// The slot's outline in (z, x), grown towards rib, plate, and up and down, mm.
-    fn section(&self, grown: [f64; 3], round_mm: f64) -> Contour {
-        let (x0, x1) = (self.back_mm() - grown[0], self.front_mm() + grown[1]);
-        let size = [self.size_z_mm + 2.0 * grown[2], x1 - x0];
-        Contour::rounded_rectangle([0.0, 0.5 * (x0 + x1)], size, round_mm)
+    /// Between two walls, in (across, y).
+    fn across(&self, [low, high]: [f64; 2]) -> Contour {
+        self.between([low, high], &Point2::new, false)
+    }
+
+    /// Between two walls, in (y, across).
+    fn along(&self, [low, high]: [f64; 2]) -> Contour {
+        self.between([low, high], &|across, y| Point2::new(y, across), true)
+    }
+
+    fn between(&self, [low, high]: [f64; 2], at: &dyn Fn(f64, f64) -> Point2<f64>, counter_clockwise: bool) -> Contour {
+        let mut pen = Pen::new(at(low - self.grown_mm, -self.length_mm));
+        self.wall(&mut pen, high, 1.0, at, counter_clockwise);
+        self.wall(&mut pen, low, -1.0, at, counter_clockwise);
+        pen.close()
+    }
+
+    /// From an axis along y out to a wall around it, in (across, y).
+    fn beside_axis(&self, radius_mm: f64) -> Contour {
+        let mut pen = Pen::new(Point2::new(0.0, -self.length_mm));
+        self.wall(&mut pen, radius_mm, 1.0, &Point2::new, false);
+        pen.line(Point2::new(0.0, self.length_mm));
+        pen.close()
     }
 }

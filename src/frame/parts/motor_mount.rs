@@ -108,9 +108,10 @@ impl MotorMount {
         let outer = self.outline(0.0);
         let low = self.skirt_bottom_mm().min(-ring_r) - 1.0;
         let reach = outer.plate_mm + 1.0;
-        let half_y = if self.is_raised() { self.arm_root_mm()[1] } else { y - 0.1 };
+        // Level arms end in the middle of the rings, whose tops they touch there.
+        let half_y = if self.is_raised() { self.arm_root_mm()[1] } else { y };
         let side = Feature::cuboid_between([-reach, -half_y, self.skirt_bottom_mm()], [reach, half_y, self.top_mm + 1.0]);
-        let solid = outer.rounded(0.5 * self.ring_width_mm - 0.02, self.edge_round_mm, [low, self.top_mm], y + ring_r);
+        let solid = outer.rounded(self.edge_round_mm, [low, self.top_mm], y + ring_r);
         let cavity = self.outline(self.skirt_wall_mm).plain(self.skirt_bottom_mm() - 1.0, self.plate_bottom_mm());
         let shell = Feature::intersection([solid, side]).minus([cavity]);
         let mut bodies = vec![shell, with_mirror(self.ring(), Vector3::y())];

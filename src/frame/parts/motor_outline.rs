@@ -1,9 +1,12 @@
 //! Outline of the motor mount seen from above: a disc and two arms with concave waists between them.
 
-use nalgebra::{Point2, Point3, Vector3};
+use std::f64::consts::PI;
+
+use nalgebra::{Point2, Vector3};
 
 use super::place::{SINK_MM, along_y, plate, with_mirror};
 use crate::solid::{Contour, Feature, Profile, Segment};
+use crate::units::Angle;
 
 /// The outline; all lengths from the middle.
 pub struct Outline {
@@ -33,16 +36,34 @@ impl Outline {
         Point2::new(x, libm::sqrt(reach * reach - x * x))
     }
 
-    /// Solid with the upper rim rounded; the arms have half the width `arm_mm`.
-    pub fn rounded(&self, arm_mm: f64, round_mm: f64, z_mm: [f64; 2], length_mm: f64) -> Feature {
+    /// Angle, seen from the disc's middle, of the waist's centre, and so of where the two circles touch, rad.
+    fn touch_rad(&self) -> f64 {
+        let centre = self.waist_centre();
+        libm::atan2(centre.y, centre.x)
+    }
+
+    /// What is round about the disc's axis, with a corner of its polygon wherever a waist touches it.
+    fn around_disc(&self, section: Contour) -> Feature {
+        let touch = self.touch_rad();
+        Feature::revolve_with_corners(Profile::new(section), [touch, PI - touch, PI + touch, -touch].map(Angle::rad))
+    }
+
+    /// What is round about the waist's axis, with corners of its polygon where it touches the disc and where it touches the arm.
+    fn around_waist(&self, section: Contour) -> Feature {
+        let centre = self.waist_centre();
+        let touches = [PI, PI + self.touch_rad()].map(Angle::rad);
+        Feature::revolve_with_corners(Profile::new(section), touches).at(centre.x, centre.y, 0.0)
+    }
+
+    /// Solid with the upper rim rounded. Arms, blends and disc end at the same height, and go over into each other where they touch: between
+    /// faces a hundredth apart the mesh would have strips.
+    pub fn rounded(&self, round_mm: f64, z_mm: [f64; 2], length_mm: f64) -> Feature {
         let [low, high] = z_mm;
         let disc = [([0.0, low], 0.0), ([self.plate_mm, low], 0.0), ([self.plate_mm, high], round_mm), ([0.0, high], 0.0)];
-        let disc = Feature::revolve(Profile::new(Contour::rounded_polygon(&disc)));
-        // Arms and blends end a little lower than the disc: their tops must not coincide.
-        let arm = along_y(arm_section(arm_mm, round_mm, [low, high - 0.004]), -length_mm, length_mm);
-        let blend = four_times(plate(self.blend(0.0), low, high - 0.008));
-        let centre = self.waist_centre();
-        let waist = Feature::revolve(Profile::new(self.flared_waist(round_mm, z_mm))).at(centre.x, centre.y, 0.0);
+        let disc = self.around_disc(Contour::rounded_polygon(&disc));
+        let arm = along_y(arm_section(self.waist_mm, round_mm, z_mm), -length_mm, length_mm);
+        let blend = four_times(plate(self.blend(0.0), low, high));
+        let waist = self.around_waist(self.flared_waist(round_mm, z_mm));
         Feature::union([disc, Feature::union([blend, arm]).minus([four_times(waist)])])
     }
 
@@ -50,14 +71,11 @@ impl Outline {
     pub fn plain(&self, low_mm: f64, high_mm: f64) -> Feature {
         let centre = self.waist_centre();
         let (above, half) = (high_mm + 1.0, self.waist_mm - 0.5 * SINK_MM);
-        let at = |z: f64| Point3::new(centre.x, centre.y, z);
-        let disc = Feature::cylinder_between(Point3::new(0.0, 0.0, low_mm), Point3::new(0.0, 0.0, above), self.plate_mm);
+        let upright = |r: f64, low: f64, high: f64| Contour::polygon(&[[0.0, low], [r, low], [r, high], [0.0, high]]);
+        let disc = self.around_disc(upright(self.plate_mm, low_mm, above));
         let arm = Feature::cuboid_between([-half, -centre.y - 1.0, low_mm], [half, centre.y + 1.0, above]);
-        let blend = plate(self.blend(0.5), low_mm, above).minus([Feature::cylinder_between(
-            at(low_mm - 1.0),
-            at(above + 1.0),
-            self.waist_round_mm,
-        )]);
+        let waist = self.around_waist(upright(self.waist_round_mm, low_mm - 1.0, above + 1.0));
+        let blend = plate(self.blend(0.5), low_mm, above).minus([waist]);
         let (reach, end) = (self.plate_mm + 9.0, centre.y - 2.0 * SINK_MM);
         let ends = Feature::cuboid_between([-reach, -end, low_mm - 1.0], [reach, end, high_mm]);
         Feature::intersection([Feature::union([disc, arm, four_times(blend)]), ends])

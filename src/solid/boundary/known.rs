@@ -6,6 +6,7 @@ use super::regions::Facet;
 use super::spanned::between;
 use super::surface::{Surface, across};
 use crate::solid::profile::{Contour, Profile, Segment, circumscribed, sweep_angle};
+use crate::solid::turn_polygon;
 use crate::solid::{Feature, MeshSolid, SEGMENTS_PER_TURN};
 
 /// A surface with what its facets look like.
@@ -67,7 +68,7 @@ fn collect(feature: &Feature, place: &Place, found: &mut Vec<Known>) {
             found.extend(cone([*bottom_radius_mm, 0.0], [*top_radius_mm, *height_mm], place));
         }
         Feature::Sphere { radius_mm } => found.push(sphere(0.0, *radius_mm, STEP_RAD, place)),
-        Feature::Revolve { profile, .. } => revolved(profile, place, found),
+        Feature::Revolve { profile, corners } => revolved(profile, &turn_polygon::steps_rad(corners, SEGMENTS_PER_TURN), place, found),
         Feature::Hull(of) => {
             if of.iter().all(has_planes_only) {
                 hull(feature, place, found);
@@ -186,15 +187,20 @@ fn extruded(profile: &Profile, height_mm: f64, place: &Place, found: &mut Vec<Kn
     }
 }
 
-/// Of a turned profile in (r, z).
-fn revolved(profile: &Profile, place: &Place, found: &mut Vec<Known>) {
+/// Of a profile in (r, z) that is turned in such steps.
+fn revolved(profile: &Profile, steps_rad: &[f64], place: &Place, found: &mut Vec<Known>) {
     for contour in std::iter::once(&profile.outer).chain(&profile.holes) {
         match contour {
             Contour::Circle { centre, radius_mm, .. } => found.extend(turned_arc([centre.x, centre.y], *radius_mm, STEP_RAD, place)),
             Contour::Path { start, segments } => {
                 let mut from = *start;
                 for segment in segments {
-                    found.extend(turned(from, segment, place));
+                    match segment {
+                        Segment::Line { to } if (to.x - from.x).abs() < 1e-9 => {
+                            found.extend(steps_rad.iter().filter_map(|step| turned_upright(from.x, *step, place)));
+                        }
+                        _ => found.extend(turned(from, segment, place)),
+                    }
                     from = segment.to();
                 }
             }
@@ -202,12 +208,14 @@ fn revolved(profile: &Profile, place: &Place, found: &mut Vec<Known>) {
     }
 }
 
+/// The cylinder of a line along the axis, in the chords of one step.
+fn turned_upright(radius_mm: f64, step_rad: f64, place: &Place) -> Option<Known> {
+    (radius_mm > 1e-9).then(|| upright([0.0, 0.0], radius_mm, [radius_mm * libm::cos(0.5 * step_rad), radius_mm], place))
+}
+
 fn turned(from: Point2<f64>, segment: &Segment, place: &Place) -> Option<Known> {
     match segment {
         Segment::Line { to } if (to.y - from.y).abs() < 1e-9 => Some(plane(Vector3::new(0.0, 0.0, from.y), Vector3::z(), place)),
-        Segment::Line { to } if (to.x - from.x).abs() < 1e-9 => {
-            (from.x > 1e-9).then(|| upright([0.0, 0.0], from.x, [from.x * libm::cos(STEP_RAD), from.x], place))
-        }
         Segment::Line { to } => cone([from.x, from.y], [to.x, to.y], place),
         Segment::Arc { to, centre, counter_clockwise } => {
             let sweep = sweep_angle(from, *to, *centre, *counter_clockwise).abs();
@@ -266,7 +274,9 @@ impl Known {
                     let r = across(axis, &(p - point)).norm();
                     (r - outer).max(inner - r)
                 };
-                facet.corners.iter().map(off).fold(PLANE_FIRST_MM, f64::max)
+                // What leans a little is rather a piece of what this cylinder goes over into.
+                let leans_mm = 0.5 * facet.height_mm * facet.normal.dot(axis).abs();
+                facet.corners.iter().map(off).fold(leans_mm.max(PLANE_FIRST_MM), f64::max)
             }
             round => {
                 let middle = nalgebra::center(&nalgebra::center(&facet.corners[0], &facet.corners[1]), &facet.corners[2]);

@@ -13,6 +13,8 @@ pub(super) fn contact(a: &Surface, b: &Surface) -> Option<Surface> {
     of_plane(a, b)
         .or_else(|| of_plane(b, a))
         .or_else(|| of_cylinders(a, b))
+        .or_else(|| about_one_axis(a, b))
+        .or_else(|| about_one_axis(b, a))
         .or_else(|| touching_tubes(a, b).or_else(|| touching_tubes(b, a)).map(|(point, normal)| Surface::Plane { point, normal }))
 }
 
@@ -41,6 +43,21 @@ fn of_cylinders(one: &Surface, other: &Surface) -> Option<Surface> {
     let apart = [radius_mm + r, (radius_mm - r).abs()].map(|touching_mm| (arm.norm() - touching_mm).abs());
     let touches = axis.cross(a).norm() < SAME && arm.norm() > SAME && apart.iter().any(|off| *off < SAME);
     touches.then(|| Surface::Plane { point: *point, normal: Unit::new_normalize(axis.cross(&arm)) })
+}
+
+/// Of a cylinder and a torus or a sphere about its axis that goes over into it, the plane of their circle.
+fn about_one_axis(cylinder: &Surface, round: &Surface) -> Option<Surface> {
+    let Surface::Cylinder { point, axis, radius_mm } = cylinder else { return None };
+    let is_on_axis = |centre: &Point3<f64>| across(axis, &(centre - point)).norm() < SAME;
+    let (centre, touches) = match round {
+        Surface::Torus { centre, axis: about, radius_mm: middle_mm, minor_radius_mm } => {
+            let reaches = [middle_mm + minor_radius_mm, middle_mm - minor_radius_mm];
+            (centre, axis.cross(about).norm() < SAME && reaches.iter().any(|reach| (reach - radius_mm).abs() < SAME))
+        }
+        Surface::Sphere { centre, radius_mm: reach, .. } => (centre, (reach - radius_mm).abs() < SAME),
+        _ => return None,
+    };
+    (touches && is_on_axis(centre)).then_some(Surface::Plane { point: *centre, normal: *axis })
 }
 
 /// Centre and axis of the circle in which a torus goes over into a cylinder that continues its tube, or into a torus beside it with a tube of
@@ -77,6 +94,10 @@ mod tests {
         Surface::Cylinder { point: Point3::new(x, 5.0, 1.0), axis, radius_mm }
     }
 
+    fn about_z(radius_mm: f64) -> Surface {
+        Surface::Cylinder { point: Point3::origin(), axis: Vector3::z_axis(), radius_mm }
+    }
+
     #[test]
     fn analytic_contacts_lie_where_surfaces_touch() {
         let bed = Surface::Plane { point: Point3::origin(), normal: Vector3::z_axis() };
@@ -87,6 +108,13 @@ mod tests {
             (torus(0.0, 4.0), along.clone(), [5.0, 0.0, 1.0]),
             (torus(0.0, 4.0), torus(7.0, 3.0), [4.0, 0.0, 0.0]),
             (along, cylinder(7.0, Vector3::y_axis(), 2.0), [5.0, 3.0, 1.0]),
+            (torus(0.0, 4.0), about_z(5.0), [0.0, 5.0, 1.0]),
+            (torus(0.0, 4.0), about_z(3.0), [3.0, 0.0, 1.0]),
+            (
+                about_z(2.0),
+                Surface::Sphere { centre: Point3::new(0.0, 0.0, 3.0), axis: Vector3::x_axis(), radius_mm: 2.0 },
+                [2.0, 0.0, 3.0],
+            ),
         ];
         for (one, other, at) in cases {
             for found in [contact(&one, &other), contact(&other, &one)] {
@@ -103,6 +131,7 @@ mod tests {
     #[test]
     fn analytic_what_crosses_or_is_apart_has_no_contact() {
         assert_eq!(contact(&torus(0.0, 4.0), &torus(7.0, 2.9)), None);
+        assert_eq!(contact(&torus(0.0, 4.0), &about_z(4.0)), None);
         assert_eq!(contact(&cylinder(0.0, Vector3::y_axis(), 2.0), &cylinder(3.0, Vector3::y_axis(), 2.0)), None);
         assert_eq!(contact(&cylinder(0.0, Vector3::y_axis(), 2.0), &cylinder(4.0, Vector3::z_axis(), 2.0)), None);
     }
