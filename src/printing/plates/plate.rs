@@ -87,7 +87,9 @@ mod tests {
 
     #[test]
     fn planted_names_of_materials_are_no_paths() {
-        for (name, wanted) in [("tpu-95a", "tpu"), ("../../up", "______up"), ("/tmp/x", "_tmp_x"), ("-", "plate"), ("", "plate"), ("a\\b:c", "a_b_c")] {
+        for (name, wanted) in
+            [("tpu-95a", "tpu"), ("../../up", "______up"), ("/tmp/x", "_tmp_x"), ("-", "plate"), ("", "plate"), ("a\\b:c", "a_b_c")]
+        {
             assert_eq!(short(name), wanted);
         }
         assert_eq!(short(&"a".repeat(500)).len(), 40);
