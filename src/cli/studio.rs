@@ -105,8 +105,8 @@ fn answer(folder: &Path, request: &Request<Body>) -> Response<Body> {
 }
 
 /// The file that the path of an address means: plain names below the folder, and nothing else.
-fn file_of(folder: &Path, url: &str) -> Option<PathBuf> {
-    let path = url.strip_prefix('/')?;
+fn file_of(folder: &Path, of_address: &str) -> Option<PathBuf> {
+    let path = of_address.strip_prefix('/')?;
     let path = if path.is_empty() { "index.html" } else { path };
     let plain =
         |step: &str| !step.is_empty() && !step.starts_with('.') && step.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c));

@@ -103,7 +103,7 @@ pub enum Reason {
         fits: Vec<String>,
     },
     /// A number outside its bounds, or not a number.
-    #[error("`{key}` = {value} is out of bounds: {min} to {max}{}", unit_after(.unit))]
+    #[error("`{key}` = {} is out of bounds: {min} to {max}{}", written(.value), unit_after(.unit))]
     OutOfBounds {
         /// The key.
         key: String,
@@ -161,6 +161,11 @@ pub enum Reason {
 /// A unit as it follows a number; nothing for a plain number, whose unit is empty or 1.
 pub(super) fn unit_after(unit: &str) -> String {
     if matches!(unit, "" | "1") { String::new() } else { format!(" {unit}") }
+}
+
+/// A number as a person would write it: without hundreds of zeros.
+fn written(value: &f64) -> String {
+    if *value == 0.0 || (1e-6..1e12).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
 }
 
 impl Reason {
@@ -283,6 +288,12 @@ pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn analytic_numbers_are_as_long_as_a_person_writes_them() {
+        let shown = [0.0, -1.5, 0.001, 250_000.0, 5e-324, -1e308, f64::INFINITY, f64::NAN].map(|value| written(&value));
+        assert_eq!(shown, ["0", "-1.5", "0.001", "250000", "5e-324", "-1e308", "inf", "NaN"]);
+    }
 
     #[test]
     fn analytic_lines_and_columns_count_from_one() {

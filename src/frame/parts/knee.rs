@@ -228,6 +228,20 @@ mod tests {
     }
 
     #[test]
+    fn analytic_the_wall_behind_a_bore_is_as_thick_as_it_is_asked_for() {
+        for wall_mm in [1.2, 1.48, 2.0, 2.5] {
+            let knee = Knee { back_wall_mm: wall_mm, ..part() };
+            let mesh = printed(&knee.feature(), 1);
+            let inside: [f64; 3] = (knee.strut() * (knee.bottom_mm + 0.1) + Vector3::y() * 0.001).into();
+            let inwards = Vector3::new(-knee.strut_tilt.cos(), 0.0, knee.strut_tilt.sin());
+            let through = hits(&mesh, inside, inwards);
+            assert_close("bore", through[0], 1.35);
+            // Where it is thin, the rib's end may be thicker.
+            assert!(through[1] > 1.35 + wall_mm - 0.005, "{wall_mm}: {through:?}");
+        }
+    }
+
+    #[test]
     fn analytic_printed_it_stands_on_its_plate() {
         let mesh = printed(&part().feature(), 1);
         let turned = mesh.placed(&nalgebra::Isometry3::from_parts(nalgebra::Translation3::identity(), Knee::print_turn()));
