@@ -24,9 +24,9 @@ pub(super) fn steps_rad(corners: &[Angle], per_turn: u32) -> Vec<f64> {
     found
 }
 
-/// From each given corner to the next: where it begins and how wide it is, rad.
+/// From each given corner to the next: where it begins and how wide it is, rad. One that is no number is none, so there is a span always.
 fn spans_rad(corners: &[Angle]) -> Vec<[f64; 2]> {
-    let mut given: Vec<f64> = corners.iter().map(|angle| angle.to_rad().rem_euclid(TAU)).collect();
+    let mut given: Vec<f64> = corners.iter().map(|angle| angle.to_rad().rem_euclid(TAU)).filter(|angle| angle.is_finite()).collect();
     given.sort_by(f64::total_cmp);
     given.dedup_by(|a, b| *a - *b < SAME_RAD);
     let Some(first) = given.first().copied() else { return vec![[0.0, TAU]] };
@@ -44,6 +44,11 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+
+    #[test]
+    fn planted_corners_that_are_no_numbers_are_none() {
+        assert_eq!(angles_rad(&[f64::NAN, f64::INFINITY].map(Angle::rad), 48), angles_rad(&[], 48));
+    }
 
     proptest! {
         #[test]

@@ -71,10 +71,12 @@ impl Plate {
     }
 }
 
-/// A material's name up to its grade, in letters, digits and `_` only: the names of own materials are free texts, and this is part of files' names.
+/// A material's name up to its grade, in small letters, digits and `_` only: the names of own materials are free texts, and this is part of files'
+/// names, which some systems do not tell apart by capitals.
 pub fn short(material: &str) -> String {
     let family = material.split('-').next().unwrap_or_default();
-    let plain: String = family.chars().take(LONGEST).map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+    let plain: String =
+        family.chars().take(LONGEST).map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' }).collect();
     if plain.is_empty() { "plate".into() } else { plain }
 }
 
@@ -87,9 +89,15 @@ mod tests {
 
     #[test]
     fn planted_names_of_materials_are_no_paths() {
-        for (name, wanted) in
-            [("tpu-95a", "tpu"), ("../../up", "______up"), ("/tmp/x", "_tmp_x"), ("-", "plate"), ("", "plate"), ("a\\b:c", "a_b_c")]
-        {
+        for (name, wanted) in [
+            ("tpu-95a", "tpu"),
+            ("TPU-64d", "tpu"),
+            ("../../up", "______up"),
+            ("/tmp/x", "_tmp_x"),
+            ("-", "plate"),
+            ("", "plate"),
+            ("a\\b:c", "a_b_c"),
+        ] {
             assert_eq!(short(name), wanted);
         }
         assert_eq!(short(&"a".repeat(500)).len(), 40);
