@@ -9,3 +9,4 @@ pub mod landing;
 pub mod measured;
 pub mod sim;
 pub mod synthetic;
+mod wide_registers;

@@ -27,7 +27,7 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 36] = [
+const LAYERS: [(&str, &[&str]); 37] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
@@ -85,11 +85,15 @@ const LAYERS: [(&str, &[&str]); 36] = [
     ("impact/effects", &["units", "params", "impact/body"]),
     ("impact/sim", &["units", "impact/body", "impact/effects"]),
     ("impact/measured", &["units"]),
-    ("impact/fit", &["units", "impact/effects", "impact/sim", "impact/measured"]),
+    ("impact/wide_registers", &[]),
+    ("impact/fit", &["units", "impact/wide_registers", "impact/effects", "impact/sim", "impact/measured"]),
     ("impact/synthetic", &["units", "params", "impact/effects"]),
     ("impact/frame_fit", &["units", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),
     ("impact/diagnose", &["units", "figures", "impact/effects", "impact/sim", "impact/measured", "impact/fit"]),
-    ("impact/landing", &["units", "figures", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose"]),
+    (
+        "impact/landing",
+        &["units", "figures", "impact/wide_registers", "impact/effects", "impact/measured", "impact/fit", "impact/diagnose"],
+    ),
     (
         "variant",
         &[
@@ -191,7 +195,7 @@ const LAYERS: [(&str, &[&str]); 36] = [
 ];
 
 /// What may stand in some layers only: the kernels, the file formats, the terminal, the disk.
-const CONFINED: [(&str, &str); 44] = [
+const CONFINED: [(&str, &str); 45] = [
     ("manifold_rust", "solid"),
     ("truck_", "solid"),
     ("stl_io", "export"),
@@ -208,6 +212,7 @@ const CONFINED: [(&str, &str); 44] = [
     ("fs::read(", "impact/measured cli"),
     ("read_dir", "impact/measured cli"),
     ("csv::", "impact/measured export study report"),
+    ("pulp::", "impact/wide_registers"),
     ("quick_junit", "checks/gate"),
     ("cobyla", "variant"),
     ("crunch::", "printing/plates"),
@@ -261,7 +266,7 @@ fn layer_of(path: &str) -> &str {
 
 fn lines<'a>(path: &'a str, text: &'a str) -> Vec<Line<'a>> {
     // A wing's own `mod.rs` names its rooms and imports nothing.
-    let is_index = text.lines().all(|line| line.is_empty() || line.starts_with("//") || line.starts_with("pub mod "));
+    let is_index = text.lines().all(|line| line.is_empty() || ["//", "mod ", "pub mod "].iter().any(|begin| line.starts_with(begin)));
     if matches!(path, "lib.rs" | "main.rs") || is_index {
         return Vec::new();
     }

@@ -34,7 +34,7 @@ impl<'a> FineWave<'a> {
     }
 
     /// Readings at many times, s, as [`Self::at`] gives them.
-    #[inline]
+    #[inline(always)]
     pub fn read(&self, time_s: impl Fn(usize) -> f64, readings: &mut [f64]) {
         let last = self.wave.len() - 2;
         for (i, reading) in readings.iter_mut().enumerate() {

@@ -11,6 +11,7 @@
 
 use super::fine_wave::FineWave;
 use super::waves::{BEFORE, TRIGGER_G};
+use crate::impact::wide_registers::{Loops, with_wide_registers};
 
 /// Correlation times of coloured noise, s.
 pub(super) const TIMES_S: [f64; 6] = [0.3e-3, 0.7e-3, 1.5e-3, 3e-3, 7e-3, 20e-3];
@@ -68,11 +69,11 @@ impl TriggerJitter {
 
     /// The correction of a mean window without variation, g.
     pub fn shift(&self, fine: &FineWave, step_s: f64, lags: &Lags) -> Vec<f64> {
-        let each = PHASES.into_iter().flat_map(|[place, weight]| [-place, place].map(|place| [0.5 * (1.0 + place), 0.5 * weight]));
-        self.shift_over(each, fine, step_s, lags)
+        with_wide_registers(Shifting { jitter: self, fine, step_s, lags })
     }
 
     /// The same over phases of the clock, parts of a step, each with its share.
+    #[inline(always)]
     fn shift_over(&self, phases: impl Iterator<Item = [f64; 2]>, fine: &FineWave, step_s: f64, Lags(kept): &Lags) -> Vec<f64> {
         let samples = kept.len();
         let first = (fine.crossing_s / step_s).ceil() as usize + 1;
@@ -86,6 +87,24 @@ impl TriggerJitter {
     }
 }
 
+/// The correction of a mean window over all phases.
+struct Shifting<'a> {
+    jitter: &'a TriggerJitter,
+    fine: &'a FineWave<'a>,
+    step_s: f64,
+    lags: &'a Lags,
+}
+
+impl Loops for Shifting<'_> {
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn run(self) -> Vec<f64> {
+        let each = PHASES.into_iter().flat_map(|[place, weight]| [-place, place].map(|place| [0.5 * (1.0 + place), 0.5 * weight]));
+        self.jitter.shift_over(each, self.fine, self.step_s, self.lags)
+    }
+}
+
 /// Samples of one phase.
 struct Record<'a> {
     wave: &'a [f64],
@@ -95,6 +114,7 @@ struct Record<'a> {
 
 impl Record<'_> {
     /// Adds a share of the mean window over the variation; `crossing` is the first sample that is beyond the trigger without it.
+    #[inline(always)]
     fn aligned(&self, crossing: usize, share: f64, sum: &mut [f64]) {
         let (mut open, mut mean, mut variance, mut before) = (1.0, 0.0, 1.0, 0.0);
         for at in BEFORE..=crossing + LATEST {

@@ -21,13 +21,13 @@ impl<'a> Population<'a> {
 
     /// Mean window, g.
     pub fn mean_window(&self) -> DVector<f64> {
-        &self.table.windows * &self.weights
+        self.table.window(self.weights.iter().copied())
     }
 
     /// Covariance of windows that differ by their landing's slope, g².
     pub fn covariance(&self) -> DMatrix<f64> {
         let mean = self.mean_window();
-        let mut off = self.table.windows.clone();
+        let mut off = self.table.windows();
         for (mut column, weight) in off.column_iter_mut().zip(self.weights.iter()) {
             column -= &mean;
             column *= weight.sqrt();

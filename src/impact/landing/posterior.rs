@@ -14,9 +14,6 @@ const STRAY_G: f64 = 15.0;
 /// Part of the largest spikes that are strays.
 const LEAST_STRAY: f64 = 0.05;
 
-/// A landing less probable than this is left out: all of them together change no reading by a millionth.
-const IMPROBABLE: f64 = 1e-10;
-
 /// A drop's landing by its touches.
 #[derive(Clone, Debug)]
 pub struct SlopeEstimate {
@@ -45,14 +42,11 @@ pub fn given_touches(table: &LandingTable, population: &Population, touches: &Le
     let sum = weights.sum();
     let weights = if sum > 0.0 { weights / sum } else { population.weights().clone() };
     let (mut slope_rad, mut square, mut direction_rad) = (0.0, 0.0, 0.0);
-    let mut window = DVector::zeros(table.windows.nrows());
-    let probable = |(_, weight): &(usize, &f64)| **weight > IMPROBABLE;
-    for (at, weight) in weights.iter().enumerate().filter(probable) {
-        let point = &table.points[at];
+    for (point, weight) in table.points.iter().zip(weights.iter()) {
         slope_rad += weight * point.slope_rad;
         square += weight * point.slope_rad * point.slope_rad;
         direction_rad += weight * point.direction_rad;
-        window.axpy(*weight, &table.windows.column(at), 1.0);
     }
+    let window = table.window(weights.iter().copied());
     SlopeEstimate { slope_rad, deviation_rad: (square - slope_rad * slope_rad).max(0.0).sqrt(), direction_rad, window }
 }

@@ -49,7 +49,8 @@ impl HeightSpread {
     /// Of one height.
     pub fn of(height: &HeightLandings, table: &LandingTable, slopes: &Slopes) -> Self {
         let population = Population::of(table, slopes);
-        let samples = table.windows.nrows();
+        let windows = table.windows();
+        let samples = windows.nrows();
         let measured = |i: usize| {
             let spread = Spread::of(height.drops.iter().map(|drop| drop.window[i]));
             spread.map_or([0.0; 3], |spread| [spread.q1, spread.median, spread.q3])
@@ -62,7 +63,7 @@ impl HeightSpread {
             windows: height.drops.iter().map(|drop| drop.window.clone()).collect(),
             measured_g: (0..samples).map(measured).collect(),
             slopes_g: (0..samples)
-                .map(|i| quartiles(&summed(table.windows.row(i).iter().copied().zip(population.weights().iter().copied()))))
+                .map(|i| quartiles(&summed(windows.row(i).iter().copied().zip(population.weights().iter().copied()))))
                 .collect(),
             opposite_s,
             opposite_of_slopes: summed(times.filter(|(delay_s, _)| *delay_s < LAST_S)),

@@ -14,6 +14,7 @@
 
 use super::foot_mode::{FootForces, FootMode};
 use super::legged_body::{LeggedBody, Legs};
+use crate::impact::wide_registers::{Loops, with_wide_registers};
 use crate::units::GRAVITY_M_S2;
 
 /// Time between the points of a wave, s.
@@ -73,15 +74,30 @@ pub fn simulate_each<const N: usize>(
     points: usize,
     axis: SensorAxis,
 ) -> [Option<Landing>; N] {
-    let begin = touching(body, speed_m_s, slopes);
-    let mechanics = Mechanics::of(body, legs);
-    let follow = match (legs.feet.is_some(), legs.friction_n > 0.0) {
-        (false, false) => followed::<N, false, false>,
-        (false, true) => followed::<N, false, true>,
-        (true, false) => followed::<N, true, false>,
-        (true, true) => followed::<N, true, true>,
-    };
-    follow(&mechanics, begin, points, axis)
+    with_wide_registers(Following { mechanics: Mechanics::of(body, legs), begin: touching(body, speed_m_s, slopes), points, axis })
+}
+
+/// Landings that are followed side by side.
+struct Following<const N: usize> {
+    mechanics: Mechanics,
+    begin: State<N>,
+    points: usize,
+    axis: SensorAxis,
+}
+
+impl<const N: usize> Loops for Following<N> {
+    type Output = [Option<Landing>; N];
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { mechanics, begin, points, axis } = self;
+        match (mechanics.legs.feet.is_some(), mechanics.legs.friction_n > 0.0) {
+            (false, false) => followed::<N, false, false>(&mechanics, begin, points, axis),
+            (false, true) => followed::<N, false, true>(&mechanics, begin, points, axis),
+            (true, false) => followed::<N, true, false>(&mechanics, begin, points, axis),
+            (true, true) => followed::<N, true, true>(&mechanics, begin, points, axis),
+        }
+    }
 }
 
 /// Masses, springs and dampers of a body on its legs.
@@ -131,6 +147,7 @@ impl Mechanics {
 }
 
 /// From a state on; `FREE` where feet have mass, `RUBS` where legs have friction: what is absent costs nothing.
+#[inline(always)]
 fn followed<const N: usize, const FREE: bool, const RUBS: bool>(
     mechanics: &Mechanics,
     mut state: State<N>,

@@ -132,11 +132,18 @@ impl SpikeShape {
         };
         let (along, against) = (columns(along_s), columns(against_s));
         let ridge = SIZE_RIDGE * along.iter().map(|one| one.2).fold(0.0, f64::max).max(1e-12);
+        // A row a sample, so that the products with all columns are summed side by side.
+        let rows: Vec<Vec<f64>> =
+            (0..channel.t_s.len()).map(|sample| against.iter().map(|(_, column, ..)| column[sample]).collect()).collect();
         let mut best = (f64::NEG_INFINITY, [Spike::default(); 2]);
         for (a_s, a, a_own, a_with) in &along {
-            for (b_s, b, b_own, b_with) in &against {
+            let mut products = vec![0.0; against.len()];
+            for (height, row) in a.iter().zip(&rows).filter(|(height, _)| **height != 0.0) {
+                products.iter_mut().zip(row).for_each(|(sum, other)| *sum += height * other);
+            }
+            for ((b_s, _, b_own, b_with), product) in against.iter().zip(products) {
                 // The second one points the other way.
-                let (shared, b_with) = (-product(a, b), -b_with);
+                let (shared, b_with) = (-product, -b_with);
                 let sizes = not_negative([a_own + ridge, b_own + ridge], shared, [*a_with, b_with]);
                 let gain = sizes[0] * a_with + sizes[1] * b_with;
                 if gain > best.0 {

@@ -17,9 +17,9 @@ pub const NEVER_S: f64 = 0.03;
 pub struct LandingTable {
     /// The slopes.
     pub points: &'static [GridPoint],
-    /// A column for each: readings of a trigger-aligned record, averaged over the clock's phase, g.
-    pub windows: DMatrix<f64>,
-    /// Touch times of each, s: the foot opposite to the first, the two beside it, the earlier one first.
+    /// A column for each slope that was simulated: readings of a trigger-aligned record, averaged over the clock's phase, g.
+    simulated: DMatrix<f64>,
+    /// Touch times of each point, s: the foot opposite to the first, the two beside it, the earlier one first.
     pub delays_s: Vec<[f64; 3]>,
     /// How long the fall took, s.
     pub fall_s: f64,
@@ -41,18 +41,35 @@ impl LandingTable {
         };
         let landings: Vec<_> = landed_everywhere(axis, body, legs, model, expected, height_m)?.into_par_iter().map(read).collect();
         let points = points();
-        let mut windows = DMatrix::zeros(expected.samples, points.len());
         let mut delays_s = Vec::with_capacity(points.len());
-        for (at, point) in points.iter().enumerate() {
+        for point in points {
             let mut delays = [0.0; 3];
             for (node, weight) in point.around {
-                let (window, node_delays) = &landings[node];
-                windows.column_mut(at).axpy(weight, &DVector::from_column_slice(window), 1.0);
-                delays.iter_mut().zip(node_delays).for_each(|(sum, delay)| *sum += weight * delay);
+                delays.iter_mut().zip(landings[node].1).for_each(|(sum, delay)| *sum += weight * delay);
             }
             delays_s.push(delays);
         }
-        Some(Self { points, windows, delays_s, fall_s })
+        let simulated = DMatrix::from_fn(expected.samples, landings.len(), |sample, node| landings[node].0[sample]);
+        Some(Self { points, simulated, delays_s, fall_s })
+    }
+
+    /// Sum of the points' windows, each times its weight, g. Windows between the simulated slopes are straight between theirs, so the weights are
+    /// first summed at these.
+    pub fn window(&self, weights: impl Iterator<Item = f64>) -> DVector<f64> {
+        let mut at_simulated = DVector::zeros(self.simulated.ncols());
+        for (point, weight) in self.points.iter().zip(weights) {
+            point.around.iter().for_each(|(node, share)| at_simulated[*node] += weight * share);
+        }
+        &self.simulated * at_simulated
+    }
+
+    /// A column for each point: its window, g.
+    pub fn windows(&self) -> DMatrix<f64> {
+        let mut windows = DMatrix::zeros(self.simulated.nrows(), self.points.len());
+        for (point, mut window) in self.points.iter().zip(windows.column_iter_mut()) {
+            point.around.iter().for_each(|(node, share)| window.axpy(*share, &self.simulated.column(*node), 1.0));
+        }
+        windows
     }
 }
 

@@ -23,12 +23,15 @@ fn run<const N: usize>(system: &System, height_m: f64, step_s: f64, settings: &S
     let longest = SolverOptions { duration_s: step_s * (out.len() as f64 - 0.999), ..*settings };
     let stop = integrate::<N>(system, height_m, &longest, false, |dense, _| {
         let end_s = dense.time_s(1.0);
+        let first = filled;
         while filled < out.len() && filled as f64 * step_s <= end_s {
-            let theta = (filled as f64 * step_s - dense.start_s) / dense.h_s;
-            last = sensor.reading_g(dense.one(sensed, theta));
-            out[filled] = last;
             filled += 1;
         }
+        for (at, reading) in out[first..filled].iter_mut().enumerate() {
+            let theta = ((first + at) as f64 * step_s - dense.start_s) / dense.h_s;
+            *reading = sensor.reading_g(dense.one(sensed, theta));
+        }
+        last = out[..filled].last().copied().unwrap_or(last);
         Flow::On
     });
     out[filled..].fill(last);
