@@ -31,6 +31,9 @@ pub static RULE: Rule = Rule {
 /// Distances beyond this are not measured, mm.
 const REACH_MM: f64 = 100.0;
 
+/// Corners of a mesh, and with them its box, are rounded by far less than this, mm.
+const ROUNDED_MM: f64 = 0.001;
+
 /// The nearest thing of a kind to, or one that is too near to, a propeller's disc.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PropellerClearance {
@@ -89,8 +92,8 @@ fn no_farther_mm(disc: &Placed, other: &Placed) -> f64 {
         let aside = libm::hypot(p.x - centre[0], p.y - centre[1]) - inner;
         libm::hypot(aside.max(0.0), (low[2] - p.z).max(p.z - high[2]).max(0.0))
     };
-    // Corners of the mesh are rounded, and the kernel's distance ends where its search does.
-    other.shape.mesh.vertices.iter().map(distance).fold(f64::INFINITY, f64::min) + 0.001
+    // The kernel's distance ends where its search does.
+    other.shape.mesh.vertices.iter().map(distance).fold(f64::INFINITY, f64::min) + ROUNDED_MM
 }
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
@@ -110,8 +113,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let by_group = |of: &'static str| {
         let nothing = PropellerClearance { of, pair: None, gap_mm: REACH_MM.max(2.0 * limit_mm), limit_mm };
         let (mut nearest, mut broken) = (nothing.clone(), Vec::new());
-        for (_, disc, other) in pairs.iter().filter(|(.., other)| group(other) == of) {
-            let reach_mm = nearest.gap_mm.max(limit_mm).min(no_farther_mm(disc, other));
+        for (apart_mm, disc, other) in pairs.iter().filter(|(.., other)| group(other) == of) {
+            let reach_mm = nearest.gap_mm.max(limit_mm);
+            // The nearest boxes come first: from here on nothing is in reach.
+            if *apart_mm > reach_mm + ROUNDED_MM {
+                break;
+            }
+            let reach_mm = reach_mm.min(no_farther_mm(disc, other));
             let gap_mm = disc.gap_mm(other, reach_mm);
             let found = PropellerClearance { pair: Some([disc.body.name.clone(), other.body.name.clone()]), gap_mm, ..nothing };
             if falls_short_mm(gap_mm, limit_mm) {

@@ -172,9 +172,12 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
         let share = line.total_g / bodies.len().max(1) as f64;
         for body in bodies.iter().filter(|body| carries(Some(body))) {
             let (centre, unit_inertia, volume_mm3) = *known.entry(body.shape).or_insert_with(|| {
-                let mesh = &design.shape(body).mesh;
-                let (centre, unit_inertia) = mesh.moments();
-                (centre, unit_inertia, mesh.volume_mm3())
+                let shape = design.shape(body);
+                let of_volume = || {
+                    let (centre, unit_inertia) = shape.mesh.moments();
+                    (centre, unit_inertia, shape.mesh.volume_mm3())
+                };
+                *design.memo.hold("moments of volume", &shape.solid.key(), of_volume)
             });
             let turn = body.pose.rotation.to_rotation_matrix();
             let density = share / volume_mm3;

@@ -47,6 +47,7 @@ struct Flat {
     print_pose: ([f64; 4], [f64; 3]),
     mesh: Arc<Mesh>,
     topology: Topology,
+    volume_mm3: f64,
     exact_volume_mm3: Option<f64>,
 }
 
@@ -73,11 +74,11 @@ impl Printed {
                 MeshSolid::clone(&*memo.try_get("folded part", slug, &inputs, || bent(&flat.solid, &bends, slug, memo))?)
             }
         };
-        let Flat { solid, print_pose, mesh, topology, exact_volume_mm3 } = Flat::clone(&flat);
+        let Flat { solid, print_pose, mesh, topology, volume_mm3, exact_volume_mm3 } = Flat::clone(&flat);
         Ok(Self {
             name: part.name,
             part,
-            volume_mm3: mesh.volume_mm3(),
+            volume_mm3,
             feature,
             bends,
             flat: solid,
@@ -111,10 +112,11 @@ impl Flat {
         };
         let made = |solid: MeshSolid| made_as(solid.stout()).or_else(|_| made_as(solid));
         let (solid, pose, mesh, topology) = first_good(&raw, &DETAILS_MM, made)?;
+        let volume_mm3 = mesh.volume_mm3();
         let exact_volume_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
-        exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(mesh.volume_mm3(), exact_mm3))?;
+        exact_volume_mm3.map_or(Ok(()), |exact_mm3| gate::agree(volume_mm3, exact_mm3))?;
         let print_pose = (pose.rotation.coords.into(), pose.translation.vector.into());
-        Ok(Self { solid, print_pose, mesh: Arc::new(mesh), topology, exact_volume_mm3 })
+        Ok(Self { solid, print_pose, mesh: Arc::new(mesh), topology, volume_mm3, exact_volume_mm3 })
     }
 }
 

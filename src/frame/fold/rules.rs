@@ -122,6 +122,8 @@ pub struct Rules<'a> {
     pub top_lift_mm: f64,
     solids: Vec<(Member, Vec<Capsule>)>,
     far_sockets: Vec<(Member, Member)>,
+    /// What is joined in the end, in both orders.
+    joined: BTreeSet<(Member, Member)>,
 }
 
 /// Tasks that are done.
@@ -138,7 +140,8 @@ impl<'a> Rules<'a> {
         let plug_mm = frame.hub_joint.plug_length_mm;
         let off_hub_mm = [plug_mm + OFF_HUB_MM, 0.5 * (plug_mm + rods_enter_mm(frame))];
         let top_lift_mm = frame.corner.corner_socket_depth_mm + OVER_STRUT_MM;
-        Self { module, entry, off_hub_mm, top_lift_mm, solids, far_sockets: far_sockets(skeleton) }
+        let joined = Task::ALL.iter().flat_map(|task| task.contacts()).flat_map(|(a, b)| [(a, b), (b, a)]).collect();
+        Self { module, entry, off_hub_mm, top_lift_mm, solids, far_sockets: far_sockets(skeleton), joined }
     }
 
     /// The posture after some tasks, in the middle of one.
@@ -386,8 +389,7 @@ impl<'a> Rules<'a> {
         off: &Isometry3<f64>,
     ) -> Option<Broken> {
         // What is joined in the end touches there; whether it gets there is asked where it is joined.
-        let contacts: Vec<(Member, Member)> = Task::ALL.iter().flat_map(|t| t.contacts()).collect();
-        let touch = |a: Member, b: Member| a == b || contacts.contains(&(a, b)) || contacts.contains(&(b, a));
+        let touch = |a: Member, b: Member| a == b || self.joined.contains(&(a, b));
         let placed = |m: Member, off: &Isometry3<f64>| -> Vec<_> {
             let all = self.solids.iter().find(|(member, _)| *member == m).map_or(&[][..], |(_, all)| all);
             all.iter().map(|c| (c.placed(&(off * self.module.side_pose(m, c.side, posture))), c.radius_mm)).collect()
