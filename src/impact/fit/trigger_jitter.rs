@@ -172,6 +172,17 @@ mod tests {
     use super::super::fine_wave::FINE_S;
     use super::*;
 
+    #[test]
+    fn analytic_wide_registers_give_the_bits_of_narrow_ones() {
+        let wave: Vec<f64> = (0..700).map(|at| 90.0 * libm::sin(f64::from(at) * FINE_S / 9e-3).max(-0.1)).collect();
+        let (fine, mut jitter) = (FineWave::of(&wave), TriggerJitter::default());
+        jitter.by_time = [0.02, 0.03, 0.05, 0.01, 0.02, 0.01, 0.06];
+        let lags = jitter.lags(1e-3, 30);
+        let shifting = || Shifting { jitter: &jitter, fine: &fine, step_s: 1e-3, lags: &lags };
+        let [wide, narrow] = [with_wide_registers(shifting()), shifting().run()];
+        assert!(wide.iter().any(|shift| shift.abs() > 0.1) && wide == narrow, "{wide:?}");
+    }
+
     /// Half sines of different steepness, whose readings vary by a third and by two thirds of themselves: within 0.15 g, where mean waves
     /// are known to grams.
     #[test]

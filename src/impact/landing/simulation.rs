@@ -313,6 +313,18 @@ mod tests {
     const LEGS: Legs = Legs { stiffness_n_m: 20_000.0, damping_n_s_m: 40.0, friction_n: 0.0, inertia_kg_m2: 1e-3, feet: None, mount: None };
 
     #[test]
+    fn analytic_wide_registers_give_the_bits_of_narrow_ones() {
+        let feet = Some(FootMode { share: 0.2, f_hz: 150.0, zeta: 0.3 });
+        let slopes = [[0.0, 0.0], [0.2, 0.05], [0.11, -0.3], [0.4, 0.39]];
+        for legs in [LEGS, Legs { friction_n: 60.0, ..LEGS }, Legs { feet, ..LEGS }, Legs { friction_n: 60.0, feet, ..LEGS }] {
+            let begin = touching(&BODY, 4.0, &slopes);
+            let following = || Following { mechanics: Mechanics::of(&BODY, &legs), begin, points: 700, axis: SensorAxis::Body };
+            let [wide, narrow] = [with_wide_registers(following()), following().run()];
+            assert!(wide.iter().all(Option::is_some) && wide == narrow, "{legs:?}");
+        }
+    }
+
+    #[test]
     fn analytic_a_level_landing_is_that_of_one_spring_and_damper() {
         let landing = simulate(&BODY, &LEGS, 4.0, [0.0; 2], 100).expect("it lands");
         assert_eq!(landing.touch_s, [Some(0.0); FEET]);
