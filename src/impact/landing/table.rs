@@ -56,11 +56,7 @@ impl LandingTable {
     /// Sum of the points' windows, each times its weight, g. Windows between the simulated slopes are straight between theirs, so the weights are
     /// first summed at these.
     pub fn window(&self, weights: impl Iterator<Item = f64>) -> DVector<f64> {
-        let mut at_simulated = DVector::zeros(self.simulated.ncols());
-        for (point, weight) in self.points.iter().zip(weights) {
-            point.around.iter().for_each(|(node, share)| at_simulated[*node] += weight * share);
-        }
-        &self.simulated * at_simulated
+        &self.simulated * at_simulated(self.simulated.ncols(), weights)
     }
 
     /// A column for each point: its window, g.
@@ -73,6 +69,15 @@ impl LandingTable {
     }
 }
 
+/// Weights of the points, summed at the so many simulated slopes around them.
+fn at_simulated(count: usize, weights: impl Iterator<Item = f64>) -> DVector<f64> {
+    let mut sums = DVector::zeros(count);
+    for (point, weight) in points().iter().zip(weights) {
+        point.around.iter().for_each(|(node, share)| sums[*node] += weight * share);
+    }
+    sums
+}
+
 /// Covariance of records of landings that differ by the phase of the clock alone, g², the points being as frequent as weighed.
 pub fn phase_covariance(
     body: &LeggedBody,
@@ -82,12 +87,10 @@ pub fn phase_covariance(
     height_m: f64,
     weights: &DVector<f64>,
 ) -> Option<DMatrix<f64>> {
-    let mut shares = vec![0.0; simulated().len()];
-    for (point, weight) in points().iter().zip(weights.iter()) {
-        point.around.iter().for_each(|(node, share)| shares[*node] += weight * share);
-    }
     let landings = landed_everywhere(SensorAxis::Body, body, legs, model, expected, height_m)?;
-    let covariances: Vec<_> = landings.iter().zip(shares).map(|(landing, share)| expected.over_phases(&landing.wave_g) * share).collect();
+    let shares = at_simulated(landings.len(), weights.iter().copied());
+    let covariances: Vec<_> =
+        landings.iter().zip(shares.iter()).map(|(landing, share)| expected.over_phases(&landing.wave_g) * *share).collect();
     covariances.into_iter().reduce(|sum, part| sum + part)
 }
 
