@@ -18,8 +18,9 @@ use crate::params::frame_file::Entry;
 use crate::params::{Frame, FrameFile, preset};
 use crate::variant::{Request, SearchProgress, create};
 
-/// Frames that the search for what has to move together looks at, at the most; each takes about a second of processor time.
-const MOST: usize = 40;
+/// Frames that the search for what has to move together looks at, at the most; each takes about a second of processor time. Where there is such a
+/// frame, it is found among the first three (docs/performance.md, search); where there is none, all of them are looked at.
+const MOST: usize = 12;
 /// How many more it looks at once one keeps every limit: rods that are nearer to the frame's own are welcome, but not awaited.
 const NEARER: usize = 6;
 

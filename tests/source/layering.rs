@@ -83,7 +83,7 @@ const LAYERS: [(&str, &[&str]); 37] = [
     ),
     ("impact/body", &["frame/assembly", "checks"]),
     ("impact/effects", &["units", "params", "impact/body"]),
-    ("impact/sim", &["units", "impact/body", "impact/effects"]),
+    ("impact/sim", &["units", "impact/wide_registers", "impact/body", "impact/effects"]),
     ("impact/measured", &["units"]),
     ("impact/wide_registers", &[]),
     ("impact/fit", &["units", "impact/wide_registers", "impact/effects", "impact/sim", "impact/measured"]),

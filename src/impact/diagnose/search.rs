@@ -84,14 +84,15 @@ impl Search {
                 break;
             }
             (setting.stage)(Stage::Effects(size + 1));
-            candidates = setting.freed(setting.larger(&levels[size].candidates)?);
+            candidates = setting.freed(setting.larger(&levels[size].candidates, &dictionary)?);
             if setting.dropped(&candidates, &mut levels[size].candidates) {
                 let best = levels[size].candidates.first()?;
-                levels[size].adequacy = setting.adequacy(best, &Dictionary::on(setting.problem, best.model(), setting.catalogue)?)?;
+                dictionary = Dictionary::on(setting.problem, best.model(), setting.catalogue)?;
+                levels[size].adequacy = setting.adequacy(best, &dictionary)?;
                 if levels[size].adequacy.p >= RARE && setting.may_be(&levels[size].candidates[0]) {
                     break;
                 }
-                candidates = setting.freed(setting.larger(&levels[size].candidates)?);
+                candidates = setting.freed(setting.larger(&levels[size].candidates, &dictionary)?);
             }
         }
         Some(Self { levels, not_enough })
@@ -164,15 +165,19 @@ impl SearchContext<'_> {
     }
 
     /// Sets with one effect more, from the best of one size; each of the best is also swapped, as its effects come from
-    /// different sets.
-    fn larger(&self, smaller: &[Candidate]) -> Option<Vec<Candidate>> {
+    /// different sets. `on_first` is what effects change on top of the first one.
+    fn larger(&self, smaller: &[Candidate], on_first: &Dictionary) -> Option<Vec<Candidate>> {
         let carried = smaller.iter().take(CARRIED);
         let mut found: BTreeMap<Vec<&'static str>, Candidate> = BTreeMap::new();
         let mut open: Vec<&Candidate> = carried.collect();
-        for _round in 0..2 {
+        for round in 0..2 {
             let mut promised: BTreeMap<Vec<&'static str>, Vec<(f64, Model)>> = BTreeMap::new();
+            let on = |(at, from): (usize, &Candidate)| match (round, at) {
+                (0, 0) => Some(on_first.clone()),
+                _ => Dictionary::on(self.problem, from.model(), self.catalogue),
+            };
             let dictionaries: Vec<(&Candidate, Dictionary)> =
-                open.iter().filter_map(|from| Some((*from, Dictionary::on(self.problem, from.model(), self.catalogue)?))).collect();
+                open.iter().enumerate().filter_map(|(at, from)| Some((*from, on((at, from))?))).collect();
             for (from, dictionary) in &dictionaries {
                 for promise in promises(self.problem, &from.fitted, dictionary)? {
                     let model = promise.start.on(from.model());

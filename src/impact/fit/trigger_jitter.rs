@@ -55,16 +55,20 @@ impl TriggerJitter {
         self.variance() > SLIGHT * SLIGHT
     }
 
-    /// Correlation of the factor over a time, s.
-    fn kept(&self, time_s: f64) -> f64 {
-        let long = self.by_time[TIMES_S.len()];
-        let sum: f64 = TIMES_S.iter().zip(self.by_time).map(|(own_s, part)| part * libm::exp(-time_s / own_s)).sum();
-        (sum + long) / self.variance()
-    }
-
-    /// Of the samples of a window.
+    /// Correlation of the factor over the time between samples of a window.
     pub fn lags(&self, step_s: f64, samples: usize) -> Lags {
-        Lags((0..samples).map(|lag| if self.moves() { self.kept(lag as f64 * step_s) } else { 0.0 }).collect())
+        if !self.moves() {
+            return Lags(vec![0.0; samples]);
+        }
+        let (long, variance) = (self.by_time[TIMES_S.len()], self.variance());
+        let a_step = TIMES_S.map(|own_s| libm::exp(-step_s / own_s));
+        let mut left: [f64; TIMES_S.len()] = std::array::from_fn(|at| self.by_time[at]);
+        let mut kept = Vec::with_capacity(samples);
+        for _ in 0..samples {
+            kept.push((left.iter().sum::<f64>() + long) / variance);
+            left.iter_mut().zip(a_step).for_each(|(left, a_step)| *left *= a_step);
+        }
+        Lags(kept)
     }
 
     /// The correction of a mean window without variation, g.

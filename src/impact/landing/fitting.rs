@@ -20,7 +20,7 @@ use super::mount::Mount;
 use super::observed::{HeightLandings, ObservedLanding, ObservedLandings};
 use super::parameter::{Kind, LEGS, PARAMETERS, Parameter};
 use super::population::Population;
-use super::posterior::given_touches;
+use super::posterior::window_given_touches;
 use super::table::LandingTable;
 use super::touched_slopes::{TouchedSlopes, left_of_quartiles};
 use crate::impact::effects::Model;
@@ -233,7 +233,7 @@ impl LandingProblem<'_> {
     /// What the prediction from their touches leaves of the drops of a height, g.
     pub fn left_by_drops(&self, height: usize, table: &LandingTable, slopes: &Slopes) -> Vec<DVector<f64>> {
         let (population, height) = (Population::of(table, slopes), &self.observed.heights[height]);
-        let expected = |drop: &ObservedLanding| given_touches(table, &population, &drop.touches, height.read_s()).window;
+        let expected = |drop: &ObservedLanding| window_given_touches(table, &population, &drop.touches, height.read_s());
         height.drops.par_iter().map(|drop| DVector::from_column_slice(&drop.window) - expected(drop)).collect()
     }
 

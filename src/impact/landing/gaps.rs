@@ -9,7 +9,7 @@ use super::fitting::{LandingFit, LandingProblem};
 use super::legged_body::{Legs, Slopes};
 use super::observed::{ObservedLanding, ObservedLandings};
 use super::population::Population;
-use super::posterior::given_touches;
+use super::posterior::window_given_touches;
 use super::touched_slopes::TouchedSlopes;
 use crate::impact::diagnose::{Gap, errors};
 use crate::impact::fit::{FitProblem, MeanWave, WaveGroup, Waves};
@@ -61,7 +61,7 @@ impl Unseen {
         let own_slopes = Population::of(&tables[0], &touched.slopes).mean_window().as_slice().to_vec();
         let (drops, read_s) = (&landings.drops, landings.read_s());
         let waves: Vec<DVector<f64>> =
-            drops.iter().map(|drop| given_touches(&tables[0], &population, &drop.touches, read_s).window).collect();
+            drops.iter().map(|drop| window_given_touches(&tables[0], &population, &drop.touches, read_s)).collect();
         let mut rng = Pcg64::seed_from_u64(seed);
         let mut order: Vec<usize> = (0..drops.len()).collect();
         let dealt = (0..PERMUTED).map(|_| {

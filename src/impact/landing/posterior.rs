@@ -6,6 +6,7 @@ use super::bell::Bell;
 use super::population::Population;
 use super::table::LandingTable;
 use super::touches::LegTouches;
+use crate::impact::wide_registers::{Loops, with_wide_registers};
 
 /// Times that belong to no touch lie evenly within this, s.
 const STRAY_S: f64 = 15e-3;
@@ -30,23 +31,122 @@ pub struct SlopeEstimate {
 /// The expected landing of a drop from its touch times, which were read with a standard deviation of `read_s`, slopes being distributed as
 /// in a population.
 pub fn given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> SlopeEstimate {
-    let seen = [touches.opposite, touches.beside[0], touches.beside[1]];
-    let stray = seen.map(|touch| libm::exp(-touch.size_g / STRAY_G).clamp(LEAST_STRAY, 1.0));
-    let (bell, per_s) = (Bell::new(), 1.0 / read_s);
-    let height = per_s / (2.0 * std::f64::consts::PI).sqrt();
-    let at =
-        |foot: usize, delay_s: f64| stray[foot] / STRAY_S + (1.0 - stray[foot]) * height * bell.at((seen[foot].delay_s - delay_s) * per_s);
-    let likelihood = |delays_s: &[f64; 3]| at(0, delays_s[0]) * at(1, delays_s[1]) * at(2, delays_s[2]);
-    let weighed = |(delays_s, weight): (&[f64; 3], &f64)| weight * likelihood(delays_s);
-    let weights = DVector::from_iterator(table.points.len(), table.delays_s.iter().zip(population.weights().iter()).map(weighed));
-    let sum = weights.sum();
-    let weights = if sum > 0.0 { weights / sum } else { population.weights().clone() };
+    let (weights, sum) = weights_given_touches(table, population, touches, read_s);
     let (mut slope_rad, mut square, mut direction_rad) = (0.0, 0.0, 0.0);
     for (point, weight) in table.points.iter().zip(weights.iter()) {
-        slope_rad += weight * point.slope_rad;
-        square += weight * point.slope_rad * point.slope_rad;
-        direction_rad += weight * point.direction_rad;
+        slope_rad += weight * point.slope_rad / sum;
+        square += weight * point.slope_rad * point.slope_rad / sum;
+        direction_rad += weight * point.direction_rad / sum;
     }
-    let window = table.window(weights.iter().copied());
+    let window = table.window(weights.iter().copied()) / sum;
     SlopeEstimate { slope_rad, deviation_rad: (square - slope_rad * slope_rad).max(0.0).sqrt(), direction_rad, window }
+}
+
+/// The window of [`given_touches`] alone, g: what fits compare.
+pub fn window_given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> DVector<f64> {
+    let (weights, sum) = weights_given_touches(table, population, touches, read_s);
+    table.window(weights.iter().copied()) / sum
+}
+
+/// How probable each of a table's landings is, and the sum of all; where touches contradict every landing, as in the population.
+fn weights_given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> (DVector<f64>, f64) {
+    let seen = [touches.opposite, touches.beside[0], touches.beside[1]];
+    let stray = seen.map(|touch| libm::exp(-touch.size_g / STRAY_G).clamp(LEAST_STRAY, 1.0));
+    let per_s = 1.0 / read_s;
+    let height = per_s / (2.0 * std::f64::consts::PI).sqrt();
+    let mut weights = population.weights().clone();
+    let sum = with_wide_registers(Weighing {
+        weights: weights.as_mut_slice(),
+        delays_s: &table.delays_s,
+        seen_s: seen.map(|touch| touch.delay_s),
+        per_s,
+        strays_1_s: stray.map(|stray| stray / STRAY_S),
+        heights_1_s: stray.map(|stray| (1.0 - stray) * height),
+    });
+    if sum > 0.0 { (weights, sum) } else { (population.weights().clone(), 1.0) }
+}
+
+/// Weights of landings that are multiplied by the likelihood of touch times.
+struct Weighing<'a> {
+    weights: &'a mut [f64],
+    delays_s: &'a [[f64; 3]],
+    seen_s: [f64; 3],
+    /// One over the standard deviation of a time that was read.
+    per_s: f64,
+    /// Density of times that belong to no touch, and the largest one of those that do.
+    strays_1_s: [f64; 3],
+    heights_1_s: [f64; 3],
+}
+
+impl Weighing<'_> {
+    #[inline(always)]
+    fn likelihood(&self, bell: Bell, delays_s: &[f64; 3]) -> f64 {
+        let mut product = 1.0;
+        for (foot, delay_s) in delays_s.iter().enumerate() {
+            let off = (self.seen_s[foot] - delay_s) * self.per_s;
+            product *= self.strays_1_s[foot] + self.heights_1_s[foot] * bell.at(off);
+        }
+        product
+    }
+}
+
+/// Sums that are added to in turn, so that none waits for the one before.
+const SUMS: usize = 4;
+
+impl Loops for Weighing<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run(self) -> f64 {
+        let bell = Bell::new();
+        let mut sums = [0.0; SUMS];
+        let count = self.weights.len().min(self.delays_s.len());
+        for at in 0..count {
+            let weight = self.weights[at] * self.likelihood(bell, &self.delays_s[at]);
+            self.weights[at] = weight;
+            sums[at % SUMS] += weight;
+        }
+        sums.iter().sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        /// Written down once more, with the curve itself; in wide registers and in narrow ones it has the same bits.
+        #[test]
+        fn analytic_weights_are_multiplied_by_the_likelihood_of_each_touch(
+            landings in prop::collection::vec((0.0_f64..1.0, prop::array::uniform3(0.0_f64..0.02)), 1..40),
+            seen_s in prop::array::uniform3(0.0_f64..0.015),
+            stray in prop::array::uniform3(0.05_f64..1.0),
+        ) {
+            let (read_s, delays_s) = (4e-4, landings.iter().map(|(_, delays_s)| *delays_s).collect::<Vec<_>>());
+            let before: Vec<f64> = landings.iter().map(|(weight, _)| *weight).collect();
+            let height_1_s = 1.0 / (read_s * (2.0 * std::f64::consts::PI).sqrt());
+            let [mut wide, mut narrow] = [before.clone(), before.clone()];
+            let weighing = |weights| Weighing {
+                weights,
+                delays_s: &delays_s,
+                seen_s,
+                per_s: 1.0 / read_s,
+                strays_1_s: stray.map(|stray| stray / STRAY_S),
+                heights_1_s: stray.map(|stray| (1.0 - stray) * height_1_s),
+            };
+            let [sum, narrow_sum] = [with_wide_registers(weighing(&mut wide)), weighing(&mut narrow).run()];
+            prop_assert_eq!((sum, &wide), (narrow_sum, &narrow));
+            for ((weight, delays_s), found) in landings.iter().zip(&wide) {
+                let each = |foot: usize| {
+                    let off = (seen_s[foot] - delays_s[foot]) / read_s;
+                    stray[foot] / STRAY_S + (1.0 - stray[foot]) * height_1_s * libm::exp(-0.5 * off * off)
+                };
+                let expected = weight * each(0) * each(1) * each(2);
+                prop_assert!((found - expected).abs() <= 1e-3 * expected, "{found} {expected}");
+            }
+            prop_assert!((sum - wide.iter().sum::<f64>()).abs() <= 1e-12 * sum);
+        }
+    }
 }

@@ -83,10 +83,10 @@ mod tests {
         text
     }
 
-    /// Sixty drops whose second and third foot touch within some milliseconds: when, and how they are read.
-    fn sixty() -> Vec<([f64; 4], (LegTouches, TouchPattern))> {
+    /// So many drops whose second and third foot touch within some milliseconds: when, and how they are read.
+    fn read(count: usize) -> Vec<([f64; 4], (LegTouches, TouchPattern))> {
         let mut rng = Pcg64::seed_from_u64(3);
-        let drops: Vec<[f64; 4]> = (0..60)
+        let drops: Vec<[f64; 4]> = (0..count)
             .map(|_| {
                 let near = rng.random_range(0.2e-3..2.5e-3);
                 let far = near + rng.random_range(0.2e-3..2.5e-3);
@@ -101,21 +101,22 @@ mod tests {
     }
 
     /// Half of the times are within 0.6 ms, at a reading a millisecond. A tenth is off by some milliseconds: where two feet touch within half a
-    /// millisecond the second may be taken for the first, and its opposite foot is then another.
+    /// millisecond the second may be taken for the first, and its opposite foot is then another. With sixty drops the median is between 0.45 and 0.7 ms,
+    /// by the drops.
     #[test]
     fn regress_half_of_the_touches_are_read_though_their_spikes_overlap() {
-        let off: Vec<f64> = sixty().iter().map(|(truth, (read, _))| read.opposite.delay_s - truth[1]).collect();
+        let off: Vec<f64> = read(600).iter().map(|(truth, (read, _))| read.opposite.delay_s - truth[1]).collect();
         let mean = off.iter().sum::<f64>() / off.len() as f64;
         let mut sizes: Vec<f64> = off.iter().map(|off| off.abs()).collect();
         sizes.sort_by(f64::total_cmp);
-        assert!(mean.abs() < 1e-3 && sizes[30] < 0.6e-3, "{mean} {} {}", sizes[30], sizes[54]);
+        assert!(mean.abs() < 1e-3 && sizes[300] < 0.6e-3, "{mean} {} {}", sizes[300], sizes[540]);
     }
 
     /// Spikes and rest together are the drop itself. Drops in which a foot that is not believed came first are left out: its delay is cut at 0.
     #[test]
     fn analytic_a_pattern_with_its_own_touches_is_read_as_its_drop() {
         let mut compared = 0;
-        for (_, (touches, pattern)) in sixty() {
+        for (_, (touches, pattern)) in read(60) {
             let delays = touches.delays_s();
             if delays.iter().any(|delay_s| *delay_s <= 0.0) {
                 continue;

@@ -12,7 +12,7 @@ use rand::{Rng, RngExt};
 use super::fitting::LandingProblem;
 use super::legged_body::Slopes;
 use super::population::Population;
-use super::posterior::given_touches;
+use super::posterior::window_given_touches;
 use super::table::LandingTable;
 use super::touch_errors::READINGS;
 
@@ -34,7 +34,7 @@ impl SimulatedDrops {
         let (population, errors) = (Population::of(table, slopes), observed.errors.as_ref()?);
         let predicted = evenly_drawn(population.weights(), rng.random()).filter_map(|point| {
             let touches = errors.touches(point, table.delays_s[point], rng.random_range(0..READINGS))?;
-            Some(given_touches(table, &population, &touches, observed.read_s()).window)
+            Some(window_given_touches(table, &population, &touches, observed.read_s()))
         });
         let predicted: Vec<DVector<f64>> = predicted.collect();
         (!predicted.is_empty()).then(|| Self { predicted, left: problem.left_by_drops(height, table, slopes) })

@@ -8,6 +8,7 @@ use super::simulation::{FEET, Landing, STEP_S, SensorAxis, simulate_each};
 use super::slope_grid::{GridPoint, points, simulated};
 use crate::impact::effects::{Model, Sensor};
 use crate::impact::fit::Expected;
+use crate::impact::wide_registers::{Loops, with_wide_registers};
 
 /// Touch time of a foot that does not touch, s.
 pub const NEVER_S: f64 = 0.03;
@@ -56,7 +57,8 @@ impl LandingTable {
     /// Sum of the points' windows, each times its weight, g. Windows between the simulated slopes are straight between theirs, so the weights are
     /// first summed at these.
     pub fn window(&self, weights: impl Iterator<Item = f64>) -> DVector<f64> {
-        &self.simulated * at_simulated(self.simulated.ncols(), weights)
+        let weights = at_simulated(self.simulated.ncols(), weights);
+        with_wide_registers(Weighed { columns: &self.simulated, weights: &weights })
     }
 
     /// A column for each point: its window, g.
@@ -66,6 +68,27 @@ impl LandingTable {
             point.around.iter().for_each(|(node, share)| window.axpy(*share, &self.simulated.column(*node), 1.0));
         }
         windows
+    }
+}
+
+/// Columns, each times its weight.
+struct Weighed<'a> {
+    columns: &'a DMatrix<f64>,
+    weights: &'a DVector<f64>,
+}
+
+impl Loops for Weighed<'_> {
+    type Output = DVector<f64>;
+
+    #[inline(always)]
+    fn run(self) -> DVector<f64> {
+        let mut sum = DVector::zeros(self.columns.nrows());
+        for (column, weight) in self.columns.as_slice().chunks_exact(self.columns.nrows()).zip(self.weights.as_slice()) {
+            for (sum, value) in sum.as_mut_slice().iter_mut().zip(column) {
+                *sum += weight * value;
+            }
+        }
+        sum
     }
 }
 

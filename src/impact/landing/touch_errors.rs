@@ -8,6 +8,7 @@
 //! *When it is wrong:* where sizes of spikes depend on the slope.
 
 use nalgebra::DVector;
+use rayon::prelude::*;
 
 use super::table::{LandingTable, NEVER_S};
 use super::touch_pattern::TouchPattern;
@@ -41,24 +42,28 @@ impl TouchErrors {
         sorted.sort_by(|a, b| a.in_order(b));
         let ways = 2 * sorted.len();
         let stride = even_stride(ways);
-        let mut sizes: Vec<(f64, f64)> = Vec::new();
-        let mut read = |place: usize, delays_s: &[f64; 3], weight: f64| -> Option<Reading> {
+        let read = |place: usize, delays_s: &[f64; 3]| -> Option<Reading> {
             let way = place * stride % ways;
-            let touches = sorted[way / 2].read(*delays_s, way % 2 == 1)?;
-            if touches.all_seen() {
-                sizes.extend(touches.delays_s().iter().zip(delays_s).map(|(read_s, true_s)| ((read_s - true_s).abs(), weight)));
-            }
-            Some((touches, *delays_s))
+            Some((sorted[way / 2].read(*delays_s, way % 2 == 1)?, *delays_s))
         };
-        let mut readings = Vec::with_capacity(weights.len());
-        for (point, (delays_s, weight)) in table.delays_s.iter().zip(weights.iter()).enumerate() {
-            let known = *weight >= RARE && delays_s.iter().all(|delay_s| *delay_s < NEVER_S);
-            let exact = (LegTouches::exact(*delays_s), *delays_s);
-            readings.push(if known {
-                std::array::from_fn(|reading| read(point * READINGS + reading, delays_s, *weight))
+        let is_frequent = |delays_s: &[f64; 3], weight: f64| weight >= RARE && delays_s.iter().all(|delay_s| *delay_s < NEVER_S);
+        let landings: Vec<(&[f64; 3], f64)> = table.delays_s.iter().zip(weights.iter().copied()).collect();
+        let readings_of = |(point, (delays_s, weight)): (usize, &(&[f64; 3], f64))| -> [Option<Reading>; READINGS] {
+            let exact = (LegTouches::exact(**delays_s), **delays_s);
+            if is_frequent(delays_s, *weight) {
+                std::array::from_fn(|reading| read(point * READINGS + reading, delays_s))
             } else {
                 [Some(exact); READINGS]
-            });
+            }
+        };
+        let readings: Vec<_> = landings.par_iter().enumerate().map(readings_of).collect();
+        let mut sizes: Vec<(f64, f64)> = Vec::new();
+        for ((delays_s, weight), readings) in
+            landings.iter().zip(&readings).filter(|((delays_s, weight), _)| is_frequent(delays_s, *weight))
+        {
+            for (touches, _) in readings.iter().flatten().filter(|(touches, _)| touches.all_seen()) {
+                sizes.extend(touches.delays_s().iter().zip(*delays_s).map(|(read_s, true_s)| ((read_s - true_s).abs(), *weight)));
+            }
         }
         sizes.sort_by(|a, b| a.0.total_cmp(&b.0));
         let half = 0.5 * sizes.iter().map(|(_, weight)| weight).sum::<f64>();

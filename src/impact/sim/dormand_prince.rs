@@ -27,6 +27,7 @@ const D: [f64; 7] = [
 ];
 
 /// Weighted sum of rates; weights of zero cost nothing.
+#[inline(always)]
 fn weighted<const N: usize>(weights: &[f64], rates: &[[f64; N]; 7]) -> [f64; N] {
     let mut sum = [0.0; N];
     for (weight, rate) in weights.iter().zip(rates).filter(|(weight, _)| **weight != 0.0) {
@@ -52,6 +53,7 @@ pub(super) struct Step<const N: usize> {
 
 impl<const N: usize> Step<N> {
     /// Takes a step from a state with its rates.
+    #[inline(always)]
     pub fn take(from: &[f64; N], rates_there: &[f64; N], h_s: f64, rates_at: impl Fn(&[f64; N]) -> [f64; N]) -> Self {
         let mut rates = [[0.0; N]; 7];
         rates[0] = *rates_there;
@@ -65,16 +67,19 @@ impl<const N: usize> Step<N> {
     }
 
     /// Estimated error of each state.
+    #[inline(always)]
     pub fn error(&self) -> [f64; N] {
         weighted(&E, &self.rates).map(|slope| self.h_s * slope)
     }
 
     /// Rates at its end.
+    #[inline(always)]
     pub fn rates_at_end(&self) -> &[f64; N] {
         &self.rates[6]
     }
 
     /// The step as a function of time.
+    #[inline(always)]
     pub fn dense(&self, start_s: f64) -> Dense<N> {
         let curve = weighted(&D, &self.rates);
         let mut c = [[0.0; N]; 5];
@@ -103,6 +108,7 @@ pub(super) struct Dense<const N: usize> {
 
 impl<const N: usize> Dense<N> {
     /// One state.
+    #[inline(always)]
     pub fn one(&self, i: usize, theta: f64) -> f64 {
         let rest = 1.0 - theta;
         let c = &self.c;
@@ -110,11 +116,13 @@ impl<const N: usize> Dense<N> {
     }
 
     /// All states.
+    #[inline(always)]
     pub fn at(&self, theta: f64) -> [f64; N] {
         std::array::from_fn(|i| self.one(i, theta))
     }
 
     /// Time, s.
+    #[inline(always)]
     pub fn time_s(&self, theta: f64) -> f64 {
         self.start_s + theta * self.h_s
     }

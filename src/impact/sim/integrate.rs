@@ -18,7 +18,7 @@ pub struct SolverOptions {
 
 impl SolverOptions {
     /// For fits: the sensor's output is good to 0.005 g (docs/decisions/0010-integrator.md).
-    pub const FIT: Self = Self { duration_s: 0.06, tolerance: 1e-6, fixed_step_s: None };
+    pub const FIT: Self = Self { duration_s: 0.06, tolerance: 3e-6, fixed_step_s: None };
     /// For reports: energies balance to 1e-8.
     pub const REPORT: Self = Self { duration_s: 0.06, tolerance: 1e-11, fixed_step_s: None };
 }
@@ -61,6 +61,7 @@ const FAR_M: f64 = 10.0;
 const SIZES: [f64; 3] = [1e-2, 1.0, 10.0];
 
 /// Runs a drop from a height; each step goes to the listener.
+#[inline(always)]
 pub(super) fn integrate<const N: usize>(
     system: &System,
     height_m: f64,
@@ -114,6 +115,7 @@ pub(super) fn integrate<const N: usize>(
 }
 
 /// Error of a step over what is allowed; infinite when it is no number.
+#[inline(always)]
 fn error<const N: usize>(step: &Step<N>, core: usize, tolerance: f64) -> f64 {
     let mut worst: f64 = 0.0;
     for (i, error) in step.error().iter().enumerate().take(core) {
@@ -127,7 +129,7 @@ fn error<const N: usize>(step: &Step<N>, core: usize, tolerance: f64) -> f64 {
     worst
 }
 
-/// By how much the next step is longer.
+/// By how much the next step is longer: by the fifth root of the error. Seven digits of it suffice, and take a part of the time of sixteen.
 fn factor(error: f64) -> f64 {
-    if error == 0.0 { 5.0 } else { (0.9 * libm::pow(error, -0.2)).clamp(0.2, 5.0) }
+    (0.9 * f64::from(libm::exp2f(-0.2 * libm::log2f(error as f32)))).clamp(0.2, 5.0)
 }

@@ -175,6 +175,7 @@ impl System {
     }
 
     /// Spring's and damper's forces, N.
+    #[inline(always)]
     pub(super) fn base_n(&self, phase: Phase, y: &[f64]) -> [f64; 2] {
         let at = MotionState { x_m: y[0], v_m_s: y[1], own: &[] };
         match &self.arrangement.feet {
@@ -187,6 +188,7 @@ impl System {
     }
 
     /// What pushes the body.
+    #[inline(always)]
     pub(super) fn push(&self, phase: Phase, y: &[f64]) -> Push {
         let [spring, damper] = self.base_n(phase, y);
         let mut sum_n = spring + damper;
@@ -199,6 +201,7 @@ impl System {
     }
 
     /// Proper acceleration of the frame and of the payload, m/s².
+    #[inline(always)]
     pub(super) fn proper_m_s2(&self, push: &Push, y: &[f64]) -> [f64; 2] {
         match &self.arrangement.attached {
             None => [push.total_n / self.body.mass_kg, 0.0],
@@ -216,6 +219,7 @@ impl System {
     }
 
     /// The right-hand side.
+    #[inline(always)]
     pub(super) fn rates<const N: usize>(&self, phase: Phase, y: &[f64; N]) -> [f64; N] {
         let push = self.push(phase, y);
         let [frame, payload] = self.proper_m_s2(&push, y);
