@@ -10,6 +10,7 @@ use flexframe::mechanics::result::calibration::calibrate;
 use flexframe::mechanics::result::impact::{Impact, Run};
 use flexframe::mechanics::result::prediction::predict;
 use flexframe::mechanics::result::static_curve::StaticCurve;
+use flexframe::mechanics::result::underside::Underside;
 use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::mechanics::solve::modes::Modes;
 use flexframe::params::Frame;
@@ -127,6 +128,34 @@ fn analytic_a_frame_hardly_turned_falls_as_a_level_one_and_turned_either_way_ali
     // Turned by 5 degrees two feet touch before the others: the peak comes later and is lower.
     assert!(left.peak()[0] < 0.95 * level[0] && left.peak()[1] > level[1] + 1.5, "{:?} {level:?}", left.peak());
     assert!(left.unaccounted.abs() < 0.06, "{}", left.unaccounted);
+}
+
+/// Level, the lowest body reaches the ground when the payload has come down by the gap. Turned, a side of it is lower, and two feet give way before the
+/// others: turned either way it reaches the ground alike, by the frame's symmetry.
+#[test]
+fn analytic_the_lowest_body_reaches_the_ground_when_its_gap_is_used_up() {
+    let (design, settings) = (design(|_| ()), MechanicsSettings { element_mm: 1.6, socket_elements: 2.0, ..settings() });
+    let masses = mass::table(&design);
+    let model = |extent| FrameModel::new(&design, &masses, &settings, extent).expect("has a model");
+    let (quarter, whole) = (model(Extent::Quarter), model(Extent::Whole));
+    let gap_mm = flexframe::checks::ground_clearance(&design, &masses).expect("stands on corners").clearance_mm;
+    let underside = |model| Underside::of(&design, model, gap_mm);
+    let run = |y_deg: f64| Run { longest_ms: 8.0, tilt: [Angle::deg(0.0), Angle::deg(y_deg)], ..Run::default() };
+    let level = Impact::new(&quarter, &settings, 1.0, &run(0.0)).expect("is followed");
+    let reached = underside(&quarter).reached(&level).expect("uses up its gap");
+    let at = level.moments.windows(2).find(|pair| pair[1].down_mm >= gap_mm).expect("uses up its gap");
+    assert!((at[0].t_ms..=at[1].t_ms).contains(&reached.at_ms) && (reached.speed_m_s + at[1].up_m_s).abs() < 0.15, "{reached:?} {at:?}");
+    let deepest_mm = level.moments.iter().map(|moment| moment.down_mm).fold(0.0, f64::max);
+    assert!((underside(&quarter).least_mm(&level) - (gap_mm - deepest_mm)).abs() < 1e-9);
+    let [left, right] = [6.0, -6.0].map(|y_deg| {
+        let impact = Impact::new(&whole, &settings, 1.0, &run(y_deg)).expect("is followed");
+        // The corner that is lowest at first touch hangs lower than the level one by its distance from the axis times the slope, as much as the
+        // frame's middle stands higher.
+        let before_mm = underside(&whole).height_mm(&impact.centre[0]);
+        assert!(before_mm > gap_mm && before_mm < gap_mm + 0.16 * 100.0, "{before_mm} {gap_mm}");
+        underside(&whole).reached(&impact).expect("uses up its gap")
+    });
+    assert!((left.at_ms / right.at_ms - 1.0).abs() < 0.05 && left.at_ms > reached.at_ms, "{left:?} {right:?} {reached:?}");
 }
 
 #[test]

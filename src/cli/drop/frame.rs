@@ -13,6 +13,7 @@ use crate::mechanics::model::frame_model::{Extent, FrameModel};
 use crate::mechanics::parts::parts_plan::part_models;
 use crate::mechanics::result::deformed::Bound;
 use crate::mechanics::result::impact::{Impact, Run};
+use crate::mechanics::result::underside::Underside;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::report::chart::impact_plots;
 use crate::report::data::impact_data;
@@ -42,10 +43,9 @@ pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<Exi
     let model = FrameModel::of_parts(&design, &parts, &masses, &settings, extent).map_err(mechanics_refused)?;
     let drop = |height_m: &f64| Impact::new(&model, &settings, *height_m, &Run { tilt, ..Run::default() }).map_err(mechanics_refused);
     let impacts = heights_m.iter().map(drop).collect::<Result<Vec<_>, _>>()?;
-    let level = extent == Extent::Quarter;
-    let gap_mm = checks::ground_clearance(&design, &masses).filter(|_| level).map(|ground| ground.clearance_mm);
+    let underside = checks::ground_clearance(&design, &masses).map(|ground| Underside::of(&design, &model, ground.clearance_mm));
     let tilt_deg = <[f64; 2]>::try_from(args.tilt.as_slice()).unwrap_or_default();
-    let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, gap_mm, tilt_deg, impacts: &impacts };
+    let found = Impacts { frame: &design.frame.name, settings: &settings, mass_g: masses.total_g, underside, tilt_deg, impacts: &impacts };
     let json = impact_data::json(&found, args.trace);
     let mut files = impact_plots::plots(&found)
         .map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use nalgebra::{Matrix3, Vector3};
+
 use super::landing::{along_axis_g, falling, rising, touching};
 use super::strength::{RodForce, ZoneState, rod_forces, zones};
 use crate::mechanics::model::frame_model::FrameModel;
@@ -69,6 +71,8 @@ pub struct Impact {
     pub speed_m_s: f64,
     /// Moments, a step apart.
     pub moments: Vec<Moment>,
+    /// Where the centre is at each moment, mm, and its turn since the frame was level.
+    pub centre: Vec<(Vector3<f64>, Matrix3<f64>)>,
     /// When the feet left the ground, ms; `None` when they had not.
     pub contact_ms: Option<f64>,
     /// Speed of the whole frame's centre of mass upwards at the end over that at the start.
@@ -96,6 +100,8 @@ impl Impact {
         let speed_m_s = (2.0 * GRAVITY_M_S2 * height_m).sqrt();
         let touching = touching(&model.system, model.hub, run.tilt);
         let rest = touching.places[model.hub].z;
+        let centre = |state: &State| (state.places[model.hub], state.turns[model.hub]);
+        let first = centre(&touching);
         let mut motion = TimeIntegration::new(&model.system, settings.relaxation(), touching, falling(model, speed_m_s), GRAVITY_MM_MS2);
         let copies = model.extent.copies();
         let hub = model.system.unknowns.of(model.hub)[2];
@@ -104,6 +110,7 @@ impl Impact {
             height_m,
             speed_m_s,
             moments: vec![Moment { t_ms: 0.0, down_mm: 0.0, up_m_s: -speed_m_s, proper_g: 0.0, ground_n: 0.0 }],
+            centre: vec![first],
             contact_ms: None,
             restitution: 0.0,
             energies: [start; 2],
@@ -121,6 +128,7 @@ impl Impact {
             let proper_g = along_axis_g(model, &motion);
             let ground_n = motion.ground_n * copies;
             impact.moments.push(Moment { t_ms: motion.t_ms, down_mm, up_m_s: motion.velocity[hub], proper_g, ground_n });
+            impact.centre.push(centre(&motion.state));
             impact.watch_rods(model, &motion.state);
             if impact.moments.len() % 10 == 1 {
                 impact.states.push((motion.t_ms, motion.state.clone()));
@@ -178,13 +186,6 @@ impl Impact {
     /// Largest way down of the payload, mm.
     pub fn travel_mm(&self) -> f64 {
         self.moments.iter().map(|moment| moment.down_mm).fold(0.0, f64::max)
-    }
-
-    /// When the payload had gone down by a distance first, ms, and how fast it then was, m/s; `None` when it never had.
-    pub fn passes(&self, down_mm: f64) -> Option<[f64; 2]> {
-        let at = self.moments.windows(2).find(|pair| pair[0].down_mm < down_mm && pair[1].down_mm >= down_mm)?;
-        let share = (down_mm - at[0].down_mm) / (at[1].down_mm - at[0].down_mm);
-        Some([at[0].t_ms + share * (at[1].t_ms - at[0].t_ms), -(at[0].up_m_s + share * (at[1].up_m_s - at[0].up_m_s))])
     }
 
     /// The proper acceleration behind a first-order low-pass, g, moment by moment.

@@ -9,3 +9,4 @@ pub mod ratio;
 pub mod reduction;
 pub mod static_curve;
 pub mod strength;
+pub mod underside;

@@ -19,8 +19,10 @@ pub fn plots(found: &Impacts) -> Result<Vec<(String, Vec<u8>)>, PlotError> {
     Ok(files)
 }
 
+/// The way of the payload at which its lowest body reaches the ground; of a turned frame there is no such way.
 fn gap(found: &Impacts) -> Vec<(String, f64)> {
-    found.gap_mm.map(|gap| (format!("gap, {gap:.1} mm"), gap)).into_iter().collect()
+    let level = found.underside.iter().filter(|_| found.tilt_deg == [0.0; 2]);
+    level.map(|underside| (format!("gap, {:.1} mm", underside.gap_mm), underside.gap_mm)).collect()
 }
 
 fn series(impact: &Impact, values: impl Iterator<Item = f64>, colour: usize, label: Option<String>) -> Series {
@@ -28,11 +30,12 @@ fn series(impact: &Impact, values: impl Iterator<Item = f64>, colour: usize, lab
     Series { colour, width: if label.is_some() { 2 } else { 1 }, marked: false, points, label }
 }
 
-/// Where the payload has used up the gap: what hits the ground there is not in the model.
+/// Where the lowest body reaches the ground: its impact there is not in the model.
 fn left(found: &Impacts, values: impl Fn(&Impact) -> Vec<f64>) -> Vec<(usize, (f64, f64))> {
-    let Some(gap_mm) = found.gap_mm else { return Vec::new() };
+    let Some(underside) = &found.underside else { return Vec::new() };
     let point = |(at, impact): (usize, &Impact)| {
-        let moment = impact.moments.iter().position(|moment| moment.down_mm > gap_mm)?;
+        let reached = underside.reached(impact)?;
+        let moment = impact.moments.iter().position(|moment| moment.t_ms > reached.at_ms)?;
         Some((at, (impact.moments[moment].t_ms, *values(impact).get(moment)?)))
     };
     found.impacts.iter().enumerate().filter_map(point).collect()

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::export::ExportError;
 use crate::export::table::csv;
 use crate::mechanics::result::impact::{Impact, LOGGER_HZ, Run, sampled_peak_g};
+use crate::mechanics::result::underside::{Reached, Underside};
 use crate::mechanics::settings::MechanicsSettings;
 
 /// What was computed.
@@ -17,8 +18,8 @@ pub struct Impacts<'a> {
     pub settings: &'a MechanicsSettings,
     /// Mass of the whole frame, g.
     pub mass_g: f64,
-    /// Clearance of the lowest body above the ground, mm; none for a frame that is tilted.
-    pub gap_mm: Option<f64>,
+    /// What of the centre may hit the ground; none of a frame without corners or a centre.
+    pub underside: Option<Underside>,
     /// Tilt of the frame about X and Y when it touches, degrees.
     pub tilt_deg: [f64; 2],
     /// Height by height.
@@ -38,7 +39,6 @@ fn logged_peak_g(impact: &Impact) -> f64 {
 
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
     let [peak_g, peak_ms] = impact.peak();
-    let touch = found.gap_mm.map(|gap| impact.passes(gap));
     let lost: BTreeMap<_, _> = impact.lost.iter().copied().collect();
     let mut value = json!({
         "height_m": impact.height_m,
@@ -50,12 +50,16 @@ fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {
         "travel_mm": impact.travel_mm(),
         "contact_ms": impact.contact_ms,
         "restitution": impact.restitution,
-        "touches": touch.map(|touch| json!({
-            "gap_mm": found.gap_mm,
-            "touches": touch.is_some(),
-            "at_ms": touch.map(|t| t[0]),
-            "speed_m_s": touch.map(|t| t[1]),
-        })),
+        "touches": found.underside.as_ref().map(|underside| {
+            let reached = underside.reached(impact);
+            json!({
+                "gap_mm": underside.gap_mm,
+                "touches": reached.is_some(),
+                "at_ms": reached.map(|reached| reached.at_ms),
+                "speed_m_s": reached.map(|reached| reached.speed_m_s),
+                "least_mm": underside.least_mm(impact),
+            })
+        }),
         "energy_lowest": impact.energies[0],
         "energy_end": impact.energies[1],
         "lost_mj": lost,
@@ -143,18 +147,18 @@ pub fn table(found: &Impacts) -> String {
             100.0 * end.friction_mj / input,
         );
     }
-    if found.tilt_deg != [0.0; 2] {
-        text += "\nwhether the lowest body reaches the ground was not evaluated: that takes a level landing\n";
-    }
-    if let Some(gap) = found.gap_mm {
+    if let Some(underside) = &found.underside {
         text.push('\n');
+        let gap = underside.gap_mm;
         for impact in found.impacts {
-            text += &match impact.passes(gap) {
-                Some([ms, speed]) => format!(
-                    "{} m: the lowest body reaches the ground after {ms:.1} ms at {speed:.2} m/s (gap {gap:.1} mm); its impact is not included in the peak\n",
+            text += &match underside.reached(impact) {
+                Some(Reached { at_ms, speed_m_s }) => format!(
+                    "{} m: the lowest body reaches the ground after {at_ms:.1} ms at {speed_m_s:.2} m/s (gap {gap:.1} mm); its impact is not included in the peak\n",
                     impact.height_m
                 ),
-                None => format!("{} m: the gap of {gap:.1} mm is not used up\n", impact.height_m),
+                None => {
+                    format!("{} m: the gap of {gap:.1} mm is not used up, {:.1} mm are left\n", impact.height_m, underside.least_mm(impact))
+                }
             };
         }
     }

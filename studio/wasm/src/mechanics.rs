@@ -8,6 +8,7 @@ use flexframe::mechanics::result::deformed::{Bound, DeformedBody};
 use flexframe::mechanics::result::impact::{Impact, Run};
 use flexframe::mechanics::result::prediction::{Prediction, predict};
 use flexframe::mechanics::result::static_curve::{DOWN_MM, INSIDE_MM, StaticCurve};
+use flexframe::mechanics::result::underside::Underside;
 use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::mechanics::solve::modes::{Modes, REPORTED};
 use flexframe::report::data::impact_data::{self, Impacts};
@@ -70,9 +71,9 @@ pub fn impact(open: &OpenFrame, height_m: f64, motion: bool) -> Result<Answer, R
     tell_stage(1, 3, "the impact");
     let impact = Impact::new(&quarter, &settings, height_m, &Run::default()).map_err(refused)?;
     let impacts = [impact];
-    let gap_mm = checks::ground_clearance(design, masses).map(|ground| ground.clearance_mm);
+    let underside = checks::ground_clearance(design, masses).map(|ground| Underside::of(design, &quarter, ground.clearance_mm));
     let name = &design.frame.name;
-    let found = Impacts { frame: name, settings: &settings, mass_g: masses.total_g, gap_mm, tilt_deg: [0.0; 2], impacts: &impacts };
+    let found = Impacts { frame: name, settings: &settings, mass_g: masses.total_g, underside, tilt_deg: [0.0; 2], impacts: &impacts };
     let mut answer = Answer::data(impact_data::json(&found, true));
     if motion {
         tell_stage(2, 3, "its motion");

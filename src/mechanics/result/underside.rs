@@ -1,0 +1,67 @@
+//! The rigid centre's bodies above the ground: which of them hits it in an impact, and when.
+//!
+//! The centre moves as one body, with battery and boards. *When it is wrong:* what is soft of it, and what hangs out of it, is as stiff as the rest;
+//! the impact goes on as if the ground were not there.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::impact::Impact;
+use crate::frame::assembly::{Design, Kind};
+use crate::mechanics::model::frame_model::FrameModel;
+use crate::solid::MeshSolid;
+
+/// The corners of the centre's bodies that can be lowest, and the ground.
+#[derive(Clone, Debug)]
+pub struct Underside {
+    /// From the centre's node at rest, mm, in the frame's axes.
+    corners: Vec<Vector3<f64>>,
+    /// Height of the ground in the frame's axes, mm.
+    ground_mm: f64,
+    /// From the ground up to the lowest corner when the frame stands level, mm.
+    pub gap_mm: f64,
+}
+
+/// When the centre first reaches the ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reached {
+    /// Since first touch, ms.
+    pub at_ms: f64,
+    /// Speed downwards of the corner that reaches it, m/s.
+    pub speed_m_s: f64,
+}
+
+impl Underside {
+    /// Of a design whose lowest body is `gap_mm` above the ground when it stands level.
+    pub fn of(design: &Design, model: &FrameModel, gap_mm: f64) -> Self {
+        let hub = model.system.rest().places[model.hub];
+        let centre = design.bodies.iter().filter(|body| body.module.is_none() && design.shape(body).kind != Kind::Propeller);
+        let all: Vec<_> =
+            centre.flat_map(|body| design.shape(body).mesh.placed(&body.pose).vertices).map(|v| v.map(f64::from).into()).collect();
+        // Only corners of the hull can be lowest, however it is turned.
+        let hull = MeshSolid::hull_of(&all).mesh().vertices;
+        let corners: Vec<Vector3<f64>> = hull.into_iter().map(|v| Vector3::from(v.map(f64::from)) - hub).collect();
+        let lowest_mm = corners.iter().map(|corner| corner.z).fold(f64::INFINITY, f64::min);
+        Self { corners, ground_mm: hub.z + lowest_mm - gap_mm, gap_mm }
+    }
+
+    /// Height above the ground of the lowest corner, mm, the centre being at a place and turned; negative below the ground.
+    pub fn height_mm(&self, (place, turn): &(Vector3<f64>, Matrix3<f64>)) -> f64 {
+        let below = turn.row(2);
+        place.z - self.ground_mm + self.corners.iter().map(|corner| (below * corner).x).fold(f64::INFINITY, f64::min)
+    }
+
+    /// When the centre first reaches the ground in an impact; `None` where it does not.
+    pub fn reached(&self, impact: &Impact) -> Option<Reached> {
+        let heights_mm: Vec<f64> = impact.centre.iter().map(|centre| self.height_mm(centre)).collect();
+        let at = heights_mm.windows(2).position(|pair| pair[0] > 0.0 && pair[1] <= 0.0)?;
+        let [before, after] = [at, at + 1].map(|at| (impact.moments[at].t_ms, heights_mm[at]));
+        // mm/ms are m/s.
+        let speed_m_s = (before.1 - after.1) / (after.0 - before.0);
+        Some(Reached { at_ms: before.0 + before.1 / speed_m_s, speed_m_s })
+    }
+
+    /// The least height above the ground in an impact, mm.
+    pub fn least_mm(&self, impact: &Impact) -> f64 {
+        impact.centre.iter().map(|centre| self.height_mm(centre)).fold(f64::INFINITY, f64::min)
+    }
+}
