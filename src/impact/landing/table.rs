@@ -83,8 +83,8 @@ impl Loops for Weighed<'_> {
     #[inline(always)]
     fn run(self) -> DVector<f64> {
         let mut sum = DVector::zeros(self.columns.nrows());
-        for (column, weight) in self.columns.as_slice().chunks_exact(self.columns.nrows()).zip(self.weights.as_slice()) {
-            for (sum, value) in sum.as_mut_slice().iter_mut().zip(column) {
+        for (column, weight) in self.columns.column_iter().zip(self.weights.as_slice()) {
+            for (sum, value) in sum.as_mut_slice().iter_mut().zip(column.as_slice()) {
                 *sum += weight * value;
             }
         }
