@@ -156,6 +156,9 @@ fn analytic_the_lowest_body_reaches_the_ground_when_its_gap_is_used_up() {
         underside(&whole).reached(&impact).expect("uses up its gap")
     });
     assert!((left.at_ms / right.at_ms - 1.0).abs() < 0.05 && left.at_ms > reached.at_ms, "{left:?} {right:?} {reached:?}");
+    // What hangs lower than the feet is on the ground with the first touch, as fast as the frame.
+    let low = Underside::of(&design, &quarter, -0.5).reached(&level).expect("begins below the ground");
+    assert_eq!((low.at_ms, low.speed_m_s), (0.0, level.speed_m_s));
 }
 
 #[test]

@@ -172,12 +172,12 @@ impl SearchContext<'_> {
         let mut open: Vec<&Candidate> = carried.collect();
         for round in 0..2 {
             let mut promised: BTreeMap<Vec<&'static str>, Vec<(f64, Model)>> = BTreeMap::new();
-            let on = |(at, from): (usize, &Candidate)| match (round, at) {
-                (0, 0) => Some(on_first.clone()),
-                _ => Dictionary::on(self.problem, from.model(), self.catalogue),
+            let on = |at: usize, from: &Candidate| {
+                let is_first = (round, at) == (0, 0);
+                if is_first { Some(on_first.clone()) } else { Dictionary::on(self.problem, from.model(), self.catalogue) }
             };
             let dictionaries: Vec<(&Candidate, Dictionary)> =
-                open.iter().enumerate().filter_map(|(at, from)| Some((*from, on((at, from))?))).collect();
+                open.iter().enumerate().filter_map(|(at, from)| Some((*from, on(at, from)?))).collect();
             for (from, dictionary) in &dictionaries {
                 for promise in promises(self.problem, &from.fitted, dictionary)? {
                     let model = promise.start.on(from.model());

@@ -6,7 +6,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::impact::Impact;
-use crate::frame::assembly::{Design, Kind};
+use crate::frame::assembly::Design;
 use crate::mechanics::model::frame_model::FrameModel;
 use crate::solid::MeshSolid;
 
@@ -34,7 +34,7 @@ impl Underside {
     /// Of a design whose lowest body is `gap_mm` above the ground when it stands level.
     pub fn of(design: &Design, model: &FrameModel, gap_mm: f64) -> Self {
         let hub = model.system.rest().places[model.hub];
-        let centre = design.bodies.iter().filter(|body| body.module.is_none() && design.shape(body).kind != Kind::Propeller);
+        let centre = design.bodies.iter().filter(|body| body.module.is_none());
         let all: Vec<_> =
             centre.flat_map(|body| design.shape(body).mesh.placed(&body.pose).vertices).map(|v| v.map(f64::from).into()).collect();
         // Only corners of the hull can be lowest, however it is turned.
@@ -50,10 +50,14 @@ impl Underside {
         place.z - self.ground_mm + self.corners.iter().map(|corner| (below * corner).x).fold(f64::INFINITY, f64::min)
     }
 
-    /// When the centre first reaches the ground in an impact; `None` where it does not.
+    /// When the centre first reaches the ground in an impact; `None` where it does not. One that hangs lower than the feet, or is turned so far that
+    /// it comes first, reaches it with them.
     pub fn reached(&self, impact: &Impact) -> Option<Reached> {
         let heights_mm: Vec<f64> = impact.centre.iter().map(|centre| self.height_mm(centre)).collect();
-        let at = heights_mm.windows(2).position(|pair| pair[0] > 0.0 && pair[1] <= 0.0)?;
+        if heights_mm.first().is_some_and(|height_mm| *height_mm <= 0.0) {
+            return Some(Reached { at_ms: 0.0, speed_m_s: impact.speed_m_s });
+        }
+        let at = heights_mm.windows(2).position(|pair| pair[1] <= 0.0)?;
         let [before, after] = [at, at + 1].map(|at| (impact.moments[at].t_ms, heights_mm[at]));
         // mm/ms are m/s.
         let speed_m_s = (before.1 - after.1) / (after.0 - before.0);
