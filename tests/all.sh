@@ -134,20 +134,22 @@ installed_ahead() {
 
 # --- Rust --------------------------------------------------------------------------------------------------
 
-# Compiles the tests, and then the program: it is the same with the tests' libraries and without (feature one-build), so this
-# compiles nothing.
+# The program comes before its tests: it is the same with the tests' libraries and without (feature one-build), and other programs
+# read what it writes while the tests are compiled.
 compiled() {
-    heading "compiling the tests and the program"
-    cargo test --release --no-run && cargo build --release && return
-    failed "cargo build" "the tests or the program do not build; nothing was tested"
+    heading "compiling the program"
+    cargo build --release && return
+    failed "cargo build" "the program does not build; nothing was tested"
     return 1
 }
 
-# Counts what cargo counted, one result a test.
+# Counts what cargo counted, one result a test. The examples are linted with the rest; nothing here runs them.
 cargo_tests() {
     heading "cargo test"
-    local log=$work/cargo-test.log code=0
-    FLEXFRAME_RANDOM_STLS=$random_frames cargo test --release --no-fail-fast 2>&1 | tee "$log" || code=$?
+    local log=$work/cargo-test.log code=0 targets=(--release --lib --bins --tests)
+    cargo test "${targets[@]}" --no-run || code=$?
+    heading "the tests are compiled"
+    FLEXFRAME_RANDOM_STLS=$random_frames cargo test "${targets[@]}" --no-fail-fast 2>&1 | tee "$log" || code=$?
     awk '/^test .* \.\.\. ok$/          { print "ok " $2 }
          /^test .* \.\.\. ignored/      { print "ignored " $2 }
          /^test .* \.\.\. FAILED$/      { print "FAILED " $2 ": see above" }' "$log" >"$work/cargo-results.txt"
@@ -287,9 +289,9 @@ libraries_are_allowed() {
     fi
 }
 
-# The library as a WebAssembly module, for tests.
+# The library as a WebAssembly module, for tests. It is the library without the command line, so a warning of that is an error here.
 engine_compiled() {
-    rust_for_wasm && CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick engine
+    rust_for_wasm && RUSTFLAGS="-D warnings" CARGO_TARGET_DIR=$PWD/$target/wasm bash studio/build.sh quick engine
 }
 
 # Its compiler leaves a core idle now and then, and so does that of the tests: side by side they take less time. Not where Debian's Rust
@@ -666,7 +668,6 @@ step "cargo fmt" cargo fmt --check
 installed_ahead >"$work/installed.log" 2>&1 &
 installing=$!
 step "cargo clippy with every feature" cargo clippy --release --all-targets --all-features -- -D warnings
-step "cargo clippy without features" cargo clippy --release --lib --no-default-features -- -D warnings
 step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
 step "cargo fmt of the fuzz targets" cargo fmt --check --manifest-path fuzz/Cargo.toml
 step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps

@@ -56,13 +56,14 @@ pub fn check_by(rules: &[&Rule], dearest: Cost, design: &Design, masses: &MassTa
     }
 }
 
-/// What one rule finds, without the search for a fold. A rule whose findings come about in a pass of another is asked with all of them.
-pub fn check_one(rule: &Rule, design: &Design, masses: &MassTable) -> Vec<Finding> {
+/// What one rule finds, without the search for a fold and the passes that cost more. A rule whose findings come about in a pass of another is
+/// asked with all of them.
+pub fn check_one(rule: &Rule, dearest: Cost, design: &Design, masses: &MassTable) -> Vec<Finding> {
     let own = |known: &&&Rule| known.id == rule.id && matches!(known.found, Found::By(_));
     let alone: Vec<&Rule> = CATALOGUE.iter().filter(own).copied().collect();
     let others = CATALOGUE.iter().copied().filter(|known| alone.is_empty() && known.id != fold::RULE.id);
     let rules: Vec<&Rule> = alone.iter().copied().filter(|known| known.id != fold::RULE.id).chain(others).collect();
-    check_by(&rules, Cost::Slow, design, masses).into_iter().filter(|finding| finding.rule == rule.id).collect()
+    check_by(&rules, dearest, design, masses).into_iter().filter(|finding| finding.rule == rule.id).collect()
 }
 
 /// The same with somebody who follows it, rule by rule; none when that one ended it.

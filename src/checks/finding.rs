@@ -5,6 +5,8 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::figures::{decimals, told_apart};
+use crate::frame::skeleton::MODULE_NAMES;
+use crate::params::PartName;
 
 /// How a finding ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -73,6 +75,13 @@ pub fn tightest(findings: &[Finding]) -> Vec<Tightest<'_>> {
 }
 
 impl Finding {
+    /// Whether its subject names a part: all that are printed of it, or the one of a module.
+    pub fn names(&self, part: PartName) -> bool {
+        let is_of_module = |rest: &str| rest.strip_prefix('_').is_some_and(|rest| MODULE_NAMES.contains(&rest));
+        let mut words = self.subject.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        words.any(|word| word.strip_prefix(part.slug()).is_some_and(|rest| rest.is_empty() || is_of_module(rest)))
+    }
+
     /// Whether it is a warning: a note beyond its figure.
     pub fn warns(&self) -> bool {
         self.verdict == Verdict::Note && self.margin < 0.0
@@ -109,5 +118,19 @@ mod tests {
         let all = [found("a: depth", 6.0), found("b: depth", 5.0), found("c: depth", 3.0), found("d: depth", 2.0), found("a: wall", 9.0)];
         let shown: Vec<(&str, usize)> = tightest(&all).iter().map(|t| (t.finding.subject.as_str(), t.of)).collect();
         assert_eq!(shown, [("b: depth", 2), ("c: depth", 1), ("d: depth", 1), ("a: wall", 1)]);
+    }
+
+    #[test]
+    fn analytic_a_subject_names_a_part_by_its_whole_name() {
+        for (subject, names) in [
+            ("hub: wall", &[PartName::Hub][..]),
+            ("hub_joint: wall", &[PartName::HubJoint]),
+            ("hub_joint_FR and camera", &[PartName::HubJoint]),
+            ("hub and hub_joint_BL", &[PartName::Hub, PartName::HubJoint]),
+            ("battery", &[]),
+        ] {
+            let named: Vec<PartName> = PartName::ALL.into_iter().filter(|part| found(subject, 5.0).names(*part)).collect();
+            assert_eq!(named, names, "{subject}");
+        }
     }
 }

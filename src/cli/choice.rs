@@ -132,7 +132,7 @@ fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {
         names: with_own(preset::part_names(kind), file, "parts", Some(kind)),
         or,
         without,
-        sets: parameters().filter(|p| follows::role_of(p.key) == Some(role)).map(followed).collect(),
+        sets: parameters().filter(|p| follows::role_in(&frame.bought, p.key) == Some(role)).map(followed).collect(),
         key,
     }
 }

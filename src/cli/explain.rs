@@ -87,7 +87,7 @@ fn head(p: &Parameter, frame: &Frame, file: &FrameFile) -> String {
     let mut text = format!("{}.{}\n  {}\n", p.table, p.key, p.doc.trim());
     text += format!("  value    {} {unit}", round(value)).trim_end();
     let stated = file.entries.get(&format!("{}.{}", p.table, p.key)).map(|entry| &entry.place);
-    text += &match (stated, follows::followed_key(p.key)) {
+    text += &match (stated, follows::followed_key_in(&frame.bought, p.key)) {
         _ if is_given(p, frame) => " (follows from [target])\n".into(),
         (Some(place), _) => format!(" ({})\n", line_of(place)),
         (None, Some(followed)) => format!(" (follows from {followed})\n"),
@@ -251,7 +251,7 @@ fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Val
         "value": frame.value(p.table, p.key),
         "bounds": [p.min, p.max],
         "drives": p.drives.iter().map(|part| part.slug()).collect::<Vec<_>>(),
-        "follows": if is_given(p, frame) { Some("target") } else { follows::followed(p.key) },
+        "follows": if is_given(p, frame) { Some("target") } else { follows::followed_in(&frame.bought, p.key) },
         "responses": responses.iter().map(response).collect::<Vec<_>>(),
         "peak": PEAK_CAVEAT,
     })

@@ -6,7 +6,7 @@ use toml_edit::Key;
 
 use super::failure::Failure;
 use super::output;
-use crate::params::amend::{Amendment, amended, formatted, quoted};
+use crate::params::amend::{Amendment, amended, quoted};
 use crate::params::frame_file::Value;
 use crate::params::{FrameFile, frame_name, preset};
 
@@ -42,7 +42,7 @@ pub(super) fn place(name: &str) -> Result<PathBuf, Failure> {
 
 /// Writes a frame file on a base, which is named as [`base_for`] says.
 pub(super) fn write(place: &Path, base: &str, description: &str, lines: &[Line]) -> Result<(), Failure> {
-    let text = text(base, description, lines);
+    let text = text(base, description, lines).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
     output::write_new(place, text.as_bytes()).map_err(|error| Failure::Machine { what: format!("cannot write {}", place.display()), error })
 }
 
@@ -64,8 +64,8 @@ pub(super) fn amend(place: &Path, frame: &str, description: &str, lines: &[Line]
     let failed = |what: &str| format!("cannot {what} {}", place.display());
     let former = FrameFile::load(&place.display().to_string())?;
     let text = former.files.first().map_or("", |source| &source.text);
-    let amendments: Vec<Amendment> = lines.iter().map(|Line { key, value, why }| Amendment { key, value: Some(value), why }).collect();
-    let text = amended(text, &amendments).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
+    let text =
+        amended(text, &amendments(lines)).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
     output::replace_file(place, text.as_bytes()).map_err(|error| Failure::Machine { what: failed("write"), error })
 }
 
@@ -105,26 +105,18 @@ fn way(from: &Path, to: &Path) -> Option<String> {
     Some(to[same..].iter().fold(up, |way, part| format!("{way}{}/", part.as_os_str().to_string_lossy())))
 }
 
-fn text(base: &str, description: &str, lines: &[Line]) -> String {
-    let mut text =
-        format!("# {description}.\n# What does not stand here is that of the base; `flexframe explain KEY` says what a key does.\n");
-    text += &format!("base = {}\ndescription = {}\n", quoted(base), quoted(description));
-    let mut tables: Vec<&str> = Vec::new();
-    for line in lines {
-        let (table, _) = line.key.rsplit_once('.').unwrap_or(("", &line.key));
-        if !tables.contains(&table) {
-            tables.push(table);
-        }
-    }
-    for table in tables {
-        text += &format!("\n[{table}]\n");
-        for line in lines.iter().filter(|line| line.key.rsplit_once('.').is_some_and(|(of, _)| of == table)) {
-            let key = line.key.rsplit('.').next().unwrap_or_default();
-            let why = line.why.replace(['\n', '\r'], " ");
-            text += &format!("{key} = {} # {why}\n", formatted(&line.value));
-        }
-    }
-    text
+fn text(base: &str, description: &str, lines: &[Line]) -> Result<String, String> {
+    let head = format!(
+        "# {}.\n# What does not stand here is that of the base; `flexframe explain KEY` says what a key does.\nbase = {}\ndescription = {}\n",
+        description.replace(char::is_control, " "),
+        quoted(base),
+        quoted(description)
+    );
+    amended(&head, &amendments(lines))
+}
+
+fn amendments(lines: &[Line]) -> Vec<Amendment<'_>> {
+    lines.iter().map(|Line { key, value, why }| Amendment { key, value: Some(value), why }).collect()
 }
 
 #[cfg(test)]
@@ -145,8 +137,10 @@ mod tests {
             line("rods.arm_rod_length_mm", Value::Number(80.0)),
             line("bought.battery", Value::Text("battery-2s-850".into())),
             line("rods.cage_rod_length_mm", Value::Number(190.125)),
+            line("printer", Value::Text("prusa-mk4".into())),
+            line("override.printers.\"generic-0.4\".nozzle_mm", Value::Number(0.6)),
         ];
-        let text = text("cognifly", "A \"quoted\" \\ description", &lines);
+        let text = text("cognifly", "A \"quoted\" \\ description", &lines).expect("is TOML");
         let file = FrameFile::parse("mine", &text).expect(&text);
         for Line { key, value, .. } in &lines {
             assert_eq!(&file.entries[key].value, value, "{text}");

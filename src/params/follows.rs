@@ -111,7 +111,17 @@ pub fn followed(key: &str) -> Option<&'static str> {
     role_of(key).or_else(|| same_as(key))
 }
 
-/// The key that a number follows from: that of a bought part's choice, or another number's.
+/// What a number follows from in a frame with these bought parts: a role, or another number's key with its table.
+pub fn followed_in(bought: &Bought, key: &str) -> Option<&'static str> {
+    role_in(bought, key).or_else(|| same_as(key))
+}
+
+/// The key that a number follows from in a frame with these bought parts: that of a part's choice, or another number's.
+pub fn followed_key_in(bought: &Bought, key: &str) -> Option<String> {
+    role_in(bought, key).map(|role| format!("bought.{role}")).or_else(|| same_as(key).map(String::from))
+}
+
+/// The key that a number follows from, in lists: that of a bought part's choice, or another number's.
 pub fn followed_key(key: &str) -> Option<String> {
     role_of(key).map(|role| format!("bought.{role}")).or_else(|| same_as(key).map(String::from))
 }
@@ -155,7 +165,18 @@ pub(super) fn field_of(bought: &Bought, key: &str) -> Option<String> {
     rule.fields.first().map(|field| format!("override.parts.{}.{field}", item.name))
 }
 
-/// The role of the bought part that a key's number follows from.
+/// The role of the bought part that a key's number follows from in a frame with these parts.
+pub fn role_in(bought: &Bought, key: &str) -> Option<&'static str> {
+    role_among(key, |role| bought.contains_key(role))
+}
+
+/// The same in a frame that has these roles: the first one counts.
+pub fn role_among(key: &str, has: impl Fn(&str) -> bool) -> Option<&'static str> {
+    let rule = FOLLOWS.iter().find(|rule| rule.key == key)?;
+    rule.roles.iter().find(|role| has(role)).or(rule.roles.first()).copied()
+}
+
+/// The role of the bought part that a key's number follows from in a frame that has all of them.
 pub fn role_of(key: &str) -> Option<&'static str> {
-    FOLLOWS.iter().find(|rule| rule.key == key).and_then(|rule| rule.roles.first()).copied()
+    role_among(key, |_| true)
 }

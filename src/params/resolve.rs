@@ -174,7 +174,7 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     }
     // Of a part that the file describes itself, that figure; else the choice of the part.
     let described = follows::field_of(bought, p.key).filter(|field| file.entries.contains_key(field));
-    let chosen = || follows::role_of(p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
+    let chosen = || follows::role_in(bought, p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
     Err(file.refuse(&described.unwrap_or_else(chosen), reason))
 }
 

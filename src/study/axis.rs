@@ -1,5 +1,7 @@
 //! What differs between the rows of a study.
 
+use std::collections::BTreeSet;
+
 use crate::params::parameter::Parameter;
 use crate::variant::Vary;
 
@@ -41,6 +43,12 @@ impl Input {
             Self::None => String::new(),
         }
     }
+}
+
+/// An axis whose key another one before it has.
+pub(super) fn twice(axes: &[Axis]) -> Option<&Axis> {
+    let mut keys = BTreeSet::new();
+    axes.iter().find(|axis| !keys.insert(axis.key()))
 }
 
 impl Axis {

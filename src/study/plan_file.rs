@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::axis::Axis;
+use super::axis::{Axis, twice};
 use super::column::Column;
 use super::plan::{Frames, Study, Subject};
 use super::plan_keys::{impossible, named, only_known, text, whole};
@@ -134,8 +134,7 @@ fn axes(file: &ImpactFile, base: &FrameFile, frame: &Frame) -> Result<Vec<Axis>,
     for key in file.entries.keys().filter(|key| key.starts_with("choose.")) {
         axes.push(name_axis(file, key, base, &mut names)?);
     }
-    let twice = axes.iter().enumerate().find(|(at, axis)| axes[..*at].iter().any(|other| other.key() == axis.key()));
-    if let Some((_, axis)) = twice {
+    if let Some(axis) = twice(&axes) {
         let message = format!("`{}` varies twice in the study on {}", axis.key(), frame.name);
         return Err(file.refuse("vary", impossible(message, "state each key once".into())));
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::axis::{Axis, Input};
+use super::axis::{Axis, Input, twice};
 use super::plan_keys::impossible;
 use crate::params::ImpactFile;
 use crate::params::lookup::known;
@@ -28,6 +28,9 @@ pub fn samples(file: &ImpactFile, text: &str) -> Result<(Vec<Axis>, Vec<Vec<Inpu
     }
     let mut axes: Vec<Axis> =
         head.iter().map(|key| known(key).map_or_else(|| Axis::Name { key: key.into(), names: Vec::new() }, Axis::Listed)).collect();
+    if let Some(axis) = twice(&axes) {
+        return Err(refuse(format!("`{}` has two columns", axis.key())));
+    }
     let mut known: Vec<BTreeSet<String>> = vec![BTreeSet::new(); axes.len()];
     let mut rows = Vec::new();
     for (at, record) in reader.records().enumerate() {

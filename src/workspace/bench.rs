@@ -3,7 +3,8 @@
 //! The levers of a violated rule are moved, each alone and step by step up to its bounds, until the rule holds; then the step is made as
 //! small as it can be, and every rule but the fold's is asked about the frame with it. Where no lever helps, and none of them chooses a bought
 //! part, the rods and what else drives the parts that the violation names are tried, and another choice of what sets the limit, such as the
-//! printer. This takes seconds: it is for a person who reads a report, not for a search.
+//! printer. This takes seconds: it is for a person who reads a report, not for a search. What can be asked of a sketch of the changed frame is asked
+//! of it first, and of the frame itself where the sketch says that the rule holds.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
@@ -15,6 +16,7 @@ use super::wishes::Wishes;
 use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
+use crate::frame::skeleton::Skeleton;
 use crate::memo::Memo;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
@@ -41,11 +43,14 @@ const OTHERS: usize = 3;
 pub(super) struct Bench<'a> {
     file: &'a FrameFile,
     frame: Frame,
+    skeleton: Skeleton,
     memo: &'a Arc<Memo>,
     /// Its mass, g.
     pub(super) mass_g: f64,
     /// All that is found of it.
     pub(super) found: Vec<Finding>,
+    /// What of it a sketch says, too.
+    sketched: Vec<Finding>,
     wishes: Wishes<'a>,
     /// What keeps the wishes, looked for once.
     kept_by: OnceLock<Option<String>>,
@@ -57,9 +62,9 @@ impl<'a> Bench<'a> {
         let frame = Frame::resolve(file).ok()?;
         let design = Design::with(frame.clone(), memo).ok()?;
         let masses = mass::table(&design);
-        let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
+        let [found, sketched] = [Cost::Slow, Cost::Sketch].map(|dearest| checks::check_by(&all_but_the_fold(), dearest, &design, &masses));
         let (wishes, kept_by) = (Wishes::of(file), OnceLock::new());
-        Some(Self { file, frame, memo, mass_g: masses.total_g, found, wishes, kept_by })
+        Some(Self { file, frame, skeleton: design.skeleton, memo, mass_g: masses.total_g, found, sketched, wishes, kept_by })
     }
 
     /// Whether it is found again: only then its end can be seen.
@@ -98,18 +103,28 @@ impl<'a> Bench<'a> {
         finding.levers.iter().any(|lever| self.wishes.has(lever))
     }
 
-    /// The frame with a key changed; none where that is refused.
-    fn design(&self, key: &str, value: &Value) -> Option<Design> {
+    /// The frame with a key changed, or a sketch of it; none where that is refused.
+    fn design(&self, dearest: Cost, key: &str, value: &Value) -> Option<Design> {
         let mut file = self.file.clone();
         file.set(key, value.clone());
-        Design::with(Frame::resolve(&file).ok()?, self.memo).ok()
+        let frame = Frame::resolve(&file).ok()?;
+        match dearest {
+            Cost::Sketch => Design::sketched(frame, &self.skeleton, self.memo),
+            Cost::Quick | Cost::Slow => Design::with(frame, self.memo),
+        }
+        .ok()
+    }
+
+    /// What has to be looked at before a change is known not to clear a finding: a sketch, where it says that finding, too.
+    fn first_look(&self, finding: &Finding) -> Cost {
+        if self.sketched.contains(finding) { Cost::Sketch } else { Cost::Slow }
     }
 
     /// The least margin of the findings that are like this one, with a key changed; none where there is no such frame. A choice after which the
     /// rule says nothing of its kind is not known to clear it.
-    fn margin(&self, finding: &Finding, rule: &Rule, key: &str, value: &Value) -> Option<f64> {
-        let design = self.design(key, value)?;
-        let found = checks::check_one(rule, &design, &mass::table(&design));
+    fn margin(&self, finding: &Finding, rule: &Rule, dearest: Cost, key: &str, value: &Value) -> Option<f64> {
+        let design = self.design(dearest, key, value)?;
+        let found = checks::check_one(rule, dearest, &design, &mass::table(&design));
         let of_kind =
             |f: &&Finding| alike(f, finding) || finding.verdict == Verdict::Note && f.rule == finding.rule && f.levers == finding.levers;
         let counts = |f: &&Finding| f.verdict != Verdict::Note || finding.verdict == Verdict::Note;
@@ -142,7 +157,11 @@ impl<'a> Bench<'a> {
     fn chosen(&self, levers: &[&str]) -> Vec<String> {
         let mut keys = Vec::new();
         for lever in levers {
-            let role = lever.rsplit('.').next().and_then(follows::role_of).filter(|_| !self.file.entries.contains_key(*lever));
+            let role = lever
+                .rsplit('.')
+                .next()
+                .and_then(|key| follows::role_in(&self.frame.bought, key))
+                .filter(|_| !self.file.entries.contains_key(*lever));
             let key = role.map_or_else(|| (*lever).to_string(), |role| format!("bought.{role}"));
             if !keys.contains(&key) {
                 keys.push(key);
@@ -153,7 +172,7 @@ impl<'a> Bench<'a> {
 
     /// Other keys with an effect, the most effective first: rods, and what drives the parts that the subject names.
     fn effective(&self, finding: &Finding, rule: &Rule, levers: &[&str]) -> Vec<String> {
-        let drives = |p: &&Parameter| p.drives.iter().any(|part| finding.subject.contains(part.slug()));
+        let drives = |p: &&Parameter| p.drives.iter().any(|part| finding.names(*part));
         let driving = parameters().filter(drives).filter(|p| p.table != "fit").map(|p| format!("{}.{}", p.table, p.key));
         let keys: BTreeSet<String> = driving.chain(RODS.map(String::from)).filter(|key| !levers.contains(&key.as_str())).collect();
         let keys: Vec<String> = keys.into_iter().collect();
@@ -161,7 +180,8 @@ impl<'a> Bench<'a> {
             let parameter = parameter(key)?;
             let value = self.frame.value(parameter.table, parameter.key)?;
             let step = PROBE * value.abs().max(0.1 * (parameter.max - parameter.min));
-            let margin = |to: f64| self.margin(finding, rule, key, &Value::Number(to.clamp(parameter.min, parameter.max)));
+            let look = self.first_look(finding);
+            let margin = |to: f64| self.margin(finding, rule, look, key, &Value::Number(to.clamp(parameter.min, parameter.max)));
             // A whole step may leave no frame where a part of it helps.
             let probed = |way: f64| PROBES.into_iter().find_map(|share| margin(value + way * share * step));
             [1.0, -1.0].into_iter().filter_map(probed).reduce(f64::max).map(|margin| (margin, key.clone()))
@@ -193,7 +213,8 @@ impl<'a> Bench<'a> {
         };
         let clears = |name: &String| {
             let value = Value::Text(name.clone());
-            let cleared = self.margin(finding, rule, key, &value)? >= 0.0;
+            let holds = |dearest| self.margin(finding, rule, dearest, key, &value).is_some_and(|margin| margin >= 0.0);
+            let cleared = holds(self.first_look(finding)) && holds(Cost::Slow);
             cleared.then(|| self.remedy(key, now.clone(), value, name.clone())).flatten()
         };
         let names: Vec<String> = preset::names_for(key).into_iter().filter(|name| *name != now).collect();
@@ -202,49 +223,21 @@ impl<'a> Bench<'a> {
         found.into_iter().min_by(|a, b| rank(a).0.cmp(&rank(b).0).then(rank(a).1.total_cmp(&rank(b).1)))
     }
 
-    /// The nearest value of a number in one direction that clears a violation, rounded away from the value it has.
+    /// The nearest value of a number in one direction that clears a violation, rounded away from the value it has. What no sketch clears is not
+    /// looked at any closer.
     fn number(&self, finding: &Finding, rule: &Rule, parameter: &Parameter, value: f64, way: f64) -> Option<f64> {
         let key = format!("{}.{}", parameter.table, parameter.key);
-        let at = |to: f64| self.margin(finding, rule, &key, &Value::Number(to));
-        let first = (FIRST_STEP[0] * value.abs()).max(FIRST_STEP[1] * (parameter.max - parameter.min));
-        let (mut last, mut idle) = (value, 0);
-        for doubling in 0..=DOUBLINGS {
-            let to = (value + way * first * libm::exp2(f64::from(doubling))).clamp(parameter.min, parameter.max);
-            if to == last {
-                return None;
-            }
-            let Some(margin) = at(to) else { return self.least(&at, between(&at, [last, to])?, parameter) };
-            if margin >= 0.0 {
-                return self.least(&at, [last, to], parameter);
-            }
-            idle = if margin > finding.margin + 1e-9 { 0 } else { idle + 1 };
-            if idle >= PATIENCE {
-                return None;
-            }
-            last = to;
-        }
-        None
-    }
-
-    /// The value nearest to the first, which does not clear a violation, that clears it as the second does.
-    fn least(&self, margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut good]: [f64; 2], parameter: &Parameter) -> Option<f64> {
-        let clears = |to: f64| margin(to).is_some_and(|margin| margin >= 0.0);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (bad + good);
-            if clears(middle) {
-                good = middle;
-            } else {
-                bad = middle;
-            }
-        }
-        let grid = if parameter.max - parameter.min > 20.0 { 10.0 } else { 100.0 };
-        let away = if good > bad { (good * grid).ceil() } else { (good * grid).floor() } / grid;
-        [away, good].into_iter().map(|to| to.clamp(parameter.min, parameter.max)).find(|to| clears(*to))
+        let margin = |dearest: Cost, to: f64| self.margin(finding, rule, dearest, &key, &Value::Number(to));
+        let first = self.first_look(finding);
+        let nearest = |dearest| nearest(&|to| margin(dearest, to), finding.margin, parameter, value, way);
+        let to = nearest(first)?;
+        let holds = first == Cost::Slow || margin(Cost::Slow, to).is_some_and(|margin| margin >= 0.0);
+        if holds { Some(to) } else { nearest(Cost::Slow) }
     }
 
     /// A change that clears a violation, with what else it does.
     fn remedy(&self, key: &str, from: String, value: Value, to: String) -> Option<Remedy> {
-        let design = self.design(key, &value)?;
+        let design = self.design(Cost::Slow, key, &value)?;
         let masses = mass::table(&design);
         let known =
             |f: &Finding| self.found.iter().any(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
@@ -253,6 +246,44 @@ impl<'a> Bench<'a> {
         let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));
         Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
     }
+}
+
+/// The nearest value in one direction whose margin is none below 0, rounded away from the value now, whose margin is given.
+fn nearest(margin: &dyn Fn(f64) -> Option<f64>, margin_now: f64, parameter: &Parameter, value: f64, way: f64) -> Option<f64> {
+    let first = (FIRST_STEP[0] * value.abs()).max(FIRST_STEP[1] * (parameter.max - parameter.min));
+    let (mut last, mut idle) = (value, 0);
+    for doubling in 0..=DOUBLINGS {
+        let to = (value + way * first * libm::exp2(f64::from(doubling))).clamp(parameter.min, parameter.max);
+        if to == last {
+            return None;
+        }
+        let Some(now) = margin(to) else { return least(margin, between(margin, [last, to])?, parameter) };
+        if now >= 0.0 {
+            return least(margin, [last, to], parameter);
+        }
+        idle = if now > margin_now + 1e-9 { 0 } else { idle + 1 };
+        if idle >= PATIENCE {
+            return None;
+        }
+        last = to;
+    }
+    None
+}
+
+/// The value nearest to the first, which does not clear a violation, that clears it as the second does.
+fn least(margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut good]: [f64; 2], parameter: &Parameter) -> Option<f64> {
+    let clears = |to: f64| margin(to).is_some_and(|margin| margin >= 0.0);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (bad + good);
+        if clears(middle) {
+            good = middle;
+        } else {
+            bad = middle;
+        }
+    }
+    let grid = if parameter.max - parameter.min > 20.0 { 10.0 } else { 100.0 };
+    let away = if good > bad { (good * grid).ceil() } else { (good * grid).floor() } / grid;
+    [away, good].into_iter().map(|to| to.clamp(parameter.min, parameter.max)).find(|to| clears(*to))
 }
 
 /// Between a value that does not clear a violation and one with which there is no frame: the last value that does not, and the first that

@@ -1,6 +1,7 @@
 //! Random parameter sets, valid and invalid, with fixed seeds.
 
 use crate::common;
+use crate::simulators;
 use std::collections::BTreeMap;
 use std::process::Command;
 
@@ -42,7 +43,7 @@ pub(crate) fn changes(base: &Frame, one_in: u32, reach: f64, runner: &mut TestRu
 }
 
 /// Draws sets until enough of them are frames that are not refused and whose rods close; counts why others were.
-pub(crate) fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) {
+fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) {
     let mut runner = runner(1);
     let (mut frames, mut refused) = (Vec::new(), BTreeMap::new());
     for base in BASES.iter().cycle() {
@@ -69,7 +70,7 @@ pub(crate) fn valid_frames() -> (Vec<(String, Frame)>, BTreeMap<String, usize>) 
 }
 
 /// What is wrong with a frame that was accepted. A design exists only when every part has passed the export gate, flat
-/// and folded: closed, one body, no facets that cross.
+/// and folded: closed, one body, no facets that cross. Its model for simulators has its masses and shapes.
 fn faults(frame: &Frame) -> Vec<String> {
     let design = match Design::new(frame.clone()) {
         Ok(design) => design,
@@ -80,7 +81,7 @@ fn faults(frame: &Frame) -> Vec<String> {
     assert!(seats.len() >= 56, "every rod end is looked at");
     // How far a rod has to reach in is a limit of the frame file, not a matter of being seated.
     let unseated = seats.iter().filter(|f| f.verdict == Verdict::Violated && !f.subject.ends_with("engagement"));
-    unseated.map(|f| f.message.clone()).collect()
+    unseated.map(|f| f.message.clone()).chain(simulators::faults_of(&design)).collect()
 }
 
 /// As many of the frames as `FLEXFRAME_SOUND_FRAMES` says: a design takes one to two seconds of processor time.

@@ -166,6 +166,9 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
     fs::write(desk.path().join("s.toml"), "table = \"t.csv\"\n").expect("can be written");
     let (code, _, err) = desk.run(&["plan", "s.toml"]);
     assert!(code == 2 && err.contains("row 1: \"x\" is no number for rods.arm_rod_length_mm"), "{err}");
+    fs::write(desk.path().join("t.csv"), "arm_rod,rods.arm_rod_length_mm\n78,79\n").expect("can be written");
+    let (code, _, err) = desk.run(&["plan", "s.toml"]);
+    assert!(code == 2 && err.contains("`rods.arm_rod_length_mm` has two columns"), "{err}");
 }
 
 /// Three sets of drops in which nothing is hidden, a wrong height that shows, and one that is larger than a height's error can be.

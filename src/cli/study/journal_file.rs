@@ -48,10 +48,15 @@ impl JournalFile {
         read(&self.place, &String::from_utf8_lossy(text), study)
     }
 
-    /// Keeps a row.
+    /// Keeps a row. Of one that could not be written whole, nothing stays.
     pub fn keep(&mut self, row: usize, outcome: Outcome) -> Result<(), Failure> {
-        let written = self.file.write_all(line(row, &outcome).as_bytes());
-        written.map_err(|error: io::Error| Failure::Machine { what: format!("cannot write {}", self.place.display()), error })?;
+        let failed = |error: io::Error| Failure::Machine { what: format!("cannot write {}", self.place.display()), error };
+        let before = self.file.metadata().map_err(failed)?.len();
+        if let Err(error) = self.file.write_all(line(row, &outcome).as_bytes()) {
+            // Should that fail, too, the next run cuts off what is half.
+            let _ = self.file.set_len(before);
+            return Err(failed(error));
+        }
         self.outcomes.learn(row, outcome);
         Ok(())
     }

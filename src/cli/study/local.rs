@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::mpsc;
 
 use crate::cli::failure::Failure;
 use crate::study::{Evaluator, Outcome, Study};
@@ -18,7 +18,6 @@ pub(super) fn evaluate(
     let (send, receive) = mpsc::channel();
     let pools = (0..cores).map(|_| rayon::ThreadPoolBuilder::new().num_threads(1).build()).collect::<Result<Vec<_>, _>>();
     let pools = pools.map_err(|error| Failure::Machine { what: "cannot begin a thread".into(), error: std::io::Error::other(error) })?;
-    let failure = Mutex::new(None);
     std::thread::scope(|scope| {
         let (next, ended) = (&next, &ended);
         for pool in &pools {
@@ -39,15 +38,13 @@ pub(super) fn evaluate(
             match finished(row, outcome) {
                 Ok(ControlFlow::Continue(())) => {}
                 Ok(ControlFlow::Break(())) => ended.store(true, Ordering::Relaxed),
+                // Rows that are under way go with it: what cannot be kept is not worth waiting for.
                 Err(error) => {
                     ended.store(true, Ordering::Relaxed);
-                    *failure.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+                    return Err(error);
                 }
             }
         }
-    });
-    match failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        Some(error) => Err(error),
-        None => Ok(()),
-    }
+        Ok(())
+    })
 }

@@ -168,7 +168,10 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
     // The four modules share their shapes.
     let mut known: BTreeMap<usize, (Point3<f64>, Matrix3<f64>, f64)> = BTreeMap::new();
     for line in lines {
-        let bodies: Vec<_> = design.bodies.iter().filter(|body| stands_for(&design.shape(body).kind, &line.name)).collect();
+        // An extra is where its file says, whatever its name is.
+        let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == "extra");
+        let is_body = |body: &&Body| extra.is_none() && stands_for(&design.shape(body).kind, &line.name);
+        let bodies: Vec<_> = design.bodies.iter().filter(is_body).collect();
         let share = line.total_g / bodies.len().max(1) as f64;
         for body in bodies.iter().filter(|body| carries(Some(body))) {
             let (centre, unit_inertia, volume_mm3) = *known.entry(body.shape).or_insert_with(|| {
@@ -185,7 +188,7 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
             sum.add(share, body.pose * centre, own);
         }
         if bodies.is_empty() && carries(None) {
-            let at = design.frame.extras.get(&line.name).map_or([0.0; 3], |extra| extra.position_mm);
+            let at = extra.map_or([0.0; 3], |extra| extra.position_mm);
             sum.add(line.total_g, Point3::from(at), Matrix3::zeros());
         }
     }

@@ -7,6 +7,7 @@ use nalgebra::{Isometry3, UnitQuaternion};
 use super::{Design, Kind, Printed, mass};
 use crate::frame::parts::{Fold, MaterialClass, PrintedPart, Seat, Wall, catalogue};
 use crate::frame::skeleton::{Centre, Skeleton};
+use crate::memo::Memo;
 use crate::params::{Frame, FrameFile, PartName, parameters, preset};
 use crate::solid::Feature;
 
@@ -71,6 +72,23 @@ fn planted_a_part_needs_nothing_but_its_record() {
     assert!(design.part(PartName::CameraConnectorRight).is_none(), "nothing carries a camera that is not there");
 }
 
+#[test]
+fn planted_an_extra_is_where_its_file_says_whatever_it_is_called() {
+    let memo = Arc::default();
+    let of = |name: &str| {
+        let text = format!(
+            "base = \"cognifly-mini\"\n[extras.{name}]\nmass_g = 20.0\nposition_mm = [0, 60, 0]\nmass_basis = \"measured\"\nsource = \"a scale\"\n"
+        );
+        let frame = Frame::resolve(&FrameFile::parse("own.toml", &text).expect("reads")).expect("is allowed");
+        let masses = mass::table(&Design::with(frame, &memo).expect("closes"));
+        (masses.total_g, masses.centre_of_mass_mm, masses.inertia_g_mm2)
+    };
+    let ballast = of("ballast");
+    for name in ["motor", "battery", "hub", "receiver", "cage_rod"] {
+        assert_eq!(of(name), ballast, "{name}");
+    }
+}
+
 /// Frames a few percent beside a preset: where the web of a folded corner is swept, its surface all but touches that of the sides.
 #[test]
 fn regress_corners_that_graze_are_made() {
@@ -79,7 +97,7 @@ fn regress_corners_that_graze_are_made() {
         let frame = Frame::resolve(&file).expect("is allowed");
         let (skeleton, centre) = (Skeleton::new(&frame).expect("closes"), Centre::new(&frame));
         for name in [PartName::TopCorner, PartName::BottomCorner] {
-            let made = Printed::make(name, &frame, &skeleton, &centre);
+            let made = Printed::make(name, &frame, &skeleton, &centre, &Memo::default());
             assert!(made.is_ok(), "{name}: {:?}", made.err());
         }
     }

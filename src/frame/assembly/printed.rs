@@ -52,14 +52,14 @@ struct Flat {
 }
 
 impl Printed {
-    /// Makes a part.
+    /// Makes a part, with what was computed of former ones where it is the same.
     ///
     /// # Errors
     /// When its mesh does not pass the export gate, or the B-rep kernel makes another solid of it: its parameters
     /// contradict each other.
-    pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre) -> Result<Self, GateError> {
+    pub fn make(name: PartName, frame: &Frame, skeleton: &Skeleton, centre: &Centre, memo: &Memo) -> Result<Self, GateError> {
         let part = record(name);
-        Self::by(part, Recipe::of(part, frame, skeleton, centre), &Memo::default())
+        Self::by(part, Recipe::of(part, frame, skeleton, centre), memo)
     }
 
     /// Makes a part by its record and recipe; nothing else enters.

@@ -66,9 +66,9 @@ fn reading(row: &csv::ByteRecord, line: u64, part: usize, mass: usize, quantity:
     Ok(ScaleReading { line, part, quantity: quantity as u32, mass_g, resolution_g: last_digit(row.get(mass).unwrap_or_default()) })
 }
 
-/// Value of the last digit of a number: 0.1 of `12.3`, 1 of `12`, 0.01 of `1.23`, 10 of `1.2e2`.
+/// Value of the last digit of a number: 0.1 of `12.3` and `12,3`, 1 of `12`, 0.01 of `1.23`, 10 of `1.2e2`.
 fn last_digit(field: &[u8]) -> f64 {
-    let text = String::from_utf8_lossy(field).trim().to_ascii_lowercase();
+    let text = String::from_utf8_lossy(field).trim().to_ascii_lowercase().replacen(',', ".", 1);
     let (digits, power) = text.split_once('e').map_or((text.as_str(), 0), |(digits, power)| (digits, power.parse().unwrap_or(0)));
     let behind = digits.split_once('.').map_or(0, |(_, behind)| behind.len() as i32);
     10f64.powi(power - behind)
@@ -85,6 +85,11 @@ mod tests {
         let told: Vec<(u64, &str, u32, f64, f64)> =
             readings.iter().map(|r| (r.line, r.part.as_str(), r.quantity, r.mass_g, r.resolution_g)).collect();
         assert_eq!(told, [(3, "foot", 4, 12.3, 0.01), (4, "hub", 1, 7.0, 1.0), (5, "knee", 1, 12.0, 1.0)]);
+        // With decimal commas, in quotes or between semicolons.
+        for text in ["part,mass_g\nhub,\"7,25\"\n", "# scale, kitchen\npart;mass_g\nhub;7,25\n"] {
+            let reading = &rows(text.as_bytes()).expect("reads")[0];
+            assert_eq!((reading.mass_g, reading.resolution_g), (7.25, 0.01), "{text}");
+        }
     }
 
     #[test]

@@ -1,8 +1,9 @@
-//! A short CSV table that a person wrote: one thing a row, columns in any order, remarks after `#`.
+//! A short table that a person wrote: one thing a row, columns in any order, parted by commas, semicolons or tabs, remarks after `#`.
 
 use super::encoding::plain;
 use super::malformed::{Fault, SourcePosition};
 use super::table::refused;
+use super::table_header::separator;
 
 /// Most bytes of such a table on a disk.
 #[cfg(feature = "cli")]
@@ -28,7 +29,7 @@ pub(super) fn rows<T, const N: usize>(
     read: impl Fn(&csv::ByteRecord, u64, Places<N>) -> Result<T, Fault>,
 ) -> Result<Vec<T>, (SourcePosition, Fault)> {
     let bytes = plain(bytes)?;
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(bytes);
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).delimiter(separator(bytes)).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
     let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
     let found = columns.needed.map(place);

@@ -42,7 +42,7 @@ pub(super) fn number(
 ) -> Result<f64, Fault> {
     let field = row.get(at).unwrap_or_default().trim_ascii();
     let text = std::str::from_utf8(field).ok();
-    // A comma in a number is a decimal one: where commas part the columns, no field has any.
+    // A comma in a number is a decimal one: where commas part the columns, only a quoted field has any.
     let parse = |text: &str| text.parse::<f64>().or_else(|_| text.replacen(',', ".", 1).parse::<f64>()).ok();
     let parsed = text.and_then(parse).filter(|value| value.is_finite());
     let Some(value) = parsed else {

@@ -1,8 +1,11 @@
 //! Our parts as they are exported, laid back into their own axes.
 
+use std::sync::LazyLock;
+
 use flexframe::export::stl;
 use flexframe::frame::assembly::Printed;
 use flexframe::frame::skeleton::{Centre, Skeleton};
+use flexframe::memo::Memo;
 use flexframe::params::{Frame, PartName};
 use flexframe::solid::Mesh;
 use nalgebra::{Isometry3, Translation3};
@@ -20,13 +23,16 @@ pub fn printed(real: &RealPart) -> Printed {
     made(real.part, &frame)
 }
 
+/// What was made before: most measurements look at the same parts.
+static MADE: LazyLock<Memo> = LazyLock::new(Memo::default);
+
 /// A part of a frame.
 ///
 /// # Panics
 /// When it cannot be made.
 pub fn made(part: PartName, frame: &Frame) -> Printed {
     let skeleton = Skeleton::new(frame).expect("the frame closes");
-    Printed::make(part, frame, &skeleton, &Centre::new(frame)).expect("the part can be made")
+    Printed::make(part, frame, &skeleton, &Centre::new(frame), &MADE).expect("the part can be made")
 }
 
 /// What the written STL file holds, read back and turned from the print bed into the part's own axes.

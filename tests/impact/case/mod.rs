@@ -147,7 +147,7 @@ impl Study {
              ```console\n\
              FLEXFRAME_DATA=../shared/data cargo run --release --example case_study\n\
              ```\n\n\
-             and checked by `tests/impact/case_study.rs`. To repeat it by hand, run `flexframe diagnose --model paper --max-effects 2\n\
+             and checked by `tests/impact/case_study.rs`. To repeat it by hand, run `flexframe diagnose --model paper --max-effects 3\n\
              ../shared/data/crash_landing/soft_*`, the same with `--hold-out-heights 1.5`, and with `--model paper-corrected` for what is said of\n\
              landings. [diagnosis.md](diagnosis.md) explains the terms.\n\n",
         );
