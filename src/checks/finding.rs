@@ -126,7 +126,7 @@ mod tests {
             ("hub: wall", &[PartName::Hub][..]),
             ("hub_joint: wall", &[PartName::HubJoint]),
             ("hub_joint_FR and camera", &[PartName::HubJoint]),
-            ("hub and hub_joint_BL", &[PartName::Hub, PartName::HubJoint]),
+            ("hub and hub_joint_BL", &[PartName::HubJoint, PartName::Hub]),
             ("battery", &[]),
         ] {
             let named: Vec<PartName> = PartName::ALL.into_iter().filter(|part| found(subject, 5.0).names(*part)).collect();

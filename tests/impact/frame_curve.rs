@@ -9,6 +9,7 @@ use flexframe::impact::effects::{FrameCurve, Model};
 use flexframe::impact::fit::{Chosen, Keep};
 use flexframe::impact::measured;
 use flexframe::impact::measured::FileFormat;
+use flexframe::impact::sim::{SlowWay, System};
 use flexframe::params::ImpactFile;
 
 /// φ of the real frame, which `flexframe stiffness cognifly-v8` computes, to a hundredth of a millimetre; and one that stiffens as much.
@@ -120,7 +121,7 @@ fn analytic_a_share_of_nothing_leaves_every_bit_and_one_is_the_frames_curve() {
         let text = format!("{text}\n[effects.frame_force_curve]\nshare = {share:?}\nx_mm = [0.0, 5.0, 20.0]\nphi_mm = [0.0, 4.0, 9.0]\n");
         Model::resolve(&ImpactFile::parse("curve", &text).expect("is TOML")).expect("is a model")
     };
-    let force = |model: &Model, x_m: f64| flexframe::impact::sim::System::new(model).slow_force_n(x_m);
+    let force = |model: &Model, x_m: f64| System::new(model).slow_force_n(x_m, SlowWay::Loading);
     let (base, off, on) = (Model::load("paper-corrected").expect("comes with the program"), file(0.0), file(1.0));
     let k = base.stiffness_and_damping()[0];
     for x_m in [-0.001, 0.002, 0.0137, 0.03] {

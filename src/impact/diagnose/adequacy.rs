@@ -64,7 +64,9 @@ pub fn judge(deviation: &DVector<f64>, fit: &LinearisedFit, bootstrap: &Bootstra
     if replicates.len() < REPLICATES / 2 {
         return None;
     }
-    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(replicates.iter().map(|(one, _)| one.parts()[part])));
+    // The data stand among the replicates, so that all are ranked alike.
+    let all = || replicates.iter().map(|(one, _)| *one).chain([statistics]);
+    let columns: [Vec<f64>; 3] = std::array::from_fn(|part| sorted(all().map(|one| one.parts()[part])));
     let p_values = |found: Statistics| -> [f64; 3] { std::array::from_fn(|part| p_value(&columns[part], found.parts()[part])) };
     let least = |found: Statistics| p_values(found).into_iter().fold(1.0, f64::min);
     let single_p = p_values(statistics);
@@ -125,10 +127,10 @@ fn sorted(values: impl Iterator<Item = f64>) -> Vec<f64> {
     all
 }
 
-/// Part of the sorted values that are at least as large.
+/// Part of the sorted values, of which this is one, that are at least as large.
 fn p_value(sorted: &[f64], value: f64) -> f64 {
     let below = sorted.partition_point(|other| *other < value);
-    (sorted.len() - below + 1) as f64 / (sorted.len() + 1) as f64
+    (sorted.len() - below) as f64 / sorted.len() as f64
 }
 
 fn quantile(sorted: &[f64], part: f64) -> f64 {

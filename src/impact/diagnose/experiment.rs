@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::candidate::Candidate;
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, TrialCovariance};
-use crate::impact::sim::{SolverOptions, System, wave};
+use crate::impact::sim::{SlowWay, SolverOptions, System, wave};
 use crate::units::GRAVITY_M_S2;
 
 /// An experiment with what it promises.
@@ -17,7 +17,8 @@ pub struct Experiment {
     pub kind: &'static str,
     /// Its height, m, where it is a drop.
     pub height_m: Option<f64>,
-    /// Expected squared distance between the two best candidates in units of the trial covariance: 10 or more is decisive.
+    /// Squared distance between the two best candidates as they are fitted, in units of the errors that the drops at hand show. A fit to the new
+    /// drops, too, lets both come nearer: it is an upper bound, by which experiments are put in order.
     pub discrimination: f64,
     /// The two that it would distinguish.
     pub between: [String; 2],
@@ -69,7 +70,7 @@ pub fn experiments(problem: &FitProblem, trial_covariance: &TrialCovariance, fir
         what: "measure a static load test with a dynamometer, 2 to 16 mm in steps of 2 mm, up and down".into(),
         kind: "static_test",
         height_m: None,
-        discrimination: STATIC_M.iter().map(|x_m| squared((static_n(a, *x_m) - static_n(b, *x_m)) / STATIC_ERROR_N)).sum(),
+        discrimination: static_distance(a, b),
         between,
     });
     all.sort_by(|a, b| b.discrimination.total_cmp(&a.discrimination));
@@ -111,7 +112,28 @@ fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz:
     Some(independent * a.iter().zip(&b).map(|(a, b)| squared((a - b) / error)).sum::<f64>())
 }
 
-/// Force of a model that is compressed slowly, N.
-fn static_n(model: &Model, x_m: f64) -> f64 {
-    System::new(model).slow_force_n(x_m).min(1e3 * GRAVITY_M_S2)
+/// Squared distance of two models' forces in a static test, down and up.
+fn static_distance(a: &Model, b: &Model) -> f64 {
+    let force_n = |model: &Model, x_m: f64, way| System::new(model).slow_force_n(x_m, way).min(1e3 * GRAVITY_M_S2);
+    let one_way = |way| STATIC_M.iter().map(|x_m| squared((force_n(a, *x_m, way) - force_n(b, *x_m, way)) / STATIC_ERROR_N)).sum::<f64>();
+    one_way(SlowWay::Loading) + one_way(SlowWay::Unloading)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::effects::by_id;
+
+    /// Friction shows as half of the loop between loading and unloading, wherever the spring force is larger.
+    #[test]
+    fn analytic_a_static_test_tells_dry_friction_by_its_loop() {
+        let base = Model::load("paper-corrected").expect("comes with the program");
+        let rubbing = base.clone().with(by_id("coulomb_friction").expect("an effect"), &[10.0], 0);
+        let expected = 2.0 * STATIC_M.len() as f64 * squared(10.0 / STATIC_ERROR_N);
+        assert!((static_distance(&base, &rubbing) - expected).abs() < 1e-9, "{}", static_distance(&base, &rubbing));
+        let slow = |way| System::new(&rubbing).slow_force_n(0.01, way);
+        assert!((slow(SlowWay::Loading) - slow(SlowWay::Unloading) - 20.0).abs() < 1e-9);
+        // A frame that sticks pushes with nothing.
+        assert_eq!(System::new(&rubbing).slow_force_n(0.0, SlowWay::Unloading), 0.0);
+    }
 }

@@ -5,9 +5,9 @@ use serde::Serialize;
 use super::candidate::{Candidate, joined};
 use super::diagnosis::Diagnosis;
 use crate::impact::measured::StaticTest;
-use crate::impact::sim::System;
+use crate::impact::sim::{SlowWay, System};
 
-/// A static test beside the models of a diagnosis. It is compared, not fitted.
+/// A static test beside the models of a diagnosis. It is compared, not fitted; its forces are those of loading.
 #[derive(Clone, Debug, Serialize)]
 pub struct StaticComparison {
     /// Points.
@@ -27,7 +27,7 @@ impl StaticComparison {
     pub fn of(test: &StaticTest, diagnosis: &Diagnosis) -> Self {
         let off_n = |candidate: &Candidate| {
             let system = System::new(candidate.model());
-            test.off_n(|x_m| system.slow_force_n(x_m))
+            test.off_n(|x_m| system.slow_force_n(x_m, SlowWay::Loading))
         };
         let (line_n_m, line_off_n) = test.line_through_origin();
         let sets = diagnosis.alternatives.iter().map(|set| &set.candidate).filter(|set| !set.ids().is_empty());

@@ -48,6 +48,10 @@ impl Effect for CoulombFriction {
         self.force_n * libm::tanh(at.v_m_s / TURN_M_S)
     }
 
+    fn resists_slow_motion_n(&self) -> f64 {
+        self.force_n
+    }
+
     fn outside(&self, reach: &Reach) -> Option<String> {
         reach.contact_s.is_none().then(|| format!("the body comes to rest, where friction below {TURN_M_S} m/s creeps instead of sticking"))
     }

@@ -48,6 +48,11 @@ pub trait Effect: Debug + Send + Sync {
         0.0
     }
 
+    /// Force that resists a motion however slow it is, N: dry friction, of which [`Effect::force_n`] has none at rest.
+    fn resists_slow_motion_n(&self) -> f64 {
+        0.0
+    }
+
     /// Rates of its own states, in the order of its record's `states`.
     fn rates(&self, _at: &MotionState, _rates: &mut [f64]) {}
 

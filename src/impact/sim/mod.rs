@@ -23,7 +23,7 @@ pub use balance::{Balance, Moment, PaperShares, TermEnergy};
 pub use heights::{HEIGHTS_M, HeightError, check_heights};
 pub use integrate::{SolverOptions, Stop};
 pub use sampler::Sampler;
-pub use system::System;
+pub use system::{SlowWay, System};
 pub use trace::{Trace, simulate};
 pub use validity_warning::ValidityWarning;
 pub use wave::wave;

@@ -67,6 +67,15 @@ pub struct System {
     frame_share: f64,
 }
 
+/// Which way a frame is moved in a static test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SlowWay {
+    /// Down.
+    Loading,
+    /// Up again.
+    Unloading,
+}
+
 impl System {
     /// Makes a model ready; effects that are off are left out.
     pub fn new(model: &Model) -> Self {
@@ -108,14 +117,18 @@ impl System {
         &self.body
     }
 
-    /// Force of a frame that is compressed so slowly that nothing depends on the rate, N: friction and relaxing branches
-    /// give none, every foot stands.
-    pub fn slow_force_n(&self, x_m: f64) -> f64 {
+    /// Force of a frame that is compressed so slowly that nothing depends on the rate, N: relaxing branches give none, every foot stands, and
+    /// dry friction, which knows no rate, resists as ever: it adds to the force while the frame is loaded, and takes from it on the way back.
+    pub fn slow_force_n(&self, x_m: f64, way: SlowWay) -> f64 {
         let feet = self.arrangement.feet.map_or(0, |feet| feet.at_m.iter().filter(|at| **at <= x_m).count());
         let phase = Phase { airborne: false, touched: feet, works: false };
         let mut y = vec![0.0; self.core];
         y[0] = x_m;
-        self.push(phase, &y).total_n
+        let friction_n: f64 = self.forces.iter().map(|term| term.effect.resists_slow_motion_n()).sum();
+        match way {
+            SlowWay::Loading => self.push(phase, &y).total_n + friction_n,
+            SlowWay::Unloading => (self.push(phase, &y).total_n - friction_n).max(0.0),
+        }
     }
 
     /// Lets the sensor read without limit.

@@ -346,7 +346,7 @@ fn next(diagnosis: &Diagnosis) -> Vec<Block> {
     vec![
         Block::Heading("The next experiment".into()),
         Block::Text(format!(
-            "To distinguish {} from {}: {}. Expected squared distance in units of the trial covariance {:.1}; 10 or more is decisive.",
+            "To distinguish {} from {}: {}. Squared distance as they are fitted, in units of the drops' errors: at most {:.1}; below 10 it would decide nothing.",
             first.between[0], first.between[1], first.what, first.discrimination
         )),
         Block::Table(cells(["experiment", "discrimination"]), rows),

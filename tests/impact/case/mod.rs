@@ -10,7 +10,7 @@ use flexframe::impact::effects::{Channel, FrameCurve, Model, by_id};
 use flexframe::impact::fit::{Chosen, Keep, Layout, PaperObjective, Waves, fit};
 use flexframe::impact::landing::LandingAssessment;
 use flexframe::impact::measured;
-use flexframe::impact::measured::{DropSet, FileFormat};
+use flexframe::impact::measured::{DropSet, FileFormat, StaticTest};
 use flexframe::mechanics;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::result::reduction::Reduction;
@@ -177,7 +177,7 @@ impl Study {
         }
         page.push_str(
             "\nThe magnitude, which the paper fits, contains sideways motion. `diagnose` compares the axial component instead, and reports this. No\n\
-             drop is left out because of its impulse. Only drops that hit twice are left out.\n\n",
+             drop is left out because of its impulse. Only records whose clock stalled, or that show two hits, are left out.\n\n",
         );
     }
 
@@ -234,9 +234,8 @@ impl Study {
             }
         }
         page.push_str(
-            "\nA stop (`bottoming`, `bilinear_stiffness`) lowers the score considerably, and its kink lies near the gap of 16 mm when the heights are\n\
-             pooled. Fitted height by height, the kink moves with the impact speed. It is a fixed time, not a fixed length, so it is not the gap\n\
-             under the battery. The constancy gate refuses it.\n\n",
+            "\nA stop (`bottoming`) lowers the score considerably. Fitted height by height, its kink moves with the impact speed. It is a fixed time,\n\
+             not a fixed length, so it is not the gap under the battery. The constancy gate refuses it.\n\n",
         );
     }
 
@@ -269,6 +268,13 @@ impl Study {
             after.template_g,
             after.records_g / after.template_g
         );
+        if let Some(spring) = self.all.estimates.iter().find(|one| one.key == "k" && one.at_bound) {
+            let _ = write!(
+                page,
+                "In the best set of all heights the linear spring itself ended at its bound ({:.0} N/m): its gap is that of a model without one.\n\n",
+                spring.value
+            );
+        }
     }
 
     fn frame(&self, page: &mut String) {
@@ -371,6 +377,23 @@ impl Study {
             [] => writeln!(page, "Fitted to all three heights, it passes every test, too.\n"),
             _ => writeln!(page, "Fitted to all three heights, it is not named, by {}.\n", failed.join("; by ")),
         };
+        if let Some(friction) = self.landing.estimates.iter().find(|one| one.key == "f_c_n") {
+            let test = StaticTest::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("params/static/cognifly-v8.csv")).expect("is there");
+            let loaded: Vec<(f64, f64)> = test.points.into_iter().filter(|(x_m, _)| *x_m > 0.0).collect();
+            let _ = writeln!(
+                page,
+                "The friction is no constant force of the frame at rest. Its static test reads {:.0} N at {:.0} mm and {:.0} N at {:.0} mm, and a frame with\n\
+                 {:.0} N of dry friction ({:.0} to {:.0} N) would not move below that. It is what resists like dry friction during an impact: that of feet\n\
+                 which slide under their load, or damping of another law.\n",
+                loaded[0].1,
+                1e3 * loaded[0].0,
+                loaded[1].1,
+                1e3 * loaded[1].0,
+                friction.value,
+                friction.ci95[0],
+                friction.ci95[1]
+            );
+        }
         if let Some(refused) = &self.landing.refused {
             let _ = writeln!(page, "A further effect: {}.\n", refused.sentence());
         }
@@ -414,7 +437,7 @@ impl Study {
         if let Some(next) = self.all.experiments.first() {
             let _ = writeln!(
                 page,
-                "The experiment that would best distinguish the two best sets: {} (expected squared distance {:.0}).",
+                "The experiment that would best distinguish the two best sets: {} (squared distance at most {:.0}, as they are fitted).",
                 next.what, next.discrimination
             );
         }
