@@ -15,6 +15,7 @@ import { Parameters } from "./panels/parameters.tsx";
 import { Source } from "./panels/source.tsx";
 import { Selection, Toolbar } from "./panels/toolbar.tsx";
 import { column, left, right } from "./state/focus.ts";
+import { dropped } from "./state/dropped.ts";
 import { openFrame } from "./state/opening.ts";
 import { computing, findings, frame, notice, refused } from "./state/studio.ts";
 import { LastGood } from "./ui/last_good.tsx";
@@ -42,14 +43,15 @@ function holdsFiles(event: DragEvent): boolean {
 function takeFiles(event: DragEvent): void {
   if (!holdsFiles(event)) return;
   event.preventDefault();
-  const files = [...(event.dataTransfer?.files ?? [])];
-  const frames = files.filter(({ name }) => name.toLowerCase().endsWith(".toml"));
-  const drops = files.filter((file) => !frames.includes(file));
-  if (frames.length > 0) void openFrame(frames);
-  if (drops.length > 0) {
-    right.value = "diagnose";
-    void takeDrops(drops);
-  }
+  void dropped(event.dataTransfer).then((files) => {
+    const frames = files.filter(({ path }) => path.toLowerCase().endsWith(".toml"));
+    const drops = files.filter((file) => !frames.includes(file));
+    if (frames.length > 0) void openFrame(frames.map(({ file }) => file));
+    if (drops.length > 0) {
+      right.value = "diagnose";
+      void takeDrops(drops);
+    }
+  });
 }
 
 export function App() {

@@ -105,6 +105,55 @@ test("the frame file is edited as text, both ways, with the words of the command
   await expect(text).toHaveValue(/# shorter\narm_rod_length_mm = 85.0\nstrut_rod_length_mm = 51.0/);
 });
 
+test("what is typed with pauses is kept to the last letter", async ({ page }) => {
+  await start(page);
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  const text = page.locator("#toml");
+  await text.fill('base = "cognifly"\nhub_joint.hub_joint_diameter_mm = 7');
+  await settled(page);
+  await text.press("Control+End");
+  await text.press("Backspace");
+  await text.pressSequentially("6", { delay: 30 });
+  await page.waitForTimeout(400);
+  await text.pressSequentially(".5", { delay: 30 });
+  await page.waitForTimeout(400);
+  await text.pressSequentially(" # chosen by hand, see the notes of the last flight", { delay: 30 });
+  await settled(page);
+  const whole = /_mm = 6\.5 # chosen by hand, see the notes of the last flight$/;
+  await expect(text).toHaveValue(whole);
+  await page.waitForTimeout(500);
+  await settled(page);
+  await expect(text).toHaveValue(whole);
+  // What is undone takes the place of what was typed.
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(text).not.toHaveValue(whole);
+});
+
+test("an undo while changes are computed takes back the last of them", async ({ page }) => {
+  await start(page);
+  const fill = async (key: string, value: string) => {
+    const field = await openField(page, key);
+    await field.fill(value);
+    await field.press("Enter");
+  };
+  await fill("rods.arm_rod_length_mm", "83");
+  await settled(page);
+  await fill("rods.strut_rod_length_mm", "52");
+  await fill("rods.arm_rod_slack_mm", "2");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  const values = () =>
+    Promise.all(
+      ["arm_rod_length_mm", "strut_rod_length_mm", "arm_rod_slack_mm"].map(async (key) =>
+        (await openField(page, `rods.${key}`)).inputValue(),
+      ),
+    );
+  await expect.poll(values).toEqual(["83", "52", "1.5"]);
+  await page.getByRole("button", { name: "Redo" }).click();
+  await settled(page);
+  await expect.poll(values).toEqual(["83", "52", "2"]);
+});
+
 test("a refusal stands beside its field, and the last good picture stays", async ({ page }) => {
   await start(page);
   const first = await mass(page);

@@ -1,5 +1,5 @@
 // Story 3: know.
-import { checked, expect, nativeFindings, setNumber, settled, shot, start, test } from "./studio.ts";
+import { checked, differing, expect, nativeFindings, pixels, setNumber, settled, shot, start, test } from "./studio.ts";
 
 test("every rule, violated first, with margins; a click goes to the place and to the parameters", async ({ page }) => {
   await start(page);
@@ -75,6 +75,14 @@ test("before and after, against the preset and a pinned variant", async ({ page 
   await expect(page.locator(".compare [data-state]")).toHaveAttribute("data-state", "done", { timeout: 60_000 });
   await page.waitForTimeout(500);
   await shot(page, "3-compare");
+  // The other frame goes and comes with its tick, also after the comparison.
+  const through = page.getByLabel(/show it through the model/);
+  const shown = await pixels(page);
+  await through.uncheck();
+  const alone = await pixels(page);
+  expect(differing(shown, alone)).toBeGreaterThan(200);
+  await through.check();
+  await expect.poll(async () => differing(await pixels(page), alone), { timeout: 30_000 }).toBeGreaterThan(200);
   await page.getByRole("button", { name: "Pin this variant" }).click();
   await setNumber(page, "rods.strut_rod_length_mm", "54");
   await page.getByRole("tab", { name: "Compare" }).click();

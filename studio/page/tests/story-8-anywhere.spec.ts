@@ -96,6 +96,23 @@ test("a reload restores the last state, and two tabs do not disturb each other",
   await expect(await openField(other, "rods.arm_rod_length_mm")).toHaveValue("88");
 });
 
+test("a link in the address of the open page is a step, and a link copied at once is of what was chosen last", async ({
+  page,
+}) => {
+  await start(page, "#p=cognifly&n=alpha&s=rods.arm_rod_length_mm:84,limits.mass_budget_g:241");
+  await page.evaluate(() => (location.hash = "#p=cognifly-bamboo&n=mine"));
+  await settled(page);
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly-bamboo");
+  expect(new URL(page.url()).hash).toBe("");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(page.getByLabel("Preset")).toHaveValue("cognifly");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await page.getByLabel("Preset").selectOption("cognifly-mini");
+  await page.getByRole("button", { name: "Copy the link" }).click();
+  await expect(page.getByLabel("Link", { exact: true })).toHaveValue(/#p=cognifly-mini&n=cognifly-mini$/);
+});
+
 test("a corrupt link, hostile text, NaN and a table of 200 MB: a clear message, nothing executed, nothing lost", async ({
   page,
   faults,

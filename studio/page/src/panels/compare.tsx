@@ -24,7 +24,9 @@ let timer: ReturnType<typeof setTimeout> | undefined;
 
 // Compared when the panel is open and nothing was changed for a moment.
 effect(() => {
-  const [of, against, open] = [shownDoc.value, before.value, right.value === "compare" || ghost.value];
+  // Read apart: a value behind one that is true would not be followed.
+  const [panel, through] = [right.value === "compare", ghost.value];
+  const [of, against, open] = [shownDoc.value, before.value, panel || through];
   clearTimeout(timer);
   if (of && open) timer = setTimeout(() => (running = running.then(() => compare(against, of))), 300);
 });

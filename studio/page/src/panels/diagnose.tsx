@@ -14,32 +14,52 @@ import { short } from "../ui/words.ts";
 /** Larger tables are no drops of a frame; a browser would run out of memory on them. */
 const LARGEST_BYTES = 64 << 20;
 
+/** Names of files of drops. */
+const RECORDS = /\.(csv|bin|bhn)$/i;
+
 const diagnoser = new EngineClient("diagnoser");
 const drops = signal<Attached>({});
 const model = signal("paper");
 const most = signal(2);
+const making = new Work<void>();
 const reading = new Work<Measured>();
 const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[] }>();
 
-/** Takes measured drops. */
-export async function takeDrops(files: Iterable<File>): Promise<void> {
+/** What was chosen in a field; the same files again are a choice, too. */
+function takeChosen(input: HTMLInputElement): void {
+  const chosen = [...(input.files ?? [])].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
+  input.value = "";
+  void takeDrops(chosen);
+}
+
+/** Takes measured drops: files, each with its path, whose folder says the height of a logger's file. */
+export async function takeDrops(given: { path: string; file: File }[]): Promise<void> {
   const taken: Attached = {};
   let sum = 0;
-  for (const file of files) {
+  // A folder holds other things, too.
+  const files = given.filter(({ path }) => !path.includes("/") || RECORDS.test(path));
+  for (const { file } of files) {
     sum += file.size;
     if (sum > LARGEST_BYTES) {
       notice.value = `${file.name} has ${Math.round(file.size / 1e6)} MB; all files together may have ${LARGEST_BYTES >> 20} MB. Nothing was read: give fewer drops at a time.`;
       return;
     }
   }
-  for (const file of files) {
-    const path = file.webkitRelativePath || file.name;
-    taken[path] = new Uint8Array(await file.arrayBuffer());
+  if (files.length === 0) {
+    notice.value = "There are no drops among these files: tables end in .csv, a logger's files in .bin or .bhn.";
+    return;
+  }
+  try {
+    for (const { path, file } of files) taken[path] = new Uint8Array(await file.arrayBuffer());
+  } catch (error) {
+    notice.value = `This cannot be read: ${error instanceof Error ? error.message : String(error)}`;
+    return;
   }
   await read(taken);
 }
 
 async function read(taken: Attached): Promise<void> {
+  if (diagnosing.running.value) diagnoser.end("Other drops were opened.");
   diagnosing.clear();
   reading.result.value = null;
   drops.value = taken;
@@ -47,8 +67,10 @@ async function read(taken: Attached): Promise<void> {
 }
 
 async function example(): Promise<void> {
-  const { files } = await diagnoser.ask({ do: "synthesize", plan: "bottoming.toml" }, { "bottoming.toml": plan });
-  await read({ "synthetic-drops.csv": files[0]!.bytes });
+  await making.run(async () => {
+    const { files } = await diagnoser.ask({ do: "synthesize", plan: "bottoming.toml" }, { "bottoming.toml": plan });
+    await read({ "synthetic-drops.csv": files[0]!.bytes });
+  });
 }
 
 function diagnose(): Promise<void> {
@@ -74,11 +96,15 @@ export function Diagnose() {
       <div class="row dropzone">
         <label class="file">
           Open measured drops (CSV, .bin, .bhn)
+          <input type="file" multiple accept=".csv,.bin,.bhn" onChange={(event) => takeChosen(event.currentTarget)} />
+        </label>
+        <label class="file">
+          or a folder of them
           <input
             type="file"
             multiple
-            accept=".csv,.bin,.bhn"
-            onChange={(event) => void takeDrops([...(event.currentTarget.files ?? [])])}
+            ref={(input) => input?.setAttribute("webkitdirectory", "")}
+            onChange={(event) => takeChosen(event.currentTarget)}
           />
         </label>
         <span>or drag them here,</span>
@@ -86,6 +112,7 @@ export function Diagnose() {
           or try synthetic ones
         </button>
       </div>
+      <Progress of={making} words="Making drops" />
       <Progress of={reading} words="Reading" />
       {measured && <Records measured={measured} names={names} />}
       {measured && (

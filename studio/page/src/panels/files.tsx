@@ -5,7 +5,7 @@ import { toFragment } from "../state/link.ts";
 import type { Doc } from "../state/doc.ts";
 import { isUnchanged } from "../state/doc.ts";
 import { openFrame } from "../state/opening.ts";
-import { changedKeys, doc, frame, notice, refused, valueOf } from "../state/studio.ts";
+import { changedKeys, doc, frame, notice, pending, refused, shownDoc, valueOf } from "../state/studio.ts";
 import { download, made, save, saveText } from "../state/downloads.ts";
 import { Work } from "../state/work.ts";
 import { Progress } from "../ui/progress.tsx";
@@ -105,7 +105,11 @@ export function Files() {
           type="file"
           multiple
           accept=".toml"
-          onChange={(event) => void openFrame([...(event.currentTarget.files ?? [])])}
+          onChange={(event) => {
+            void openFrame([...(event.currentTarget.files ?? [])]);
+            // The same file again, which was changed in the meantime, is a choice, too.
+            event.currentTarget.value = "";
+          }}
         />
       </label>{" "}
       <span>or drag it onto the page. Its base is a preset, against which its differences are marked.</span>
@@ -128,9 +132,14 @@ async function share(): Promise<void> {
   }
   // Comments, entries of one's own, refused values and the like are not among the values: then the text itself is the link.
   const stated = (frame.value?.stated ?? []).filter((key) => key !== "base");
+  // The values are those of the picture: while another frame is computed, only its text is known.
+  const known = shownDoc.value === of && Object.keys(pending.value).length === 0;
   const whole =
-    refused.value !== null || (!isUnchanged(of) && (stated.some((key) => !(key in set)) || /^\s*#/m.test(text)));
-  const fragment = toFragment(whole ? { preset, name, set: {}, text } : { preset, name, set });
+    !isUnchanged(of) &&
+    (!known || refused.value !== null || stated.some((key) => !(key in set)) || /^\s*#/m.test(text));
+  const fragment = toFragment(
+    whole ? { preset, name, set: {}, text } : { preset, name, set: isUnchanged(of) ? {} : set },
+  );
   const url = `${location.origin}${location.pathname}#${fragment}`;
   link.value = { of, url };
   try {

@@ -2,7 +2,7 @@
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { baseName } from "../state/doc.ts";
 import { presetNamed } from "../state/opening.ts";
-import { doc, refused, take } from "../state/studio.ts";
+import { doc, refused, replaced, take } from "../state/studio.ts";
 
 /** The text is read when nothing was typed for this long, ms. */
 const REST_MS = 350;
@@ -12,14 +12,25 @@ export function Source() {
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
   const area = useRef<HTMLTextAreaElement>(null);
   const text = typed ?? doc.value.text;
-  // What is set elsewhere shows here as soon as nobody types. At once: an effect after the first picture would take back what was typed meanwhile.
-  useLayoutEffect(() => setTyped(null), [doc.value.text]);
+  // What was typed stays until the page has all of it: what comes back of it earlier is older. At once: an effect after the first picture would
+  // take back what was typed meanwhile.
+  useLayoutEffect(() => setTyped((now) => (now === doc.value.text ? null : now)), [doc.value.text]);
+  // What is set elsewhere takes its place.
+  useLayoutEffect(() => {
+    clearTimeout(timer.current);
+    setTyped(null);
+  }, [replaced.value]);
   const refusal = refused.value?.refusal;
   const line = refusal?.place?.file === `${doc.value.name}.toml` ? refusal.place.line : null;
   const type = (next: string) => {
     setTyped(next);
     clearTimeout(timer.current);
     timer.current = setTimeout(() => read(next), REST_MS);
+  };
+  // Whoever leaves the text means what stands there.
+  const leave = () => {
+    clearTimeout(timer.current);
+    if (typed !== null && typed !== doc.value.text) read(typed);
   };
   const read = (next: string) => {
     const edited = {
@@ -62,6 +73,7 @@ export function Source() {
           aria-invalid={refusal !== undefined}
           aria-describedby="toml-refusal"
           onInput={(event) => type(event.currentTarget.value)}
+          onBlur={leave}
         />
       </div>
       <div id="toml-refusal" role="status">

@@ -14,6 +14,7 @@ import {
   picked,
   plate,
   section,
+  shownPictures,
   stage,
   viewer,
 } from "../view/scene_state.ts";
@@ -21,13 +22,21 @@ import {
 const measuring = signal(false);
 const points = signal<Vector3[]>([]);
 
+let latest: Vector3 | null = null;
 effect(() => {
   const at = picked.value;
-  if (!measuring.peek() || !at) return;
+  // A picked body in a new picture is picked at the same point: that is no click.
+  if (!measuring.peek() || !at || at.at === latest) return;
+  latest = at.at;
   const former = points.peek();
   points.value = former.length >= 2 ? [at.at] : [...former, at.at];
 });
 effect(() => viewer.value?.showDistance(points.value));
+// Its points are those of a picture that is no more.
+effect(() => {
+  void shownPictures.value;
+  points.value = [];
+});
 
 /** What draws comes with the picture, which the rest of the page does not wait for. */
 function showBed(shown: boolean, number = 0): void {

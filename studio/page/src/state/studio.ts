@@ -78,11 +78,17 @@ export const findingsAreCurrent = computed(() => findingsAreOfPicture.value && r
 type Wanted = { doc: Doc; set: Record<string, Setting | null>; record: boolean; group: string | null; begun: number };
 let wanted: Wanted | null = null;
 let running = false;
+/** Whether a change is under way that is no step of the history yet, and who waits for it to become one. */
+let recording = false;
+const waiting: (() => void)[] = [];
+/** Counts what replaces the text from elsewhere than the text's own field. */
+export const replaced = signal(0);
 
 /** Sets values; `null` gives a key back to the preset. */
 export function set(values: Record<string, Setting | null>): void {
   const entries = Object.entries(values).map(([key, value]) => [key, same(value, baseOf(key)) ? null : value] as const);
   pending.value = { ...pending.value, ...Object.fromEntries(entries) };
+  replaced.value += 1;
   const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
   want({
     doc: wanted?.doc ?? doc.value,
@@ -96,17 +102,30 @@ export function set(values: Record<string, Setting | null>): void {
 /** Takes another document: an edited text, another preset. Quick changes of one `group` are one step of undo. */
 export function take(next: Doc, { record = true, group = null as string | null } = {}): void {
   pending.value = {};
+  if (group !== "text") replaced.value += 1;
   want({ doc: next, set: {}, record, group, begun: performance.now() });
 }
 
 export function undo(): void {
-  const former = history.undo();
-  if (former) take(former, { record: false });
+  void step(() => history.undo());
 }
 
 export function redo(): void {
-  const next = history.redo();
-  if (next) take(next, { record: false });
+  void step(() => history.redo());
+}
+
+/** A step of the history, once all that was changed before is in it. */
+async function step(move: () => Doc | undefined): Promise<void> {
+  if (recording || wanted?.record) await new Promise<void>((resolve) => waiting.push(resolve));
+  const to = move();
+  if (to) take(to, { record: false });
+}
+
+/** Whoever waits for the history goes on when no change is outside of it. */
+function settled(): void {
+  recording = false;
+  if (wanted?.record) return;
+  for (const go of waiting.splice(0)) go();
 }
 
 function want(next: Wanted): void {
@@ -120,6 +139,7 @@ async function run(): Promise<void> {
   while (wanted) {
     const now: Wanted = wanted;
     wanted = null;
+    recording = now.record;
     try {
       await show(now);
     } catch (error) {
@@ -136,6 +156,8 @@ async function run(): Promise<void> {
         console.error(error);
       }
     }
+    // A change that failed before it was recorded is no step.
+    settled();
   }
   computing.value = false;
   running = false;
@@ -179,6 +201,7 @@ async function show(now: Wanted): Promise<void> {
   // What was set in the meantime belongs on top of this text.
   if (wanted && Object.keys(wanted.set).length > 0) wanted.doc = next;
   if (now.record) history.record(next, now.group);
+  settled();
   store(next);
   const opened = await shown.opened(next);
   // A newer wish makes this picture useless.
@@ -260,6 +283,30 @@ function expect(): { preset: string; read: Promise<Read> } | null {
   return { preset: likely.preset, read };
 }
 
+/** The frame of the link in the address, which is taken out of it; `null` where there is none, or it cannot be read. */
+function openedLink(): { doc: Doc; values: Record<string, Setting | null> } | null {
+  const [frames, listed] = [presets.value?.frames ?? [], catalogue.value];
+  try {
+    const keys = new Set([...(listed?.parameters ?? []), ...(listed?.choices ?? [])].map(({ key }) => key));
+    const linked = fromFragment(location.hash, { presets: frames.map(({ name }) => name), keys });
+    const of = linked && ofPreset(linked.preset);
+    return of && { doc: { ...of, name: linked.name, text: linked.text ?? of.text }, values: linked.set };
+  } catch (error) {
+    notice.value = `The link cannot be read: ${error instanceof Error ? error.message : String(error)}. The frame of before is shown.`;
+    return null;
+  } finally {
+    if (location.hash) window.history.replaceState(null, "", location.pathname + location.search);
+  }
+}
+
+/** A link that is put into the address of the open page is a step like any other. */
+addEventListener("hashchange", () => {
+  const linked = catalogue.value && openedLink();
+  if (!linked) return;
+  take(linked.doc);
+  if (Object.keys(linked.values).length > 0) set(linked.values);
+});
+
 /** Starts: a link's frame, the one of before, or the first preset. */
 export async function begin(): Promise<void> {
   const asked = performance.now();
@@ -269,19 +316,9 @@ export async function begin(): Promise<void> {
   presets.value = known.answer;
   catalogue.value = listed.answer;
   const first = known.answer.frames[0]?.name ?? "cognifly";
-  let start: Doc = restored(known.answer.frames.map(({ name }) => name)) ?? ofPreset(first);
-  let values: Record<string, Setting | null> = {};
-  try {
-    const keys = new Set([...listed.answer.parameters, ...listed.answer.choices].map(({ key }) => key));
-    const linked = fromFragment(location.hash, { presets: known.answer.frames.map(({ name }) => name), keys });
-    if (linked) {
-      start = { ...ofPreset(linked.preset), name: linked.name, text: linked.text ?? ofPreset(linked.preset).text };
-      values = linked.set;
-    }
-  } catch (error) {
-    notice.value = `The link cannot be read: ${error instanceof Error ? error.message : String(error)}. The frame of before is shown.`;
-  }
-  if (location.hash) window.history.replaceState(null, "", location.pathname + location.search);
+  const linked = openedLink();
+  const start = linked?.doc ?? restored(known.answer.frames.map(({ name }) => name)) ?? ofPreset(first);
+  const values = linked?.values ?? {};
   doc.value = start;
   pending.value = values;
   if (expected?.preset === start.preset) base.value = await expected.read;

@@ -31,9 +31,11 @@ export function Slider({
   invalid,
   onInput,
 }: Props) {
-  const take = (text: string) => {
-    const number = Number(text.replace(",", "."));
-    if (text.trim() !== "" && Number.isFinite(number)) onInput(number);
+  const take = (field: HTMLInputElement) => {
+    const number = Number(field.value.replace(",", "."));
+    if (field.value.trim() !== "" && Number.isFinite(number)) onInput(number);
+    // What is no number changes nothing, and must not look as if it did.
+    else field.value = short(value, 4);
   };
   const spoken = unit === "°" ? "degrees" : unit;
   return (
@@ -57,7 +59,7 @@ export function Slider({
         aria-describedby={describedBy}
         aria-invalid={invalid}
         value={short(value, 4)}
-        onChange={(event) => take(event.currentTarget.value)}
+        onChange={(event) => take(event.currentTarget)}
       />
       <span class="unit" aria-hidden="true">
         {unit}

@@ -66,7 +66,12 @@ export function join(made: Viewer): void {
   effect(() => {
     const bytes = picture.value;
     // The viewer takes the buffer apart: it gets a copy of what others may still read.
-    if (bytes) void made.show(bytes.slice()).then(() => (shownPictures.value += 1));
+    if (!bytes) return;
+    void made.show(bytes.slice()).then(() => {
+      shownPictures.value += 1;
+      // What was picked is another mesh now, or none.
+      if (picked.value) picked.value = made.again(picked.value);
+    });
   });
   effect(() => {
     void shownPictures.value;

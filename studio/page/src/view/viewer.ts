@@ -73,6 +73,7 @@ export class Viewer {
   #motion: { picture: Picture; mixer: AnimationMixer; seconds: number; apart: boolean } | null = null;
   #extra = new Group();
   #marks = new Group();
+  #measured = new Group();
   #look: Look | null = null;
   #asked = false;
   /** Whether a person turned, moved or zoomed since the camera was placed: then it is not placed again unasked. */
@@ -98,7 +99,7 @@ export class Viewer {
     const sun = new DirectionalLight(0xffffff, 2.2);
     sun.position.set(0.6, 1, 0.4);
     this.camera.add(sun);
-    this.scene.add(this.camera, new HemisphereLight(0xffffff, 0x8d99a6, 1.6), this.#extra, this.#marks);
+    this.scene.add(this.camera, new HemisphereLight(0xffffff, 0x8d99a6, 1.6), this.#extra, this.#marks, this.#measured);
     new ResizeObserver(() => this.#resize()).observe(canvas.parentElement ?? canvas);
     this.#listen();
     this.#resize();
@@ -196,8 +197,9 @@ export class Viewer {
 
   /** Points and the line between them. */
   showDistance(points: Vector3[]): void {
-    for (const child of this.#marks.children.filter(({ name }) => name === "distance")) this.#marks.remove(child);
-    if (points.length > 0) this.#marks.add(marks.distance(points));
+    dispose(this.#measured);
+    this.#measured.clear();
+    if (points.length > 0) this.#measured.add(marks.distance(points));
     this.draw();
   }
 
@@ -217,6 +219,12 @@ export class Viewer {
     this.#lookAt(box.expandByScalar(0.02));
     this.#own = true;
     return true;
+  }
+
+  /** A body of the picture by its name, as if it were picked at the same point. */
+  again({ body, at }: Picked): Picked | null {
+    const same = this.#picture?.bodies.find(({ facts }) => facts.name === body.facts.name);
+    return same ? { body: same, at, sizeMm: sizeMm(same) } : null;
   }
 
   facts(): BodyFacts[] {
