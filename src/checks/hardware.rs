@@ -18,9 +18,12 @@ const ROD: &[&str] = &["rods.rod_diameter_mm", "bought.rod"];
 const ROD_ALONE: &[&str] = &["bought.rod"];
 const STOCK: &[&str] = &["bought.rod", "rods.cage_rod_length_mm", "rods.arm_rod_length_mm"];
 const MOTOR_THREAD: &[&str] = &["bought.motor_screw", "bought.motor"];
+const MOTOR_HEAD: &[&str] = &["motor_mount.motor_hole_diameter_mm", "bought.motor_screw"];
+const SHAFT: &[&str] = &["motor_mount.motor_shaft_hole_mm", "bought.motor"];
 const MOTOR_LENGTH: &[&str] = &["bought.motor_screw", "motor_mount.motor_plate_thickness_mm"];
 const STACK_THREAD: &[&str] = &["hub.stack_pilot_diameter_mm", "bought.stack_screw"];
 const STACK_HEAD: &[&str] = &["hub.stack_counterbore_diameter_mm", "bought.stack_screw"];
+const STACK_FLOOR: &[&str] = &["hub.stack_counterbore_depth_mm", "hub.hub_plate_thickness_mm"];
 const STACK_LENGTH: &[&str] = &["bought.stack_screw", "hub.stack_counterbore_depth_mm"];
 const FLIGHT_HOLES: &[&str] = &["bought.flight_controller", "bought.stack_screw", "bought.damper"];
 const STACK_HOLES: &[&str] = &["bought.motor_controller", "bought.stack_screw", "bought.damper"];
@@ -31,6 +34,9 @@ const COMPUTER_HOLES: &[&str] = &["pi_carrier.pi_pattern_along_mm", "pi_carrier.
 const CAMERA_HOLES: &[&str] = &["camera.camera_pattern_across_mm", "camera.camera_pattern_up_mm", "bought.camera"];
 const TIED: &[&str] = &["accessories.accessory_side_mm", "bought.receiver", "bought.buzzer"];
 const SENSOR_HOLES: &[&str] = &["sleeve.sensor_hole_pitch_mm", "bought.flow_sensor"];
+const CARRIER_HOLES: &[&str] = &["pi_carrier.pi_hole_diameter_mm"];
+const CONNECTOR_HOLES: &[&str] = &["camera.camera_hole_diameter_mm"];
+const PLATE_HOLES: &[&str] = &["accessories.fpv_hole_diameter_mm"];
 const COMPUTER_ALONE: &[&str] = &["bought.computer"];
 const CAMERA_ALONE: &[&str] = &["bought.camera"];
 const SENSOR_ALONE: &[&str] = &["bought.flow_sensor"];
@@ -47,8 +53,11 @@ pub static RULE: Rule = Rule {
         STOCK,
         MOTOR_THREAD,
         MOTOR_LENGTH,
+        MOTOR_HEAD,
+        SHAFT,
         STACK_THREAD,
         STACK_HEAD,
+        STACK_FLOOR,
         STACK_LENGTH,
         FLIGHT_HOLES,
         STACK_HOLES,
@@ -61,6 +70,9 @@ pub static RULE: Rule = Rule {
         COMPUTER_ALONE,
         CAMERA_ALONE,
         SENSOR_ALONE,
+        CARRIER_HOLES,
+        CONNECTOR_HOLES,
+        PLATE_HOLES,
         TIED,
     ]),
     blame: Blame::Levers,
@@ -88,6 +100,12 @@ const NECK_MM: f64 = 0.25;
 /// Least width by which what keeps a board on its screw is wider than the board's hole, on each side, mm: the rim of an M2 damper has 1 mm, an
 /// M2 nut 0.5 mm beside a hole of 3 mm.
 const RIM_MM: f64 = 0.25;
+/// Least width of plate below the head of a screw, beside its hole, mm: half a millimetre all around.
+const UNDER_HEAD_MM: f64 = 1.0;
+/// Least plate under the head of a screw of the stack, mm: six layers, without which the head is pulled through.
+const FLOOR_MM: f64 = 1.2;
+/// Most air between a motor and its propeller, mm: shafts of such motors reach some 5 mm beyond them, and the hub needs most of it.
+const AIR_MM: f64 = 2.0;
 /// Holes that the small screws of the bill are for, mm: M2 is the smallest of them, and their washers have 5 mm.
 const SMALL_SCREWS_MM: [f64; 2] = [2.0, 4.5];
 
@@ -100,6 +118,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(small_holes(&scene.design.frame));
     found.extend(holes(&scene.design.frame));
     found.extend(tied(scene));
+    found.extend(small_printed_holes(&scene.design.frame));
     found.extend(seat(&scene.design.frame));
     found.extend(cage(scene));
     found
@@ -167,7 +186,17 @@ fn motor_screws(frame: &Frame) -> Vec<Finding> {
         let message = format!("{called} has a thread of {thread} mm, the holes of {} one of {hole} mm", name(frame, "motor"));
         found.push(measure((thread - hole).abs(), SAME_MM, "mm", MOTOR_THREAD).at_most("screw of the motor: thread".into(), message));
     }
-    let plate = frame.motor_mount.motor_plate_thickness_mm;
+    let mount = &frame.motor_mount;
+    if let Some(head) = screw.head_diameter_mm {
+        let carried = measure(head - mount.motor_hole_diameter_mm, UNDER_HEAD_MM, "mm", MOTOR_HEAD);
+        let [rim, needed] = carried.figures(2);
+        let message = format!(
+            "the head of {called}, {head} mm wide, is {rim} mm wider than its hole of {} mm in the mount, {needed} mm keep it from being pulled through",
+            mount.motor_hole_diameter_mm
+        );
+        found.push(carried.at_least("screw of the motor: head".into(), message));
+    }
+    let plate = mount.motor_plate_thickness_mm;
     let engaged = length - plate;
     let least = measure(engaged, ENGAGED * thread, "mm", MOTOR_LENGTH);
     let [reach, need] = least.figures(2);
@@ -198,6 +227,10 @@ fn stack_screws(scene: &Scene) -> Vec<Finding> {
         let [wide, bore] = sunk.figures(2);
         let message = format!("the head of {called} is {wide} mm wide, its counterbore {bore} mm");
         found.push(sunk.at_most("screw of the stack: head".into(), message));
+        let floor = measure(hub.hub_plate_thickness_mm - hub.stack_counterbore_depth_mm, FLOOR_MM, "mm", STACK_FLOOR);
+        let [left, needed] = floor.figures(2);
+        let message = format!("{left} mm of the hub's plate carry the head of {called}, {needed} mm are needed");
+        found.push(floor.at_least("screw of the stack: floor".into(), message));
     }
     let beyond =
         measure(lowest - (stack.seat_mm - length), part(frame, "stack_nut").map_or(NUT * thread, |nut| nut.size_mm[2]), "mm", STACK_LENGTH);
@@ -284,7 +317,34 @@ fn holes(frame: &Frame) -> Vec<Finding> {
         let message = format!("the holes of {} are {own} mm apart, those that hold it {held} mm", name(frame, role));
         Some(measure((own - held).abs(), HOLE_PLAY_MM, "mm", levers).at_most(format!("holes of the {which}"), message))
     };
-    own.into_iter().filter_map(off).collect()
+    own.into_iter().filter_map(off).chain(shaft_hole(frame)).collect()
+}
+
+/// The mount lets the motor's shaft through, with what keeps it in the motor.
+fn shaft_hole(frame: &Frame) -> Option<Finding> {
+    let needs = part(frame, "motor")?.shaft_hole_diameter_mm.filter(|needs| *needs > 0.0)?;
+    let hole = measure(frame.motor_mount.motor_shaft_hole_mm, needs - SAME_MM, "mm", SHAFT);
+    let message =
+        format!("the mount's hole below the shaft is {} mm wide, {} needs one of {needs} mm", hole.figures(2)[0], name(frame, "motor"));
+    Some(hole.at_least("holes of the motor: shaft".into(), message))
+}
+
+/// Printed holes that small screws go through have room for them.
+fn small_printed_holes(frame: &Frame) -> Vec<Finding> {
+    let printed: [(&str, f64, &'static [&'static str]); 3] = [
+        ("computer", frame.pi_carrier.pi_hole_diameter_mm, CARRIER_HOLES),
+        ("camera", frame.camera.camera_hole_diameter_mm, CONNECTOR_HOLES),
+        ("fpv_camera", frame.accessories.fpv_hole_diameter_mm, PLATE_HOLES),
+    ];
+    let of = |(role, hole, levers): (&str, f64, &'static [&'static str])| {
+        part(frame, role)?;
+        let passed = measure(hole, SMALL_SCREWS_MM[0], "mm", levers);
+        let [wide, needed] = passed.figures(2);
+        let message =
+            format!("the printed holes for {} are {wide} mm wide, the smallest screw of the bill needs {needed} mm", name(frame, role));
+        Some(passed.at_least(format!("holes for the {role}: screw"), message))
+    };
+    printed.into_iter().filter_map(of).collect()
 }
 
 /// The slots for the ties of receiver and buzzer have room on the accessory plate.
@@ -310,14 +370,17 @@ fn tied(scene: &Scene) -> Vec<Finding> {
     ["receiver", "buzzer"].into_iter().filter_map(of).flatten().collect()
 }
 
-/// A propeller stands on its motor, not in it.
-fn seat(frame: &Frame) -> Option<Finding> {
-    let (motor, propeller) = (part(frame, "motor")?, part(frame, "propeller")?);
+/// A propeller stands on its motor, neither in it nor above it.
+fn seat(frame: &Frame) -> Vec<Finding> {
+    let (Some(motor), Some(propeller)) = (part(frame, "motor"), part(frame, "propeller")) else { return Vec::new() };
     let under = frame.motor_mount.propeller_height_mm - 0.5 * propeller.hub_mm();
     let air = measure(under, motor.motor_height_mm(), "mm", SEAT);
     let [height, top] = air.figures(2);
     let message = format!("the underside of the propeller is {height} mm above the motor's seat, the motor is {top} mm high");
-    Some(air.at_least("propellers on the motors".into(), message))
+    let above = measure(under - motor.motor_height_mm(), AIR_MM, "mm", SEAT);
+    let [gap, most] = above.figures(2);
+    let reached = format!("the underside of the propeller is {gap} mm above the motor, its shaft carries it up to {most} mm");
+    vec![air.at_least("propellers on the motors".into(), message), above.at_most("propellers on the motors: air".into(), reached)]
 }
 
 /// No propeller reaches out of the ring that keeps it off walls.
@@ -371,6 +434,13 @@ mod tests {
                 (screw.thread_mm, screw.head_diameter_mm, screw.length_mm) = (Some(3.0), Some(5.5), Some(20.0))
             });
         });
+        assert_eq!(broken(|frame| frame.motor_mount.motor_hole_diameter_mm = 3.1), ["screw of the motor: head"]);
+        assert_eq!(
+            broken(|frame| (frame.hub.hub_plate_thickness_mm, frame.hub.stack_counterbore_depth_mm) = (2.5, 2.4))
+                .first()
+                .map(String::as_str),
+            Some("screw of the stack: floor")
+        );
         assert_eq!(m3, ["screw of the stack: bite", "screw of the stack: head", "holes of the flight_controller: screw"]);
     }
 
@@ -401,11 +471,15 @@ mod tests {
     fn planted_holes_elsewhere() {
         assert_eq!(broken(|frame| frame.camera.camera_pattern_up_mm = 14.0), ["holes of the camera, up"]);
         assert_eq!(broken(|frame| frame.motor_mount.motor_hole_circle_mm = 8.0), ["holes of the motor"]);
+        assert_eq!(broken(|frame| frame.motor_mount.motor_shaft_hole_mm = 0.0), ["holes of the motor: shaft"]);
+        assert_eq!(broken(|frame| frame.camera.camera_hole_diameter_mm = 1.5), ["holes for the camera: screw"]);
+        assert_eq!(broken(|frame| frame.pi_carrier.pi_hole_diameter_mm = 1.9), ["holes for the computer: screw"]);
     }
 
     #[test]
     fn planted_propellers_in_the_motor_and_out_of_the_cage() {
         assert_eq!(broken(|frame| frame.motor_mount.propeller_height_mm = 13.0), ["propellers on the motors"]);
+        assert_eq!(broken(|frame| frame.motor_mount.propeller_height_mm = 22.0), ["propellers on the motors: air"]);
         assert_eq!(broken(|frame| frame.motor_mount.propeller_diameter_mm = 120.0), ["propellers in the cage"]);
     }
 }

@@ -398,3 +398,28 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
     let (once, again) = (booklet_pdf::pdf(&booklet).expect("a file"), booklet_pdf::pdf(&booklet).expect("a file"));
     assert!(once.starts_with(b"%PDF-") && once == again);
 }
+
+/// The distance that a person measures is that between the meshes of mount and fork, beside the rods that both stand on.
+#[test]
+fn analytic_the_mount_stands_where_the_instructions_say() {
+    for name in ["cognifly", "cognifly-mini"] {
+        let design = designed(name);
+        let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+        let step = sequence.steps.iter().find(|step| step.title == "Motor onto its mount").expect("a step");
+        let caution = step.caution.as_deref().expect("says where");
+        let told_mm: f64 =
+            caution.split("until ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number").parse().expect("a number");
+        let half_pitch_mm = 0.5 * design.frame.hub_joint.arm_pitch_mm;
+        // Along the diagonal to the front right, of what lies at the height of the arms beside one of them.
+        let reach = |body: &str| -> [f64; 2] {
+            let mesh = design.placed(design.bodies.iter().find(|one| one.name == body).expect("a body")).mesh();
+            let corners = mesh.vertices.iter().map(|v| v.map(f64::from)).filter_map(|[x, y, z]| {
+                let [along, aside] = [x + y, y - x].map(|sum| std::f64::consts::FRAC_1_SQRT_2 * sum);
+                (z.abs() < 0.5 && (aside.abs() - half_pitch_mm).abs() < 3.0).then_some(along)
+            });
+            corners.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+        };
+        let gap_mm = reach("fork_FR")[0] - reach("motor_mount_FR")[1];
+        assert!((gap_mm - told_mm).abs() < 0.1, "{name}: {gap_mm}, told {told_mm}");
+    }
+}

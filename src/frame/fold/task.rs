@@ -224,6 +224,14 @@ impl Task {
             Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => {
                 Some(cut_rods::when_pushed(frame).into())
             }
+            Self::SeatMotor => Some(
+                format!(
+                    "First slide the mount along the arms until {:.1} mm of each show between its ring and the fork: there the propeller is clear of the \
+                     frame. Nothing else holds it there: put a drop of cyanoacrylate, or a turn of tape, on each arm at the ring.",
+                    mount_to_fork_mm(frame)
+                )
+                .into(),
+            ),
             Self::PlugHub => Some("Never glue the plugs to the hub: they are what lets go in a crash.".into()),
             _ => None,
         }
@@ -238,4 +246,11 @@ impl Task {
             _ => 1.0,
         }
     }
+}
+
+/// From the outer face of the motor mount's rings to the mouth of the fork's sockets, along an arm that is home, mm.
+fn mount_to_fork_mm(frame: &Frame) -> f64 {
+    let fork_bottom = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm;
+    let mount = &frame.motor_mount;
+    fork_bottom - frame.fork.fork_socket_depth_mm - (mount.motor_position_mm + 0.5 * mount.motor_ring_width_mm)
 }
