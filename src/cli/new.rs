@@ -17,7 +17,7 @@ use crate::variant::{CreateError, Creation, Request, SolveError, create, movable
 /// Write a variant of a frame, with the changes that it needs to keep every limit.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 261\n  flexframe new longer --envelope 210x240x120 --vary cage_side_ratio=1.1..1.14\n\nRod lengths and motor positions change as little as keeps every limit, and in a frame that is or may be longer than wide cage_side_ratio. Exit code 1, and nothing is written, when no such frame is found."
+    after_help = "Examples:\n  flexframe new small --from cognifly --propeller propeller-65mm --envelope 190x190x110\n  flexframe new long --battery battery-2s-2000 --mass 265\n  flexframe new longer --envelope 210x240x120 --vary cage_side_ratio=1.1..1.14\n\nRod lengths and motor positions change as little as keeps every limit, and in a frame that is or may be longer than wide cage_side_ratio. Exit code 1, and nothing is written, when no such frame is found."
 )]
 pub(super) struct Args {
     /// Name of the variant; NAME.toml is written.

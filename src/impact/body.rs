@@ -59,7 +59,8 @@ impl Feet {
 pub struct DropBody {
     /// Mass, kg.
     pub mass_kg: f64,
-    /// Clearance of the lowest body above the ground, m. Book-keeping: it adds no force.
+    /// Clearance of the lowest body above the ground, m; 0 where it hangs lower than the feet, so that it is down with the first touch.
+    /// Book-keeping: it adds no force.
     pub gap_m: f64,
     /// How far the frame can be compressed before the arms are down at the lower ring, m; unknown without a frame.
     pub travel_m: Option<f64>,
@@ -75,7 +76,7 @@ impl DropBody {
         let gap_mm = checks::ground_clearance(design, masses).map_or(0.0, |ground| ground.clearance_mm);
         Self {
             mass_kg: masses.total_g * 1e-3,
-            gap_m: gap_mm * 1e-3,
+            gap_m: 1e-3 * gap_mm.max(0.0),
             travel_m: Some(design.skeleton.closure.ring_half_height_mm * 1e-3),
             feet: Some(Feet::of(design)),
             origin: Origin::Frame(design.frame.name.clone()),

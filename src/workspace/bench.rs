@@ -36,6 +36,8 @@ const HALVINGS: usize = 5;
 const PROBE: f64 = 0.2;
 /// Shares of that step, of which the largest that leaves a frame counts.
 const PROBES: [f64; 2] = [1.0, 0.4];
+/// By how much of its limit a violated finding may get worse by a remedy of another one.
+const WORSE: f64 = 1e-3;
 /// Keys, beyond the levers, that are tried in earnest: those with the most effect.
 const OTHERS: usize = 3;
 
@@ -239,8 +241,11 @@ impl<'a> Bench<'a> {
     fn remedy(&self, key: &str, from: String, value: Value, to: String) -> Option<Remedy> {
         let design = self.design(Cost::Slow, key, &value)?;
         let masses = mass::table(&design);
-        let known =
-            |f: &Finding| self.found.iter().any(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
+        // What was violated before is no news, unless it is further from its limit now.
+        let known = |f: &Finding| {
+            let before = self.found.iter().find(|k| k.verdict == Verdict::Violated && (&k.rule, &k.subject) == (&f.rule, &f.subject));
+            before.is_some_and(|k| f.margin >= k.margin - WORSE * k.limit.abs())
+        };
         let found = checks::check_by(&all_but_the_fold(), Cost::Slow, &design, &masses);
         let new = found.iter().find(|f| f.verdict == Verdict::Violated && !known(f));
         let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));

@@ -118,3 +118,16 @@ fn planted_mistakes_exit_2_and_write_nothing() {
     }
     assert!(!place.exists());
 }
+
+/// What hangs lower than the feet hits the ground first: its gap is none, not one that is used up on the way back.
+#[test]
+fn planted_a_battery_below_the_feet_hits_the_ground_with_the_first_touch() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let own = folder.path().join("hanging.toml");
+    for (height_mm, gap) in [(28.0, "0.0 mm"), (30.0, "0.0 mm")] {
+        fs::write(&own, format!("base = \"cognifly\"\nbattery.battery_height_mm = {height_mm:?}\n")).expect("can be written");
+        let output = drop(folder.path(), &[own.to_str().expect("UTF-8"), "--model", "paper-corrected", "--height", "1.5"]);
+        let told = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        assert!(told.contains(&format!("gap of {gap} is used up after 0.00 ms at 5.4")), "{height_mm}: {told}");
+    }
+}

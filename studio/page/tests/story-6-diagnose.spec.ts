@@ -12,6 +12,9 @@ test("synthetic drops at one click, a diagnosis with stages, its verdict and its
   await expect(page.locator(".diagnose .progress").last()).toContainText(" of 4)");
   await expect(page.locator("[data-verdict]")).toHaveAttribute("data-verdict", "named", { timeout: 85_000 });
   await expect(page.locator("[data-verdict] h3")).toContainText("bottoming");
+  // What is chosen next is not what was judged.
+  await page.getByLabel("Effects at most").selectOption("3");
+  await expect(page.locator("[data-verdict]")).toContainText("Of the model paper, with at most 1 effect.");
   await shot(page, "6-verdict");
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "Download model.toml" }).click();

@@ -148,8 +148,8 @@ impl Study {
              FLEXFRAME_DATA=../shared/data cargo run --release --example case_study\n\
              ```\n\n\
              and checked by `tests/impact/case_study.rs`. To repeat it by hand, run `flexframe diagnose --model paper --max-effects 3\n\
-             ../shared/data/crash_landing/soft_*`, the same with `--hold-out-heights 1.5`, and with `--model paper-corrected` for what is said of\n\
-             landings. [diagnosis.md](diagnosis.md) explains the terms.\n\n",
+             ../shared/data/crash_landing/soft_*`, the same with `--hold-out-heights 1.5`, and with `--model paper-corrected --max-effects 2` for what\n\
+             is said of landings. [diagnosis.md](diagnosis.md) explains the terms.\n\n",
         );
         self.channel(&mut page);
         self.cutoff(&mut page);
@@ -395,7 +395,12 @@ impl Study {
             );
         }
         if let Some(refused) = &self.landing.refused {
-            let _ = writeln!(page, "A further effect: {}.\n", refused.sentence());
+            let _ = writeln!(
+                page,
+                "A further effect: {}. So the drops from 150 cm decided that it is left out: no fit saw them, but a choice did, and the gap at 150 cm is that of\n\
+                 legs without it.\n",
+                refused.sentence()
+            );
         }
         let attitude = &self.landing.attitude;
         let _ = writeln!(page, "Mounting: {}. {}.\n", landing_data::lean(attitude), attitude.reason());

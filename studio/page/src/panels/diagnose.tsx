@@ -23,7 +23,7 @@ const model = signal("paper");
 const most = signal(2);
 const making = new Work<void>();
 const reading = new Work<Measured>();
-const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[] }>();
+const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[]; of: string }>();
 
 /** What was chosen in a field; the same files again are a choice, too. */
 function takeChosen(input: HTMLInputElement): void {
@@ -76,8 +76,9 @@ async function example(): Promise<void> {
 function diagnose(): Promise<void> {
   return diagnosing.run(async (onStage) => {
     const request = { do: "diagnose", model: model.value, max_effects: most.value };
+    const of = `Of the model ${model.value}, with at most ${most.value} ${most.value === 1 ? "effect" : "effects"}`;
     const { answer, files } = await diagnoser.ask<Diagnosed>(request, drops.value, onStage);
-    return { found: answer, files };
+    return { found: answer, files, of };
   });
 }
 
@@ -197,7 +198,7 @@ function Records({ measured, names }: { measured: Measured; names: string[] }) {
   );
 }
 
-function Verdict({ found, files }: { found: Diagnosed; files: EngineFile[] }) {
+function Verdict({ found, files, of }: { found: Diagnosed; files: EngineFile[]; of: string }) {
   const { gap, where } = found;
   const full = Math.max(gap.before, gap.after, gap.floor) || 1;
   const largest = [...where.cells].sort((a, b) => size(b) / b.error_g - size(a) / a.error_g).slice(0, 5);
@@ -207,6 +208,7 @@ function Verdict({ found, files }: { found: Diagnosed; files: EngineFile[] }) {
         {VERDICTS[found.verdict]}{" "}
         {found.verdict === "named" && found.effects.map(({ id }) => id.replaceAll("_", " ")).join(" and ")}
       </h3>
+      <p class="about">{of}.</p>
       {found.reasons.map((reason) => (
         <p key={reason}>{reason}</p>
       ))}

@@ -174,7 +174,7 @@ export function Drop() {
         {pinned.value ? pinned.value.name : `the preset ${before.value.preset}`} beside it
       </label>
       <Progress of={work} words="Dropping" />
-      <div class={work.running.value ? "old" : ""}>
+      <div class={work.running.value || work.failure.value ? "old" : ""}>
         <div class="row">
           {results.map(({ name, peakG, contactMs, travelMm, hitMm }) => (
             <p key={name} class={`peak ${hitMm === null ? "" : "invalid"}`} data-peak={peakG}>
