@@ -160,7 +160,7 @@ const LAYERS: [(&str, &[&str]); 37] = [
             "study",
         ],
     ),
-    ("workspace", &["figures", "memo", "params", "frame/assembly", "checks", "export", "variant", "report"]),
+    ("workspace", &["figures", "memo", "params", "frame/skeleton", "frame/assembly", "checks", "export", "variant", "report"]),
     (
         "cli",
         &[
