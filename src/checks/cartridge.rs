@@ -64,7 +64,7 @@ pub struct CartridgePassage {
 impl CartridgePassage {
     fn finding(&self) -> Finding {
         let Self { pair, shared_mm3, way_mm, side, levers } = self;
-        let measure = Measure { rule: &RULE, value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers };
+        let measure = Measure { rule: RULE.id, value: *shared_mm3, limit: TOUCH_MM3, unit: "mm3", levers };
         let (subject, message) = match pair {
             Some([piece, other]) => (
                 format!("{piece} past {other}"),
@@ -95,7 +95,7 @@ impl CartridgeMeeting {
     fn finding(&self) -> Finding {
         let Self { what, gap_mm, meant_mm, tolerance_mm, levers } = *self;
         let value = (gap_mm - meant_mm).abs();
-        let measure = Measure { rule: &RULE, value, limit: tolerance_mm, unit: "mm", levers };
+        let measure = Measure { rule: RULE.id, value, limit: tolerance_mm, unit: "mm", levers };
         let [gap, meant] = told_apart(gap_mm, meant_mm, 2);
         measure.at_most(format!("end stop: {what}"), format!("{what} are {gap} mm apart when the cartridge is home, {meant} mm are meant"))
     }

@@ -34,7 +34,7 @@ impl CentreOffset {
     fn finding(&self) -> Finding {
         let [x, y] = self.offset_mm;
         let (value, limit) = (libm::hypot(x, y), self.limit_mm);
-        let measure = Measure { rule: &RULE, value, limit, unit: "mm", levers: LEVERS };
+        let measure = Measure { rule: RULE.id, value, limit, unit: "mm", levers: LEVERS };
         let [far, allowed] = measure.figures(2);
         let [right, front] = [x, y].map(|offset| decimals(offset, 2));
         let message = format!(

@@ -46,7 +46,7 @@ impl RodClearance {
     fn finding(&self) -> Finding {
         let Self { gap_mm, limit_mm, .. } = *self;
         let [rod, other] = &self.pair;
-        let measure = Measure { rule: &RULE, value: gap_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
+        let measure = Measure { rule: RULE.id, value: gap_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
         let [gap, least] = measure.figures(2);
         measure.at_least(format!("{rod} to {other}"), format!("{rod} passes {other} at {gap} mm, {least} mm are needed"))
     }

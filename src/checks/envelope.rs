@@ -6,10 +6,15 @@
 use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
-use super::scene::{Scene, bounds_of};
+use super::scene::{Placed, Scene, bounds_of};
+use crate::frame::assembly::Kind;
 
 const SOLVED_HEIGHT: &[&str] = &["target.height_mm"];
 const HEIGHT: &[&str] = &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"];
+/// What stands above the ring: the mast, and the camera for goggles.
+const STANDING: &[&str] = &["accessories.mast_height_mm", "accessories.fpv_above_mm"];
+/// What hangs below the feet: the sleeve with its battery.
+const HANGING: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "bought.battery"];
 /// What a long frame is deep by, first.
 const DEPTH: &[&str] = &["rods.cage_side_ratio", "rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm"];
 const SOLVED_WIDTH: &[&str] = &["target.width_mm"];
@@ -23,6 +28,10 @@ const MAKE_HIGH: &[&str] = &[
     "rods.cage_rod_length_mm",
     "target.strut_tilt_deg",
     "bracket.bay_height_mm",
+    "battery.battery_height_mm",
+    "bought.battery",
+    "accessories.mast_height_mm",
+    "accessories.fpv_above_mm",
 ];
 /// Rods first, then what else makes the frame wide.
 const MAKE_WIDE: &[&str] = &[
@@ -55,7 +64,7 @@ pub static RULE: Rule = Rule {
         Limit::Key { subject: "depth", key: "limits.envelope_depth_mm" },
         Limit::Key { subject: "height", key: "limits.envelope_height_mm" },
     ],
-    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, SOLVED_WIDTH, WIDTH, DEPTH]),
+    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, STANDING, HANGING, SOLVED_WIDTH, WIDTH, DEPTH]),
     blame: Blame::Keys(&[("height", MAKE_HIGH), ("depth", MAKE_DEEP), ("", MAKE_WIDE)]),
     in_search: InSearch::Constraints { subjects: &["width", "depth", "height"], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -63,7 +72,7 @@ pub static RULE: Rule = Rule {
 
 /// The size of the frame along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
+pub struct Extent<'a> {
     /// `width`, `depth` or `height`.
     pub name: &'static str,
     /// Whether the discs that the propellers sweep are in it.
@@ -76,22 +85,38 @@ pub struct Extent {
     pub solved: bool,
     /// Whether the frame is longer than wide.
     pub long: bool,
+    /// What of the centre reaches beyond rods and corners, upwards or downwards.
+    pub beyond: Option<Beyond<'a>>,
 }
 
-impl Extent {
+/// A body of the centre that makes the frame higher than its modules are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beyond<'a> {
+    /// Its name.
+    pub body: &'a str,
+    /// Whether it is below them.
+    pub below: bool,
+}
+
+impl Extent<'_> {
     fn finding(&self) -> Finding {
-        let Self { name, with_propellers, size_mm, limit_mm, solved, long } = *self;
+        let Self { name, with_propellers, size_mm, limit_mm, solved, long, beyond } = *self;
         let levers = match (name, solved) {
+            ("height", _) if beyond.is_some_and(|beyond| beyond.below) => HANGING,
+            ("height", _) if beyond.is_some() => STANDING,
             ("height", true) => SOLVED_HEIGHT,
             ("height", false) => HEIGHT,
             ("depth", _) if long => DEPTH,
             (_, true) => SOLVED_WIDTH,
             (_, false) => WIDTH,
         };
-        let measure = Measure { rule: &RULE, value: size_mm, limit: limit_mm, unit: "mm", levers };
+        let measure = Measure { rule: RULE.id, value: size_mm, limit: limit_mm, unit: "mm", levers };
         let [size, most] = measure.figures(2);
         let which = if with_propellers { "with propellers" } else { "without propellers" };
-        let message = format!("the frame's {name} {which} is {size} mm, the envelope {most} mm");
+        let reaches = beyond.filter(|_| name == "height").map_or_else(String::new, |Beyond { body, below }| {
+            format!("; `{body}` is its {} body", if below { "lowest" } else { "highest" })
+        });
+        let message = format!("the frame's {name} {which} is {size} mm, the envelope {most} mm{reaches}");
         let subject = format!("{name} {which}");
         if with_propellers { measure.note(subject, message) } else { measure.at_most(subject, message) }
     }
@@ -101,15 +126,32 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let limits = &scene.design.frame.limits;
     let solved = scene.design.frame.target.is_some();
     let long = scene.design.skeleton.closure.places.are_apart();
+    let beyond = beyond(scene);
     let mut found = Vec::new();
     for with_propellers in [false, true] {
         let Some(bounds) = bounds_of(scene.placed.iter().filter(|p| with_propellers || !p.is_propeller())) else { continue };
         for (axis, name) in ["width", "depth", "height"].into_iter().enumerate() {
             let limit_mm = [limits.envelope_width_mm, limits.envelope_depth_mm, limits.envelope_height_mm][axis];
-            found.push(Extent { name, with_propellers, size_mm: bounds.high[axis] - bounds.low[axis], limit_mm, solved, long }.finding());
+            let size_mm = bounds.high[axis] - bounds.low[axis];
+            found.push(Extent { name, with_propellers, size_mm, limit_mm, solved, long, beyond }.finding());
         }
     }
     found
+}
+
+/// The body of the centre that is highest or lowest of all, if one is: the one that reaches further beyond the modules.
+fn beyond<'a>(scene: &'a Scene) -> Option<Beyond<'a>> {
+    let is_module = |placed: &&Placed| placed.body.module.is_some() || matches!(placed.shape.kind, Kind::Rod(_));
+    let modules = bounds_of(scene.placed.iter().filter(|placed| !placed.is_propeller()).filter(is_module))?;
+    let centre = scene.placed.iter().filter(|placed| !placed.is_propeller() && !is_module(placed));
+    let reaches = centre.flat_map(|placed| {
+        let name = placed.body.name.as_str();
+        let [above_mm, below_mm] = [placed.bounds.high[2] - modules.high[2], modules.low[2] - placed.bounds.low[2]];
+        [(above_mm, Beyond { body: name, below: false }), (below_mm, Beyond { body: name, below: true })]
+    });
+    // Of two that reach alike the first: the lid is as low as its sleeve.
+    let furthest = reaches.filter(|(mm, _)| *mm > 0.0).reduce(|a, b| if b.0 > a.0 { b } else { a });
+    furthest.map(|(_, beyond)| beyond)
 }
 
 #[cfg(test)]
@@ -151,6 +193,24 @@ mod tests {
                 prop_assert!(f.value <= target && f.value > target - 0.02, "{} for {}", f.message, target);
             }
         }
+    }
+
+    /// What makes it high is what is to be changed: the mast of a GPS, the battery below the feet, else the rods.
+    #[test]
+    fn planted_a_body_of_the_centre_that_makes_the_frame_too_high() {
+        let first = |preset: &str, change: fn(&mut Frame)| {
+            let (mut frame, _) = Frame::load(preset).expect("a frame");
+            frame.limits.envelope_height_mm = 100.0;
+            change(&mut frame);
+            let found = Planted::designed(frame).found(check);
+            let height = violated(&found).into_iter().find(|f| f.subject == "height without propellers").expect("is too high");
+            (height.levers[0].to_string(), height.message.split_once("; ").map(|(_, body)| body.to_string()))
+        };
+        assert_eq!(first("cognifly", |_| ()), ("rods.strut_rod_length_mm".into(), None));
+        let mast = first("examples/frames/four-inch-long-range.toml", |frame| frame.accessories.mast_height_mm = 90.0);
+        assert_eq!(mast, ("accessories.mast_height_mm".into(), Some("`gps` is its highest body".into())));
+        let bay = first("cognifly", |frame| frame.bracket.bay_height_mm = 44.0);
+        assert_eq!(bay, ("bracket.bay_height_mm".into(), Some("`battery_sleeve` is its lowest body".into())));
     }
 
     #[test]

@@ -39,7 +39,7 @@ const MOST_PRELOAD_DEG: f64 = 45.0;
 const CLOSED_MM: f64 = 0.05;
 
 fn measure(value: f64, limit: f64, unit: &'static str, levers: &'static [&'static str]) -> Measure {
-    Measure { rule: &RULE, value, limit, unit, levers }
+    Measure { rule: RULE.id, value, limit, unit, levers }
 }
 
 /// Why there is no sequence, as a broken limit.

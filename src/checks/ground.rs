@@ -35,7 +35,7 @@ pub struct GroundClearance {
 impl GroundClearance {
     fn finding(&self) -> Finding {
         let Self { lowest, clearance_mm: value, limit_mm: limit } = self;
-        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "mm", levers: LEVERS };
+        let measure = Measure { rule: RULE.id, value: *value, limit: *limit, unit: "mm", levers: LEVERS };
         let [height, least] = measure.figures(2);
         measure.at_least(lowest.clone(), format!("{lowest} hangs {height} mm above the ground, {least} mm are needed"))
     }

@@ -69,7 +69,7 @@ impl HingeStrain {
 
     fn finding(&self) -> Finding {
         let Self { hinge, fold, length_mm, strain_percent: value, limit_percent: limit, levers } = self;
-        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "%", levers };
+        let measure = Measure { rule: RULE.id, value: *value, limit: *limit, unit: "%", levers };
         let [strain, allowed] = measure.figures(0);
         let message = format!(
             "{hinge}: a fold of {:.1} deg over {length_mm:.2} mm strains the material by {strain} %, {allowed} % are allowed",
@@ -91,7 +91,7 @@ pub struct NotchPreload {
 impl NotchPreload {
     fn finding(&self) -> Finding {
         let [value, limit] = [self.fold.to_deg(), self.closing.to_deg()];
-        let measure = Measure { rule: &RULE, value, limit, unit: "deg", levers: NOTCH };
+        let measure = Measure { rule: RULE.id, value, limit, unit: "deg", levers: NOTCH };
         let beyond = value - limit;
         let message = if beyond > 0.0 {
             format!("the strut's notch closes at {limit:.1} deg and the fold is {value:.1} deg: its faces are preloaded by {beyond:.1} deg")
@@ -118,7 +118,7 @@ pub struct LayerStrain {
 impl LayerStrain {
     fn finding(&self) -> Finding {
         let Self { hinge, strain_percent: value, material, across_percent: limit } = self;
-        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "%", levers: &[] };
+        let measure = Measure { rule: RULE.id, value: *value, limit: *limit, unit: "%", levers: &[] };
         let [strain, bears] = measure.figures(0);
         let message = if value > limit {
             format!(

@@ -26,6 +26,9 @@ const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.
 const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
 /// The same where the board is the motor controller, or the only one.
 const LOWER_STACK: &[&str] = &["bracket.bay_height_mm", "bought.motor_controller", "bought.stack_screw"];
+/// What is on the screws of the stack, and the screws.
+const STACK_BODIES: [&str; 7] =
+    ["flight_controller", "motor_controller", "stack_screw", "stack_nut", "stack_spacer_hub", "stack_spacer_boards", "damper"];
 /// A board that is too long for the bay may have the room across it.
 const BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.flight_controller"];
 const LOWER_BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.motor_controller"];
@@ -77,7 +80,7 @@ pub struct SharedVolume {
 impl SharedVolume {
     fn finding(&self) -> Finding {
         let Self { pair: [a, b], volume_mm3: value, limit_mm3: limit, levers } = self;
-        let measure = Measure { rule: &RULE, value: *value, limit: *limit, unit: "mm3", levers };
+        let measure = Measure { rule: RULE.id, value: *value, limit: *limit, unit: "mm3", levers };
         let [shared, meant] = measure.figures(3);
         measure.at_most(format!("{a} and {b}"), format!("{a} and {b} share {shared} mm3, {meant} mm3 are meant"))
     }
@@ -104,7 +107,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, stack),
         () if ["flight_controller", "motor_controller"].into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
-        () if ["flight_controller", "motor_controller", "stack_screw", "stack_nut", "damper"].into_iter().any(has) => (0.0, stack),
+        () if STACK_BODIES.into_iter().any(has) => (0.0, stack),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),
         () if has("flow_sensor") => (0.0, SENSOR),
@@ -134,7 +137,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (clear, broken): (Vec<_>, Vec<_>) = rest.into_iter().partition(|s| s.volume_mm3 <= s.limit_mm3);
     let mut found: Vec<Finding> = broken.iter().chain(&fits).map(SharedVolume::finding).collect();
     let most = clear.iter().map(|s| s.volume_mm3).fold(0.0, f64::max);
-    let measure = Measure { rule: &RULE, value: most, limit: TOUCH_MM3, unit: "mm3", levers: &[] };
+    let measure = Measure { rule: RULE.id, value: most, limit: TOUCH_MM3, unit: "mm3", levers: &[] };
     let (count, [most, limit]) = (clear.len(), measure.figures(3));
     let message =
         format!("of {count} other pairs of bodies that are near each other none shares more than {most} mm3, {limit} mm3 are rounding");

@@ -35,7 +35,7 @@ pub struct TakeOffMass {
 impl TakeOffMass {
     fn finding(&self) -> Finding {
         let Self { total_g, estimated_g, limit_g } = *self;
-        let measure = Measure { rule: &RULE, value: total_g, limit: limit_g, unit: "g", levers: LEVERS };
+        let measure = Measure { rule: RULE.id, value: total_g, limit: limit_g, unit: "g", levers: LEVERS };
         let [total, budget] = measure.figures(1);
         let message = format!("the frame takes off with {total} g ({estimated_g:.1} g of it estimated), the budget is {budget} g");
         measure.at_most("take-off mass".into(), message)

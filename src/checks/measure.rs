@@ -3,7 +3,6 @@
 use std::borrow::Cow;
 
 use super::finding::{Finding, Verdict};
-use super::rule::Rule;
 use crate::figures::told_apart;
 
 /// How far a length measured between meshes may be off, mm. Circles are polygons of
@@ -20,7 +19,8 @@ pub(super) fn falls_short_mm(value_mm: f64, limit_mm: f64) -> bool {
 /// A measured number and its limit.
 #[derive(Clone, Copy)]
 pub(super) struct Measure {
-    pub rule: &'static Rule,
+    /// The rule's id.
+    pub rule: &'static str,
     pub value: f64,
     pub limit: f64,
     pub unit: &'static str,
@@ -54,7 +54,7 @@ impl Measure {
         let margin = if (-mismeasured..0.0).contains(&margin) { 0.0 } else { margin };
         let verdict = if margin >= 0.0 { Verdict::Holds } else { Verdict::Violated };
         let levers = levers.iter().copied().map(Cow::Borrowed).collect();
-        Finding { rule: rule.id.into(), subject, verdict, value, limit, margin, unit: unit.into(), message, levers }
+        Finding { rule: rule.into(), subject, verdict, value, limit, margin, unit: unit.into(), message, levers }
     }
 }
 
@@ -64,14 +64,14 @@ mod tests {
     use crate::checks::planted::TOY;
 
     fn found(value: f64) -> Finding {
-        Measure { rule: &TOY, value, limit: 4.0, unit: "mm", levers: &[] }.at_least("a".into(), String::new())
+        Measure { rule: TOY.id, value, limit: 4.0, unit: "mm", levers: &[] }.at_least("a".into(), String::new())
     }
 
     #[test]
     fn analytic_a_length_is_compared_as_far_as_it_can_be_measured() {
         assert_eq!((found(3.996).verdict, found(3.996).margin), (Verdict::Holds, 0.0));
         assert_eq!(found(3.994).verdict, Verdict::Violated);
-        let grams = Measure { rule: &TOY, value: 250.001, limit: 250.0, unit: "g", levers: &[] };
+        let grams = Measure { rule: TOY.id, value: 250.001, limit: 250.0, unit: "g", levers: &[] };
         assert_eq!(grams.figures(1), ["250.001", "250.000"]);
         assert_eq!(grams.at_most("all".into(), String::new()).verdict, Verdict::Violated);
     }

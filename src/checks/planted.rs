@@ -71,7 +71,7 @@ const TOY_LEVERS: &[&str] = &["rods.cage_rod_length_mm"];
 
 fn toy(scene: &Scene) -> Vec<Finding> {
     let value = scene.design.frame.rods.cage_rod_length_mm;
-    let measure = Measure { rule: &TOY, value, limit: TOY_MM, unit: "mm", levers: TOY_LEVERS };
+    let measure = Measure { rule: TOY.id, value, limit: TOY_MM, unit: "mm", levers: TOY_LEVERS };
     vec![measure.at_least("ring".into(), format!("the ring's rods are {value} mm long"))]
 }
 

@@ -50,7 +50,7 @@ pub struct PropellerClearance {
 impl PropellerClearance {
     fn finding(&self) -> Finding {
         let Self { of, gap_mm, limit_mm, .. } = *self;
-        let measure = Measure { rule: &RULE, value: gap_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
+        let measure = Measure { rule: RULE.id, value: gap_mm, limit: limit_mm, unit: "mm", levers: LEVERS };
         let [gap, least] = measure.figures(2);
         let message = match &self.pair {
             Some([disc, other]) => format!("{disc} passes {other} at {gap} mm, {least} mm are needed"),

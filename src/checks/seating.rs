@@ -81,7 +81,7 @@ impl SeatedEnd {
 
     fn findings(&self, levers: &'static [&'static str]) -> [Finding; 3] {
         let Self { pair: [rod, part], sawn_mm, engagement_mm, limit_mm, above_bottom_mm, off_axis_deg } = self;
-        let measure = |value: f64, limit: f64, unit| Measure { rule: &RULE, value, limit, unit, levers };
+        let measure = |value: f64, limit: f64, unit| Measure { rule: RULE.id, value, limit, unit, levers };
         let engagement = measure(*engagement_mm, *limit_mm, "mm");
         let [depth, least] = engagement.figures(2);
         [
@@ -132,7 +132,7 @@ impl SocketGeometry {
 
     fn findings(&self, levers: &'static [&'static str]) -> [Finding; 2] {
         let Self { pair: [rod, part], met_mm3, wall_share } = self;
-        let measure = |value: f64, limit: f64, unit| Measure { rule: &RULE, value, limit, unit, levers };
+        let measure = |value: f64, limit: f64, unit| Measure { rule: RULE.id, value, limit, unit, levers };
         [
             measure(*met_mm3, PASSING_MM3, "mm3").at_most(
                 format!("{rod} in {part}: bore"),

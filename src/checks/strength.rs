@@ -35,19 +35,24 @@ pub static RULE: Rule = Rule {
 /// limit of it is known.
 pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found: &Prediction) -> Vec<Finding> {
     let drop_m = found.drop_m;
-    let peak = Measure { rule: &RULE, value: found.payload_peak_g, limit: limits.payload_peak_g, unit: "g", levers: PAYLOAD };
+    let peak = Measure { rule: RULE.id, value: found.payload_peak_g, limit: limits.payload_peak_g, unit: "g", levers: PAYLOAD };
     let [value, limit] = peak.figures(1);
     let message = format!("dropped from {drop_m} m the payload's peak is {value} g, {limit} g are allowed");
     let mut findings = vec![peak.at_most("payload".into(), message)];
     let (zone, strain) = found.strain;
     let breaks = design.frame.flexible.material.elongation_at_break_percent.unwrap_or(0.0);
-    let stretch = Measure { rule: &RULE, value: 100.0 * strain, limit: breaks / limits.strain_factor, unit: "%", levers: STRETCH };
+    let stretch = Measure { rule: RULE.id, value: 100.0 * strain, limit: breaks / limits.strain_factor, unit: "%", levers: STRETCH };
     let [value, limit] = stretch.figures(0);
     let message = format!("dropped from {drop_m} m the {zone} stretch by {value} %, {limit} % are allowed");
     findings.push(stretch.at_most(zone.into(), message));
     if let Some(rod) = &found.rod {
-        let buckling =
-            Measure { rule: &RULE, value: rod.compression_n, limit: rod.buckling_n / limits.buckling_factor, unit: "N", levers: BUCKLING };
+        let buckling = Measure {
+            rule: RULE.id,
+            value: rod.compression_n,
+            limit: rod.buckling_n / limits.buckling_factor,
+            unit: "N",
+            levers: BUCKLING,
+        };
         let [value, limit] = buckling.figures(0);
         let message = format!("dropped from {drop_m} m {} is compressed by {value} N, {limit} N are allowed against buckling", rod.rod);
         findings.push(buckling.at_most(rod.rod.clone(), message));
@@ -60,7 +65,7 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
 fn strike(design: &Design, masses: &MassTable, found: &Prediction) -> Option<Finding> {
     let GroundClearance { lowest, clearance_mm, .. } = ground::measure(&Scene::new(design, masses))?;
     let value = found.speed_m_s(clearance_mm)?;
-    let speed = Measure { rule: &RULE, value, limit: 0.0, unit: "m/s", levers: ground::LEVERS };
+    let speed = Measure { rule: RULE.id, value, limit: 0.0, unit: "m/s", levers: ground::LEVERS };
     let [told, _] = speed.figures(1);
     let message = format!(
         "dropped from {} m {lowest}, {clearance_mm:.1} mm above the ground, hits it at {told} m/s; no peak includes that impact",

@@ -23,6 +23,7 @@ fn measured_the_real_frame_breaks_what_it_is_known_to_break() {
         "propeller_clearance: propeller_FL to camera_connector_right",
         "propeller_clearance: propeller_FR to camera",
         "propeller_clearance: propeller_FL to camera",
+        "hardware_fit: holes for the computer: thread",
         "thinnest_wall: motor_mount",
         "thinnest_wall: battery_bracket",
     ];

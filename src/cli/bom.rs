@@ -18,9 +18,9 @@ pub(super) struct Args {
     /// Which frame.
     #[command(flatten)]
     pub frame: FrameOption,
-    /// Format of the list; --json is the same as --format json.
-    #[arg(long, value_enum, default_value = "markdown", value_name = "FORMAT")]
-    pub format: BomFormat,
+    /// Format of the list, a page by default; --json is the same as --format json.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub format: Option<BomFormat>,
     /// Width of a saw cut, mm, instead of 1 mm.
     #[arg(long, value_name = "MM", value_parser = number([0.0, WIDEST_KERF_MM], "mm"))]
     pub kerf: Option<f64>,
@@ -42,13 +42,18 @@ const WIDEST_KERF_MM: f64 = 10.0;
 
 /// Prints the bill; exits 1 when a rod is longer than the stock.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    let format = match (args.format, common.json) {
+        (None, false) => BomFormat::Markdown,
+        (None | Some(BomFormat::Json), true) => BomFormat::Json,
+        (Some(_), true) => return Err(Failure::Usage { message: "--json contradicts --format: leave one of them out".into() }),
+        (Some(format), false) => format,
+    };
     let working = Progress::of("listing", common);
     let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);
     let bill = bill::bill(&design, &masses, args.kerf);
     drop(working);
-    match args.format {
-        _ if common.json => terminal::print_json(&bill)?,
+    match format {
         BomFormat::Json => terminal::print_json(&bill)?,
         BomFormat::Csv => terminal::print(&bom::csv(&bill)?)?,
         BomFormat::Markdown => terminal::print(&bill_page::markdown(&bill))?,

@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use serde::Serialize;
+
 use super::bounded::count;
 use super::candidates;
 use super::failure::Failure;
@@ -80,6 +82,17 @@ fn written(files: Vec<File>) -> Vec<(String, Vec<u8>)> {
     files.into_iter().map(|file| (file.path, file.bytes)).collect()
 }
 
+/// What was written of a part that has to be printed again.
+#[derive(Serialize)]
+struct SpareParts<'a> {
+    part: &'a str,
+    quantity: usize,
+    plates: usize,
+    folder: String,
+    /// Paths in the folder.
+    files: Vec<&'a str>,
+}
+
 /// Plates of a part that has to be printed again.
 fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let usage = |message: String| Failure::Usage { message };
@@ -99,7 +112,10 @@ fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result
     let files = frame_folder::plate_files(design, plates)?;
     let files = written(files);
     let place = output::write_folder(&args.output, &format!("{}-{part}", design.frame.name), &files)?;
-    if !common.quiet {
+    if common.json {
+        let paths = files.iter().map(|(path, _)| path.as_str()).collect();
+        terminal::print_json(&SpareParts { part, quantity, plates: count, folder: place.display().to_string(), files: paths })?;
+    } else if !common.quiet {
         terminal::print(&format!("{}: {quantity} {part} on {} plate{}\n", place.display(), count, if count == 1 { "" } else { "s" }))?;
     }
     Ok(ExitCode::SUCCESS)

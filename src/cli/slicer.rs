@@ -14,6 +14,7 @@ use crate::export::stl;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::{Material, Printer};
+use crate::printing::filament::{FILAMENT_MM, FILAMENT_MM2};
 use crate::printing::plates::{PrintSettings, SlicerFamily};
 use crate::printing::weighing::Sliced;
 use crate::report::page::weighing_page::SLICER_RATIO;
@@ -22,8 +23,6 @@ use crate::report::page::weighing_page::SLICER_RATIO;
 const PATIENCE: Duration = Duration::from_secs(120);
 /// How often it is asked whether it is done.
 const POLL: Duration = Duration::from_millis(20);
-/// Diameter of the filament that is reckoned with, mm; the volume does not depend on it.
-const FILAMENT_MM: f64 = 1.75;
 /// Side of a bed that holds any part that can be printed, mm: what does not fit the printer is `check`'s to say.
 const BED_MM: f64 = 500.0;
 
@@ -66,7 +65,7 @@ impl Slicer {
     /// A part; once more without overlap where that may be why it takes more or less than its volume.
     fn one(&self, design: &Design, part: &Printed, folder: &Path) -> io::Result<Sliced> {
         let mass_g = self.mass_g(design, part, folder, &[])?;
-        let solid_g = 1e-3 * part.volume_mm3 * design.material_of(part.name).material.density_g_cm3;
+        let solid_g = design.material_of(part.name).material.solid_g(part.volume_mm3);
         let doubtful = (mass_g / solid_g - 1.0).abs() > SLICER_RATIO;
         let without_overlap_g = doubtful.then(|| self.mass_g(design, part, folder, &["--infill-overlap", "0%"])).transpose()?;
         Ok(Sliced { mass_g, without_overlap_g })
@@ -88,8 +87,8 @@ impl Slicer {
             .stderr(Stdio::null())
             .spawn()?;
         ended(child, &log)?;
-        let volume_mm3 = filament_mm(&gcode)? * std::f64::consts::PI * (0.5 * FILAMENT_MM).powi(2);
-        Ok(1e-3 * volume_mm3 * design.material_of(part.name).material.density_g_cm3)
+        let volume_mm3 = filament_mm(&gcode)? * FILAMENT_MM2;
+        Ok(design.material_of(part.name).material.solid_g(volume_mm3))
     }
 }
 

@@ -189,8 +189,7 @@ pub fn cutting_plan(design: &Design, stock_mm: f64) -> Result<Vec<Stock>, TooLon
 
 /// The stock length that a design's rods are cut from, mm, and how, with saw cuts of a width.
 pub(super) fn rod_plan(design: &Design, kerf_mm: f64) -> (f64, Result<Vec<Stock>, TooLong>) {
-    let rod = design.frame.bought.get("rod");
-    let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
+    let stock_mm = design.frame.stock_mm();
     (stock_mm, cut(design, stock_mm, kerf_mm))
 }
 

@@ -71,7 +71,7 @@ fn board(role: &str, own: &str, part: &BoughtPart) -> String {
 
 fn rod(part: &BoughtPart) -> String {
     let across = part.diameter_mm.unwrap_or(part.size_mm[1]);
-    let long = part.stock_length_mm.unwrap_or(part.size_mm[0]);
+    let long = part.stock_mm();
     let of = part.material.as_deref().unwrap_or_default();
     match part.wall_mm {
         Some(wall) => format!("{of} tube {across} x {} mm {long:.0} mm", across - 2.0 * wall).trim_start().into(),

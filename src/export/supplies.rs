@@ -8,8 +8,9 @@
 use crate::frame::assembly::Design;
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires as drawn_wires;
-use crate::frame::mounting::{Fixing, Mount, Tool, mounts_of};
+use crate::frame::mounting::{CarrierScrews, Fixing, Mount, Tool, mounts_of};
 use crate::params::frame::NamedMaterial;
+use crate::printing::filament::filament_m;
 
 /// What a wire is longer than its way: a share of the way, and a length, mm.
 const SLACK: (f64, f64) = (0.15, 30.0);
@@ -17,8 +18,6 @@ const SLACK: (f64, f64) = (0.15, 30.0);
 const ROUNDED_MM: f64 = 5.0;
 /// Wires of a motor: three phases.
 const PHASES: u32 = 3;
-/// Section of a filament of 1.75 mm, mm².
-const FILAMENT_MM2: f64 = std::f64::consts::FRAC_PI_4 * 1.75 * 1.75;
 
 /// Something that is used up.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +67,7 @@ fn filaments(design: &Design) -> Vec<Supply> {
     let line = |(at, material): (usize, &NamedMaterial)| {
         let of = design.printed.iter().filter(|part| design.material_of(part.name).name == material.name);
         let mm3: f64 = of.map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum();
-        let (mass_g, metres) = (1e-3 * mm3 * material.material.density_g_cm3, 1e-3 * mm3 / FILAMENT_MM2);
+        let (mass_g, metres) = (material.material.solid_g(mm3), filament_m(mm3));
         let role = ["filament_flexible", "filament_rigid"][at];
         Supply::one(
             role,
@@ -80,12 +79,11 @@ fn filaments(design: &Design) -> Vec<Supply> {
 }
 
 fn glues(design: &Design) -> Vec<Supply> {
-    let glued: Vec<String> =
-        mounts_of(design).iter().filter(|mount| mount.fixing == Fixing::Glue).map(|mount| words(mount.title)).collect();
+    let glued: Vec<String> = mounts_of(design).iter().filter(|mount| takes(mount, &[Tool::Glue])).map(|mount| words(mount.title)).collect();
     let mut all = Vec::new();
     if !glued.is_empty() {
         let search = format!("two component epoxy glue for {}", design.frame.rigid.name.to_uppercase());
-        all.push(Supply::one("glue", search, format!("{} joints of rigid parts: {}", glued.len(), glued.join("; "))));
+        all.push(Supply::one("glue", search, format!("{} steps: {}", glued.len(), glued.join("; "))));
     }
     all.push(Supply::one(
         "rod_glue",
@@ -107,6 +105,9 @@ pub const RECEIVER_SEARCH: &str = "radio receiver serial output";
 /// Role of the ties that are narrower than those of the bracket.
 pub const SMALL_TIE: &str = "small_tie";
 
+/// Role of the screws that fasten computer and cameras.
+const SMALL_SCREWS: &str = "small_screws";
+
 /// What the steps fix with: role, words of a shop's search, and whether a mount needs it.
 type FixedWith = (&'static str, &'static str, fn(&Mount) -> bool);
 
@@ -114,7 +115,7 @@ type FixedWith = (&'static str, &'static str, fn(&Mount) -> bool);
 const FIXED_WITH: [FixedWith; 5] = [
     ("tape", "thin double sided adhesive tape", |mount| takes(mount, &[Tool::Tape, Tool::DoubleSidedTape])),
     ("foam_tape", "double sided foam tape 1 mm", |mount| takes(mount, &[Tool::FoamTape])),
-    ("small_screws", "assortment of M2 and M2.5 screws 6 to 10 mm with nuts and washers", |mount| mount.fixing == Fixing::SmallScrews),
+    (SMALL_SCREWS, "assortment of M2 and M2.5 screws 4 to 10 mm with nuts and washers", |mount| mount.fixing == Fixing::SmallScrews),
     (SMALL_TIE, "cable tie 2 mm wide", |mount| takes(mount, &[Tool::SmallTie])),
     ("solder", "solder wire for electronics and heat shrink tube", |mount| takes(mount, &[Tool::Solder])),
 ];
@@ -123,13 +124,24 @@ fn takes(mount: &Mount, any: &[Tool]) -> bool {
     any.iter().any(|tool| mount.tools.contains(tool))
 }
 
+/// How many of which screws the computer takes, where that is known.
+fn sizes_of_screws(design: &Design) -> String {
+    let Some(screws) = CarrierScrews::new(&design.frame) else { return String::new() };
+    let on_board = screws.words(screws.on_board_mm);
+    match screws.on_feet_mm {
+        Some(on_feet_mm) => format!("; the computer takes 2 x {on_board} and 2 x {}", screws.words(on_feet_mm)),
+        None => format!("; the computer takes 4 x {on_board}"),
+    }
+}
+
 /// What a design's mounts fix with. Of small ties each mount takes one; of the rest one package is enough.
 fn fixings(design: &Design) -> Vec<Supply> {
     let mounts = mounts_of(design);
     let line = |(role, search, needs): FixedWith| {
         let used: Vec<String> = mounts.iter().filter(|mount| needs(mount)).map(|mount| words(mount.title)).collect();
         let quantity = if role == SMALL_TIE { used.len() as u32 } else { 1 };
-        (!used.is_empty()).then(|| Supply { quantity, ..Supply::one(role, search, format!("for {}", used.join("; "))) })
+        let sizes = if role == SMALL_SCREWS { sizes_of_screws(design) } else { String::new() };
+        (!used.is_empty()).then(|| Supply { quantity, ..Supply::one(role, search, format!("for {}{sizes}", used.join("; "))) })
     };
     FIXED_WITH.into_iter().filter_map(line).collect()
 }
@@ -266,7 +278,7 @@ mod tests {
         }
         // Without a camera its connectors are not glued.
         let joints = |all: &[Supply]| line(all, "glue").note.matches(';').count() + 1;
-        assert_eq!((joints(&whole), joints(&bare)), (6, 5));
+        assert_eq!((joints(&whole), joints(&bare)), (7, 6));
         assert!(line(&whole, "rod_glue").search.contains("cyanoacrylate"));
     }
 }

@@ -15,11 +15,21 @@ pub struct Amendment<'a> {
     pub why: &'a str,
 }
 
-/// The text with these amendments.
+/// The mark that some editors begin a file with.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// The text with these amendments, its byte order mark and the ends of its lines as they were.
 ///
 /// # Errors
 /// When the text is not TOML, or holds a value where a key has its table.
 pub fn amended(text: &str, amendments: &[Amendment]) -> Result<String, String> {
+    let (mark, bare) = text.strip_prefix(BYTE_ORDER_MARK).map_or(("", text), |bare| ("\u{feff}", bare));
+    let amended = amended_lines(bare, amendments)?.replace("\r\n", "\n");
+    let is_dos = bare.split_once('\n').is_some_and(|(first, _)| first.ends_with('\r'));
+    Ok(format!("{mark}{}", if is_dos { amended.replace('\n', "\r\n") } else { amended }))
+}
+
+fn amended_lines(text: &str, amendments: &[Amendment]) -> Result<String, String> {
     let mut document: DocumentMut = text.parse().map_err(|error: TomlError| error.to_string())?;
     for amendment in amendments {
         let steps = Key::parse(amendment.key).map_err(|error| error.to_string())?;
@@ -130,6 +140,18 @@ mod tests {
         let file = FrameFile::parse("mine", &after).expect(&after);
         assert!(keys.iter().all(|key| file.entries[*key].value == number), "{after}");
         assert!(after.contains("0.25 # found  by  hand\n"), "{after}");
+    }
+
+    #[test]
+    fn analytic_the_ends_of_lines_and_the_mark_at_the_head_stay() {
+        let number = Value::Number(81.0);
+        let line = [Amendment { key: "rods.arm_rod_length_mm", value: Some(&number), why: "" }];
+        let unix = "base = \"cognifly\" # mine\n\n[rods]\narm_rod_length_mm = 80.0\n";
+        let expected = unix.replace("80.0", "81.0");
+        for (mark, end) in [("", "\n"), ("", "\r\n"), ("\u{feff}", "\n"), ("\u{feff}", "\r\n")] {
+            let of = |text: &str| format!("{mark}{}", text.replace('\n', end));
+            assert_eq!(amended(&of(unix), &line).as_deref(), Ok(of(&expected).as_str()), "{end:?}");
+        }
     }
 
     #[test]

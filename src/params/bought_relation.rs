@@ -1,5 +1,6 @@
 //! What is bought goes together: it finds the holes that it needs, what carries it, and what it cannot do without.
 
+use super::catalogue::HOLE_PLAY_MM;
 use super::frame::Frame;
 use super::refusal::Reason;
 use super::relation::Broken;
@@ -16,10 +17,11 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
 }
 
 /// What a bought part does for others, by its key: what nothing does without it, and the roles of which one is there.
-const SERVED: [(&str, &str, &[&str]); 5] = [
+const SERVED: [(&str, &str, &[&str]); 6] = [
     ("bought.motor_screw", "holds the motors", &["motor"]),
     ("bought.stack_screw", "holds the boards under the hub", BOARDS),
     ("bought.stack_nut", "holds the boards on their screws", BOARDS),
+    ("bought.stack_spacer", "keeps the boards where they are along their screws", BOARDS),
     ("bought.tie", "holds the bracket with the battery", &["battery"]),
     ("bought.connector", "connects the battery", &["battery"]),
 ];
@@ -136,9 +138,6 @@ fn stack(frame: &Frame) -> Result<(), Broken> {
     }
     Ok(())
 }
-
-/// How far the holes of a board may be from those that it is screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
-const HOLE_PLAY_MM: f64 = 0.5;
 
 /// The motor mount has three screw holes, or four.
 fn motor_holes(frame: &Frame) -> Result<(), Broken> {

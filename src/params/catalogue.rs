@@ -3,6 +3,11 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::units::Density;
+
+/// How far the holes of a board may be from those that it is screwed to, mm: an M2 screw in the usual hole of 3 mm, half of it to each side.
+pub const HOLE_PLAY_MM: f64 = 0.5;
+
 /// How a figure of mass is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -91,6 +96,11 @@ impl Material {
     /// Whether its price comes with a currency and a source, or there is none.
     pub fn is_priced_whole(&self) -> bool {
         is_whole([self.price_per_kg.is_some(), self.currency.is_some(), self.price_source.is_some()])
+    }
+
+    /// Mass of a solid of it, g.
+    pub fn solid_g(&self, volume_mm3: f64) -> f64 {
+        Density::g_cm3(self.density_g_cm3).mass_g(volume_mm3)
     }
 
     /// What a mass of it costs, with the currency; nothing where no price is stated.
@@ -200,6 +210,11 @@ impl BoughtPart {
     /// Height of a propeller's hub along the shaft, mm.
     pub fn hub_mm(&self) -> f64 {
         self.hub_height_mm.unwrap_or(self.size_mm[2])
+    }
+
+    /// Length that it is sold in, mm: as stated, else that of its box.
+    pub fn stock_mm(&self) -> f64 {
+        self.stock_length_mm.unwrap_or(self.size_mm[0])
     }
 
     /// Thickness of its circuit board, mm: as stated, else that of most boards, and no more than the whole is high.

@@ -7,6 +7,7 @@ use super::catalogue::{BoughtPart, Material, Printer};
 use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
 use super::frame_file::{FrameFile, Value};
+use super::hung_boards::spacers_needed;
 use super::kind_fields::kinds_of;
 use super::preset;
 use super::read::{bad_entry, in_one_line, stated_text, text, to_blame};
@@ -144,6 +145,12 @@ impl Catalogues {
         let screws = items.get("motor").map(|motor: &BoughtItem| motor.quantity * motor.part.motor_holes());
         if let (Some(item), Some(screws)) = (items.get_mut("motor_screw"), screws) {
             item.quantity = screws;
+        }
+        let spacers = spacers_needed(|role| items.get(role).map(|item: &BoughtItem| &item.part));
+        match items.get_mut("stack_spacer") {
+            Some(item) if spacers > 0 => item.quantity = spacers,
+            // Nothing hangs on the screws.
+            _ => drop(items.remove("stack_spacer")),
         }
         Ok(items)
     }

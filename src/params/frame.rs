@@ -144,6 +144,11 @@ impl Frame {
         wall_mm.map_or(0.0, |wall| (self.rods.rod_diameter_mm - 2.0 * wall).max(0.0))
     }
 
+    /// Length that its rods are sold in, mm: a metre of a rod that nobody named.
+    pub fn stock_mm(&self) -> f64 {
+        self.bought.get("rod").map_or(1000.0, |rod| rod.part.stock_mm())
+    }
+
     /// Whether one board under the hub is flight controller and motor controllers.
     pub fn is_all_in_one(&self) -> bool {
         let is_both = |item: &BoughtItem| item.part.all_in_one == Some(true);

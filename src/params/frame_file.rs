@@ -414,11 +414,22 @@ fn flatten(
             continue;
         }
         let place = Place { source: Arc::clone(source), span: key.span().start..value.span().end };
+        if let DeValue::Array(items) = value.get_ref()
+            && items.iter().any(|item| matches!(item.get_ref(), DeValue::Table(_)))
+        {
+            return Err(a_list_of_tables(&dotted, place));
+        }
         let value = typed_value(value)
             .map_err(|message| Refusal { reason: Box::new(Reason::Syntax { message, has_comma: false }), place: Some(place.clone()) })?;
         entries.insert(dotted, Entry { value, place, depth });
     }
     Ok(())
+}
+
+fn a_list_of_tables(key: &str, place: Place) -> Refusal {
+    let message = format!("`{key}` is a list of tables; here each table has a name of its own");
+    let remedy = format!("write [{key}.NAME] in place of [[{key}]]");
+    Refusal { reason: Box::new(Reason::Impossible { message, remedy }), place: Some(place) }
 }
 
 fn too_long(key: &str, place: Place) -> Refusal {
@@ -449,6 +460,16 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
 mod tests {
     use super::super::files::Memory;
     use super::*;
+
+    #[test]
+    fn planted_a_list_of_tables_is_told_how_it_is_written() {
+        for text in ["base = \"cognifly\"\n[[extras]]\nmass_g = 2\n", "base = \"cognifly\"\nextras = [{ mass_g = 2 }]\n"] {
+            let Err(LoadError::Refused(refusal)) = FrameFile::parse("mine", text) else { panic!("{text} is read") };
+            assert!(refusal.to_string().contains("`extras` is a list of tables"), "{refusal}");
+            assert_eq!(refusal.reason.remedy(), "write [extras.NAME] in place of [[extras]]");
+            assert_eq!(refusal.place.map(|place| place.line_column()[0]), Some(2));
+        }
+    }
 
     #[test]
     fn analytic_a_decimal_comma_stands_between_two_digits() {

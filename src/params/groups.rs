@@ -228,8 +228,8 @@ parameters! {
         pi_pattern_across_mm: 20.0..=49.0 => [PiCarrier, CameraConnectorLeft, CameraConnectorRight],
         /// Distance of the board's holes front to rear, from middle to middle.
         pi_pattern_along_mm: 50.0..=58.0 => [PiCarrier],
-        /// Diameter of the carrier's holes under the board's.
-        pi_hole_diameter_mm: 2.0..=3.2 => [PiCarrier],
+        /// Diameter of the carrier's holes under the board's; 1.9 for an M2 screw that cuts its thread.
+        pi_hole_diameter_mm: 1.6..=3.2 => [PiCarrier],
         /// Diameter of the four tie holes through the carrier.
         carrier_tie_hole_diameter_mm: 2.5..=5.0 => [PiCarrier, AccessoryPlate],
         /// Outer radius of the rings around the board's holes.

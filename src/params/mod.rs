@@ -13,6 +13,7 @@ pub mod frame;
 pub mod frame_file;
 pub mod frame_name;
 pub mod groups;
+pub mod hung_boards;
 pub mod impact_file;
 mod kind_fields;
 mod layer_height;

@@ -305,6 +305,7 @@ mod tests {
             ("motor_screw", "holds the motors"),
             ("stack_screw", "holds the boards"),
             ("stack_nut", "holds the boards"),
+            ("stack_spacer", "keeps the boards where they are"),
             ("connector", "connects the battery"),
             ("flight_controller", "flies the frame: `esc-4in1-20x20` is a motor controller alone"),
             ("motor_controller", "drives the motors beside the flight controller"),

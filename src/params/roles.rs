@@ -1,7 +1,8 @@
 //! What is bought, by what it is for.
 
-/// Roles of bought parts, how many of each, and the kind that fits.
-pub const ROLES: [(&str, u32, &str); 20] = [
+/// Roles of bought parts, how many of each, and the kind that fits. Of `motor_screw` and `stack_spacer` a frame has as many as its motors and boards
+/// need.
+pub const ROLES: [(&str, u32, &str); 21] = [
     ("motor", 4, "motor"),
     ("propeller", 4, "propeller"),
     ("battery", 1, "battery"),
@@ -16,6 +17,7 @@ pub const ROLES: [(&str, u32, &str); 20] = [
     ("motor_screw", 16, "screw"),
     ("stack_screw", 4, "screw"),
     ("stack_nut", 4, "other"),
+    ("stack_spacer", 4, "other"),
     ("tie", 4, "other"),
     ("damper", 4, "other"),
     ("receiver", 1, "receiver"),

@@ -19,6 +19,17 @@ pub struct TargetKey {
     pub doc: &'static str,
 }
 
+impl TargetKey {
+    /// Its number in a target size.
+    pub fn of(&self, size: &TargetSize) -> f64 {
+        match self.key {
+            "target.width_mm" => size.width_mm,
+            "target.height_mm" => size.height_mm,
+            _ => size.strut_tilt_deg,
+        }
+    }
+}
+
 /// All three.
 pub const KEYS: [TargetKey; 3] = [
     TargetKey { key: "target.width_mm", min: 80.0, max: 600.0, unit: "mm", doc: "Width and depth, without propellers." },

@@ -162,6 +162,17 @@ mod tests {
         assert!(told.starts_with("motor_mount.motor_position_mm 78 -> 91.") && !told.contains("bought.propeller"), "{told}");
     }
 
+    /// Rods that follow from a target size are not changed: the size is.
+    #[test]
+    fn planted_a_target_size_is_what_is_changed_in_place_of_its_rods() {
+        let high = "base = \"cognifly\"\n[target]\nwidth_mm = 205\nheight_mm = 124\nstrut_tilt_deg = 24\n";
+        assert_eq!(keys(high, "envelope"), ["target.height_mm"]);
+        let low =
+            "base = \"cognifly\"\n[target]\nwidth_mm = 205\nheight_mm = 104\nstrut_tilt_deg = 24\n[limits]\nground_clearance_mm = 12\n";
+        let found = keys(low, "ground_clearance");
+        assert!(!found.is_empty() && found.iter().all(|key| !key.starts_with("rods.")), "{found:?}");
+    }
+
     #[test]
     fn analytic_nothing_is_said_of_a_frame_that_keeps_its_limits() {
         let file = FrameFile::load("cognifly").expect("a preset");

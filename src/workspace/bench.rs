@@ -11,6 +11,7 @@ use std::sync::{Arc, OnceLock};
 
 use rayon::prelude::*;
 
+use super::movable::{Movable, stated_instead};
 use super::remedy::{Remedy, alike, asks, joined, named};
 use super::wishes::Wishes;
 use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
@@ -24,14 +25,6 @@ use crate::params::{Frame, FrameFile, follows, parameters, preset};
 
 /// Rods are tried for every violation.
 const RODS: [&str; 3] = ["rods.cage_rod_length_mm", "rods.arm_rod_length_mm", "rods.strut_rod_length_mm"];
-/// First step, as a share of the value, and of the way between the bounds where that is more.
-const FIRST_STEP: [f64; 2] = [0.02, 0.01];
-/// A step is twice the one before it, so many times.
-const DOUBLINGS: i32 = 6;
-/// Steps without effect after which a direction is given up.
-const PATIENCE: usize = 5;
-/// How often the last step is halved.
-const HALVINGS: usize = 5;
 /// Share of the value by which other keys are moved to see whether they have an effect.
 const PROBE: f64 = 0.2;
 /// Shares of that step, of which the largest that leaves a frame counts.
@@ -165,8 +158,10 @@ impl<'a> Bench<'a> {
                 .and_then(|key| follows::role_in(&self.frame.bought, key))
                 .filter(|_| !self.file.entries.contains_key(*lever));
             let key = role.map_or_else(|| (*lever).to_string(), |role| format!("bought.{role}"));
-            if !keys.contains(&key) {
-                keys.push(key);
+            for key in stated_instead(&self.frame, &key) {
+                if !keys.contains(&key) {
+                    keys.push(key);
+                }
             }
         }
         keys
@@ -176,14 +171,14 @@ impl<'a> Bench<'a> {
     fn effective(&self, finding: &Finding, rule: &Rule, levers: &[&str]) -> Vec<String> {
         let drives = |p: &&Parameter| p.drives.iter().any(|part| finding.names(*part));
         let driving = parameters().filter(drives).filter(|p| p.table != "fit").map(|p| format!("{}.{}", p.table, p.key));
-        let keys: BTreeSet<String> = driving.chain(RODS.map(String::from)).filter(|key| !levers.contains(&key.as_str())).collect();
+        let instead = driving.chain(RODS.map(String::from)).flat_map(|key| stated_instead(&self.frame, &key));
+        let keys: BTreeSet<String> = instead.filter(|key| !levers.contains(&key.as_str())).collect();
         let keys: Vec<String> = keys.into_iter().collect();
         let gain = |key: &String| {
-            let parameter = parameter(key)?;
-            let value = self.frame.value(parameter.table, parameter.key)?;
-            let step = PROBE * value.abs().max(0.1 * (parameter.max - parameter.min));
+            let Movable { value, min, max, .. } = Movable::of(&self.frame, key)?;
+            let step = PROBE * value.abs().max(0.1 * (max - min));
             let look = self.first_look(finding);
-            let margin = |to: f64| self.margin(finding, rule, look, key, &Value::Number(to.clamp(parameter.min, parameter.max)));
+            let margin = |to: f64| self.margin(finding, rule, look, key, &Value::Number(to.clamp(min, max)));
             // A whole step may leave no frame where a part of it helps.
             let probed = |way: f64| PROBES.into_iter().find_map(|share| margin(value + way * share * step));
             [1.0, -1.0].into_iter().filter_map(probed).reduce(f64::max).map(|margin| (margin, key.clone()))
@@ -196,10 +191,10 @@ impl<'a> Bench<'a> {
 
     /// The smallest change of one key that clears a violation.
     fn by_key(&self, finding: &Finding, rule: &Rule, key: &str) -> Option<Remedy> {
-        match parameter(key) {
-            Some(parameter) => {
-                let value = self.frame.value(parameter.table, parameter.key)?;
-                let ways = [1.0, -1.0].map(|way| self.number(finding, rule, parameter, value, way));
+        match Movable::of(&self.frame, key) {
+            Some(movable) => {
+                let value = movable.value;
+                let ways = [1.0, -1.0].map(|way| self.number(finding, rule, &movable, way));
                 let nearest = ways.into_iter().flatten().min_by(|a, b| (a - value).abs().total_cmp(&(b - value).abs()))?;
                 self.remedy(key, plain(value), Value::Number(nearest), plain(nearest))
             }
@@ -227,11 +222,10 @@ impl<'a> Bench<'a> {
 
     /// The nearest value of a number in one direction that clears a violation, rounded away from the value it has. What no sketch clears is not
     /// looked at any closer.
-    fn number(&self, finding: &Finding, rule: &Rule, parameter: &Parameter, value: f64, way: f64) -> Option<f64> {
-        let key = format!("{}.{}", parameter.table, parameter.key);
-        let margin = |dearest: Cost, to: f64| self.margin(finding, rule, dearest, &key, &Value::Number(to));
+    fn number(&self, finding: &Finding, rule: &Rule, movable: &Movable, way: f64) -> Option<f64> {
+        let margin = |dearest: Cost, to: f64| self.margin(finding, rule, dearest, &movable.key, &Value::Number(to));
         let first = self.first_look(finding);
-        let nearest = |dearest| nearest(&|to| margin(dearest, to), finding.margin, parameter, value, way);
+        let nearest = |dearest| movable.nearest(&|to| margin(dearest, to), finding.margin, way);
         let to = nearest(first)?;
         let holds = first == Cost::Slow || margin(Cost::Slow, to).is_some_and(|margin| margin >= 0.0);
         if holds { Some(to) } else { nearest(Cost::Slow) }
@@ -253,83 +247,12 @@ impl<'a> Bench<'a> {
     }
 }
 
-/// The nearest value in one direction whose margin is none below 0, rounded away from the value now, whose margin is given.
-fn nearest(margin: &dyn Fn(f64) -> Option<f64>, margin_now: f64, parameter: &Parameter, value: f64, way: f64) -> Option<f64> {
-    let first = (FIRST_STEP[0] * value.abs()).max(FIRST_STEP[1] * (parameter.max - parameter.min));
-    let (mut last, mut idle) = (value, 0);
-    for doubling in 0..=DOUBLINGS {
-        let to = (value + way * first * libm::exp2(f64::from(doubling))).clamp(parameter.min, parameter.max);
-        if to == last {
-            return None;
-        }
-        let Some(now) = margin(to) else { return least(margin, between(margin, [last, to])?, parameter) };
-        if now >= 0.0 {
-            return least(margin, [last, to], parameter);
-        }
-        idle = if now > margin_now + 1e-9 { 0 } else { idle + 1 };
-        if idle >= PATIENCE {
-            return None;
-        }
-        last = to;
-    }
-    None
-}
-
-/// The value nearest to the first, which does not clear a violation, that clears it as the second does.
-fn least(margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut good]: [f64; 2], parameter: &Parameter) -> Option<f64> {
-    let clears = |to: f64| margin(to).is_some_and(|margin| margin >= 0.0);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (bad + good);
-        if clears(middle) {
-            good = middle;
-        } else {
-            bad = middle;
-        }
-    }
-    let grid = if parameter.max - parameter.min > 20.0 { 10.0 } else { 100.0 };
-    let away = if good > bad { (good * grid).ceil() } else { (good * grid).floor() } / grid;
-    [away, good].into_iter().map(|to| to.clamp(parameter.min, parameter.max)).find(|to| clears(*to))
-}
-
-/// Between a value that does not clear a violation and one with which there is no frame: the last value that does not, and the first that
-/// was seen to clear it.
-fn between(margin: &dyn Fn(f64) -> Option<f64>, [mut bad, mut none]: [f64; 2]) -> Option<[f64; 2]> {
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (bad + none);
-        match margin(middle) {
-            Some(margin) if margin >= 0.0 => return Some([bad, middle]),
-            Some(_) => bad = middle,
-            None => none = middle,
-        }
-    }
-    None
-}
-
 /// The rules that a change is asked by: a search for a fold takes longer than all others together.
 fn all_but_the_fold() -> Vec<&'static Rule> {
     CATALOGUE.into_iter().filter(|rule| rule.id != "fold_sequence").collect()
 }
 
-/// The parameter of a key; none of a name.
-fn parameter(key: &str) -> Option<&'static Parameter> {
-    let (table, key) = key.split_once('.')?;
-    parameters().find(|p| p.table == table && p.key == key)
-}
-
 /// A value as a person types it.
 fn plain(value: f64) -> String {
     format!("{}", (value * 1e4).round() / 1e4)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn analytic_between_what_does_not_clear_and_what_is_no_frame() {
-        let margin = |to: f64| (to < 7.0).then_some(to - 6.0);
-        let [bad, good] = between(&margin, [4.0, 8.0]).expect("is found");
-        assert!(bad < 6.0 && (6.0..7.0).contains(&good), "{bad} {good}");
-        assert_eq!(between(&|to: f64| (to < 5.0).then_some(to - 6.0), [4.0, 8.0]), None);
-    }
 }

@@ -6,6 +6,7 @@
 mod advice;
 mod answer;
 mod bench;
+mod movable;
 mod remedy;
 #[cfg(test)]
 mod tests;

@@ -9,7 +9,8 @@ use flexframe::frame::fold::FoldSequence;
 use flexframe::frame::mounting::{MOUNTS, MountStep, Mounting, untold, without_a_step};
 use flexframe::params::Frame;
 use flexframe::report::booklet::content::Booklet;
-use nalgebra::Vector3;
+use flexframe::solid::{Feature, MeshSolid};
+use nalgebra::{Point3, Vector3};
 
 use crate::common;
 
@@ -189,6 +190,13 @@ fn regress_nuts_hold_the_boards_of_every_frame_with_a_stack() {
         let bill = bill(&design, &mass::table(&design), None);
         let line = bill.buy.iter().find(|line| line.role == "stack_nut").expect("is bought");
         assert_eq!([line.quantity, line.with_spares], [4, 5], "{name}");
+        let of_steps: f64 = mounting.parts().filter(|line| line.part == "stack_spacer").map(|line| line.count).sum();
+        let spacers = bill.buy.iter().find(|line| line.role == "stack_spacer").expect("are bought");
+        assert_eq!(of_steps, f64::from(spacers.quantity), "{name}");
+        let [first, last] =
+            [mounting.parts().find(|line| line.part == "stack_spacer"), mounting.parts().filter(|line| line.part == "stack_spacer").last()];
+        let counts = [first, last].map(|line| line.map(|line| line.count));
+        assert_eq!(counts, if name == "cognifly" { [Some(4.0), Some(8.0)] } else { counts }, "{name}");
     }
 }
 
@@ -234,6 +242,15 @@ fn regress_washers_under_the_computer_are_told_and_bought() {
     let bill = bill(&design, &mass::table(&design), None);
     let line = bill.buy.iter().find(|line| line.role == "small_screws").expect("are bought");
     assert!(line.search.contains("washers") && line.note.contains("computer onto its carrier"), "{line:?}");
+    assert!(step.text.contains("two screws M2 x 4 through its rear holes"), "{}", step.text);
+    assert!(line.note.contains("2 x M2 x 4 and 2 x M2 x 8"), "{line:?}");
+    // A boss of the hub reaches under the carrier's holes: a head or a nut has no room there.
+    let hub = &design.bodies.iter().find(|body| body.name == "hub").map(|body| design.shape(body)).expect("has one").solid;
+    let (carrier, low) = (&design.frame.pi_carrier, design.centre.carrier_top_mm() - design.frame.pi_carrier.carrier_thickness_mm);
+    let [x, y] = [carrier.pi_pattern_across_mm, carrier.pi_pattern_along_mm].map(|pattern| 0.5 * pattern);
+    let head = Feature::cylinder_between(Point3::new(x, y, low - 1.6), Point3::new(x, y, low), 2.0);
+    let shared_mm3 = hub.intersection(&MeshSolid::build(&head)).volume_mm3();
+    assert!(shared_mm3 > 1.0, "{shared_mm3}");
 }
 
 /// A camera for goggles needs a transmitter that no frame has: bill and step say so.

@@ -132,6 +132,7 @@ fn analytic_enough_of_the_drawn_frames_close() {
 fn bodies_of<'a>(design: &'a Design, line: &str) -> Vec<&'a Body> {
     let shapes: Vec<String> = match line {
         "connector" | "magnet" => vec![format!("{line}_bracket"), format!("{line}_lid")],
+        "stack_spacer" => vec![format!("{line}_hub"), format!("{line}_boards")],
         other => vec![other.into()],
     };
     design.bodies.iter().filter(|body| shapes.contains(&design.shape(body).name)).collect()
@@ -171,8 +172,11 @@ fn analytic_the_mass_table_sums_and_its_inertia_is_that_of_all_tetrahedra() {
         for line in &table.lines {
             assert!((line.total_g - line.each_g * f64::from(line.quantity)).abs() < 1e-9, "{line:?}");
             let bodies = bodies_of(&design, &line.name);
+            // Spacers are alike: their bodies weigh as much as they have volume. Halves of a pair count alike.
+            let volume = |body: &Body| if line.name == "stack_spacer" { design.shape(body).mesh.volume_mm3() } else { 1.0 };
+            let all: f64 = bodies.iter().map(|body| volume(body)).sum();
             for body in &bodies {
-                add_body(&mut sum, &design, body, line.total_g / bodies.len() as f64);
+                add_body(&mut sum, &design, body, line.total_g * volume(body) / all);
             }
             if bodies.is_empty() && line.name == "motor_screw" {
                 for module in ["FR", "FL", "BL", "BR"] {

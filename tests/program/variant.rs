@@ -233,7 +233,7 @@ fn analytic_explain_labels_its_columns() {
     };
     assert_eq!(words("5 % less").join(" "), "5 % less as it is 5 % more");
     assert_eq!(words("value    "), ["value", "58", "g", "(follows", "from", "bought.battery)"]);
-    assert_eq!(words("mass "), ["mass", "g", "-2.90", "232.86", "+2.90"]);
+    assert_eq!(words("mass "), ["mass", "g", "-2.90", "233.33", "+2.90"]);
     assert!(out.contains("left and right of the middle stands the change"), "{out}");
     // At a bound there is no 5 % more.
     bench.write("most.toml", "base = \"cognifly\"\n[limits]\nground_clearance_mm = 60.0\n");
@@ -512,6 +512,33 @@ fn bill_to_buy_from(bench: &Bench, page: &str, csv: &str) {
 }
 
 #[test]
+fn analytic_spare_parts_are_listed_as_json() {
+    let bench = Bench::new(&[]);
+    let spare = bench.json(&["build", "--part", "knee", "--quantity", "3", "--json", "-o", "frames"]);
+    assert_eq!([&spare["part"], &spare["quantity"], &spare["plates"]], [&serde_json::json!("knee"), &3.into(), &1.into()]);
+    let folder = bench.path(spare["folder"].as_str().expect("a path"));
+    let files = spare["files"].as_array().expect("a list").iter().map(|file| file.as_str().expect("a path"));
+    assert!(files.clone().count() >= 2 && files.clone().all(|file| folder.join(file).is_file()), "{spare}");
+}
+
+/// A frame that cannot close says with which lengths it would, and with these it does.
+#[test]
+fn planted_a_frame_that_cannot_close_is_told_what_closes_it() {
+    let bench = Bench::new(&[("long.toml", "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 230\n")]);
+    let (code, _, err) = bench.run(&["check", "long.toml"]);
+    assert!(code == 2 && err.contains("it closes with"), "{err}");
+    let told = err.split_once("it closes with").map_or("", |(_, told)| told).replace('\n', " ");
+    for key in ["arm_rod_length_mm", "cage_rod_length_mm"] {
+        let after = told.split_once(&format!("{key} = ")).unwrap_or_else(|| panic!("no {key}: {err}")).1;
+        let number: String = after.chars().take_while(|c| c.is_ascii_digit() || *c == '.').collect();
+        let cage = if key == "cage_rod_length_mm" { String::new() } else { "cage_rod_length_mm = 230\n".into() };
+        bench.write("closed.toml", &format!("base = \"cognifly\"\n[rods]\n{cage}{key} = {number}\n"));
+        let (code, _, err) = bench.run(&["check", "closed.toml"]);
+        assert!(code != 2, "{key} = {number}: {err}");
+    }
+}
+
+#[test]
 fn analytic_bill_in_every_form() {
     let bench = Bench::new(&[(
         "priced.toml",
@@ -532,6 +559,8 @@ fn analytic_bill_in_every_form() {
     ] {
         assert!(page.contains(part), "{part}: {page}");
     }
+    let (code, _, err) = bench.run(&["bom", "--format", "csv", "--json"]);
+    assert!(code == 2 && err.contains("--json contradicts --format"), "{err}");
     let bill = bench.json(&["bom", "priced.toml", "--json"]);
     assert_eq!(bill["prices"], serde_json::json!([["EUR", 38.0]]));
     let lines = bill["print"].as_array().expect("a list").iter();

@@ -27,23 +27,24 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 37] = [
+const LAYERS: [(&str, &[&str]); 38] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
     ("memo", &[]),
-    ("params", &["figures"]),
+    ("params", &["units", "figures"]),
     ("solid", &["units", "memo"]),
     ("frame/skeleton", &["units", "figures", "params"]),
     ("frame/parts", &["units", "params", "solid", "frame/skeleton"]),
     ("frame/assembly", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts"]),
     ("frame/fold", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
-    ("frame/mounting", &["solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
+    ("frame/mounting", &["params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/print_time", &["params", "solid"]),
+    ("printing/filament", &[]),
     ("printing/heat", &["params", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time"]),
-    ("printing/weighing", &["units", "params", "frame/assembly"]),
+    ("printing/weighing", &["params", "frame/assembly"]),
     ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/fold"]),
     ("mechanics", &["units", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     (
@@ -76,6 +77,7 @@ const LAYERS: [(&str, &[&str]); 37] = [
             "frame/assembly",
             "frame/fold",
             "frame/mounting",
+            "printing/filament",
             "printing/print_time",
             "printing/plates",
             "mechanics",
@@ -141,6 +143,7 @@ const LAYERS: [(&str, &[&str]); 37] = [
             "frame/fold",
             "frame/mounting",
             "printing/printability",
+            "printing/filament",
             "printing/heat",
             "printing/plates",
             "printing/weighing",
@@ -170,6 +173,7 @@ const LAYERS: [(&str, &[&str]); 37] = [
             "params",
             "frame/assembly",
             "frame/fold",
+            "printing/filament",
             "printing/plates",
             "printing/weighing",
             "printing/coupon",

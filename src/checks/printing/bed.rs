@@ -55,7 +55,7 @@ impl BedUse {
 
     fn finding(&self) -> Finding {
         let Self { part, size_mm: [x, y, z], tightest, value_mm, limit_mm } = self;
-        let measure = Measure { rule: &RULE, value: *value_mm, limit: *limit_mm, unit: "mm", levers: LEVERS };
+        let measure = Measure { rule: RULE.id, value: *value_mm, limit: *limit_mm, unit: "mm", levers: LEVERS };
         let [value, limit] = measure.figures(1);
         let message = format!("{part} is printed as {x:.1} x {y:.1} x {z:.1} mm: {tightest} {value} mm of {limit} mm on the printer");
         measure.at_most((*part).into(), message)

@@ -22,7 +22,7 @@ pub(in crate::checks) fn finding(hung: &Hung) -> Finding {
     let worst = hung.worst(Fault::Bridge, |place| place.span_mm);
     let limit = hung.process.bridge_mm;
     let value = worst.map_or(0.0, |worst| worst.span_mm);
-    let measure = Measure { rule: &RULE, value, limit, unit: "mm", levers: hung.levers() };
+    let measure = Measure { rule: RULE.id, value, limit, unit: "mm", levers: hung.levers() };
     let [span, allowed] = measure.figures(1);
     let what = match worst {
         None => "nothing is bridged".into(),

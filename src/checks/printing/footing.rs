@@ -39,7 +39,7 @@ pub(in crate::checks) fn findings(hung: &Hung, design: &Design, part: &Printed) 
     let (name, printer) = (part.name, &design.frame.printer);
     let footing = Footing::of(part, hung.process.layer_mm, &hung.supported());
     let Footing { contact_mm2, tip, slender } = &footing;
-    let measure = |value: f64, limit: f64, unit| Measure { rule: &RULE, value, limit, unit, levers: LEVERS };
+    let measure = |value: f64, limit: f64, unit| Measure { rule: RULE.id, value, limit, unit, levers: LEVERS };
     let contact = measure(*contact_mm2, printer.least_contact_mm2.unwrap_or(CONTACT_MM2), "mm2");
     let [area, least] = contact.figures(0);
     let tilt = measure(tip.to_deg(), printer.least_tip_deg.unwrap_or(TIP_DEG), "deg");

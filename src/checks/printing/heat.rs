@@ -32,7 +32,7 @@ pub(in crate::checks) fn check(scene: &Scene) -> Vec<Finding> {
     for (material, levers) in of {
         for heat in heats(&material.material, &design.frame.printer) {
             let unit = if heat.of == Heater::Enclosure { "" } else { "°C" };
-            let measure = Measure { rule: &RULE, value: heat.wanted, limit: heat.has, unit, levers };
+            let measure = Measure { rule: RULE.id, value: heat.wanted, limit: heat.has, unit, levers };
             let subject = format!("{} {}", material.name, heat.of.words());
             let message = sentence(design, material, &heat);
             let cold = heat.wanted > heat.has && !heat.too_cold;

@@ -20,7 +20,7 @@ pub static RULE: Rule = Rule {
 
 pub(in crate::checks) fn finding(hung: &Hung) -> Finding {
     let area_mm2 = hung.area_mm2(Fault::Island);
-    let measure = Measure { rule: &RULE, value: area_mm2, limit: 0.0, unit: "mm2", levers: hung.levers() };
+    let measure = Measure { rule: RULE.id, value: area_mm2, limit: 0.0, unit: "mm2", levers: hung.levers() };
     let what = match hung.worst(Fault::Island, |place| place.area_mm2) {
         None => "every layer rests on the one below".into(),
         Some(worst) => {

@@ -61,7 +61,7 @@ fn finding(part: &Printed, at: usize, bend: &Bend, frame: &Frame) -> Finding {
     let value = if across < NONE_PERCENT { 0.0 } else { across };
     let bears = frame.flexible.material.elongation_across_layers_percent.unwrap_or(0.0);
     let limit = bears / frame.limits.hinge_strain_factor;
-    let measure = Measure { rule: &RULE, value, limit, unit: "%", levers: LEVERS };
+    let measure = Measure { rule: RULE.id, value, limit, unit: "%", levers: LEVERS };
     let [strain, allowed] = measure.figures(0);
     let (name, angle) = (part.name, libm::asin(upwards).to_degrees());
     let what = match (part.bends.len(), at) {

@@ -31,7 +31,7 @@ fn finding(hung: &Hung) -> Finding {
     // What rests on nothing at all reaches endlessly; a finding is a number.
     let reach_mm = worst.map_or(0.0, |worst| if worst.reach_mm.is_finite() { worst.reach_mm } else { libm::sqrt(worst.area_mm2) });
     let limit = hung.process.ledge_mm;
-    let measure = Measure { rule: &RULE, value: reach_mm, limit, unit: "mm", levers: hung.levers() };
+    let measure = Measure { rule: RULE.id, value: reach_mm, limit, unit: "mm", levers: hung.levers() };
     let [reach, allowed] = measure.figures(1);
     let angle = decimals(hung.process.overhang.to_deg(), 0);
     let what = match worst {

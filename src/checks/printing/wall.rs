@@ -80,7 +80,7 @@ impl ThinnestWall {
         let reach_mm = REACH * limit_mm;
         let value = thinnest.map_or(reach_mm, |thin| thin.mm.min(reach_mm));
         let rule = if *is_gap { &gap::RULE } else { &RULE };
-        let measure = Measure { rule, value, limit: *limit_mm, unit: "mm", levers };
+        let measure = Measure { rule: rule.id, value, limit: *limit_mm, unit: "mm", levers };
         let [size, needed] = measure.figures(2);
         let where_it_is = thinnest.map(|thin| thin.at_mm.map(|mm| decimals(mm, 1)).join(", "));
         let message = match (where_it_is.filter(|_| value < reach_mm), is_gap) {

@@ -1,12 +1,14 @@
 //! Bodies of the assembly: a shape in a place.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use nalgebra::Isometry3;
 
+use super::bought_solids::BoughtPart;
 use crate::frame::parts::record;
 use crate::frame::skeleton::RodRole;
-use crate::params::PartName;
+use crate::params::{Frame, PartName};
 use crate::solid::{Feature, Mesh, MeshSolid};
 
 /// What a body is.
@@ -28,6 +30,25 @@ impl Kind {
     /// Whether it is a part printed of the flexible material.
     pub fn is_flexible(self) -> bool {
         matches!(self, Self::Printed(name) if record(name).is_flexible())
+    }
+
+    /// The line of the bill and of the mass table that it is of.
+    pub fn bill_line(self) -> Cow<'static, str> {
+        match self {
+            Self::Printed(name) => name.slug().into(),
+            Self::Rod(role) => format!("{}_rod", role.slug()).into(),
+            Self::Motor => "motor".into(),
+            Self::Propeller => "propeller".into(),
+            Self::Bought(slug) => BoughtPart::named(slug).map_or(slug, BoughtPart::role).into(),
+        }
+    }
+
+    /// Its share of the pieces of its line, as a weight among the line's bodies.
+    pub fn weight(self, frame: &Frame) -> f64 {
+        match self {
+            Self::Bought(slug) => BoughtPart::named(slug).map_or(1.0, |part| part.weight(frame)),
+            _ => 1.0,
+        }
     }
 }
 

@@ -12,6 +12,7 @@ use crate::frame::parts::outline::along_y;
 use crate::frame::skeleton::{Accessories, Centre, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::BoughtPart as Entry;
+use crate::params::hung_boards::hung_boards;
 use crate::solid::Feature;
 
 /// A bought part of the centre.
@@ -41,6 +42,10 @@ pub enum BoughtPart {
     StackScrews,
     /// The four nuts on them, below the lowest board.
     StackNuts,
+    /// The spacers on them between hub and the first board: those of the flight controller, or of an only board.
+    SpacersUnderHub,
+    /// The spacers on them between the two boards.
+    SpacersBetweenBoards,
     /// The four dampers of the flight controller.
     Dampers,
     /// The four ties through hub, carrier and bracket.
@@ -68,7 +73,7 @@ const LENS_HALF_MM: f64 = 4.25;
 
 impl BoughtPart {
     /// All of them.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 20] = [
         Self::Battery,
         Self::Computer,
         Self::FlightController,
@@ -81,6 +86,8 @@ impl BoughtPart {
         Self::Camera,
         Self::StackScrews,
         Self::StackNuts,
+        Self::SpacersUnderHub,
+        Self::SpacersBetweenBoards,
         Self::Dampers,
         Self::Ties,
         Self::Receiver,
@@ -104,6 +111,8 @@ impl BoughtPart {
             Self::Camera => "camera",
             Self::StackScrews => "stack_screw",
             Self::StackNuts => "stack_nut",
+            Self::SpacersUnderHub => "stack_spacer_hub",
+            Self::SpacersBetweenBoards => "stack_spacer_boards",
             Self::Dampers => "damper",
             Self::Ties => "tie",
             Self::Receiver => "receiver",
@@ -118,8 +127,25 @@ impl BoughtPart {
         match self {
             Self::ConnectorBracket | Self::ConnectorLid => "connector",
             Self::MagnetBracket | Self::MagnetLid => "magnet",
+            Self::SpacersUnderHub | Self::SpacersBetweenBoards => "stack_spacer",
             other => other.slug(),
         }
+    }
+
+    /// The one with this name in files.
+    pub fn named(slug: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|part| part.slug() == slug)
+    }
+
+    /// Its share of the pieces of its role, as a weight among the role's bodies.
+    pub fn weight(self, frame: &Frame) -> f64 {
+        let board = match self {
+            Self::SpacersUnderHub => 0,
+            Self::SpacersBetweenBoards => 1,
+            _ => return 1.0,
+        };
+        let boards = hung_boards(|role| frame.bought.get(role).map(|item| &item.part));
+        boards.get(board).and_then(|board| board.spacers).map_or(0.0, |spacers| f64::from(spacers.count))
     }
 
     /// Its solid, in the assembly's axes; none where the frame does without it, or has nothing that it belongs to.
@@ -137,6 +163,8 @@ impl BoughtPart {
             Self::Camera => camera(part, frame, centre),
             Self::StackScrews => return screw_solids::stack_screws(part, frame, centre),
             Self::StackNuts => return screw_solids::stack_nuts(part, frame, centre),
+            Self::SpacersUnderHub => return screw_solids::stack_spacers(0, frame, centre),
+            Self::SpacersBetweenBoards => return screw_solids::stack_spacers(1, frame, centre),
             Self::Dampers => return screw_solids::dampers(frame, centre),
             Self::Ties => turned(centre, screw_solids::ties(part, frame, centre)?),
             Self::Receiver | Self::Buzzer | Self::Gps => return on_plate(self.role(), part, frame, centre),

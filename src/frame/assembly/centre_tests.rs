@@ -144,6 +144,26 @@ fn regress_dampers_are_drawn_at_holes_that_are_too_small_for_them() {
     assert_eq!(pieces(&frame), 8);
 }
 
+/// From the hub to the nuts nothing slides along a screw: each body on it touches the next, and none reaches into another.
+#[test]
+fn regress_nothing_slides_along_the_screws_of_the_stack() {
+    for (name, on_screws) in [
+        ("cognifly", vec!["hub", "stack_spacer_hub", "damper", "stack_spacer_boards", "motor_controller", "stack_nut"]),
+        ("examples/frames/whoop-aio-fpv.toml", vec!["hub", "stack_spacer_hub", "damper", "stack_nut"]),
+    ] {
+        let (frame, _) = Frame::load(name).expect("a frame");
+        let centre = Centre::new(&frame);
+        let solids = all(&frame, &centre);
+        let solid = |name: &str| MeshSolid::build(&solids.iter().find(|(other, _)| other == name).unwrap_or_else(|| panic!("no {name}")).1);
+        for pair in on_screws.windows(2) {
+            let [above, below] = [pair[0], pair[1]].map(solid);
+            assert!(above.gap_mm(&below, 5.0) < 1e-4, "{name}: {pair:?}: {}", above.gap_mm(&below, 5.0));
+            let shared_mm3 = above.intersection(&below).volume_mm3();
+            assert!(shared_mm3 < 1e-3, "{name}: {pair:?}: {shared_mm3}");
+        }
+    }
+}
+
 /// The nuts touch what the screws hold, and are on the screws by their whole height: below the lowest board, or below its dampers.
 #[test]
 fn regress_nuts_hold_the_lowest_board() {

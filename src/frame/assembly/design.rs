@@ -368,6 +368,7 @@ fn colour(part: BoughtPart) -> [f32; 4] {
         BoughtPart::FlowSensor => [0.01, 0.08, 0.35, 1.0],
         BoughtPart::Camera => [0.01, 0.22, 0.05, 1.0],
         BoughtPart::StackScrews | BoughtPart::StackNuts => STEEL,
+        BoughtPart::SpacersUnderHub | BoughtPart::SpacersBetweenBoards => [0.8, 0.8, 0.75, 1.0],
         BoughtPart::Dampers => [0.45, 0.03, 0.03, 1.0],
         BoughtPart::Ties => [0.02, 0.02, 0.02, 1.0],
         BoughtPart::Receiver => [0.02, 0.05, 0.2, 1.0],

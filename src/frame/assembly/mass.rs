@@ -9,7 +9,6 @@ use serde::{Deserialize, Serialize};
 use super::body::{Body, Kind, Shape};
 use super::design::Design;
 use crate::params::catalogue::MassBasis;
-use crate::units::Density;
 
 /// A line of the table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -105,7 +104,7 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
         .iter()
         .map(|part| {
             let material = design.material_of(part.name);
-            let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
+            let solid_g = material.material.solid_g(part.volume_mm3);
             let each_g = solid_g * material.material.print_factor;
             let quantity = part.part.quantity();
             line(part.name.slug(), "printed", &material.name, quantity, each_g, "computed")
@@ -118,7 +117,7 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
     let weighed = |shape: &Shape| match shape.kind {
         Kind::Rod(role) => {
             let volume_mm3 = shape.exact_mm3.unwrap_or_else(|| shape.solid.volume_mm3());
-            let each_g = Density::g_cm3(material.material.density_g_cm3).mass_g(volume_mm3);
+            let each_g = material.material.solid_g(volume_mm3);
             let quantity = design.skeleton.rods_of(role).count() as u32;
             Some(line(&shape.name, "rod", &material.name, quantity, each_g, "computed"))
         }
@@ -170,10 +169,12 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
     for line in lines {
         // An extra is where its file says, whatever its name is.
         let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == "extra");
-        let is_body = |body: &&Body| extra.is_none() && stands_for(&design.shape(body).kind, &line.name);
+        let is_body = |body: &&Body| extra.is_none() && design.shape(body).kind.bill_line() == line.name;
         let bodies: Vec<_> = design.bodies.iter().filter(is_body).collect();
-        let share = line.total_g / bodies.len().max(1) as f64;
+        let weight = |body: &&Body| design.shape(body).kind.weight(&design.frame);
+        let all: f64 = bodies.iter().map(weight).sum();
         for body in bodies.iter().filter(|body| carries(Some(body))) {
+            let share = line.total_g * weight(body) / all;
             let (centre, unit_inertia, volume_mm3) = *known.entry(body.shape).or_insert_with(|| {
                 let shape = design.shape(body);
                 let of_volume = || {
@@ -193,14 +194,4 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
         }
     }
     sum
-}
-
-fn stands_for(kind: &Kind, line: &str) -> bool {
-    match kind {
-        Kind::Printed(name) => name.slug() == line,
-        Kind::Rod(role) => line.strip_suffix("_rod") == Some(role.slug()),
-        Kind::Motor => line == "motor",
-        Kind::Propeller => line == "propeller",
-        Kind::Bought(name) => *name == line || name.strip_suffix("_bracket") == Some(line) || name.strip_suffix("_lid") == Some(line),
-    }
 }

@@ -1,8 +1,9 @@
 //! A frame that cannot be designed, as a refusal of its file.
 
 use super::design::DesignError;
+use crate::frame::skeleton::closing_lengths;
 use crate::params::refusal::{Reason, Refusal};
-use crate::params::{FrameFile, parameters};
+use crate::params::{Frame, FrameFile, parameters};
 
 impl DesignError {
     /// The refusal of the file that states the frame, with the place that drives the error most.
@@ -14,7 +15,10 @@ impl DesignError {
                 let keys = [closure.key(), "rods.arm_rod_length_mm", "rods.cage_rod_length_mm", "rods.strut_rod_length_mm"];
                 let depth = |key: &&str| file.entries.get(*key).map_or(usize::MAX, |entry| entry.depth);
                 let nearest = keys.into_iter().min_by_key(depth).unwrap_or(keys[0]);
-                file.refuse(nearest, Reason::Impossible { message, remedy: closure.remedy() })
+                let closing = Frame::resolve(file).map_or_else(|_| Vec::new(), |frame| closing_lengths(&frame));
+                let each: Vec<String> = closing.iter().map(|(key, length_mm)| format!("{key} = {length_mm}")).collect();
+                let remedy = if each.is_empty() { closure.remedy() } else { format!("it closes with {}", each.join(", or with ")) };
+                file.refuse(nearest, Reason::Impossible { message, remedy })
             }
             Self::Target { .. } => {
                 let remedy = "choose another width, height or strut_tilt_deg".into();

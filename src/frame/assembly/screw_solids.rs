@@ -39,12 +39,23 @@ pub(super) fn stack_screws(part: &BoughtPart, frame: &Frame, centre: &Centre) ->
 /// thread.
 pub(super) fn stack_nuts(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<Feature> {
     let top = Stack::new(frame, centre).nut_seat_mm()?;
+    hexagons(part, frame, [top - part.size_mm[2], top])
+}
+
+/// The spacers above a board of the stack, counted from the hub, those of one screw as one piece; none where the way is bare, or the screws have no stated thread.
+pub(super) fn stack_spacers(board: usize, frame: &Frame, centre: &Centre) -> Option<Feature> {
+    let spacers = Stack::new(frame, centre).boards.get(board)?.spacers?;
+    hexagons(spacers.part, frame, [spacers.bottom_mm(), spacers.top_mm])
+}
+
+/// A hexagon of a part's width on each screw of the stack, with the screw's hole.
+fn hexagons(part: &BoughtPart, frame: &Frame, reach_mm: [f64; 2]) -> Option<Feature> {
     let thread = frame.bought.get("stack_screw")?.part.thread_mm?;
-    let [corners, flats, high] = part.size_mm;
+    let [corners, flats, _] = part.size_mm;
     let [x, y] = [0.5 * corners, 0.5 * flats];
     let hexagon = Contour::polygon(&[[x, 0.0], [0.5 * x, y], [-0.5 * x, y], [-x, 0.0], [-0.5 * x, -y], [0.5 * x, -y]]);
     let section = Profile::new(hexagon).with_holes([Contour::bore([0.0, 0.0], 0.5 * thread)]);
-    let one = |[x, y]: [f64; 2]| upright(section.clone(), [top - high, top]).at(x, y, 0.0);
+    let one = |[x, y]: [f64; 2]| upright(section.clone(), reach_mm).at(x, y, 0.0);
     (thread < flats).then(|| Feature::union(Stack::axes_mm(frame).map(one)))
 }
 
@@ -65,7 +76,7 @@ const DAMPER_STEP_MM: f64 = 0.2;
 /// than they are.
 pub(super) fn dampers(frame: &Frame, centre: &Centre) -> Option<Feature> {
     let stack = Stack::new(frame, centre);
-    let (part, middle) = stack.dampers?;
+    let (part, middle) = stack.dampers()?;
     let board = stack.boards.first()?.part;
     let thread = frame.bought.get("stack_screw").and_then(|screw| screw.part.thread_mm).unwrap_or(0.0);
     let [across, _, height] = part.size_mm;

@@ -232,6 +232,11 @@ impl Task {
                 )
                 .into(),
             ),
+            Self::SlideMount if frame.bought.get("motor").is_some_and(|motor| motor.part.motor_holes() == 3) => Some(
+                "One of this motor's three screws lies above the leg, where no screwdriver reaches it later. Put the motor onto its mount, its wires \
+                 towards the hub, and turn its screws in before the mount goes onto the arms."
+                    .into(),
+            ),
             Self::PlugHub => Some("Never glue the plugs to the hub: they are what lets go in a crash.".into()),
             _ => None,
         }

@@ -3,6 +3,7 @@
 //! [`MOUNTS`] lists the mounts with their directions. `way` tests the meshes for collisions on the path of each mount. [`Mounting`] contains
 //! the steps in an order that follows from both.
 
+mod carrier_screws;
 mod mount;
 mod mounting_plan;
 mod mounts;
@@ -11,6 +12,7 @@ mod tool;
 mod untold;
 mod way;
 
+pub use carrier_screws::CarrierScrews;
 pub use mount::{Fixing, Mount, Stage};
 pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
 pub use mounts::MOUNTS;

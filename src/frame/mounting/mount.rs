@@ -72,7 +72,7 @@ pub struct Mount {
     /// In a few words.
     pub title: &'static str,
     /// What a person does. Sides between braces are those of a sleeve that lies along the frame; `{cables}` stands for the sentences of
-    /// the cables whose ends the step brings together.
+    /// the cables whose ends the step brings together, other names between braces for figures of the frame.
     pub text: &'static str,
     /// A sentence more where the sleeve lies across.
     pub text_across: &'static str,
@@ -89,6 +89,14 @@ pub(super) const ALL_IN_ONE: &str = "all_in_one";
 
 /// In a mount's text: the sentences about cables; where it is not in the text, they follow it.
 pub(super) const PLUGGED: &str = "{cables}";
+
+/// In a mount's text: where the battery's rear face is in its lid.
+pub(super) const BATTERY_REAR: &str = "{battery_rear}";
+
+/// In a mount's text: the sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
+pub(super) const COMPUTER_SCREWS: &str = "{computer_screws}";
+/// See [`COMPUTER_SCREWS`].
+pub(super) const FOOT_SCREWS: &str = "{foot_screws}";
 
 /// How the bodies of the first module end.
 const FIRST_MODULE: &str = "_FR";

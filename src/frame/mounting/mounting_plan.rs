@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::mount::{ALL_IN_ONE, Fixing, Mount, PLUGGED, Stage};
+use super::carrier_screws::CarrierScrews;
+use super::mount::{ALL_IN_ONE, BATTERY_REAR, COMPUTER_SCREWS, FOOT_SCREWS, Fixing, Mount, PLUGGED, Stage};
 use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
@@ -170,17 +171,57 @@ pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
     found
 }
 
+/// How far the battery's rear may be off the lid's where both count as flush, mm.
+const FLUSH_MM: f64 = 0.05;
+
+/// Names between braces in the texts of mounts, each with what stands for it in a design.
+fn figures(design: &Design) -> [(&'static str, String); 3] {
+    let [computer, feet] = screws_told(design);
+    [(BATTERY_REAR, battery_rear(design)), (COMPUTER_SCREWS, computer), (FOOT_SCREWS, feet)]
+}
+
+/// Where the battery's rear face is in its lid.
+fn battery_rear(design: &Design) -> String {
+    let centre = &design.centre;
+    let inside_mm = (centre.front_y_mm - design.frame.battery.battery_length_mm) - (centre.rim_y_mm - centre.lid_cover_mm);
+    match inside_mm {
+        _ if inside_mm.abs() < FLUSH_MM => "flush with the edge of the lid's floor".into(),
+        _ if inside_mm > 0.0 => format!("{inside_mm:.1} mm inside of the edge of the lid's floor"),
+        _ => format!("{:.1} mm outside of the edge of the lid's floor", -inside_mm),
+    }
+}
+
+/// The sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
+fn screws_told(design: &Design) -> [String; 2] {
+    let Some(screws) = CarrierScrews::new(&design.frame) else {
+        return ["Fix it with small screws.", "Fix each with a small screw through its foot."].map(String::from);
+    };
+    let cut = "They cut their thread in the carrier. Longer ones would meet the hub below it.";
+    let on_board = screws.words(screws.on_board_mm);
+    match screws.on_feet_mm {
+        None => [format!("Fix it with four screws {on_board} through its holes. {cut}"), String::new()],
+        Some(on_feet_mm) => [
+            format!(
+                "Fix it with two screws {on_board} through its rear holes. {cut} The front holes stay free: the camera's connectors go onto them."
+            ),
+            format!("Turn a screw {} from above through each foot and the board into the carrier.", screws.words(on_feet_mm)),
+        ],
+    }
+}
+
 struct Planning<'a> {
     ways: Ways<'a>,
     mounts: Vec<&'static Mount>,
     /// Those that join two bodies.
     cables: Vec<Wire>,
+    /// What stands for names between braces in texts.
+    figures: [(&'static str, String); 3],
 }
 
 impl<'a> Planning<'a> {
     fn new(design: &'a Design) -> Self {
         let cables = wires(design).into_iter().filter(|wire| wire.joins.is_some()).collect();
-        Self { ways: Ways::new(design), mounts: mounts_of(design), cables }
+        Self { ways: Ways::new(design), mounts: mounts_of(design), cables, figures: figures(design) }
     }
 
     fn mount(&self, id: &str) -> Option<&'static Mount> {
@@ -270,7 +311,7 @@ impl<'a> Planning<'a> {
     /// What a person does, with the cables that are plugged in.
     fn text(&self, mount: &Mount, cables: &[&Wire]) -> String {
         let axes = self.ways.battery_axes();
-        let text = mount.text_in(axes);
+        let text = self.figures.iter().fold(mount.text_in(axes), |text, (name, words)| text.replace(name, words));
         let told = cables.iter().map(|cable| axes.words(&cable.plugged())).collect::<Vec<_>>().join(" ");
         match (text.contains(PLUGGED), told.is_empty()) {
             (true, true) => text.replace(PLUGGED, ""),

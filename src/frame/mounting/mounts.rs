@@ -35,7 +35,7 @@ const GLUED: Mount = Mount {
 };
 
 /// All of them, in the order in which they are tried.
-pub static MOUNTS: [Mount; 29] = [
+pub static MOUNTS: [Mount; 31] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
@@ -89,6 +89,18 @@ pub static MOUNTS: [Mount; 29] = [
         ..GLUED
     },
     Mount {
+        id: "spacers_under_hub",
+        brings: &["stack_spacer_hub"],
+        onto: "hub",
+        from: BELOW,
+        fixing: Fixing::Screws("stack_screw"),
+        needs: &[("stack_screws", "the spacers go onto the screws")],
+        title: "Spacers under the hub",
+        text: "Turn the hub over. Put the spacers of this step onto the four screws, as many onto each, up to the hub. Nuts as spacers are turned on and pulled tight: they lock the screws in the hub.",
+        tools: &[Tool::Hands],
+        ..GLUED
+    },
+    Mount {
         id: "dampers",
         brings: &["damper"],
         onto: "flight_controller",
@@ -116,11 +128,27 @@ pub static MOUNTS: [Mount; 29] = [
         onto: "hub",
         from: BELOW,
         fixing: Fixing::Screws("stack_screw"),
-        needs: &[("stack_screws", "the board hangs on the screws"), ("dampers", "the dampers sit between board and screws")],
+        needs: &[
+            ("stack_screws", "the board hangs on the screws"),
+            ("spacers_under_hub", "the spacers lie between hub and board"),
+            ("dampers", "the dampers sit between board and screws"),
+        ],
         title: "Flight controller onto the screws",
-        text: "Turn the hub over. Hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board with its dampers onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
+        text: "With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board with its dampers onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
         tools: &[Tool::Hands],
         caution: Some(ALIGNMENT),
+        ..GLUED
+    },
+    Mount {
+        id: "spacers_between_boards",
+        brings: &["stack_spacer_boards"],
+        onto: "flight_controller",
+        from: BELOW,
+        fixing: Fixing::Screws("stack_screw"),
+        needs: &[("flight_controller", "the spacers lie under the flight controller")],
+        title: "Spacers under the flight controller",
+        text: "Put the spacers of this step onto the four screws, as many onto each, up to the dampers or the board. Nuts as spacers are turned on finger tight: no damper is squeezed flat, and no board is bent.",
+        tools: &[Tool::Hands],
         ..GLUED
     },
     Mount {
@@ -132,6 +160,8 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Screws("stack_screw"),
         needs: &[
             ("stack_screws", "the board hangs on the screws"),
+            ("spacers_under_hub", "the spacers lie between hub and board"),
+            ("spacers_between_boards", "the spacers lie between the two boards"),
             ("dampers_in_motor_controller", "the dampers sit between board and screws"),
         ],
         title: "Motor controller onto the screws",
@@ -149,10 +179,11 @@ pub static MOUNTS: [Mount; 29] = [
         fixing: Fixing::Screws("stack_screw"),
         needs: &[
             ("stack_screws", "the board hangs on the screws"),
+            ("spacers_under_hub", "the spacers lie between hub and board"),
             ("dampers_in_motor_controller", "the dampers sit between board and screws"),
         ],
         title: "Board of both controllers onto the screws",
-        text: "Turn the hub over. Hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
+        text: "With the hub's underside up, hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
         tools: &[Tool::Hands],
         caution: Some(ALIGNMENT),
@@ -201,8 +232,8 @@ pub static MOUNTS: [Mount; 29] = [
         from: ABOVE,
         fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
-        text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds those in front. Lay the computer on the washers, hole over hole, its camera socket to the front. Fix it with two small screws through its rear holes. The front holes stay free: the camera's connectors go onto them.",
-        tools: &[Tool::Screwdriver],
+        text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Lay the computer on the washers, hole over hole, its camera socket to the front. {computer_screws}",
+        tools: &[Tool::Glue, Tool::Screwdriver],
         ..GLUED
     },
     Mount {
@@ -210,9 +241,10 @@ pub static MOUNTS: [Mount; 29] = [
         brings: &["camera_connector_left", "camera_connector_right"],
         onto: "computer",
         from: ABOVE,
-        fixing: Fixing::Glue,
+        fixing: Fixing::SmallScrews,
         title: "Camera connectors onto the computer",
-        text: "Put a drop of glue under the foot of each connector and set both onto the board's front holes, their posts to the front and outwards.",
+        text: "Put a drop of glue under the foot of each connector and set both onto the board's front holes, their posts to the front and outwards. {foot_screws}",
+        tools: &[Tool::Glue, Tool::Screwdriver],
         ..GLUED
     },
     Mount {
@@ -374,7 +406,7 @@ pub static MOUNTS: [Mount; 29] = [
         stage: Stage::AfterFold,
         turns: true,
         title: "Battery into the lid",
-        text: "Slide the battery into the lid from the {front} and tape both together. They stay together.",
+        text: "Slide the battery into the lid from the {front} until its {rear} face is {battery_rear}. Tape both together: they stay together.",
         tools: &[Tool::Tape],
         ..GLUED
     },

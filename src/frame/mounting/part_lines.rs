@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::mount::{Fixing, Mount};
-use crate::frame::assembly::{Body, BoughtPart, Design, Kind};
+use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{Member, Step};
 use crate::frame::skeleton::MODULE_NAMES;
 
@@ -39,21 +39,11 @@ pub(super) struct PartsSeen<'a> {
     seen: BTreeSet<String>,
 }
 
-/// The line of the bill that a body is of.
-fn line_of(design: &Design, body: &Body) -> String {
-    match design.shape(body).kind {
-        Kind::Printed(name) => name.slug().into(),
-        Kind::Rod(role) => format!("{}_rod", role.slug()),
-        Kind::Motor => "motor".into(),
-        Kind::Propeller => "propeller".into(),
-        Kind::Bought(slug) => BoughtPart::ALL.into_iter().find(|part| part.slug() == slug).map_or(slug, BoughtPart::role).into(),
-    }
-}
-
-/// How many pieces of a bought part one of its bodies represents; 1 for other bodies.
-fn share(design: &Design, line: &str) -> f64 {
-    let bodies = design.bodies.iter().filter(|body| line_of(design, body) == line).count();
-    design.frame.bought.get(line).map_or(1.0, |item| f64::from(item.quantity) / bodies.max(1) as f64)
+/// How many pieces of a bought part a body represents; 1 for other bodies.
+fn pieces(design: &Design, body: &Body, line: &str) -> f64 {
+    let kind = |body: &Body| design.shape(body).kind;
+    let all: f64 = design.bodies.iter().map(kind).filter(|kind| kind.bill_line() == line).map(|kind| kind.weight(&design.frame)).sum();
+    design.frame.bought.get(line).map_or(1.0, |item| f64::from(item.quantity) * kind(body).weight(&design.frame) / all)
 }
 
 impl<'a> PartsSeen<'a> {
@@ -69,8 +59,8 @@ impl<'a> PartsSeen<'a> {
             if !self.seen.insert(name) {
                 continue;
             }
-            let part = line_of(self.design, body);
-            let count = share(self.design, &part);
+            let part = self.design.shape(body).kind.bill_line().into_owned();
+            let count = pieces(self.design, body, &part);
             match lines.iter_mut().find(|line| line.part == part) {
                 Some(line) => line.count += count,
                 None => {

@@ -40,6 +40,11 @@ pub struct Closure {
     pub leg_rod_length_mm: f64,
 }
 
+/// What to do where the knees are too far out for the ring, and no one length closes the frame.
+const INWARDS: &str = "shorten arm_rod_length_mm or lengthen cage_rod_length_mm";
+/// The same where they are too far in.
+const OUTWARDS: &str = "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm";
+
 /// Why no frame closes.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ClosureError {
@@ -90,25 +95,17 @@ impl ClosureError {
     /// What to change.
     pub fn remedy(&self) -> String {
         match self {
-            Self::StrutTooShort { offset_mm, reach_mm } if *offset_mm < 0.0 => format!(
-                "shorten arm_rod_length_mm or lengthen cage_rod_length_mm: the pivot lies {:.1} mm too far inside",
-                -offset_mm - reach_mm
-            ),
-            Self::StrutTooShort { offset_mm, reach_mm } => format!(
-                "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm: {:.1} mm are missing",
-                offset_mm - reach_mm
-            ),
-            Self::Tilt { tilt_deg, max_deg, .. } if tilt_deg > max_deg => {
-                "lengthen strut_rod_length_mm or arm_rod_length_mm, or shorten cage_rod_length_mm".into()
-            }
-            Self::Tilt { .. } => "shorten arm_rod_length_mm or lengthen cage_rod_length_mm".into(),
+            Self::StrutTooShort { offset_mm, .. } if *offset_mm < 0.0 => INWARDS.into(),
+            Self::StrutTooShort { .. } => OUTWARDS.into(),
+            Self::Tilt { tilt_deg, max_deg, .. } if tilt_deg > max_deg => OUTWARDS.into(),
+            Self::Tilt { .. } => INWARDS.into(),
             Self::LegTooShort { .. } => "lengthen cage_rod_length_mm and arm_rod_length_mm".into(),
         }
     }
 }
 
 /// Tilts a knee can be made for: below, its bores meet the window; above, the plate no longer covers them.
-const TILT_DEG: (f64, f64) = (10.0, 35.0);
+pub(super) const TILT_DEG: (f64, f64) = (10.0, 35.0);
 
 /// What solving rod lengths for a tilt and back may change of it, degrees.
 const ROUNDING_DEG: f64 = 1e-9;
@@ -171,12 +168,12 @@ impl Closure {
 }
 
 /// Outer radius of a corner's socket, mm.
-fn corner_radius_mm(frame: &Frame) -> f64 {
+pub(super) fn corner_radius_mm(frame: &Frame) -> f64 {
     0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + frame.corner.corner_wall_mm
 }
 
 /// From the knee's node to the corner's strut pivot, mm.
-fn strut_reach_mm(frame: &Frame, strut_pivot_mm: f64) -> f64 {
+pub(super) fn strut_reach_mm(frame: &Frame, strut_pivot_mm: f64) -> f64 {
     frame.knee.knee_node_to_bottom_mm + frame.rods.strut_rod_length_mm + frame.corner.corner_node_to_bottom_mm - strut_pivot_mm
 }
 

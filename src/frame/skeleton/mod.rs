@@ -7,6 +7,7 @@
 mod accessories;
 mod battery_axes;
 pub mod centre;
+mod closing_lengths;
 mod closure;
 mod graph;
 mod module;
@@ -17,8 +18,9 @@ mod stack;
 pub use accessories::{Accessories, SLOT_MM};
 pub use battery_axes::BatteryAxes;
 pub use centre::Centre;
+pub use closing_lengths::closing_lengths;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
 pub use module::{MODULE_NAMES, MODULE_WORDS, ModulePlaces, module_turn};
 pub use rotor::{ROTORS, Rotor, Spin};
-pub use stack::{Stack, StackBoard};
+pub use stack::Stack;

@@ -1,6 +1,6 @@
 //! A predicted wave between the samples of a logger.
 
-use super::waves::TRIGGER_G;
+use crate::impact::measured::TRIGGER_G;
 
 /// Time between the points of a wave, s.
 pub const FINE_S: f64 = 5e-5;

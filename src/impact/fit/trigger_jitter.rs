@@ -10,7 +10,8 @@
 //! *When it is wrong:* where the variation is not in proportion to the wave, and where white noise comes near the trigger.
 
 use super::fine_wave::FineWave;
-use super::waves::{BEFORE, TRIGGER_G};
+use super::waves::BEFORE;
+use crate::impact::measured::TRIGGER_G;
 use crate::impact::wide_registers::{Loops, with_wide_registers};
 
 /// Correlation times of coloured noise, s.

@@ -1,6 +1,7 @@
 //! Trigger-aligned records, gathered by height.
 
 use super::decimation::Decimation;
+use crate::impact::measured::TRIGGER_G;
 
 /// One drop as it was measured.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,8 +90,6 @@ pub enum Unusable {
     Empty,
 }
 
-/// A reading beyond this is the impact, g: the paper's own trigger.
-pub const TRIGGER_G: f64 = 3.0;
 /// Samples kept before the trigger.
 pub const BEFORE: usize = 1;
 /// Time kept from the trigger on, s.

@@ -7,7 +7,7 @@ use super::record::Record;
 use crate::units::GRAVITY_M_S2;
 
 /// A reading beyond this is the impact, g.
-pub(super) const TRIGGER_G: f64 = 3.0;
+pub const TRIGGER_G: f64 = 3.0;
 /// Length of the impact, s: the paper's drops have their peak within it, or hit twice.
 pub(super) const WINDOW_S: f64 = 0.025;
 /// Below this mean magnitude over [`FALL_SAMPLES`] a frame falls, g: held it feels 1 g, in free fall 0.3 g of noise.

@@ -57,7 +57,7 @@ pub use folds::read_folds;
 pub use folds::{FoldReading, fold_readings};
 pub use free_fall_offset::FreeFallOffset;
 pub use hint::Hint;
-pub use impact::Impact;
+pub use impact::{Impact, TRIGGER_G};
 pub use judged::{Drop, JudgedDrops};
 pub use logger::Calibration;
 pub use malformed::{Fault, Malformed, SourcePosition};

@@ -8,7 +8,6 @@ use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
-use crate::units::Density;
 
 /// Weighed over solid mass that a print can have: foamed filament and a quarter more than full.
 const BELIEVED: RangeInclusive<f64> = 0.3..=1.25;
@@ -175,7 +174,7 @@ impl Weighing {
 
 fn row(design: &Design, part: &Printed, sliced: &BTreeMap<PartName, Sliced>) -> Row {
     let material = design.material_of(part.name);
-    let solid_g = Density::g_cm3(material.material.density_g_cm3).mass_g(part.volume_mm3);
+    let solid_g = material.material.solid_g(part.volume_mm3);
     Row {
         part: part.name,
         material: material.name.clone(),

@@ -350,7 +350,7 @@ fn two_lengths(design: &Design) -> Option<String> {
 }
 
 fn cuts(design: &Design) -> Vec<String> {
-    let stock_mm = design.frame.bought.get("rod").map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
+    let stock_mm = design.frame.stock_mm();
     match cutting::cutting_plan(design, stock_mm) {
         Ok(plan) => plan
             .iter()

@@ -6,11 +6,9 @@ use crate::frame::assembly::Design;
 use crate::markdown::inert;
 use crate::params::catalogue::{Bed, Material, Printer};
 use crate::params::frame::NamedMaterial;
+use crate::printing::filament::filament_m;
 use crate::printing::heat::{heats, sentence, unknown};
 use crate::printing::plates::{Plate, PrintSetting, PrintSettings, SlicerFamily};
-
-/// Section of a filament of 1.75 mm, mm².
-const FILAMENT_MM2: f64 = std::f64::consts::FRAC_PI_4 * 1.75 * 1.75;
 
 /// Nozzle of the profiles that the materials' entries name as their source, mm.
 const SOURCES_NOZZLE_MM: f64 = 0.4;
@@ -93,7 +91,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
         let time = plate.print_s(&design.printed, &design.frame.printer).map_or("-".into(), formatted);
         let volume_mm3: f64 = plate.volume_mm3(&design.printed);
-        let (mass_g, metres) = (1e-3 * volume_mm3 * material.density_g_cm3, 1e-3 * volume_mm3 / FILAMENT_MM2);
+        let (mass_g, metres) = (material.solid_g(volume_mm3), filament_m(volume_mm3));
         let cost = material.cost(mass_g).map_or("-".into(), |(cost, currency)| inert(&format!("{cost:.2} {currency}")));
         let _ = writeln!(
             text,
@@ -107,7 +105,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the solid parts, 1.75 mm thick.\n"
     );
     price(text, name, material);
-    let all_g: f64 = own.iter().map(|plate| 1e-3 * plate.volume_mm3(&design.printed) * material.density_g_cm3).sum();
+    let all_g: f64 = own.iter().map(|plate| material.solid_g(plate.volume_mm3(&design.printed))).sum();
     if name == design.frame.flexible.name {
         flow(text, all_g);
     }

@@ -115,8 +115,7 @@ fn rods(page: &mut String, design: &Design) {
     for role in design.skeleton.roles() {
         let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
     }
-    let rod = design.frame.bought.get("rod");
-    let stock_mm = rod.map_or(1000.0, |rod| rod.part.stock_length_mm.unwrap_or(rod.part.size_mm[0]));
+    let stock_mm = design.frame.stock_mm();
     match cutting::cutting_plan(design, stock_mm) {
         Ok(plan) => {
             let _ = writeln!(page, "\n{} stock lengths of {stock_mm:.0} mm; which piece from which stands in `bom.csv`.\n", plan.len());
