@@ -17,7 +17,7 @@ import { Selection, Toolbar } from "./panels/toolbar.tsx";
 import { column, left, right } from "./state/focus.ts";
 import { dropped } from "./state/dropped.ts";
 import { openFrame } from "./state/opening.ts";
-import { computing, findings, frame, notice, refused } from "./state/studio.ts";
+import { computing, findings, frame, notice, pending, refused } from "./state/studio.ts";
 import { LastGood } from "./ui/last_good.tsx";
 import { Tabs } from "./ui/tabs.tsx";
 import { join } from "./view/scene_state.ts";
@@ -31,6 +31,9 @@ const PANELS: { id: typeof right.value; words: string; of: ComponentType; result
   { id: "diagnose", words: "Diagnose", of: Diagnose },
   { id: "files", words: "Files", of: Files },
 ];
+
+/** Whether what is refused was typed into the frame file: the fields show what they were set to otherwise. */
+const isTyped = computed(() => Object.keys(pending.value).length === 0);
 
 const violations = computed(() => findings.value?.of.filter(({ verdict }) => verdict === "violated").length ?? 0);
 
@@ -84,6 +87,7 @@ export function App() {
           at={left}
         />
         <div class="scroll" id="panel-values" role="tabpanel" aria-labelledby={`tab-${left.value}`} tabIndex={-1}>
+          {left.value === "values" && isTyped.value && <LastGood />}
           {left.value === "values" ? <Parameters /> : <Source />}
         </div>
       </section>

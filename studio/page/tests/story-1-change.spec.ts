@@ -25,6 +25,7 @@ test("a preset is chosen, values change the frame, and each can be reset", async
   await expect(page.getByText("changed (2)", { exact: false })).toBeVisible();
   await shot(page, "1-changed");
   await field.getByRole("button", { name: /Reset/ }).click();
+  await expect(field.locator("input[type=text]")).toBeFocused();
   await settled(page);
   await expect(field).not.toHaveClass(/changed/);
   await page.getByRole("button", { name: "Undo" }).click();
@@ -97,6 +98,10 @@ test("the frame file is edited as text, both ways, with the words of the command
   await expect(page.locator("#toml-refusal")).toContainText("did you mean");
   await expect(page.locator("#toml-refusal")).toContainText("line 6");
   await shot(page, "1-refused-text");
+  // The values are not those of the text, and say so.
+  await page.getByRole("tab", { name: "Values" }).click();
+  await expect(page.locator(".left .last-good")).toContainText("of the last good frame");
+  await page.getByRole("tab", { name: "Frame file" }).click();
   await text.fill('base = "cognifly"\n\n[rods]\n# shorter\narm_rod_length_mm = 85.0\n');
   await expect(page.locator("#toml-refusal")).toBeEmpty();
   await settled(page);

@@ -6,6 +6,9 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   await start(page);
   await page.getByRole("tab", { name: "Fold" }).click();
   await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  // What marks the assembled frame has nothing to act on.
+  const marks = ["Envelope", "Centre of mass"].map((name) => page.getByRole("button", { name, exact: true }));
+  for (const mark of marks) await expect(mark).toBeDisabled();
   await expect(page.locator(".fold h3")).toHaveText("Magnet into the bracket");
   await page.getByRole("button", { name: "Bend the foot and close the triangle" }).click();
   await expect(page.locator(".fold table")).toContainText("113.2°");
@@ -30,6 +33,7 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   ).toBe("%PDF-");
   await page.getByRole("tab", { name: "Checks" }).click();
   await expect(page.locator(".picked")).toHaveCount(0);
+  for (const mark of marks) await expect(mark).toBeEnabled();
 });
 
 test("the picture follows the steps: it differs between them, and the part that a step names moves", async ({

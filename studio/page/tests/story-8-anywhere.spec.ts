@@ -59,6 +59,10 @@ test("on a phone's width", async ({ page }) => {
   await page.getByRole("button", { name: /^Know/ }).click();
   await expect(page.locator(".rule").first()).toBeVisible();
   await shot(page, "8-phone-know");
+  // A finding leads to the picture, which is in another column.
+  await page.locator(".rule .head").first().click();
+  await page.locator(".place .link").first().click();
+  await expect(page.getByRole("button", { name: "Model" })).toHaveAttribute("aria-pressed", "true");
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
 });
 

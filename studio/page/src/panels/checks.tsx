@@ -16,7 +16,7 @@ import { standing } from "../state/standing.ts";
 import { label, short } from "../ui/words.ts";
 import { isDisc } from "../view/body_facts.ts";
 import { colourBy, discs, lit, viewer } from "../view/scene_state.ts";
-import { showParameter } from "../state/focus.ts";
+import { column, showParameter } from "../state/focus.ts";
 
 const opened = signal<Set<string>>(new Set());
 const RANK = { violated: 0, warns: 1, holds: 2 };
@@ -128,6 +128,8 @@ function Place({ finding }: { finding: Finding }) {
     const named = touched(finding.subject, facts);
     const names = new Set(named.length > 0 ? named : touched(finding.message, facts));
     lit.value = names;
+    // On a narrow screen the picture is in another column.
+    column.value = "middle";
     if (facts.some((body) => isDisc(body) && names.has(body.name))) discs.value = true;
     if (names.size > 0) viewer.value?.fly(names);
     else viewer.value?.fit();

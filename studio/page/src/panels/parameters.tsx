@@ -3,7 +3,7 @@ import { computed, signal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import type { Choice, Parameter } from "../engine/answers.ts";
 import type { Setting } from "../state/link.ts";
-import { CHOICES, openGroup, openGroups } from "../state/focus.ts";
+import { CHOICES, fieldOf, openGroup, openGroups } from "../state/focus.ts";
 import { baseOf, catalogue, changedKeys, refused, set, valueOf } from "../state/studio.ts";
 import { Slider } from "../ui/slider.tsx";
 import { label, short, size } from "../ui/words.ts";
@@ -149,7 +149,11 @@ function Reset({ keyOf, unit }: { keyOf: string; unit: string }) {
       class="reset"
       title={`Back to ${shown}, the preset's`}
       aria-label={`Reset ${label(keyOf)} to ${shown}`}
-      onClick={() => set({ [keyOf]: null })}
+      onClick={() => {
+        set({ [keyOf]: null });
+        // The button goes with the change: what it was of has the focus.
+        fieldOf(keyOf)?.focus();
+      }}
     >
       ↺ {shown}
     </button>

@@ -43,7 +43,10 @@ function showBed(shown: boolean, number = 0): void {
   void import("../view/bed.ts").then((bed) => bed.showBed(shown, number));
 }
 
+const OF_FRAME = "Of the assembled frame only";
+
 export function Toolbar() {
+  const [onBed, moving] = [stage.value === "bed", stage.value === "motion"];
   return (
     <div class="toolbar" role="toolbar" aria-label="How the frame is shown">
       <label>
@@ -58,7 +61,9 @@ export function Toolbar() {
           }}
         >
           <option value="assembled">assembled</option>
-          <option value="exploded">exploded</option>
+          <option value="exploded" disabled={moving}>
+            exploded
+          </option>
           <option value="bed">on the bed</option>
         </select>
       </label>
@@ -78,7 +83,7 @@ export function Toolbar() {
           </select>
         </label>
       )}
-      {explode.value > 0 && (
+      {explode.value > 0 && !onBed && !moving && (
         <input
           type="range"
           aria-label="How far apart"
@@ -93,6 +98,7 @@ export function Toolbar() {
         Colour by{" "}
         <select
           aria-label="Colour by"
+          disabled={onBed}
           value={colourBy}
           onChange={(event) => (colourBy.value = event.currentTarget.value as ColourBy)}
         >
@@ -101,9 +107,9 @@ export function Toolbar() {
           <option value="finding">finding</option>
         </select>
       </label>
-      <Toggle of={envelope} words="Envelope" />
-      <Toggle of={discs} words="Propeller discs" />
-      <Toggle of={centre} words="Centre of mass" />
+      <Toggle of={envelope} words="Envelope" acts={!onBed && !moving} />
+      <Toggle of={discs} words="Propeller discs" acts={!onBed} />
+      <Toggle of={centre} words="Centre of mass" acts={!onBed && !moving} />
       <label>
         Section{" "}
         <select
@@ -153,9 +159,16 @@ export function Toolbar() {
   );
 }
 
-function Toggle({ of, words }: { of: { value: boolean }; words: string }) {
+/** `acts`: whether what is shown has what it switches. */
+function Toggle({ of, words, acts }: { of: { value: boolean }; words: string; acts: boolean }) {
   return (
-    <button type="button" aria-pressed={of.value} onClick={() => (of.value = !of.value)}>
+    <button
+      type="button"
+      aria-pressed={of.value}
+      disabled={!acts}
+      title={acts ? undefined : OF_FRAME}
+      onClick={() => (of.value = !of.value)}
+    >
       {words}
     </button>
   );

@@ -20,6 +20,11 @@ export function openGroup(group: string, open: boolean): void {
   openGroups.value = next;
 }
 
+/** The field that a value is typed into or chosen in, if it is drawn. */
+export function fieldOf(key: string): HTMLElement | null {
+  return document.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"] :is(input[type="text"], select)`);
+}
+
 /** Opens the field of a value and puts the focus there. */
 export function showParameter(key: string): void {
   left.value = "values";
@@ -27,8 +32,8 @@ export function showParameter(key: string): void {
   const chosen = catalogue.value?.choices.some((choice) => choice.key === key);
   openGroup(chosen ? CHOICES : (key.split(".")[0] ?? ""), true);
   requestAnimationFrame(() => {
-    const field = document.querySelector(`[data-key="${CSS.escape(key)}"]`);
-    field?.scrollIntoView({ block: "center" });
-    field?.querySelector<HTMLElement>("input[type=text], select")?.focus();
+    const field = fieldOf(key);
+    field?.closest("[data-key]")?.scrollIntoView({ block: "center" });
+    field?.focus();
   });
 }
