@@ -50,24 +50,24 @@ test("the picture follows the steps: it differs between them, and the part that 
   const perStep = 2.5;
   // Between steps: each shows more than the one before.
   const pictures = [];
-  for (const step of [1, 20, 25, 30, 36]) pictures.push(await at((step - 0.5) * perStep));
+  for (const step of [1, 22, 27, 32, 38]) pictures.push(await at((step - 0.5) * perStep));
   for (let one = 1; one < pictures.length; one++)
     expect(differing(pictures[one - 1]!, pictures[one]!), `between pictures ${one} and ${one + 1}`).toBeGreaterThan(
       2000,
     );
   // Within a step: what it names is lit, and its middle goes elsewhere.
   for (const [step, title] of [
-    [24, "Bottom corner onto the lower strut"],
-    [25, "Bend the foot and close the triangle"],
-    [28, "Plugs of four modules into the hub"],
-    [30, "Top ring onto the struts"],
+    [26, "Bottom corner onto the lower strut"],
+    [27, "Bend the foot and close the triangle"],
+    [30, "Plugs of four modules into the hub"],
+    [32, "Top ring onto the struts"],
   ] as const) {
     const before = await at((step - 1) * perStep + 0.02);
     await expect(page.locator(".fold h3")).toHaveText(title);
-    if (step === 25) await shot(page, "4-before");
+    if (step === 27) await shot(page, "4-before");
     const after = await at(step * perStep - 0.1);
     await expect(page.locator(".fold h3")).toHaveText(title);
-    if (step === 25) await shot(page, "4-after");
+    if (step === 27) await shot(page, "4-after");
     const [from, to] = [litMiddle(before), litMiddle(after)];
     expect(Math.min(from.count, to.count), `${title}: pixels of what it names`).toBeGreaterThan(60);
     expect(differing(before, after), `${title}: pixels that change`).toBeGreaterThan(300);
@@ -75,7 +75,7 @@ test("the picture follows the steps: it differs between them, and the part that 
     expect(way, `${title}: pixels that the middle of what it names goes`).toBeGreaterThan(4);
   }
   // The same time gives the same picture again, and nothing stays lit when the assembly is left.
-  expect(differing(pictures[2]!, await at(24.5 * perStep))).toBeLessThan(50);
+  expect(differing(pictures[2]!, await at(26.5 * perStep))).toBeLessThan(50);
   await page.getByRole("tab", { name: "Checks" }).click();
   await expect.poll(async () => litMiddle(await pixels(page)).count).toBeLessThan(20);
 });
