@@ -7,7 +7,7 @@ use super::bounded::{count, number};
 use super::candidates;
 use super::failure::Failure;
 use super::failure::mechanics_refused;
-use super::given_drops::{file_format, frame_and_paths, read_drops, with_body_of};
+use super::given_drops::{compared_model, file_format, frame_and_paths, read_drops, with_body_of};
 use super::options::{ChannelOption, Common, DropsOption, FormatOptions, FrameOption};
 use super::output;
 use super::progress::Progress;
@@ -78,7 +78,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     DiagnosisRequest::bounds(args.max_effects).map_err(usage)?;
     let (frame, paths) = frame_and_paths(&args.drops)?;
-    let model = Model::load(&args.model)?;
+    let model = compared_model(&args.model)?;
     let most = args.max_effects;
     let working = Progress::staged("diagnosing", Stage::count(most), common);
     let mut model = with_body_of(frame.clone(), model, common)?;

@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use super::bounded::count;
 use super::candidates;
 use super::failure::Failure;
-use super::given_drops::{file_format, frame_and_paths, read_drops, with_body_of};
+use super::given_drops::{compared_model, file_format, frame_and_paths, read_drops, with_body_of};
 use super::options::{ChannelOption, Common, DropsOption, FormatOptions};
 use super::output;
 use super::progress::Progress;
@@ -87,7 +87,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         return Err(Failure::Usage { message });
     }
     let (frame, paths) = frame_and_paths(&args.drops)?;
-    let model = Model::load(&args.model)?;
+    let model = compared_model(&args.model)?;
     let working = Progress::of("fitting", common);
     let model = with_body_of(frame, model, common)?;
     let set = read_drops(&paths, &args.format, &file_format(&args.format)?)?;

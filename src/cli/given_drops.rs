@@ -11,6 +11,9 @@ use crate::impact::effects::Model;
 use crate::impact::measured::{self, Calibration, DropSet, FileFormat, TableFormat};
 use crate::params::preset;
 
+/// The model that is the frame's own.
+pub(super) const FRAME_MODEL: &str = "frame";
+
 /// The frame among the drops, if there is one, and the paths of the drops. A frame is a preset's name that is no path, or a TOML
 /// file.
 pub(super) fn frame_and_paths(given: &DropsOption) -> Result<(Option<String>, Vec<PathBuf>), Failure> {
@@ -27,6 +30,16 @@ pub(super) fn frame_and_paths(given: &DropsOption) -> Result<(Option<String>, Ve
         [frame] => Ok((Some(frame.to_string_lossy().into_owned()), paths)),
         _ => Err(Failure::Usage { message: "name one frame, or none".into() }),
     }
+}
+
+/// The model that is compared with drops, by its name. A frame's own beam model is none of them: it has no file whose numbers a fit could move.
+pub(super) fn compared_model(name: &str) -> Result<Model, Failure> {
+    if name == FRAME_MODEL && !Path::new(name).exists() {
+        let message = "--model frame is the model of `drop`; its material is fitted by `drop --model frame --fit DROPS`. In `diagnose` \
+                       --frame FRAME adds the frame's static curve to the candidates";
+        return Err(Failure::Usage { message: message.into() });
+    }
+    Ok(Model::load(name)?)
 }
 
 /// The model with mass and gap of the frame; as it is without one.

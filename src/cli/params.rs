@@ -75,7 +75,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         .filter(|row| args.filter.as_ref().is_none_or(|text| row.key.contains(text.as_str())))
         .collect();
     if rows.is_empty() {
-        return Err(Failure::Usage { message: "no key contains that text; `flexframe params` lists them all".into() });
+        return Err(Failure::Usage { message: none_listed(args.filter.as_deref().unwrap_or_default()) });
     }
     if common.json {
         terminal::print_json(&rows)?;
@@ -83,6 +83,22 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         terminal::print(&if args.markdown { page(&frame.name, &rows) } else { table(&rows) })?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// What is said where no parameter is listed: a target size is no parameter.
+fn none_listed(filter: &str) -> String {
+    let targets: Vec<String> = target::KEYS
+        .iter()
+        .filter(|target| target.key.contains(filter))
+        .map(|target| format!("`{}`, {} to {} {}", target.key, target.min, target.max, target.unit))
+        .collect();
+    match targets.is_empty() {
+        true => "no key contains that text; `flexframe params` lists them all".into(),
+        false => format!(
+            "no parameter contains that text, but keys of a target size, of which the three rod lengths follow: {}",
+            targets.join("; ")
+        ),
+    }
 }
 
 /// To a millionth, without zeros behind the last digit; nothing for a number that there is not.

@@ -16,9 +16,9 @@ pub(super) struct SearchOptions {
     /// Largest number of frames to evaluate.
     #[arg(long, default_value_t = 150, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=5000))]
     pub frames: u16,
-    /// Longest time, s; the answer is then the best so far, and depends on the machine's speed.
-    #[arg(long, value_name = "S", value_parser = bounded::number([1.0, 1e6], "s"))]
-    pub budget: Option<f64>,
+    /// Longest time, such as 90s, 10m or 2h; the answer is then the best so far, and depends on the machine's speed.
+    #[arg(long, value_name = "TIME", value_parser = bounded::duration)]
+    pub budget: Option<Duration>,
 }
 
 /// Somebody who follows a search: a bar on the terminal, a clock, and Ctrl-C.
@@ -39,7 +39,7 @@ impl Following {
         Self {
             begun,
             paces: Mutex::new((begun, Duration::ZERO)),
-            budget: options.budget.map(Duration::from_secs_f64),
+            budget: options.budget,
             unit,
             progress: Progress::staged("frames", usize::from(options.frames), common),
             finishing: Finishing::begin(),

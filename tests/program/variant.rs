@@ -442,7 +442,7 @@ fn planted_ctrl_c_ends_a_search_with_its_best_and_leaves_no_hidden_folder() {
     let done = interrupted(&search, &|| begun.elapsed() > Duration::from_secs(4));
     let answer: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
     assert_eq!((done.status.code(), answer["ended"].as_str()), (Some(0), Some("stopped")), "{answer}");
-    let spent = bench.json(&["solve", "--minimise", "mass", "--vary", "arm_rod,cage_rod", "--frames", "5000", "--budget", "2", "--json"]);
+    let spent = bench.json(&["solve", "--minimise", "mass", "--vary", "arm_rod,cage_rod", "--frames", "5000", "--budget", "2s", "--json"]);
     assert_eq!(spent["ended"], "stopped", "{spent}");
     // A build has its hidden folder only while it writes; a result that is there already is not yet.
     let hidden =
@@ -519,6 +519,18 @@ fn analytic_spare_parts_are_listed_as_json() {
     let folder = bench.path(spare["folder"].as_str().expect("a path"));
     let files = spare["files"].as_array().expect("a list").iter().map(|file| file.as_str().expect("a path"));
     assert!(files.clone().count() >= 2 && files.clone().all(|file| folder.join(file).is_file()), "{spare}");
+}
+
+/// What is asked for in the wrong place is told where it belongs.
+#[test]
+fn planted_a_target_is_no_parameter_and_the_frames_model_is_fitted_by_drop() {
+    let bench = Bench::new(&[]);
+    let (code, _, err) = bench.run(&["params", "--filter", "target"]);
+    assert!(code == 2 && err.contains("`target.height_mm`, 40 to 400 mm"), "{err}");
+    for command in ["fit", "diagnose"] {
+        let (code, _, err) = bench.run(&[command, "--model", "frame", "drops.csv"]);
+        assert!(code == 2 && err.contains("drop --model frame --fit DROPS"), "{command}: {err}");
+    }
 }
 
 /// A frame that cannot close says with which lengths it would, and with these it does.

@@ -8,12 +8,10 @@ mod model;
 use std::process::ExitCode;
 
 use super::failure::Failure;
+use super::given_drops::FRAME_MODEL;
 use super::options::Common;
 use crate::impact::sim::check_heights;
 pub(super) use arguments::Args;
-
-/// The model that is the frame's own.
-const FRAME: &str = "frame";
 
 /// Simulates the drops and writes their folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
@@ -25,7 +23,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     if args.trace && !common.json {
         return Err(Failure::Usage { message: "--trace goes with --json: a written folder has the series anyway".into() });
     }
-    if args.model != FRAME {
+    if args.model != FRAME_MODEL {
         return model::run(args, heights_m, common);
     }
     if args.fit.is_empty() { frame::run(args, heights_m, common) } else { fit::run(args, common) }

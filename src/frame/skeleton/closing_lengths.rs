@@ -20,7 +20,9 @@ pub fn closing_lengths(frame: &Frame) -> Vec<(&'static str, f64)> {
         let own_mm = *length_of(&mut frame.clone(), key)?;
         let closes = |length_mm: &f64| {
             let mut other = frame.clone();
-            length_of(&mut other, key).map(|own| *own = *length_mm);
+            if let Some(own) = length_of(&mut other, key) {
+                *own = *length_mm;
+            }
             (bounds.min..=bounds.max).contains(length_mm) && Closure::solve(&other).is_ok()
         };
         let ends_mm = TRIED_DEG.map(|tilt_deg| length_for(frame, key, Angle::deg(tilt_deg)));
