@@ -15,7 +15,9 @@ impl DesignError {
                 let keys = [closure.key(), "rods.arm_rod_length_mm", "rods.cage_rod_length_mm", "rods.strut_rod_length_mm"];
                 let depth = |key: &&str| file.entries.get(*key).map_or(usize::MAX, |entry| entry.depth);
                 let nearest = keys.into_iter().min_by_key(depth).unwrap_or(keys[0]);
-                let closing = Frame::resolve(file).map_or_else(|_| Vec::new(), |frame| closing_lengths(&frame));
+                // Lengths that follow from a target size are not for the file to state.
+                let stated = Frame::resolve(file).ok().filter(|frame| frame.target.is_none());
+                let closing = stated.map_or_else(Vec::new, |frame| closing_lengths(&frame));
                 let each: Vec<String> = closing.iter().map(|(key, length_mm)| format!("{key} = {length_mm}")).collect();
                 let remedy = if each.is_empty() { closure.remedy() } else { format!("it closes with {}", each.join(", or with ")) };
                 file.refuse(nearest, Reason::Impossible { message, remedy })

@@ -8,7 +8,7 @@ use crate::params::catalogue::BoughtPart;
 const THREADS_MM: [f64; 3] = [2.0, 2.5, 3.0];
 /// Lengths that they are sold in, mm.
 const LENGTHS_MM: [f64; 8] = [3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0];
-/// By how much a thread that is cut in a printed hole is wider than that, mm: least and most. The real frame's hub has 0.1 mm.
+/// By how much a thread that is cut in a printed hole is wider than that, mm: least of all, and most of the smallest. The real frame's hub has 0.1 mm.
 const BITE_MM: [f64; 2] = [-0.1, 0.3];
 /// What the washers under the board are thicker than the strap of a tie that passes beside them, mm.
 const ABOVE_STRAP_MM: f64 = 0.1;
@@ -32,8 +32,10 @@ impl CarrierScrews {
     pub fn new(frame: &Frame) -> Option<Self> {
         let board = &frame.bought.get("computer")?.part;
         let pilot_mm = frame.pi_carrier.pi_hole_diameter_mm;
-        let holds = |thread: &f64| (BITE_MM[0]..=BITE_MM[1]).contains(&(thread - pilot_mm));
-        let thread_mm = passing(board).find(holds)?;
+        let [least_mm, most_mm] = Self::holes_mm(board);
+        // The smallest that holds: between two threads the larger one bites by 0.4 mm at most.
+        let thread_mm =
+            passing(board).find(|thread| thread - pilot_mm >= BITE_MM[0]).filter(|_| (least_mm..=most_mm).contains(&pilot_mm))?;
         let strap_mm = frame.bought.get("tie").and_then(|tie| tie.part.strap_mm).map_or(USUAL_STRAP_MM, |strap| strap[1]);
         let under_board_mm = strap_mm + ABOVE_STRAP_MM + frame.pi_carrier.carrier_thickness_mm;
         let longest = |room_mm: f64| LENGTHS_MM.into_iter().rev().find(|length| *length <= room_mm);
@@ -75,6 +77,11 @@ mod tests {
         assert_eq!(of(&frame), Some((2.0, 4.0, Some(8.0))));
         frame.pi_carrier.pi_hole_diameter_mm = 2.3;
         assert_eq!(of(&frame), Some((2.5, 4.0, Some(8.0))));
+        frame.pi_carrier.pi_hole_diameter_mm = 2.15;
+        assert_eq!(of(&frame), Some((2.5, 4.0, Some(8.0))), "between two threads");
+        frame.pi_carrier.pi_hole_diameter_mm = 1.65;
+        assert_eq!(of(&frame), None, "M2 splits it");
+        frame.pi_carrier.pi_hole_diameter_mm = 2.3;
         frame.bought.remove("camera");
         assert_eq!(of(&frame), Some((2.5, 4.0, None)));
         frame.pi_carrier.pi_hole_diameter_mm = 2.75;
