@@ -670,7 +670,8 @@ installing=$!
 step "cargo clippy with every feature" cargo clippy --release --all-targets --all-features -- -D warnings
 step "cargo fmt of the engine" cargo fmt --check --manifest-path studio/wasm/Cargo.toml
 step "cargo fmt of the fuzz targets" cargo fmt --check --manifest-path fuzz/Cargo.toml
-step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps
+# With the features of the lints, whose libraries are then looked at once.
+step "cargo doc" env RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --all-features
 reference_records
 engine_compiled_ahead >"$work/engine.log" 2>&1 &
 compiling_engine=$!

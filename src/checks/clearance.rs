@@ -16,6 +16,7 @@ use crate::params::PartName;
 
 const LEVERS: &[&str] = &["rods.arm_rod_length_mm", "hub_joint.arm_pitch_mm", "knee.knee_node_offset_mm"];
 
+/// The record of a rule: rods stay clear of each other and of parts that do not hold them.
 pub static RULE: Rule = Rule {
     id: "part_clearance",
     title: "Clearance of rods",

@@ -54,6 +54,7 @@ const MAKE_DEEP: &[&str] = &[
     "rods.cage_side_ratio",
 ];
 
+/// The record of a rule: the frame without propellers fits into its envelope.
 pub static RULE: Rule = Rule {
     id: "envelope",
     title: "Envelope",

@@ -20,6 +20,7 @@ const MOUNTED: &[&str] = &["bracket.bay_height_mm", "camera.camera_reach_mm", "l
 const UNDER_RODS: &[&str] = &["rods.strut_rod_length_mm", "battery.battery_height_mm", "bought.battery"];
 const FLAT: &[&str] = &["rods.arm_rod_length_mm"];
 
+/// The record of a rule: the frame can be folded and mounted, step by step.
 pub static RULE: Rule = Rule {
     id: "fold_sequence",
     title: "Fold sequence",

@@ -9,6 +9,7 @@ use crate::params::PartName;
 
 pub(super) const LEVERS: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "rods.strut_rod_length_mm"];
 
+/// The record of a rule: what hangs lowest stays clear of the ground.
 pub static RULE: Rule = Rule {
     id: "ground_clearance",
     title: "Ground clearance",

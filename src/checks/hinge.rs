@@ -27,6 +27,7 @@ const WEB: &[&str] = &["corner.corner_hinge_thickness_mm", "corner.corner_wall_m
 const NECKS: &[&str] = &["hub_joint.neck_thickness_mm", "hub_joint.arm_pitch_mm", "materials.flexible"];
 const NOTCH: &[&str] = &["corner.notch_half_angle_deg"];
 
+/// The record of a rule: hinges bear the strain of the fold.
 pub static RULE: Rule = Rule {
     id: "hinge_strain",
     title: "Strain of folded hinges",

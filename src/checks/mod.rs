@@ -28,20 +28,21 @@ mod strength;
 pub use cartridge::{CartridgeMeeting, CartridgePassage};
 pub use catalogue::{CATALOGUE, check, check_by, check_one, followed, ground_clearance};
 pub use centre_of_mass::CentreOffset;
-pub use clearance::RodClearance;
-pub use envelope::Extent;
+pub use clearance::{RULE as PART_CLEARANCE, RodClearance};
+pub use envelope::{Extent, RULE as ENVELOPE};
 pub use finding::{Finding, Tightest, Verdict, tightest};
-pub use ground::GroundClearance;
-pub use hinge::{HingeStrain, LayerStrain, NotchPreload};
+pub use fold::RULE as FOLD_SEQUENCE;
+pub use ground::{GroundClearance, RULE as GROUND_CLEARANCE};
+pub use hinge::{HingeStrain, LayerStrain, NotchPreload, RULE as HINGE_STRAIN};
 pub use interference::SharedVolume;
 pub use mass_budget::TakeOffMass;
 pub use printing::bed::BedUse;
 pub use printing::footing::standing;
 pub use printing::heat::is_too_cold;
-pub use printing::wall::ThinnestWall;
-pub use propeller::PropellerClearance;
+pub use printing::wall::{RULE as THINNEST_WALL, ThinnestWall};
+pub use propeller::{PropellerClearance, RULE as PROPELLER_CLEARANCE};
 pub use rule::{Blame, Cost, InSearch, Levers, Limit, Rule};
-pub use seating::{SeatedEnd, SocketGeometry};
+pub use seating::{RULE as SOCKET_SEATING, SeatedEnd, SocketGeometry};
 pub use strength::strength;
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use crate::solid::SEGMENTS_PER_TURN;
 
 const LEVERS: &[&str] = &["motor_mount.propeller_diameter_mm", "motor_mount.motor_position_mm", "motor_mount.propeller_height_mm"];
 
+/// The record of a rule: propellers stay clear of everything.
 pub static RULE: Rule = Rule {
     id: "propeller_clearance",
     title: "Propeller clearance",

@@ -22,6 +22,7 @@ const IN_FORK: &[&str] = &["fork.fork_socket_depth_mm", "rods.arm_rod_slack_mm"]
 const ARM_IN_HUB_JOINT: &[&str] = &["hub_joint.hub_arm_socket_depth_mm"];
 const LEG_IN_HUB_JOINT: &[&str] = &["hub_joint.hub_leg_socket_depth_mm"];
 
+/// The record of a rule: rods are held by sockets that are long enough and fit.
 pub static RULE: Rule = Rule {
     id: "socket_seating",
     title: "Seating of rods",

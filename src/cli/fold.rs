@@ -14,7 +14,7 @@ use super::output;
 use super::progress::Progress;
 use super::session;
 use super::terminal;
-use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict, check_by};
+use crate::checks::{Cost, FOLD_SEQUENCE, Finding, Verdict, check_by};
 use crate::export::{fold_glb, fold_json};
 use crate::frame::assembly::{Design, mass};
 use crate::frame::fold::{FoldSequence, sweeps};
@@ -77,8 +77,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
 
 /// What is wrong with the sequence: a step in whose way something is, a notch that is too narrow, parts that do not lie flat.
 fn broken(design: &Design) -> Vec<Finding> {
-    let rules: Vec<&Rule> = CATALOGUE.into_iter().filter(|rule| rule.id == "fold_sequence").collect();
-    let found = check_by(&rules, Cost::Slow, design, &mass::table(design));
+    let found = check_by(&[&FOLD_SEQUENCE], Cost::Slow, design, &mass::table(design));
     found.into_iter().filter(|finding| finding.verdict == Verdict::Violated).collect()
 }
 

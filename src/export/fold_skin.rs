@@ -2,9 +2,9 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
+use crate::frame::skeleton::CornerPivots;
 use crate::params::Frame;
 use crate::solid::{Bend, Mesh};
-use crate::units::Angle;
 
 /// Largest turn between two joints of a chain, degrees.
 const JOINT_DEG: f64 = 12.0;
@@ -29,8 +29,8 @@ pub(super) struct Hinge {
 
 /// The hinges of a part; a web bends over a socket's pivot distance to both sides.
 pub(super) fn hinges(frame: &Frame, bends: &[Bend]) -> Vec<Hinge> {
-    let radius = 0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + frame.corner.corner_wall_mm;
-    let (reach_mm, floor_mm) = (radius * Angle::deg(22.5).tan(), frame.corner.corner_hinge_thickness_mm - radius);
+    let pivots = CornerPivots::of(frame);
+    let (reach_mm, floor_mm) = (pivots.strut_mm, frame.corner.corner_hinge_thickness_mm - pivots.radius_mm);
     let hinge = |(index, bend): (usize, &Bend)| {
         let (name, pivot, axis, angle) = match bend {
             Bend::Web { pivot, outward, towards, angle, .. } => {

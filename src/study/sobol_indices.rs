@@ -5,11 +5,10 @@ use rand_pcg::Pcg64Mcg;
 
 use super::outcomes::Outcomes;
 use super::plan::Study;
+use crate::impact::fit::NORMAL_97_5;
 
 /// Replicates of the bootstrap.
 const REPLICATES: usize = 200;
-/// Standard deviations of a 95 % interval of a normal distribution.
-const Z_95: f64 = 1.959_963_984_540_054;
 
 /// An index with its uncertainty.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +79,7 @@ pub fn indices(study: &Study, outcomes: &Outcomes, column: usize) -> Result<Indi
         .collect();
     let index = |order: usize, axis: usize| {
         let values: Vec<f64> = replicates.iter().map(|replicate| replicate[order][axis]).collect();
-        Index { share: estimate[order][axis], half_interval: Z_95 * deviation(&values) }
+        Index { share: estimate[order][axis], half_interval: NORMAL_97_5 * deviation(&values) }
     };
     let of = |order: usize| (0..members - 2).map(|axis| index(order, axis)).collect();
     Ok(Indices { first: of(0), total: of(1), groups: groups.len(), left_out: count - groups.len() })

@@ -4,7 +4,10 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use super::peak::{PEAK_CAVEAT, predicted_peak};
-use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
+use crate::checks::{
+    self, CATALOGUE, Cost, ENVELOPE, Finding, GROUND_CLEARANCE, HINGE_STRAIN, PART_CLEARANCE, PROPELLER_CLEARANCE, Rule, SOCKET_SEATING,
+    THINNEST_WALL, Verdict,
+};
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
@@ -85,7 +88,7 @@ impl Evaluation {
 
     /// From what hangs lowest to the ground, mm.
     fn gap_mm(&self) -> f64 {
-        self.extreme("ground_clearance", false, |_| true).unwrap_or(0.0)
+        self.extreme(&GROUND_CLEARANCE, false, |_| true).unwrap_or(0.0)
     }
 
     /// The body that falls: [`DropBody::of`] with the gap that the rule has measured already.
@@ -100,13 +103,13 @@ impl Evaluation {
     }
 
     /// The value of a finding of a rule whose subject fits, the least or the most of them.
-    fn extreme(&self, rule: &str, most: bool, fits: impl Fn(&Finding) -> bool) -> Option<f64> {
-        let found = self.findings.iter().filter(|f| f.rule == rule && f.verdict != Verdict::Note && fits(f));
+    fn extreme(&self, rule: &Rule, most: bool, fits: impl Fn(&Finding) -> bool) -> Option<f64> {
+        let found = self.findings.iter().filter(|f| f.rule == rule.id && f.verdict != Verdict::Note && fits(f));
         found.map(|f| f.value).reduce(|a, b| if most { a.max(b) } else { a.min(b) })
     }
 
     fn extent_mm(&self, axis: &str) -> Option<f64> {
-        self.extreme("envelope", true, |f| f.subject.starts_with(axis))
+        self.extreme(&ENVELOPE, true, |f| f.subject.starts_with(axis))
     }
 
     fn printed_mm3(&self) -> f64 {
@@ -129,7 +132,7 @@ pub struct Measure {
     /// Which way is better.
     pub better: Better,
     /// The rules whose findings it reads.
-    rules: &'static [&'static str],
+    rules: &'static [&'static Rule],
     value: Source,
 }
 
@@ -153,7 +156,7 @@ impl Measure {
 
     /// Whether it reads the findings of a rule.
     pub fn reads(&self, rule: &str) -> bool {
-        self.rules.contains(&rule)
+        self.rules.iter().any(|read| read.id == rule)
     }
 
     /// Whether it is one of the frame's own mechanics.
@@ -181,42 +184,37 @@ impl Measure {
 }
 
 /// Every measure, in the order of tables: those of the design, then those of its mechanics.
-pub const MEASURES: [Measure; 19] = [
+pub static MEASURES: [Measure; 19] = [
     design("mass", "g", "take-off mass", Better::Less, &[], |e| Some(e.masses.total_g)),
     design("mass.printed", "g", "mass of all printed parts", Better::Less, &[], |e| Some(e.mass_of_g("printed"))),
     design("mass.rods", "g", "mass of all rods", Better::Less, &[], |e| Some(e.mass_of_g("rod"))),
-    design("envelope.width", "mm", "width without propellers", Better::Less, &["envelope"], |e| e.extent_mm("width without")),
-    design("envelope.depth", "mm", "depth without propellers", Better::Less, &["envelope"], |e| e.extent_mm("depth without")),
-    design("envelope.height", "mm", "height without propellers", Better::Less, &["envelope"], |e| e.extent_mm("height without")),
-    design("envelope.volume", "cm3", "width times depth times height, without propellers", Better::Less, &["envelope"], |e| {
+    design("envelope.width", "mm", "width without propellers", Better::Less, &[&ENVELOPE], |e| e.extent_mm("width without")),
+    design("envelope.depth", "mm", "depth without propellers", Better::Less, &[&ENVELOPE], |e| e.extent_mm("depth without")),
+    design("envelope.height", "mm", "height without propellers", Better::Less, &[&ENVELOPE], |e| e.extent_mm("height without")),
+    design("envelope.volume", "cm3", "width times depth times height, without propellers", Better::Less, &[&ENVELOPE], |e| {
         let sides = ["width without", "depth without", "height without"].map(|axis| e.extent_mm(axis));
         sides.into_iter().try_fold(1e-3, |all, side| side.map(|side| all * side))
     }),
-    design("clearance.propeller", "mm", "from a propeller's disc to the nearest thing", Better::More, &["propeller_clearance"], |e| {
-        e.extreme("propeller_clearance", false, |_| true)
+    design("clearance.propeller", "mm", "from a propeller's disc to the nearest thing", Better::More, &[&PROPELLER_CLEARANCE], |e| {
+        e.extreme(&PROPELLER_CLEARANCE, false, |_| true)
     }),
-    design(
-        "clearance.part",
-        "mm",
-        "from a rod to the nearest rod, or part that does not hold it",
-        Better::More,
-        &["part_clearance"],
-        |e| e.extreme("part_clearance", false, |_| true),
-    ),
-    design("clearance.ground", "mm", "from what hangs lowest to the ground", Better::More, &["ground_clearance"], |e| {
-        e.extreme("ground_clearance", false, |_| true)
+    design("clearance.part", "mm", "from a rod to the nearest rod, or part that does not hold it", Better::More, &[&PART_CLEARANCE], |e| {
+        e.extreme(&PART_CLEARANCE, false, |_| true)
     }),
-    design("engagement", "mm", "least length of a rod inside a socket", Better::More, &["socket_seating"], |e| {
-        e.extreme("socket_seating", false, |f| f.subject.ends_with("engagement"))
+    design("clearance.ground", "mm", "from what hangs lowest to the ground", Better::More, &[&GROUND_CLEARANCE], |e| {
+        e.extreme(&GROUND_CLEARANCE, false, |_| true)
     }),
-    design("hinge.strain", "%", "largest strain of a folded hinge", Better::Less, &["hinge_strain"], |e| {
-        e.extreme("hinge_strain", true, |f| f.unit == "%")
+    design("engagement", "mm", "least length of a rod inside a socket", Better::More, &[&SOCKET_SEATING], |e| {
+        e.extreme(&SOCKET_SEATING, false, |f| f.subject.ends_with("engagement"))
     }),
-    design("wall", "mm", "thinnest wall of a printed part", Better::More, &["thinnest_wall"], |e| {
-        e.extreme("thinnest_wall", false, |_| true)
+    design("hinge.strain", "%", "largest strain of a folded hinge", Better::Less, &[&HINGE_STRAIN], |e| {
+        e.extreme(&HINGE_STRAIN, true, |f| f.unit == "%")
+    }),
+    design("wall", "mm", "thinnest wall of a printed part", Better::More, &[&THINNEST_WALL], |e| {
+        e.extreme(&THINNEST_WALL, false, |_| true)
     }),
     design("printed.volume", "mm3", "volume of all printed parts", Better::Less, &[], |e| Some(e.printed_mm3())),
-    design("peak", "g", "predicted peak of a drop from 1 m", Better::Less, &["ground_clearance"], |e| Some(e.peak_g())),
+    design("peak", "g", "predicted peak of a drop from 1 m", Better::Less, &[&GROUND_CLEARANCE], |e| Some(e.peak_g())),
     mechanics("stiffness", "N/mm", "force over displacement at 8 mm", Better::Neither, |p| p.secant_8_mm_n_mm),
     mechanics("design_drop.peak", "g", "payload's peak in the design drop", Better::Less, |p| p.payload_peak_g),
     mechanics("design_drop.travel", "mm", "payload's way down in the design drop", Better::Less, |p| p.travel_mm),
@@ -228,7 +226,7 @@ const fn design(
     unit: &'static str,
     doc: &'static str,
     better: Better,
-    rules: &'static [&'static str],
+    rules: &'static [&'static Rule],
     value: fn(&Evaluation) -> Option<f64>,
 ) -> Measure {
     Measure { name, unit, doc, better, rules, value: Source::Design(value) }

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::movable::{Movable, stated_instead};
 use super::remedy::{Remedy, alike, asks, joined, named};
 use super::wishes::Wishes;
-use crate::checks::{self, CATALOGUE, Cost, Finding, Rule, Verdict};
+use crate::checks::{self, CATALOGUE, Cost, FOLD_SEQUENCE, Finding, Rule, Verdict};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
 use crate::frame::skeleton::Skeleton;
@@ -249,7 +249,7 @@ impl<'a> Bench<'a> {
 
 /// The rules that a change is asked by: a search for a fold takes longer than all others together.
 fn all_but_the_fold() -> Vec<&'static Rule> {
-    CATALOGUE.into_iter().filter(|rule| rule.id != "fold_sequence").collect()
+    CATALOGUE.into_iter().filter(|rule| rule.id != FOLD_SEQUENCE.id).collect()
 }
 
 /// A value as a person types it.

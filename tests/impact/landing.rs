@@ -10,7 +10,7 @@ use flexframe::impact::landing::{
     ATTITUDE_SENSOR, COULOMB_FRICTION, FOOT_MODE, FitUncertainty, LANDING_TILT, LandingAssessment, LandingEvidence, LandingFit,
     LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence, UnjudgedLandings,
 };
-use flexframe::impact::measured::{self, DropSet, FileFormat};
+use flexframe::impact::measured::{self, DropSet, FileFormat, StaticTest};
 use flexframe::impact::synthetic::{HeavyFeet, Landings, Plan, Stalls, SyntheticRecord, records};
 use flexframe::report::data::diagnosis_data::{self, Compared};
 use flexframe::report::data::diagnosis_request::{DiagnosisRequest, RequestError};
@@ -97,7 +97,15 @@ fn planted_friction_of_legs_and_mass_of_feet_are_named_beside_the_slopes() {
     plan.model = plan.model.with(by_id(COULOMB_FRICTION).expect("an effect"), &[60.0], 0);
     let set = read(&records(&plan));
     plan.model = diagnosed_model;
-    let (verdict, compared) = diagnosed(&plan, &set);
+    // The frame pressed by hand: what its springs and its friction resist with.
+    let pressed =
+        StaticTest { points: [0.0, 2e-3, 5e-3, 1e-2].map(|x_m| (x_m, if x_m > 0.0 { 60.0 + 20_000.0 * x_m } else { 0.0 })).into() };
+    let asked = DiagnosisRequest { static_test: Some(&pressed), ..request(&plan, &set, None) };
+    let (found, compared) = asked.diagnosed(&|_| ()).expect("drops that can be diagnosed");
+    let verdict = format!("{}: {}", found.verdict.id(), found.reasons.join("; "));
+    let compared_with = compared.static_test.expect("was given");
+    let legs = compared_with.sets_off_n.iter().find(|(ids, _)| ids.starts_with(LANDING_TILT)).expect("the legs are compared");
+    assert!(legs.1 < 12.0 && legs.1 < 0.5 * compared_with.base_off_n, "{compared_with:?}");
     let landing = compared.landing.expect("lateral axes were measured");
     assert_eq!(landing.ids(), [LANDING_TILT, COULOMB_FRICTION, FOOT_MODE], "{verdict}\n{:#?}", landing.gates);
     for (key, truth) in [("k", 20_000.0), ("f_c_n", 60.0), ("foot_share", 0.15), ("foot_f_hz", 250.0), ("sigma_r_rad_s", 0.3)] {

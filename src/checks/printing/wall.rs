@@ -20,6 +20,7 @@ use crate::params::PartName;
 use crate::printing::printability::{Thin, Walls};
 use crate::solid::MeshSolid;
 
+/// The record of a rule: walls are thick enough to print.
 pub static RULE: Rule = Rule {
     id: "thinnest_wall",
     title: "Wall thickness",

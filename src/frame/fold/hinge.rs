@@ -13,7 +13,7 @@
 
 use serde::Serialize;
 
-use crate::frame::skeleton::{Closure, ClosureError};
+use crate::frame::skeleton::{Closure, ClosureError, CornerPivots};
 use crate::params::Frame;
 use crate::units::Angle;
 
@@ -30,7 +30,7 @@ pub struct HingeLoad {
 
 /// A corner's web at a fold.
 pub fn web(frame: &Frame, fold: Angle) -> HingeLoad {
-    let (radius, thickness) = (socket_radius_mm(frame), frame.corner.corner_hinge_thickness_mm);
+    let (radius, thickness) = (CornerPivots::of(frame).radius_mm, frame.corner.corner_hinge_thickness_mm);
     let length_mm = 2.0 * thickness;
     let strain_percent = web_strain_percent(frame, thickness, fold);
     let moment = |modulus: f64| modulus * fold.to_rad() / length_mm * second_moment(radius, radius - thickness);
@@ -39,7 +39,7 @@ pub fn web(frame: &Frame, fold: Angle) -> HingeLoad {
 
 /// Largest strain of a web of some thickness under the sockets of a frame's corners, %.
 pub fn web_strain_percent(frame: &Frame, thickness_mm: f64, fold: Angle) -> f64 {
-    100.0 * socket_radius_mm(frame) * fold.to_rad() / (2.0 * thickness_mm)
+    100.0 * CornerPivots::of(frame).radius_mm * fold.to_rad() / (2.0 * thickness_mm)
 }
 
 /// Largest strain of a frame's webs, %: that of the struts' at the fold of the assembled frame.
@@ -49,10 +49,6 @@ pub fn web_strain_percent(frame: &Frame, thickness_mm: f64, fold: Angle) -> f64 
 pub fn largest_web_strain_percent(frame: &Frame) -> Result<f64, ClosureError> {
     let strut = Angle::deg(90.0 + Closure::solve(frame)?.strut_tilt.to_deg());
     Ok(web(frame, strut).strain_percent)
-}
-
-fn socket_radius_mm(frame: &Frame) -> f64 {
-    0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + frame.corner.corner_wall_mm
 }
 
 /// ∫ 2 y² √(r² − y²) dy from a height to r, mm⁴.

@@ -2,7 +2,7 @@
 
 use nalgebra::{Isometry3, Point3, Vector3};
 
-use crate::frame::skeleton::{MODULE_NAMES, Rod, RodRole, Skeleton};
+use crate::frame::skeleton::{MODULE_NAMES, Rod, RodRole, Skeleton, grip_bore_mm};
 use crate::params::{Frame, PartName};
 use crate::units::Angle;
 
@@ -182,7 +182,7 @@ pub fn capsules(member: Member, frame: &Frame, skeleton: &Skeleton) -> Vec<Capsu
         }
         Member::Knee => {
             let (knee, tilt) = (&frame.knee, skeleton.closure.strut_tilt);
-            let r = 0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + knee.knee_back_wall_mm.min(knee.knee_side_wall_mm);
+            let r = 0.5 * grip_bore_mm(frame) + knee.knee_back_wall_mm.min(knee.knee_side_wall_mm);
             let end = knee.knee_node_to_bottom_mm + knee.knee_socket_depth_mm - r;
             let tube = |up: f64| base([0.0; 3], [end * tilt.sin(), 0.0, up * end * tilt.cos()], r);
             vec![tube(1.0), tube(-1.0)]

@@ -7,7 +7,7 @@ use nalgebra::{Matrix2, Point3, Unit, UnitQuaternion, Vector2, Vector3};
 use super::corner::{CornerSockets, strut_direction, swapped};
 use super::place::{half_space, placed, plate, turn};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
-use crate::frame::skeleton::placement;
+use crate::frame::skeleton::{CornerPivots, placement};
 use crate::params::{Frame, PartName};
 use crate::solid::{Bend, Contour, Feature};
 use crate::units::Angle;
@@ -50,7 +50,7 @@ impl BottomCorner {
         let (sockets, corner) = (CornerSockets::from_frame(frame), &frame.corner);
         Self {
             leg_bottom_mm: corner.corner_leg_bottom_mm,
-            leg_pivot_mm: sockets.radius_mm() * Angle::deg(67.5).tan(),
+            leg_pivot_mm: CornerPivots::of(frame).leg_mm,
             leg_lean: Angle::deg(corner.corner_leg_face_deg),
             pocket_round_mm: corner.corner_pocket_round_mm,
             strut_tilt,

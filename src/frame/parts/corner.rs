@@ -3,6 +3,7 @@
 use nalgebra::{Point3, Unit, Vector3};
 
 use super::place::half_space;
+use crate::frame::skeleton::{CornerPivots, grip_bore_mm};
 use crate::params::Frame;
 use crate::solid::{Bend, Feature};
 use crate::units::Angle;
@@ -119,14 +120,12 @@ impl CornerSockets {
     /// The sockets for a frame.
     pub fn from_frame(frame: &Frame) -> Self {
         let corner = &frame.corner;
-        let bore_mm = frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm;
-        let radius = 0.5 * bore_mm + corner.corner_wall_mm;
         Self {
-            bore_mm,
+            bore_mm: grip_bore_mm(frame),
             wall_mm: corner.corner_wall_mm,
             depth_mm: corner.corner_socket_depth_mm,
             bottom_mm: corner.corner_node_to_bottom_mm,
-            strut_pivot_mm: radius * Angle::deg(22.5).tan(),
+            strut_pivot_mm: CornerPivots::of(frame).strut_mm,
             hinge_mm: corner.corner_hinge_thickness_mm,
             notch_lean: Angle::deg(corner.notch_half_angle_deg),
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::SQRT_2;
 
-use super::closure::{Closure, TILT_DEG, corner_radius_mm, strut_reach_mm};
+use super::closure::{Closure, StrutWay, TILT_DEG};
 use crate::params::Frame;
 use crate::params::groups::RodParameters;
 use crate::units::Angle;
@@ -43,16 +43,11 @@ fn length_of<'a>(frame: &'a mut Frame, key: &str) -> Option<&'a mut f64> {
     }
 }
 
-/// Length of a rod with which the struts tilt so, the others as they are, mm: the horizontal way between knee and strut's pivot is the sine of
-/// the tilt times the strut's reach, see [`Closure::solve`].
+/// Length of a rod with which the struts tilt so, the others as they are, mm, see [`StrutWay::offset_mm`].
 fn length_for(frame: &Frame, key: &str, tilt: Angle) -> f64 {
     let rods = &frame.rods;
-    let strut_pivot_mm = corner_radius_mm(frame) * Angle::deg(22.5).tan();
-    let ring_mm = (0.5 * rods.cage_rod_length_mm + frame.corner.corner_node_to_bottom_mm) * SQRT_2;
-    let arm_end_mm = frame.hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm;
-    let knee_mm = arm_end_mm + frame.fork.fork_reach_mm - frame.knee.knee_node_offset_mm;
-    let sine = tilt.sin();
-    let beyond_mm = ring_mm + strut_pivot_mm - knee_mm - sine * strut_reach_mm(frame, strut_pivot_mm);
+    let (strut_way, sine) = (StrutWay::of(frame), tilt.sin());
+    let beyond_mm = strut_way.offset_mm() - sine * strut_way.reach_mm;
     match key {
         "arm_rod_length_mm" => rods.arm_rod_length_mm + beyond_mm,
         "cage_rod_length_mm" => rods.cage_rod_length_mm - SQRT_2 * beyond_mm,

@@ -4,6 +4,9 @@
 //! it towards the ring and must end on the corner's strut pivot, whose s the cage rods fix: the tilt follows from the
 //! strut's length. The leg joins the corner's leg pivot and the hub joint's.
 
+use std::f64::consts::SQRT_2;
+
+use super::corner_pivots::CornerPivots;
 use super::module::ModulePlaces;
 use crate::figures::told_apart;
 use crate::params::Frame;
@@ -119,18 +122,9 @@ impl Closure {
     /// # Errors
     /// When its rods cannot close, see [`ClosureError`].
     pub fn solve(frame: &Frame) -> Result<Self, ClosureError> {
-        let root2 = std::f64::consts::SQRT_2;
-        let corner_radius_mm = corner_radius_mm(frame);
-        // The notch's apex: where the outlines of cage socket and strut meet, and of cage socket and leg. In the flat part
-        // they enclose 135° and 45°, so that the meeting lies r / tan 67.5° and r / tan 22.5° along the strut and the leg.
-        let strut_pivot_mm = corner_radius_mm * Angle::deg(22.5).tan();
-        let leg_pivot_mm = corner_radius_mm * Angle::deg(67.5).tan();
-        let ring_half_side_mm = 0.5 * frame.rods.cage_rod_length_mm + frame.corner.corner_node_to_bottom_mm;
-        let fork_bottom_s_mm = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm;
-        let bar_s_mm = fork_bottom_s_mm + frame.fork.fork_reach_mm;
-        let knee_s_mm = bar_s_mm - frame.knee.knee_node_offset_mm;
-        let reach_mm = strut_reach_mm(frame, strut_pivot_mm);
-        let offset_mm = ring_half_side_mm * root2 + strut_pivot_mm - knee_s_mm;
+        let strut_way = StrutWay::of(frame);
+        let StrutWay { pivots, ring_half_side_mm, fork_bottom_s_mm, bar_s_mm, knee_s_mm, reach_mm } = strut_way;
+        let offset_mm = strut_way.offset_mm();
         if offset_mm.abs() >= reach_mm {
             return Err(ClosureError::StrutTooShort { offset_mm, reach_mm });
         }
@@ -143,8 +137,8 @@ impl Closure {
         let joint = &frame.hub_joint;
         let hub_leg_bottom_s = frame.hub.hub_mouth_mm + joint.hub_leg_mouth_mm - joint.hub_leg_socket_depth_mm;
         let hub_leg_pivot_s_mm = hub_leg_bottom_s - joint.hub_leg_pivot_mm;
-        let run = ring_half_side_mm * root2 - leg_pivot_mm - hub_leg_pivot_s_mm;
-        let corner_leg = frame.corner.corner_leg_bottom_mm - leg_pivot_mm;
+        let run = ring_half_side_mm * SQRT_2 - pivots.leg_mm - hub_leg_pivot_s_mm;
+        let corner_leg = frame.corner.corner_leg_bottom_mm - pivots.leg_mm;
         let leg_rod_length_mm = libm::hypot(run, ring_half_height_mm) - joint.hub_leg_pivot_mm - corner_leg;
         if leg_rod_length_mm < SHORTEST_LEG_MM || run <= 0.0 {
             return Err(ClosureError::LegTooShort { length_mm: leg_rod_length_mm });
@@ -153,9 +147,9 @@ impl Closure {
             ring_half_side_mm,
             places: ModulePlaces::of(&frame.rods),
             ring_half_height_mm,
-            corner_radius_mm,
-            strut_pivot_mm,
-            leg_pivot_mm,
+            corner_radius_mm: pivots.radius_mm,
+            strut_pivot_mm: pivots.strut_mm,
+            leg_pivot_mm: pivots.leg_mm,
             fork_bottom_s_mm,
             bar_s_mm,
             knee_s_mm,
@@ -167,14 +161,42 @@ impl Closure {
     }
 }
 
-/// Outer radius of a corner's socket, mm.
-pub(super) fn corner_radius_mm(frame: &Frame) -> f64 {
-    0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + frame.corner.corner_wall_mm
+/// Where both ends of a strut are, as the rods place them before anything tilts. Distances `_s` lie along the diagonal, from the hub's axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StrutWay {
+    /// Of the ring's corners.
+    pivots: CornerPivots,
+    /// Half of a ring's side, between the nodes of its corners, mm.
+    ring_half_side_mm: f64,
+    fork_bottom_s_mm: f64,
+    bar_s_mm: f64,
+    knee_s_mm: f64,
+    /// From the knee's node to the strut's pivot, mm.
+    pub(super) reach_mm: f64,
 }
 
-/// From the knee's node to the corner's strut pivot, mm.
-pub(super) fn strut_reach_mm(frame: &Frame, strut_pivot_mm: f64) -> f64 {
-    frame.knee.knee_node_to_bottom_mm + frame.rods.strut_rod_length_mm + frame.corner.corner_node_to_bottom_mm - strut_pivot_mm
+impl StrutWay {
+    /// That of a frame, whether it closes or not.
+    pub(super) fn of(frame: &Frame) -> Self {
+        let rods = &frame.rods;
+        let pivots = CornerPivots::of(frame);
+        let fork_bottom_s_mm = frame.hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm;
+        let bar_s_mm = fork_bottom_s_mm + frame.fork.fork_reach_mm;
+        Self {
+            pivots,
+            ring_half_side_mm: 0.5 * rods.cage_rod_length_mm + frame.corner.corner_node_to_bottom_mm,
+            fork_bottom_s_mm,
+            bar_s_mm,
+            knee_s_mm: bar_s_mm - frame.knee.knee_node_offset_mm,
+            reach_mm: frame.knee.knee_node_to_bottom_mm + rods.strut_rod_length_mm + frame.corner.corner_node_to_bottom_mm
+                - pivots.strut_mm,
+        }
+    }
+
+    /// How far the strut's pivot lies beyond the knee's node, along the diagonal, mm: the sine of the strut's tilt times its reach.
+    pub(super) fn offset_mm(&self) -> f64 {
+        self.ring_half_side_mm * SQRT_2 + self.pivots.strut_mm - self.knee_s_mm
+    }
 }
 
 /// A wanted size of the whole frame.
@@ -194,15 +216,11 @@ const BELOW_MM: f64 = 0.002;
 /// Cage, arm and strut rod lengths (mm) that give a frame of this size and tilt: the inverse of [`Closure::solve`]. The
 /// ring's corners are taken to be outermost.
 pub fn lengths_for(envelope: &Envelope, frame: &Frame) -> [f64; 3] {
-    let radius = corner_radius_mm(frame);
-    let strut_pivot = radius * Angle::deg(22.5).tan();
-    let root2 = std::f64::consts::SQRT_2;
-    let half_side = 0.5 * envelope.width_mm - radius - strut_pivot / root2;
-    let half_height = 0.5 * (envelope.height_mm - BELOW_MM) - radius;
-    let cage = 2.0 * (half_side - frame.corner.corner_node_to_bottom_mm);
-    let strut = half_height / envelope.strut_tilt.cos() - strut_reach_mm(frame, strut_pivot) + frame.rods.strut_rod_length_mm;
-    let knee_s = half_side * root2 + strut_pivot - half_height * envelope.strut_tilt.tan();
-    let arm_end = knee_s + frame.knee.knee_node_offset_mm - frame.fork.fork_reach_mm;
-    let arm = arm_end - frame.rods.arm_rod_slack_mm - frame.hub.hub_mouth_mm;
-    [cage, arm, strut]
+    let (own, rods) = (StrutWay::of(frame), &frame.rods);
+    let ring_half_side_mm = 0.5 * envelope.width_mm - own.pivots.radius_mm - own.pivots.strut_mm / SQRT_2;
+    let half_height_mm = 0.5 * (envelope.height_mm - BELOW_MM) - own.pivots.radius_mm;
+    let reach_mm = half_height_mm / envelope.strut_tilt.cos();
+    let beyond_mm = StrutWay { ring_half_side_mm, ..own }.offset_mm() - half_height_mm * envelope.strut_tilt.tan();
+    let cage = rods.cage_rod_length_mm + 2.0 * (ring_half_side_mm - own.ring_half_side_mm);
+    [cage, rods.arm_rod_length_mm + beyond_mm, rods.strut_rod_length_mm + reach_mm - own.reach_mm]
 }

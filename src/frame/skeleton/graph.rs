@@ -3,6 +3,7 @@
 use nalgebra::{Point3, Unit, Vector3};
 use serde::Serialize;
 
+use super::bore::{grip_bore_mm, slide_bore_mm};
 use super::closure::{Closure, ClosureError};
 use super::module::{MODULE_NAMES, ModulePlaces, turn_matrix};
 use crate::params::{Frame, PartName};
@@ -339,12 +340,4 @@ fn leg_rod(frame: &Frame, c: &Closure) -> ModuleRod {
         slack_mm: 0.0,
     };
     ModuleRod { role: RodRole::Leg, suffix: "", ends: [at_hub, at_corner] }
-}
-
-fn grip_bore_mm(frame: &Frame) -> f64 {
-    frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm
-}
-
-fn slide_bore_mm(frame: &Frame) -> f64 {
-    frame.rods.rod_diameter_mm + frame.fit.slide_clearance_mm
 }

@@ -6,9 +6,11 @@
 
 mod accessories;
 mod battery_axes;
+mod bore;
 pub mod centre;
 mod closing_lengths;
 mod closure;
+mod corner_pivots;
 mod graph;
 mod module;
 pub mod placement;
@@ -17,9 +19,11 @@ mod stack;
 
 pub use accessories::{Accessories, SLOT_MM};
 pub use battery_axes::BatteryAxes;
+pub use bore::{grip_bore_mm, slide_bore_mm};
 pub use centre::Centre;
 pub use closing_lengths::closing_lengths;
 pub use closure::{Closure, ClosureError, Envelope, lengths_for};
+pub use corner_pivots::CornerPivots;
 pub use graph::{Node, Rod, RodRole, SAWN_MM, Skeleton, Socket};
 pub use module::{MODULE_NAMES, MODULE_WORDS, ModulePlaces, module_turn};
 pub use rotor::{ROTORS, Rotor, Spin};

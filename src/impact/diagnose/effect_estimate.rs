@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::adequacy::Adequacy;
 use super::candidate::Candidate;
-use crate::impact::fit::{Free, inverse};
+use crate::impact::fit::{Free, NORMAL_97_5, inverse};
 
 /// A parameter with its interval.
 #[derive(Clone, Debug, serde::Serialize)]
@@ -32,7 +32,7 @@ pub(super) fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<
     let sd: Vec<f64> = covariance.diagonal().iter().map(|variance| variance.max(1e-300).sqrt()).collect();
     let correlations = DMatrix::from_fn(sd.len(), sd.len(), |i, j| covariance[(i, j)] / (sd[i] * sd[j]));
     let one = |(i, free): (usize, &Free)| {
-        let half = adequacy.ratio95.get(i).copied().unwrap_or(1.96) * sd[i];
+        let half = adequacy.ratio95.get(i).copied().unwrap_or(NORMAL_97_5) * sd[i];
         EffectEstimate {
             effect: free.spec.id,
             key: free.key(),

@@ -6,7 +6,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::height::Height;
 use super::response_surface::{Response, ResponseSurface, Subject};
-use crate::impact::fit::{Minimum, inverse, minimise};
+use crate::impact::fit::{Minimum, NORMAL_97_5, inverse, minimise};
 use crate::mechanics::result::impact::ImpactError;
 use crate::mechanics::settings::MechanicsSettings;
 
@@ -107,9 +107,9 @@ fn place(minimum: &Minimum) -> [f64; 2] {
 fn estimates(minimum: &Minimum) -> [MaterialEstimate; 2] {
     let freedom = minimum.residual.len() - minimum.at.len();
     let (scale, factor) = match freedom {
-        0 => (1.0, 1.96),
+        0 => (1.0, NORMAL_97_5),
         _ => {
-            let student = StudentsT::new(0.0, 1.0, freedom as f64).map_or(1.96, |student| student.inverse_cdf(0.975));
+            let student = StudentsT::new(0.0, 1.0, freedom as f64).map_or(NORMAL_97_5, |student| student.inverse_cdf(0.975));
             ((minimum.sum / freedom as f64).max(1.0), student)
         }
     };

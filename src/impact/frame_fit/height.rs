@@ -46,7 +46,7 @@ impl Height {
 
 /// Why drops give no figures of their heights.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum HeightError {
+pub enum MeasuredHeightsError {
     /// No drop can be used.
     #[error(transparent)]
     Drops(#[from] FitError),
@@ -71,13 +71,13 @@ impl MeasuredHeights {
     /// Of the same drops that a diagnosis takes.
     ///
     /// # Errors
-    /// [`HeightError`] when the drops are of several frames, or a height has none that can be used.
-    pub fn of(set: &DropSet) -> Result<Self, HeightError> {
+    /// [`MeasuredHeightsError`] when the drops are of several frames, or a height has none that can be used.
+    pub fn of(set: &DropSet) -> Result<Self, MeasuredHeightsError> {
         let chosen = Chosen::of(set, Channel::Axial, Keep::Evidence)?;
         let height = |group: &DropGroup| {
             let height_m = group.height_m;
             let kept: Vec<Drop> = chosen.drops.iter().filter(|drop| drop.record.height_m == height_m).cloned().collect();
-            Height::of(&Summary::of(group, &kept)).ok_or(HeightError::NoneClean { height_m })
+            Height::of(&Summary::of(group, &kept)).ok_or(MeasuredHeightsError::NoneClean { height_m })
         };
         Ok(Self { heights: set.groups.iter().map(height).collect::<Result<_, _>>()?, left_out: chosen.left_out })
     }

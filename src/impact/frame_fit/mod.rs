@@ -15,5 +15,5 @@ mod response_surface;
 
 pub use fitting::{FrameFit, FrameFitError, MaterialEstimate, Predicted, fit};
 pub use frame_reduction::{CURVE_MM, ReductionError, reduced_model};
-pub use height::{Height, HeightError, MeasuredHeights, MedianEstimate};
+pub use height::{Height, MeasuredHeights, MeasuredHeightsError, MedianEstimate};
 pub use response_surface::{Response, ResponseSurface, Subject};

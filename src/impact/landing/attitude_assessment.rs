@@ -14,14 +14,12 @@ use super::sensor_attitude::{ATTITUDE_SENSOR, SensorAttitude};
 use super::table::LandingTable;
 use crate::figures::p_value;
 use crate::impact::diagnose::{EffectEstimate, PRICE, RARE, UNSTEADY};
-use crate::impact::fit::inverse;
+use crate::impact::fit::{NORMAL_97_5, inverse};
 
 /// Sets of drops of which some are mirrored.
 const MIRRORED: usize = 999;
 /// No sensor is mounted with a larger lean by mistake, rad.
 const MOST_RAD: f64 = 0.2;
-/// 97.5 % quantile of a normal quantity.
-const NORMAL_97_5: f64 = 1.96;
 
 /// How the sensor leans, and whether the drops support that it does.
 #[derive(Clone, Debug)]

@@ -210,6 +210,7 @@ mod tests {
     use rand_pcg::Pcg64;
 
     use super::*;
+    use crate::impact::fit::NORMAL_97_5;
 
     const SAMPLES: usize = 31;
     const BEFORE: usize = 10;
@@ -252,7 +253,7 @@ mod tests {
         for seed in 0..60 {
             let fit = AttitudeFit::of(&[&drops(lean, seed)]).expect("is determined");
             let away = fit.angles_rad() - DVector::from_column_slice(&[lean.x_rad, lean.y_rad]);
-            inside += (0..ANGLES).filter(|at| away[*at].abs() < 1.96 * fit.covariance[(*at, *at)].sqrt()).count();
+            inside += (0..ANGLES).filter(|at| away[*at].abs() < NORMAL_97_5 * fit.covariance[(*at, *at)].sqrt()).count();
             off += away / 60.0;
         }
         // A covariance of forty drops makes intervals wide rather than narrow.

@@ -21,8 +21,13 @@ impl LandingAssessment {
         diagnosis.adequacy = self.adequacy.clone();
         diagnosis.residual_force.clear();
         diagnosis.experiments.clear();
-        diagnosis.model_after = level(diagnosis.base.model(), &self.fit.legs);
+        diagnosis.model_after = self.level(diagnosis.base.model());
         diagnosis.chosen_points = self.points(&diagnosis.base_points);
+    }
+
+    /// The base model with these legs, as much of them as a model file may state: a level landing of theirs.
+    pub fn level(&self, base: &Model) -> Model {
+        level(base, &self.fit.legs)
     }
 
     /// The samples with what the landings predict in mean.

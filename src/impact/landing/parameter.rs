@@ -1,6 +1,7 @@
 //! What a population's fit moves: legs, their friction, feet, a mount of the sensor, slopes.
 
 use super::touched_slopes;
+use crate::impact::fit::NORMAL_97_5;
 
 /// What is fitted.
 pub struct Parameter {
@@ -54,7 +55,7 @@ impl Parameter {
 
     /// What of a damper's force the method is off, with 95 %, as a share.
     pub fn damping_off() -> f64 {
-        NORMAL_95 * PARAMETERS[DAMPING].method
+        NORMAL_97_5 * PARAMETERS[DAMPING].method
     }
 
     /// A share of a value, on the scale of the fit.
@@ -64,7 +65,7 @@ impl Parameter {
 
     /// A 95 % interval of changes by how drops vary, widened by what the method is off, in standard deviations, all on the scale of the fit.
     pub fn with_method([low, high]: [f64; 2], deviation: f64) -> [f64; 2] {
-        let off = NORMAL_95 * deviation;
+        let off = NORMAL_97_5 * deviation;
         [-libm::hypot(low.min(0.0), off), libm::hypot(high.max(0.0), off)]
     }
 
@@ -118,8 +119,6 @@ pub const MOUNT_ZETA: f64 = 0.3;
 pub const MOUNTS_HZ: [f64; 2] = [120.0, 200.0];
 /// Friction at which a fit begins, N.
 pub const FRICTION_N: f64 = 15.0;
-/// So many standard deviations on both sides of its mean hold 95 % of a normal law.
-const NORMAL_95: f64 = 1.96;
 
 #[cfg(test)]
 mod tests {
@@ -140,7 +139,7 @@ mod tests {
         let of = |key: &str| PARAMETERS.iter().find(|parameter| parameter.key == key).expect("is fitted");
         let with_method = |key: &str, spread: [f64; 2], scaled: f64| Parameter::with_method(spread, of(key).method_at(scaled, false));
         let [low, high] = with_method("k", [-0.04, 0.08], 10.0);
-        let off = NORMAL_95 * of("k").method;
+        let off = NORMAL_97_5 * of("k").method;
         assert!((low * low - 0.04 * 0.04 - off * off).abs() < 1e-12 && low < 0.0);
         assert!((high * high - 0.08 * 0.08 - off * off).abs() < 1e-12);
         assert_eq!(PARAMETERS[DAMPING].key, "c");
@@ -150,7 +149,7 @@ mod tests {
         assert_eq!(of("k").method_at(2.0, true), of("k").method_at(2.0, false));
         // Of a slope it is a share of the slope.
         let [low, _] = with_method("sigma_r_rad_s", [0.0, 0.0], 0.5);
-        assert!((low + 0.5 * NORMAL_95 * of("sigma_r_rad_s").method).abs() < 1e-12);
+        assert!((low + 0.5 * NORMAL_97_5 * of("sigma_r_rad_s").method).abs() < 1e-12);
         assert_eq!(with_method("f_hz", [-0.1, 0.2], 5.0), [-0.1, 0.2]);
     }
 }

@@ -67,9 +67,14 @@ impl StaticTest {
         Self { points: points.into_iter().map(|[x_mm, force_n]| (1e-3 * x_mm, force_n)).collect() }
     }
 
-    /// Root of the mean square by which a force is off, N.
+    /// Root of the mean square by which a force of loading is off, N. A frame that is not pressed yet bears any force up to that with which it
+    /// begins to move, so that a point without displacement is off by what is beyond that.
     pub fn off_n(&self, force_n: impl Fn(f64) -> f64) -> f64 {
-        let sum: f64 = self.points.iter().map(|(x_m, measured_n)| (measured_n - force_n(*x_m)).powi(2)).sum();
+        let off_n = |(x_m, measured_n): &(f64, f64)| match (force_n(*x_m), *x_m > 0.0) {
+            (expected_n, true) => measured_n - expected_n,
+            (first_n, false) => measured_n - measured_n.clamp(0.0, first_n.max(0.0)),
+        };
+        let sum: f64 = self.points.iter().map(|point| off_n(point).powi(2)).sum();
         (sum / self.points.len() as f64).sqrt()
     }
 
@@ -84,6 +89,15 @@ impl StaticTest {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn analytic_a_frame_at_rest_bears_any_force_below_its_friction() {
+        let test = |at_rest_n: f64| StaticTest { points: vec![(0.0, at_rest_n), (0.01, 70.0)] };
+        let rubs = |x_m: f64| 20.0 + 5e3 * x_m;
+        for (at_rest_n, off_n) in [(0.0, 0.0), (20.0, 0.0), (24.0, 4.0)] {
+            assert!((test(at_rest_n).off_n(rubs) - off_n * 0.5_f64.sqrt()).abs() < 1e-9, "{at_rest_n}");
+        }
+    }
 
     #[test]
     fn analytic_columns_stand_in_any_order_and_remarks_are_skipped() {

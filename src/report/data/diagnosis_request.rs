@@ -153,7 +153,7 @@ impl DiagnosisRequest<'_> {
         compared.confounding = confounded(&choice.chosen, self.covariates);
         compared.separating = SeparatingExperiment::of(&compared.confounding, &fitted, &found, compared.landing.as_ref(), self.seed);
         compared.frame_mode = self.model.frame_mode.map(|mode| FrameMode::of(mode, &found));
-        compared.static_test = self.static_test.map(|test| StaticComparison::of(test, &found));
+        compared.static_test = self.static_test.map(|test| beside_a_static_test(test, &found, compared.landing.as_ref()));
         Ok((found, compared))
     }
 
@@ -289,6 +289,18 @@ impl DiagnosisRequest<'_> {
             confounding: Vec::new(),
             separating: None,
         }
+    }
+}
+
+/// A static test beside the models of a diagnosis, and beside the legs of landings that are not level.
+fn beside_a_static_test(test: &StaticTest, found: &Diagnosis, landing: Option<&LandingAssessment>) -> StaticComparison {
+    let along_the_vertical = StaticComparison::of(test, found);
+    match landing {
+        Some(landing) => {
+            let legs = landing.level(found.base.model());
+            along_the_vertical.beside(test, landing.ids().join(" + "), &legs, landing.decides())
+        }
+        None => along_the_vertical,
     }
 }
 

@@ -1,7 +1,6 @@
 //! A share of several, with the interval in which the true one lies.
 
-/// Standard deviations of a 95 % interval of a normal distribution.
-const Z_95: f64 = 1.959_963_984_540_054;
+use crate::impact::fit::NORMAL_97_5;
 
 /// Some of several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,9 +24,10 @@ impl Share {
 
     /// Its 95 % interval for independent cases (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209).
     pub fn interval(&self) -> [f64; 2] {
-        let (count, square) = (self.all as f64, Z_95 * Z_95);
+        let (count, square) = (self.all as f64, NORMAL_97_5 * NORMAL_97_5);
         let middle = (self.share() + square / (2.0 * count)) / (1.0 + square / count);
-        let half = Z_95 / (1.0 + square / count) * (self.share() * (1.0 - self.share()) / count + square / (4.0 * count * count)).sqrt();
+        let half =
+            NORMAL_97_5 / (1.0 + square / count) * (self.share() * (1.0 - self.share()) / count + square / (4.0 * count * count)).sqrt();
         [(middle - half).max(0.0), (middle + half).min(1.0)]
     }
 }
@@ -47,7 +47,7 @@ mod tests {
             prop_assert!(least <= share.share() + 1e-12 && share.share() <= most + 1e-12);
             for end in [least, most].into_iter().filter(|end| *end > 1e-9 && *end < 1.0 - 1e-9) {
                 let off = (share.share() - end).abs() / (end * (1.0 - end) / all as f64).sqrt();
-                prop_assert!((off - Z_95).abs() < 1e-6, "{off}");
+                prop_assert!((off - NORMAL_97_5).abs() < 1e-6, "{off}");
             }
         }
     }
