@@ -2,7 +2,7 @@
 //! bores, the plugs guide the modules while the rings close, the strut's notch is wide enough for its fold, a module's parts lie
 //! flat on a table, and nothing is in the way of a step's motion.
 
-use super::finding::Finding;
+use super::finding::{Finding, Verdict};
 use super::interference::KNEE_WINDOW;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
@@ -51,7 +51,9 @@ fn refused(error: &FoldError) -> Finding {
         FoldError::NoOrder { blocked } => (blocked.len() as f64, 0.0, "steps", ORDER),
         FoldError::Linkage(LinkageError::Lost { .. }) => (1.0, 0.0, "steps", ORDER),
     };
-    measure(value, limit, unit, levers).at_most("fold".into(), error.to_string())
+    // However little is missing: there is no sequence.
+    let missed = measure(value, limit, unit, levers).at_most("fold".into(), error.to_string());
+    Finding { verdict: Verdict::Violated, margin: limit - value, ..missed }
 }
 
 fn preload(scene: &Scene) -> Finding {
@@ -185,6 +187,12 @@ mod tests {
         assert_eq!(violated(&narrow)[0].subject, "fold: notch");
         let short = Planted::frame(|frame| frame.hub_joint.plug_length_mm = 5.0).found(check);
         assert!(violated(&short)[0].message.contains("plugs"), "{short:?}");
+        // There is no sequence, however little is missing.
+        let just_short =
+            Planted::frame(|frame| frame.hub_joint.plug_length_mm = 0.5_f64.sqrt() * frame.corner.corner_socket_depth_mm - 0.003)
+                .found(check);
+        let broken = violated(&just_short);
+        assert!(broken.iter().any(|f| f.subject == "fold" && f.margin < 0.0 && f.message.contains("5.303")), "{just_short:?}");
         let deep = Planted::frame(|frame| {
             frame.corner.corner_socket_depth_mm = 12.0;
             frame.hub_joint.hub_arm_socket_depth_mm = 6.0;

@@ -65,6 +65,19 @@ pub static TOY: Rule = Rule {
     found: Found::By(&[Pass::quick(toy)]),
 };
 
+/// The same, asked at the end of a search.
+pub static SLOW_TOY: Rule = Rule {
+    id: "slow_toy",
+    in_search: InSearch::AtTheEnd("it is slow"),
+    found: Found::By(&[Pass::slow(slow_toy)]),
+    blame: Blame::Levers,
+    ..TOY
+};
+
+fn slow_toy(scene: &Scene) -> Vec<Finding> {
+    toy(scene).into_iter().map(|finding| Finding { rule: SLOW_TOY.id.into(), ..finding }).collect()
+}
+
 /// The toy's limit, mm.
 pub const TOY_MM: f64 = 190.0;
 const TOY_LEVERS: &[&str] = &["rods.cage_rod_length_mm"];

@@ -155,6 +155,11 @@ impl Rule {
         }
     }
 
+    /// Whether a search asks it on its best frames only.
+    pub fn is_asked_at_the_end(&self) -> bool {
+        matches!(self.in_search, InSearch::AtTheEnd(_))
+    }
+
     /// Whether its findings come from the prediction of the drop, which is made on request only.
     pub fn needs_prediction(&self) -> bool {
         matches!(self.found, Found::FromPrediction)

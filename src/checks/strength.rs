@@ -14,18 +14,19 @@ use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::result::prediction::Prediction;
 use crate::mechanics::settings::DropLimits;
 
-/// The rod first: on frames of all sizes in the catalogue it moved the peak most.
-const PAYLOAD: &[&str] = &["bought.rod", "rods.strut_rod_length_mm", "materials.flexible"];
+/// The rod first: on frames of all sizes in the catalogue it moved the peak most. A flexible material changes it only where its modulus is stated.
+const PAYLOAD: &[&str] = &["bought.rod", "rods.strut_rod_length_mm"];
 const STRETCH: &[&str] = &["corner.corner_wall_mm", "hub_joint.arch_width_mm", "materials.flexible"];
+const MODULUS: &[&str] = &["materials.flexible"];
 const BUCKLING: &[&str] = &["rods.rod_diameter_mm", "rods.cage_rod_length_mm", "bought.rod"];
 
 pub static RULE: Rule = Rule {
     id: "design_drop",
     title: "Design drop",
     requires: "acceleration, strain and rod compression in the design drop are within their limits",
-    units: &["g", "%", "N", "m/s"],
+    units: &["g", "%", "N", "m/s", "MPa"],
     limits: &[Limit::Mechanics],
-    levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING, ground::LEVERS]),
+    levers: Levers::Sets(&[PAYLOAD, STRETCH, BUCKLING, MODULUS, ground::LEVERS]),
     blame: Blame::Levers,
     in_search: InSearch::AsGoal("the mechanics take a second or two a frame: a goal of a `design_drop` measure asks for them"),
     found: Found::FromPrediction,
@@ -58,6 +59,10 @@ pub fn strength(design: &Design, masses: &MassTable, limits: &DropLimits, found:
         findings.push(buckling.at_most(rod.rod.clone(), message));
     }
     findings.extend(strike(design, masses, found));
+    findings.extend(found.doubt.as_ref().map(|doubt| {
+        let unknown = Measure { rule: RULE.id, value: found.young_mpa, limit: found.young_mpa, unit: "MPa", levers: MODULUS };
+        unknown.note(format!("modulus of {}", design.frame.flexible.name), doubt.clone())
+    }));
     findings
 }
 
@@ -100,6 +105,8 @@ mod tests {
             strain: ("bottom corner leg web", 0.3),
             rod: Some(rod.clone()),
             stiffness_band: [0.5, 2.0],
+            young_mpa: 65.9,
+            doubt: None,
         };
         let violated =
             |found: &Prediction| strength(&design, &masses, &limits, found).iter().filter(|f| f.verdict == Verdict::Violated).count();
@@ -110,6 +117,9 @@ mod tests {
         assert!(notes(&good).is_empty());
         let deep = Prediction { descent: vec![[0.0, 4.4], [10.8, 3.5], [11.0, 3.0], [15.0, 0.0]], travel_mm: 15.0, ..good.clone() };
         assert!(notes(&deep)[0].message.contains("battery_sleeve, 10.9 mm above the ground, hits it at 3.2 m/s"), "{:?}", notes(&deep));
+        let unknown = Prediction { doubt: Some("states no modulus".into()), ..good.clone() };
+        let found = strength(&design, &masses, &limits, &unknown);
+        assert!(found.iter().any(|f| f.verdict == Verdict::Note && f.message == "states no modulus" && f.unit == "MPa"), "{found:?}");
         // A body that stands on the ground hits it as fast as the frame comes down.
         assert_eq!(
             [deep.speed_m_s(0.0), deep.speed_m_s(-1.0), deep.speed_m_s(15.0), deep.speed_m_s(15.1)],

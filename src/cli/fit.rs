@@ -11,8 +11,9 @@ use super::options::{ChannelOption, Common, DropsOption, FormatOptions};
 use super::output;
 use super::progress::Progress;
 use super::terminal;
+use crate::figures::p_value;
 use crate::impact::body::DropBody;
-use crate::impact::diagnose::{ChannelChoice, ComparedAxes};
+use crate::impact::diagnose::{ChannelChoice, ComparedAxes, RARE};
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
 use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
@@ -159,6 +160,13 @@ fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<
     }
 }
 
+/// What the distance says of the model.
+fn verdict(p: Option<f64>) -> String {
+    let Some(p) = p else { return String::new() };
+    let told = format!(", p = {} by simulated sets", p_value(p));
+    if p < RARE { format!("{told}: the model lacks an effect") } else { told }
+}
+
 fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> String {
     let DropBody { mass_kg, gap_m, origin, .. } = &fit.model.body;
     let mut text = format!("mass {:.1} g and gap {:.1} mm of {origin}\n", mass_kg * 1e3, gap_m * 1e3);
@@ -178,12 +186,11 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> Str
     text += &match numbers {
         Some(numbers) => {
             let free = numbers - fit.estimates.len();
-            let verdict = if end > 2.0 * free as f64 { ": significantly more: the model lacks an effect" } else { "" };
-            format!("\nwhitened distance of the mean waves: {start:.1}, fitted {end:.1}, {free} degrees of freedom{verdict}\n")
+            format!("\nwhitened distance of the mean waves: {start:.1}, fitted {end:.1}, {free} degrees of freedom{}\n", verdict(fit.p))
         }
         None => format!("\nthe paper's objective: {start:.4}, fitted {end:.4}\n"),
     };
-    text += &format!("\nparameter        unit              start       fitted   95 % of {} resampled fits\n", fit.resampled);
+    text += &format!("\nparameter        unit              start       fitted   95 %, of {} other fits\n", fit.resampled);
     for estimate in &fit.estimates {
         let interval = estimate.ci95.map_or("-".into(), |[low, high]| format!("{low:.4} to {high:.4}"));
         let bound = if estimate.at_bound { "   at its bound" } else { "" };

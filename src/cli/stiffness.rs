@@ -129,12 +129,13 @@ fn reference(name: &str, design: &Design, masses: &MassTable, settings: &Mechani
 
 /// Presses a frame down and writes its folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
-    let mut settings = MechanicsSettings::load(args.mechanics.as_deref())?;
+    let stated = MechanicsSettings::load(args.mechanics.as_deref())?;
     let path = args.calibrate.as_ref().or(args.compare.as_ref());
     let measured = path.map(|path| read_static_test(path)).transpose()?;
     let working = Progress::of("pressing", common);
     let design = session::design(&args.frame, common)?;
     let masses = mass::table(&design);
+    let mut settings = stated.for_material(&design.frame.flexible.material);
     let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
     let mut calibration: Option<Calibration> = None;
     if let Some(points) = measured.as_ref().filter(|_| args.calibrate.is_some()) {
@@ -184,6 +185,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     files.push(("model.toml".into(), reduced.to_toml().into_bytes()));
     files.push(("mechanics.toml".into(), settings.to_toml(&remark).into_bytes()));
     drop(working);
+    settings.doubt(&design.frame.flexible).iter().for_each(|doubt| terminal::tell(doubt));
     let place = output::write_folder(&args.output, &format!("{}-stiffness", design.frame.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;

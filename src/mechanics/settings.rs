@@ -2,11 +2,13 @@
 
 use crate::mechanics::element::relaxation::Relaxation;
 use crate::mechanics::parts::section::Elastic;
+use crate::params::catalogue::Material;
+use crate::params::frame::NamedMaterial;
 use crate::params::refusal::Refusal;
 use crate::params::{ImpactFile, LoadError};
 
 /// The numbers.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct MechanicsSettings {
     /// Where they come from: a file's name.
     pub name: String,
@@ -14,6 +16,8 @@ pub struct MechanicsSettings {
     pub young_mpa: f64,
     /// The band it is known to, MPa.
     pub young_band_mpa: [f64; 2],
+    /// What the data sheet of the material that has this modulus states, MPa; none where a frame of that material was calibrated that states none.
+    pub tensile_mpa: Option<f64>,
     /// Its Poisson's ratio.
     pub poisson: f64,
     /// Time at which the modulus holds, s.
@@ -49,7 +53,7 @@ pub struct MechanicsSettings {
 }
 
 /// What the drop that a frame is designed for may do to it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DropLimits {
     /// Its height, m.
     pub drop_m: f64,
@@ -66,30 +70,58 @@ pub const IMPACT_MODULUS: [f64; 2] = [0.1, 3.0];
 /// Bounds of [`MechanicsSettings::impact_loss`].
 pub const IMPACT_LOSS: [f64; 2] = [0.0, 3.0];
 
-/// Keys with their bounds and units, in the order of the fields; the band stands on its own.
-const KEYS: [(&str, [f64; 2], &str); 22] = [
-    ("flexible.young_mpa", [10.0, 400.0], "MPa"),
-    ("flexible.young_low_mpa", [5.0, 400.0], "MPa"),
-    ("flexible.young_high_mpa", [10.0, 800.0], "MPa"),
-    ("flexible.poisson", [0.3, 0.499], "1"),
-    ("flexible.rest_time_s", [0.1, 1e4], "s"),
-    ("flexible.relaxation_exponent", [0.0, 0.2], "1"),
-    ("flexible.impact_modulus", IMPACT_MODULUS, "1"),
-    ("flexible.impact_loss", IMPACT_LOSS, "1"),
-    ("rods.shear_mpa", [100.0, 5e4], "MPa"),
-    ("joints.socket_foundation", [1.0, 20.0], "1"),
-    ("joints.plug_foundation", [1.0, 20.0], "1"),
-    ("joints.core_rigid", [0.0, 1.0], "1"),
-    ("joints.notch_contact", [0.0, 2.0], "1"),
-    ("ground.friction", [0.0, 1.0], "1"),
-    ("ground.foot_stiffness", [1.0, 100.0], "mm"),
-    ("limits.drop_m", [0.05, 20.0], "m"),
-    ("limits.payload_peak_g", [5.0, 2000.0], "g"),
-    ("limits.strain_factor", [1.0, 20.0], "1"),
-    ("limits.buckling_factor", [1.0, 20.0], "1"),
-    ("mesh.element_mm", [0.1, 3.0], "mm"),
-    ("mesh.socket_elements", [1.0, 12.0], "1"),
-    ("mesh.rod_element_mm", [2.0, 100.0], "mm"),
+/// What a data sheet says of the material's modulus: its key, bounds and unit. It may be missing.
+const TENSILE: (&str, [f64; 2], &str) = ("flexible.tensile_mpa", [0.1, 1e4], "MPa");
+
+/// A number of the file.
+struct Key {
+    /// As it is stated, with its table.
+    name: &'static str,
+    bounds: [f64; 2],
+    unit: &'static str,
+    /// Where it is kept.
+    of: fn(&mut MechanicsSettings) -> &mut f64,
+}
+
+const fn key(name: &'static str, bounds: [f64; 2], unit: &'static str, of: fn(&mut MechanicsSettings) -> &mut f64) -> Key {
+    Key { name, bounds, unit, of }
+}
+
+/// Every number that has to be stated, in the order of the file: the only list.
+const KEYS: [Key; 22] = [
+    key("flexible.young_mpa", [10.0, 400.0], "MPa", |s| &mut s.young_mpa),
+    key("flexible.young_low_mpa", [5.0, 400.0], "MPa", |s| &mut s.young_band_mpa[0]),
+    key("flexible.young_high_mpa", [10.0, 800.0], "MPa", |s| &mut s.young_band_mpa[1]),
+    key("flexible.poisson", [0.3, 0.499], "1", |s| &mut s.poisson),
+    key("flexible.rest_time_s", [0.1, 1e4], "s", |s| &mut s.rest_time_s),
+    key("flexible.relaxation_exponent", [0.0, 0.2], "1", |s| &mut s.relaxation_exponent),
+    key("flexible.impact_modulus", IMPACT_MODULUS, "1", |s| &mut s.impact_modulus),
+    key("flexible.impact_loss", IMPACT_LOSS, "1", |s| &mut s.impact_loss),
+    key("rods.shear_mpa", [100.0, 5e4], "MPa", |s| &mut s.rod_shear_mpa),
+    key("joints.socket_foundation", [1.0, 20.0], "1", |s| &mut s.socket_foundation),
+    key("joints.plug_foundation", [1.0, 20.0], "1", |s| &mut s.plug_foundation),
+    key("joints.core_rigid", [0.0, 1.0], "1", |s| &mut s.core_rigid),
+    key("joints.notch_contact", [0.0, 2.0], "1", |s| &mut s.notch_contact),
+    key("ground.friction", [0.0, 1.0], "1", |s| &mut s.friction),
+    key("ground.foot_stiffness", [1.0, 100.0], "mm", |s| &mut s.foot_stiffness),
+    key("limits.drop_m", [0.05, 20.0], "m", |s| &mut s.limits.drop_m),
+    key("limits.payload_peak_g", [5.0, 2000.0], "g", |s| &mut s.limits.payload_peak_g),
+    key("limits.strain_factor", [1.0, 20.0], "1", |s| &mut s.limits.strain_factor),
+    key("limits.buckling_factor", [1.0, 20.0], "1", |s| &mut s.limits.buckling_factor),
+    key("mesh.element_mm", [0.1, 3.0], "mm", |s| &mut s.element_mm),
+    key("mesh.socket_elements", [1.0, 12.0], "1", |s| &mut s.socket_elements),
+    key("mesh.rod_element_mm", [2.0, 100.0], "mm", |s| &mut s.rod_element_mm),
+];
+
+/// Numbers that nobody has measured and that a stiffness depends on.
+const GUESSES: [&str; 7] = [
+    "flexible.poisson",
+    "joints.socket_foundation",
+    "joints.plug_foundation",
+    "joints.core_rigid",
+    "joints.notch_contact",
+    "ground.friction",
+    "ground.foot_stiffness",
 ];
 
 impl MechanicsSettings {
@@ -107,37 +139,54 @@ impl MechanicsSettings {
     /// When a number is missing or out of bounds, or a key unknown.
     pub fn read(file: &ImpactFile) -> Result<Self, Refusal> {
         let tables = ["flexible", "rods", "joints", "ground", "limits", "mesh"];
-        let mut known: Vec<String> = KEYS.iter().map(|(key, ..)| key.to_string()).collect();
+        let mut known: Vec<String> = KEYS.iter().map(|key| key.name.into()).collect();
         known.extend(tables.map(String::from));
+        known.push(TENSILE.0.into());
         file.only(&known, &[])?;
-        let mut values = [0.0; KEYS.len()];
-        for (value, (key, bounds, unit)) in values.iter_mut().zip(KEYS) {
-            *value = file.stated(key, bounds, unit)?;
+        let mut settings = Self { name: file.name.clone(), ..Self::default() };
+        for Key { name, bounds, unit, of } in &KEYS {
+            *of(&mut settings) = file.stated(name, *bounds, unit)?;
         }
-        let [young_mpa, low, high, poisson, rest_time_s, relaxation_exponent, impact_modulus, impact_loss, rest @ ..] = values;
-        let [rod_shear_mpa, socket_foundation, plug_foundation, core_rigid, notch_contact, friction, foot_stiffness, rest @ ..] = rest;
-        let [drop_m, payload_peak_g, strain_factor, buckling_factor, element_mm, socket_elements, rod_element_mm] = rest;
-        Ok(Self {
-            name: file.name.clone(),
-            young_mpa,
-            young_band_mpa: [low.min(young_mpa), high.max(young_mpa)],
-            poisson,
-            rest_time_s,
-            relaxation_exponent,
-            impact_modulus,
-            impact_loss,
-            rod_shear_mpa,
-            socket_foundation,
-            plug_foundation,
-            core_rigid,
-            notch_contact,
-            friction,
-            foot_stiffness,
-            limits: DropLimits { drop_m, payload_peak_g, strain_factor, buckling_factor },
-            element_mm,
-            socket_elements: socket_elements.round(),
-            rod_element_mm,
+        let [low_mpa, high_mpa] = settings.young_band_mpa;
+        settings.young_band_mpa = [low_mpa.min(settings.young_mpa), high_mpa.max(settings.young_mpa)];
+        settings.socket_elements = settings.socket_elements.round();
+        settings.tensile_mpa = file.number(TENSILE.0, TENSILE.1, TENSILE.2)?;
+        Ok(settings)
+    }
+
+    /// The same for the flexible material of a frame: its modulus is to that of these numbers as the data sheets' moduli are to each other. A frame
+    /// is computed with the modulus as it stands where one of both is not stated ([`Self::doubt`]).
+    ///
+    /// *When it is wrong:* data sheets of different makers measure at different strains and rates.
+    #[must_use]
+    pub fn for_material(&self, material: &Material) -> Self {
+        let Some((own_mpa, known_mpa)) = material.tensile_modulus_mpa.zip(self.tensile_mpa) else { return self.clone() };
+        let scaled = |young_mpa: f64| young_mpa * (own_mpa / known_mpa);
+        Self {
+            young_mpa: scaled(self.young_mpa),
+            young_band_mpa: self.young_band_mpa.map(scaled),
+            tensile_mpa: Some(own_mpa),
+            ..self.clone()
+        }
+    }
+
+    /// What has to be said of a flexible material whose modulus nobody states, in a sentence.
+    pub fn doubt(&self, material: &NamedMaterial) -> Option<String> {
+        let is_unknown = self.tensile_mpa.is_some() && material.material.tensile_modulus_mpa.is_none();
+        is_unknown.then(|| {
+            format!(
+                "{} states no tensile_modulus_mpa: the frame is computed as one of the material of {}, {:.1} MPa",
+                material.name, self.name, self.young_mpa
+            )
         })
+    }
+
+    /// The same with another band of the modulus, as far as a file may state it.
+    #[must_use]
+    pub fn with_band(&self, band_mpa: [f64; 2]) -> Self {
+        let [low, high] = ["flexible.young_low_mpa", "flexible.young_high_mpa"].map(bounds);
+        let [low_mpa, high_mpa] = band_mpa;
+        Self { young_band_mpa: [low_mpa.clamp(low[0], low[1]), high_mpa.clamp(high[0], high[1])], ..self.clone() }
     }
 
     /// The flexible material at rest.
@@ -155,65 +204,71 @@ impl MechanicsSettings {
     #[must_use]
     pub fn with_guesses(&self, mut change: impl FnMut(usize, f64) -> f64) -> Self {
         let mut other = self.clone();
-        let guesses: [(&str, &mut f64); 7] = [
-            ("flexible.poisson", &mut other.poisson),
-            ("joints.socket_foundation", &mut other.socket_foundation),
-            ("joints.plug_foundation", &mut other.plug_foundation),
-            ("joints.core_rigid", &mut other.core_rigid),
-            ("joints.notch_contact", &mut other.notch_contact),
-            ("ground.friction", &mut other.friction),
-            ("ground.foot_stiffness", &mut other.foot_stiffness),
-        ];
-        for (at, (key, value)) in guesses.into_iter().enumerate() {
-            let bounds = KEYS.iter().find(|(known, ..)| *known == key).map_or([f64::NEG_INFINITY, f64::INFINITY], |(_, bounds, _)| *bounds);
-            *value = change(at, *value).clamp(bounds[0], bounds[1]);
+        for (at, name) in GUESSES.into_iter().enumerate() {
+            for Key { bounds: [least, most], of, .. } in KEYS.iter().filter(|key| key.name == name) {
+                let value = of(&mut other);
+                *value = change(at, *value).clamp(*least, *most);
+            }
         }
         other
     }
 
     /// The same as a file.
     pub fn to_toml(&self, remark: &str) -> String {
-        let values = [
-            self.young_mpa,
-            self.young_band_mpa[0],
-            self.young_band_mpa[1],
-            self.poisson,
-            self.rest_time_s,
-            self.relaxation_exponent,
-            self.impact_modulus,
-            self.impact_loss,
-            self.rod_shear_mpa,
-            self.socket_foundation,
-            self.plug_foundation,
-            self.core_rigid,
-            self.notch_contact,
-            self.friction,
-            self.foot_stiffness,
-            self.limits.drop_m,
-            self.limits.payload_peak_g,
-            self.limits.strain_factor,
-            self.limits.buckling_factor,
-            self.element_mm,
-            self.socket_elements,
-            self.rod_element_mm,
-        ];
+        let mut own = self.clone();
         let mut text: String = remark.lines().map(|line| format!("# {line}\n")).collect();
         let mut table = "";
-        for ((key, ..), value) in KEYS.iter().zip(values) {
-            let (own, name) = key.split_once('.').unwrap_or(("", key));
-            if own != table {
-                text += &format!("\n[{own}]\n");
-                table = own;
+        for Key { name, of, .. } in &KEYS {
+            let (of_table, name) = name.split_once('.').unwrap_or(("", name));
+            if of_table != table {
+                text += &format!("\n[{of_table}]\n");
+                table = of_table;
+                if let Some(tensile_mpa) = self.tensile_mpa.filter(|_| TENSILE.0.starts_with(of_table)) {
+                    text += &format!("tensile_mpa = {tensile_mpa:?}\n");
+                }
             }
-            text += &format!("{name} = {value:?}\n");
+            text += &format!("{name} = {:?}\n", *of(&mut own));
         }
         text
     }
 }
 
+/// Bounds of a key.
+fn bounds(key: &str) -> [f64; 2] {
+    KEYS.iter().find(|known| known.name == key).map_or([f64::NEG_INFINITY, f64::INFINITY], |known| known.bounds)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::Frame;
+
+    #[test]
+    fn analytic_moduli_go_as_those_of_the_data_sheets() {
+        let settings = MechanicsSettings::load(None).expect("is sound");
+        let (frame, _) = Frame::load("cognifly").expect("a preset");
+        let known = &frame.flexible;
+        assert_eq!((settings.for_material(&known.material), settings.doubt(known)), (settings.clone(), None));
+        let mut soft = known.clone();
+        soft.material.tensile_modulus_mpa = known.material.tensile_modulus_mpa.map(|mpa| 0.25 * mpa);
+        let scaled = settings.for_material(&soft.material);
+        assert!((scaled.young_mpa / settings.young_mpa - 0.25).abs() < 1e-12);
+        assert!((scaled.young_band_mpa[1] / settings.young_band_mpa[1] - 0.25).abs() < 1e-12);
+        // Once is enough.
+        assert_eq!(scaled.for_material(&soft.material), scaled);
+        soft.material.tensile_modulus_mpa = None;
+        assert_eq!(settings.for_material(&soft.material), settings);
+        assert!(settings.doubt(&soft).is_some_and(|told| told.contains("states no tensile_modulus_mpa")));
+        // Of a file that a frame of that material was calibrated for.
+        assert_eq!(MechanicsSettings { tensile_mpa: None, ..settings }.doubt(&soft), None);
+    }
+
+    #[test]
+    fn analytic_a_band_is_one_that_a_file_may_state() {
+        let settings = MechanicsSettings::load(None).expect("is sound").with_band([0.1, 5000.0]);
+        let file = ImpactFile::parse("wide", &settings.to_toml("")).expect("is TOML");
+        assert_eq!(MechanicsSettings::read(&file).expect("is sound").young_band_mpa, [5.0, 800.0]);
+    }
 
     #[test]
     fn analytic_written_numbers_are_read_again() {

@@ -36,3 +36,4 @@ pub use frame::{Frame, catalogue as parameters};
 pub use frame_file::{FrameFile, LoadError, is_of_machine};
 pub use impact_file::ImpactFile;
 pub use part_name::PartName;
+pub use relation::{Broken, lengths_hold};

@@ -5,7 +5,9 @@ use super::refusal::Reason;
 use crate::figures::told_apart;
 
 /// A relation that does not hold.
-pub(super) struct Broken {
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{reason}")]
+pub struct Broken {
     /// The parameter to change.
     pub key: &'static str,
     /// What is wrong.
@@ -15,8 +17,11 @@ pub(super) struct Broken {
 /// Thinnest wall that any part can be made with, mm: below, it is no wall to a slicer with the smallest common nozzle.
 const THINNEST_MM: f64 = 0.4;
 
-/// Checks every relation.
+/// Checks every relation, but those of rod lengths that follow from a target size: their lengths are not known yet.
 pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
+    if frame.target.is_none() {
+        lengths_hold(frame)?;
+    }
     let slide = frame.rods.rod_diameter_mm + frame.fit.slide_clearance_mm;
     let joint = &frame.hub_joint;
     let mount = &frame.motor_mount;
@@ -80,22 +85,12 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
     battery_mass(frame)?;
     centre(frame)?;
     let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
-    let last = frame.hub.hub_mouth_mm + frame.rods.arm_rod_length_mm + frame.rods.arm_rod_slack_mm
-        - fork.fork_socket_depth_mm
-        - 0.5 * mount.motor_ring_width_mm;
     at_least(
         mount.motor_position_mm,
         first,
         "motor_mount.motor_position_mm",
         "the motor's distance from the hub axis",
         "raise motor_position_mm: the mount's rings would run into the hub joint",
-    )?;
-    at_least(
-        last - mount.motor_position_mm,
-        0.0,
-        "motor_mount.motor_position_mm",
-        "the way left between motor mount and fork",
-        "lower motor_position_mm or raise arm_rod_length_mm: the mount's rings would run into the fork",
     )?;
     at_least(
         0.5 * (fork.fork_bar_height_mm - frame.rods.rod_diameter_mm - frame.fit.grip_clearance_mm),
@@ -119,6 +114,47 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
         "the notch above the hinge's web",
         "lower corner_hinge_thickness_mm: the web would fill the socket's height",
     )
+}
+
+/// Checks the relations in which the lengths of rods are, once these are known.
+///
+/// # Errors
+/// The first that does not hold.
+pub fn lengths_hold(frame: &Frame) -> Result<(), Broken> {
+    let (mount, carrier, rods) = (&frame.motor_mount, &frame.pi_carrier, &frame.rods);
+    let last = frame.hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm
+        - frame.fork.fork_socket_depth_mm
+        - 0.5 * mount.motor_ring_width_mm;
+    let longer = if frame.target.is_some() { "target.width_mm" } else { "arm_rod_length_mm" };
+    at_least(
+        last - mount.motor_position_mm,
+        0.0,
+        "motor_mount.motor_position_mm",
+        "the way left between motor mount and fork",
+        &format!("lower motor_position_mm or raise {longer}: the mount's rings would run into the fork"),
+    )?;
+    if !frame.bought.contains_key("computer") {
+        return Ok(());
+    }
+    let tie_side = tie_side_mm(frame);
+    let tie_front = tie_side + 0.5 * rods.cage_rod_length_mm * (rods.cage_side_ratio - 1.0);
+    at_least(
+        0.5 * (carrier.pi_pattern_along_mm + carrier.pi_pattern_across_mm * tie_front / tie_side),
+        tie_front + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm,
+        "pi_carrier.pi_pattern_along_mm",
+        "the reach of the computer's holes",
+        "choose a computer with a longer hole pattern, or lower arm_pitch_mm or cage_side_ratio: its holes would lie inside the carrier's bars",
+    )
+}
+
+/// From the hub's axis to its ties, to a side, mm.
+fn tie_side_mm(frame: &Frame) -> f64 {
+    (half_pair_mm(frame) + frame.hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2
+}
+
+/// From the middle between a pair of arms to the outside of its plugs, mm.
+fn half_pair_mm(frame: &Frame) -> f64 {
+    0.5 * (frame.hub_joint.arm_pitch_mm + frame.hub_joint.hub_joint_diameter_mm)
 }
 
 fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str) -> Result<(), Broken> {
@@ -153,10 +189,9 @@ fn battery_mass(frame: &Frame) -> Result<(), Broken> {
 /// The rigid centre: its bores stay apart, and the computer, where there is one, finds something to stand on.
 fn centre(frame: &Frame) -> Result<(), Broken> {
     let (hub, joint, carrier) = (&frame.hub, &frame.hub_joint, &frame.pi_carrier);
-    let half_pair = 0.5 * (joint.arm_pitch_mm + joint.hub_joint_diameter_mm);
     at_least(
         hub.hub_mouth_mm,
-        half_pair + hub.hub_boss_wall_mm + joint.plug_length_mm,
+        half_pair_mm(frame) + hub.hub_boss_wall_mm + joint.plug_length_mm,
         "hub.hub_mouth_mm",
         "the distance of the plug bores' mouths from the hub axis",
         "raise hub_mouth_mm, or lower arm_pitch_mm or plug_length_mm: the bores of neighbouring arms would meet",
@@ -164,15 +199,7 @@ fn centre(frame: &Frame) -> Result<(), Broken> {
     if !frame.bought.contains_key("computer") {
         return Ok(());
     }
-    let tie_side = (half_pair + hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2;
-    let tie_front = tie_side + 0.5 * frame.rods.cage_rod_length_mm * (frame.rods.cage_side_ratio - 1.0);
-    at_least(
-        0.5 * (carrier.pi_pattern_along_mm + carrier.pi_pattern_across_mm * tie_front / tie_side),
-        tie_front + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm,
-        "pi_carrier.pi_pattern_along_mm",
-        "the reach of the computer's holes",
-        "choose a computer with a longer hole pattern, or lower arm_pitch_mm or cage_side_ratio: its holes would lie inside the carrier's bars",
-    )?;
+    let tie_side = tie_side_mm(frame);
     at_least(
         hub.tie_ring_radius_mm * std::f64::consts::SQRT_2 - carrier.carrier_bar_width_mm,
         0.05,

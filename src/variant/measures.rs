@@ -238,7 +238,8 @@ const fn mechanics(name: &'static str, unit: &'static str, doc: &'static str, be
 
 /// What the measures of the mechanics are, and how far they can be trusted.
 pub const MECHANICS_CAVEAT: &str = "stiffness, design_drop: by the frame's own mechanics; between frames of one material their ratios hold, as such they \
-                                    are known to the band of the material's modulus (docs/mechanics.md)";
+                                    are known to the band of the material's modulus, and a flexible material that states none counts as that of mechanics.toml \
+                                    (docs/mechanics.md)";
 
 /// What has to be said of some measures, each once: a name of that, and the sentence.
 pub fn caveats<'a>(measures: impl Iterator<Item = &'a Measure>) -> Vec<[&'static str; 2]> {

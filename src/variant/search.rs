@@ -95,6 +95,8 @@ struct Look<'a> {
     scales: Vec<f64>,
     /// What frames are sketched by; none where each is designed.
     known: Option<Known>,
+    /// The passes that designed frames are asked by.
+    dearest: Cost,
 }
 
 /// Points that were looked at, and how to look at others.
@@ -108,8 +110,15 @@ pub(super) struct Search<'a> {
 impl<'a> Search<'a> {
     /// Nothing was looked at yet.
     pub fn new(problem: &'a SearchProblem<'a>, rules: &'a [&'static Rule]) -> Self {
-        let look =
-            Look { problem, rules, constraints: Constraint::of_all(rules), aim: Aim::Near(Vec::new()), scales: Vec::new(), known: None };
+        let look = Look {
+            problem,
+            rules,
+            constraints: Constraint::of_all(rules),
+            aim: Aim::Near(Vec::new()),
+            scales: Vec::new(),
+            known: None,
+            dearest: Cost::Quick,
+        };
         let mut search = Self { look, points: RefCell::default(), order: RefCell::default(), ended: Cell::new(false) };
         search.aim_at(problem.aim.clone());
         search
@@ -125,6 +134,21 @@ impl<'a> Search<'a> {
         search.look.scales = scales.clone();
         search.look.aim = aim.clone();
         search.look.known = Some(known);
+        search
+    }
+
+    /// The same search, with another problem's count of frames and follower, that asks every frame by every rule, those too that are otherwise
+    /// asked at the end.
+    pub fn asking_all_rules<'b>(&self, problem: &'b SearchProblem<'b>) -> Search<'b>
+    where
+        'a: 'b,
+    {
+        let Look { rules, aim, scales, .. } = &self.look;
+        let mut search = Search::new(problem, rules);
+        search.look.scales = scales.clone();
+        search.look.aim = aim.clone();
+        search.look.dearest = Cost::Slow;
+        search.look.constraints.extend(rules.iter().filter(|rule| rule.is_asked_at_the_end()).map(|rule| Constraint { rule, subject: "" }));
         search
     }
 
@@ -320,7 +344,7 @@ impl Look<'_> {
     }
 
     fn at(&self, values: &[f64]) -> Point {
-        let evaluation = match self.frame(values).and_then(|frame| self.evaluated(frame, Cost::Quick)) {
+        let evaluation = match self.frame(values).and_then(|frame| self.evaluated(frame, self.dearest)) {
             Ok(evaluation) => evaluation,
             Err(why) => return Point::none(self.distance(values), why),
         };

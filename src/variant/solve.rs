@@ -6,7 +6,8 @@
 //! start, so several begin, as far as frames are left; the least of all is not proven. All of this happens on sketches first
 //! ([`super::sketch`]), and on frames where these do not end with one that keeps everything. Every point that was looked at is a frame
 //! file's numbers as they are written, to a thousandth; the best ones that keep everything are then checked against every rule,
-//! the slow one included, and only one that keeps them all is an answer.
+//! the slow one included, and only one that keeps them all is an answer. Where the slow rules refuse the best, the search goes on with the frames
+//! that are left, and asks each by every rule.
 
 use super::aim::Aim;
 use super::approach::approach;
@@ -15,7 +16,7 @@ use super::feasible::find;
 use super::goal::Goal;
 use super::improve::{improve, settle};
 use super::measures::Evaluation;
-use super::problem::{Binding, SearchProblem, Solution, SolveError, Vary};
+use super::problem::{Binding, SearchProblem, SearchProgress, Solution, SolveError, Vary};
 use super::search::{Point, Search, ranked, scale, worst_of};
 use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict};
 use crate::params::Frame;
@@ -24,6 +25,8 @@ use crate::params::Frame;
 const BINDS: f64 = 0.03;
 /// How many of the best are checked against every rule.
 const VERIFIED: usize = 12;
+/// How many of the best are looked at again by every rule, where the search goes on with all of them.
+const KNOWN: usize = 4;
 /// How many reasons are reported why better frames are refused.
 const REASONS: usize = 3;
 
@@ -54,14 +57,43 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
         _ if is_settled => settle(&search),
         _ => improve(&search),
     }
-    match answer(&search, &own) {
+    let answered = match answer(&search, &own) {
         // Few frames were designed, and the slow rules refuse them.
         Err(SolveError::Infeasible { .. }) if is_settled && search.left() > 0 => {
             improve(&search);
             answer(&search, &own)
         }
         answered => answered,
+    };
+    if is_refused_at_the_end(&search, &answered) && search.left() > 0 {
+        asking_all_rules(&search, &own, &start).or(answered)
+    } else {
+        answered
     }
+}
+
+/// Whether the best frame by the rules that are asked of each is none by those that are asked at the end.
+fn is_refused_at_the_end(search: &Search, answered: &Result<Solution, SolveError>) -> bool {
+    let best = ranked(search).into_iter().next().filter(|_| search.found());
+    let answer = answered.as_ref().ok().map(|solution| solution.values.iter().map(|(.., value)| *value).collect::<Vec<_>>());
+    best.is_some() && best != answer
+}
+
+/// Searches with the frames that are left, each asked by every rule: what refused the best ones is then seen before it is reached.
+fn asking_all_rules(search: &Search, own: &[f64], start: &[f64]) -> Result<Solution, SolveError> {
+    let (before, told) = (search.looked_at(), search.problem());
+    let follows =
+        |now: &SearchProgress| (told.follows)(&SearchProgress { looked_at: before + now.looked_at, most: told.most, ..now.clone() });
+    let rest = SearchProblem { most: search.left(), follows: &follows, ..told.clone() };
+    let all_rules = search.asking_all_rules(&rest);
+    let mut known: Vec<Vec<f64>> = ranked(search).into_iter().take(KNOWN).collect();
+    known.push(start.to_vec());
+    all_rules.look_at(&known);
+    find(&all_rules, start);
+    improve(&all_rules);
+    let mut solution = answer(&all_rules, own)?;
+    solution.looked_at += before;
+    Ok(solution)
 }
 
 /// The frame's own values of what varies.
@@ -200,13 +232,13 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::checks::planted::{TOY, TOY_MM};
+    use crate::checks::planted::{SLOW_TOY, TOY, TOY_MM};
     use crate::params::{FrameFile, parameters};
     use crate::variant::{Aim, measure};
 
-    #[test]
-    fn planted_a_search_keeps_a_rule_that_it_does_not_name() {
-        let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([&TOY]).collect();
+    /// The solution of a search for the narrowest frame by all rules and one more.
+    fn narrowest(toy: &'static Rule, most: usize) -> Solution {
+        let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([toy]).collect();
         let file = FrameFile::load("cognifly").expect("a preset");
         let frame = Frame::resolve(&file).expect("is one");
         let rod = parameters().find(|p| p.key == "cage_rod_length_mm").expect("a parameter");
@@ -218,15 +250,29 @@ mod tests {
             goals: Vec::new(),
             vary,
             start: Vec::new(),
-            most: 14,
+            most,
             follows: &|_| ControlFlow::Continue(()),
             mechanics: None,
             memo: Arc::default(),
         };
-        let solution = solve_by(&problem, &rules).unwrap_or_else(|error| panic!("{error}"));
+        solve_by(&problem, &rules).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    #[test]
+    fn planted_a_search_keeps_a_rule_that_it_does_not_name() {
+        let solution = narrowest(&TOY, 14);
         let (_, before, after) = solution.values[0];
         // A limit in mm counts as kept when it is missed by no more than a length may be mismeasured, 0.005 mm.
         assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{after}");
         assert!(solution.binding.iter().any(|binding| binding.what.starts_with("toy: ")), "{:?}", solution.binding);
+    }
+
+    /// What a rule refuses that is asked at the end is not where the search ends.
+    #[test]
+    fn planted_a_search_goes_on_where_a_rule_at_its_end_refuses_the_best() {
+        let solution = narrowest(&SLOW_TOY, 24);
+        let (_, before, after) = solution.values[0];
+        assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{before} to {after}, {} frames", solution.looked_at);
+        assert!(solution.looked_at <= 24 && solution.refused.iter().any(|why| why.contains("slow_toy")), "{:?}", solution.refused);
     }
 }

@@ -13,7 +13,7 @@ use flexframe::mechanics::result::static_curve::StaticCurve;
 use flexframe::mechanics::result::underside::Underside;
 use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::mechanics::solve::modes::Modes;
-use flexframe::params::Frame;
+use flexframe::params::{Frame, ImpactFile};
 use flexframe::units::Angle;
 
 fn settings() -> MechanicsSettings {
@@ -46,6 +46,23 @@ fn measured_one_modulus_meets_the_static_test_of_the_real_frame() {
     let [low, high] = found.interval_mpa;
     // A printed TPU 95A, and one number known to a tenth.
     assert!(24.0 < low && high < 247.0 && high - low < 0.25 * found.settings.young_mpa, "{low} to {high}");
+}
+
+/// A test that scatters leaves a wide band, of moduli above zero, that a file may state; one that goes less than a millimetre is followed.
+#[test]
+fn analytic_a_scattered_and_a_short_test_are_calibrated() {
+    let design = design(|_| ());
+    let settings = settings();
+    let parts = part_models(&design, &settings).expect("parts are cut");
+    let calibrated = |points: &[[f64; 2]]| calibrate(&design, &parts, &mass::table(&design), &settings, points).expect("is calibrated");
+    let wide = calibrated(&[[2.0, 10.0], [5.0, 100.0], [9.0, 40.0]]);
+    let [low, high] = wide.interval_mpa;
+    assert!(low > 0.0 && low < wide.settings.young_mpa && wide.settings.young_mpa < high, "{low} to {high}");
+    let file = ImpactFile::parse("wide", &wide.settings.to_toml("")).expect("is TOML");
+    assert_eq!(MechanicsSettings::read(&file).expect("can be stated"), MechanicsSettings { name: "wide".into(), ..wide.settings });
+    let known = curve(&design, &settings, Extent::Quarter, 1.0);
+    let short = [0.3, 0.6, 1.0].map(|x| [x, known.force_n(x).expect("is followed")]);
+    assert!((calibrated(&short).settings.young_mpa / settings.young_mpa - 1.0).abs() < 1e-2);
 }
 
 /// Ratios that another model of the same frame gave over the spread of its guesses: 5 to 95 % of the 8 mm secant's ratio.

@@ -10,6 +10,7 @@ mod diagnosis_statistics;
 mod effect_cases;
 mod effect_catalogue;
 mod effects;
+mod fit_intervals;
 mod frame_curve;
 mod frame_fit;
 mod landing;

@@ -37,7 +37,7 @@ const LAYERS: [(&str, &[&str]); 38] = [
     ("frame/skeleton", &["units", "figures", "params"]),
     ("frame/parts", &["units", "params", "solid", "frame/skeleton"]),
     ("frame/assembly", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts"]),
-    ("frame/fold", &["units", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
+    ("frame/fold", &["units", "figures", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     ("frame/mounting", &["params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
     ("printing/print_time", &["params", "solid"]),

@@ -88,6 +88,18 @@ mod tests {
         assert_eq!(all.iter().map(|f| f.subject.as_str()).collect::<Vec<_>>(), ["tpu-95a nozzle", "abs nozzle"]);
     }
 
+    /// Whatever its profile sets, and where it has none.
+    #[test]
+    fn planted_a_printer_below_the_least_heat_of_a_material_is_refused() {
+        for (nozzle_c, least_c) in [(None, 300.0), (Some(230.0), 260.0), (Some(280.0), 250.0)] {
+            let mut frame = on("ender-3");
+            let material = &mut frame.design.frame.rigid.material;
+            (material.nozzle_c, material.least_nozzle_c) = (nozzle_c, Some(least_c));
+            let refused = violated(&frame.found(check));
+            assert_eq!(refused.iter().map(|f| f.subject.as_str()).collect::<Vec<_>>(), ["abs nozzle"], "{nozzle_c:?}, {least_c}");
+        }
+    }
+
     #[test]
     fn analytic_the_offer_weighs_what_the_frame_would() {
         let frame = on("ender-3");

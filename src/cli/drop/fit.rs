@@ -19,13 +19,14 @@ use crate::report::data::impact_fit_data::Fitted;
 /// Fits a frame's own model to drops and writes its folder.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(args)?;
-    let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
+    let stated = MechanicsSettings::load(args.mechanics.as_deref())?;
     let set = read_drops(&args.fit, &args.format, &file_format(&args.format)?)?;
     let measured = MeasuredHeights::of(&set).map_err(|error| Failure::Usage { message: error.to_string() })?;
     let heights = &measured.heights;
     let working = Progress::of("fitting", common);
     let design = session::design(&frame, common)?;
     let masses = mass::table(&design);
+    let settings = stated.for_material(&design.frame.flexible.material);
     let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let subject = Subject { model: &model, settings: &settings };
     let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();

@@ -33,10 +33,12 @@ pub(super) fn frame(args: &Args) -> Result<FrameOption, Failure> {
 /// Drops a frame's own model and writes its folder.
 pub(super) fn run(args: &Args, heights_m: &[f64], common: &Common) -> Result<ExitCode, Failure> {
     let frame = frame(args)?;
-    let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
+    let stated = MechanicsSettings::load(args.mechanics.as_deref())?;
     let working = Progress::of("dropping", common);
     let design = session::design(&frame, common)?;
     let masses = mass::table(&design);
+    let settings = stated.for_material(&design.frame.flexible.material);
+    settings.doubt(&design.frame.flexible).iter().for_each(|doubt| terminal::tell(doubt));
     let parts = part_models(&design, &settings).map_err(mechanics_refused)?;
     let tilt = tilt(args)?;
     let extent = if args.tilt.iter().any(|degrees| *degrees != 0.0) { Extent::Whole } else { Extent::Quarter };

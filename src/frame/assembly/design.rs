@@ -4,23 +4,19 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
 
 use super::body::{Body, Kind, Shape};
-use super::bought_solids::BoughtPart;
+use super::not_printed::{NotPrinted, Plain};
 use super::printed::{Printed, Recipe};
-use super::screw_solids::motor_screws;
 use crate::frame::parts::{MaterialClass, PrintedPart, catalogue, record};
 use crate::frame::skeleton::Centre;
-use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, Skeleton, lengths_for, placement};
+use crate::frame::skeleton::{ClosureError, Envelope, MODULE_NAMES, Skeleton, lengths_for};
 use crate::memo::{Memo, Progress, Step};
-use crate::params::catalogue::BoughtPart as Entry;
 use crate::params::frame::{NamedMaterial, TargetSize};
-use crate::params::{Frame, PartName};
+use crate::params::{Broken, Frame, PartName, lengths_hold};
+use crate::solid::MeshSolid;
 use crate::solid::gate::GateError;
-use crate::solid::{Brep, Feature, Mesh, MeshSolid};
 use crate::units::Angle;
 
 /// Why a frame cannot be designed.
@@ -37,6 +33,9 @@ pub enum DesignError {
         /// What is wrong with its mesh.
         error: GateError,
     },
+    /// Lengths that give the wanted size leave no room for something.
+    #[error(transparent)]
+    Relation(#[from] Broken),
     /// The wanted size needs a rod that no rod can be.
     #[error("the target size needs {key} = {value:.2} mm, outside {min} to {max} mm")]
     Target {
@@ -150,22 +149,6 @@ impl Design {
         self.shapes.len() - 1
     }
 
-    /// A shape that is not printed.
-    fn add_plain(&mut self, name: &str, kind: Kind, material: &str, colour: [f32; 4], feature: &Feature) -> usize {
-        let plain = self.memo.get("plain shape", name, feature, || Plain::of(feature));
-        let Plain { solid, mesh, exact_mm3 } = Plain::clone(&plain);
-        self.add_shape(Shape {
-            name: name.into(),
-            kind,
-            material: material.into(),
-            colour,
-            solid,
-            mesh,
-            feature: Some(feature.clone()),
-            exact_mm3,
-        })
-    }
-
     fn place_printed(&mut self) {
         for index in 0..self.printed.len() {
             let part = &self.printed[index];
@@ -183,71 +166,11 @@ impl Design {
         }
     }
 
-    fn place_rods(&mut self) {
-        let material = self.frame.rod_material.clone();
-        for role in self.skeleton.roles() {
-            let length = self.skeleton.length_mm(role);
-            let name = format!("{}_rod", role.slug());
-            let feature = rod_solid(&self.frame, length);
-            let shape = self.add_plain(&name, Kind::Rod(role), &material.name, material.material.colour, &feature);
-            let bodies: Vec<Body> = self
-                .skeleton
-                .rods_of(role)
-                .map(|rod| {
-                    let turn = UnitQuaternion::rotation_between(&Vector3::z(), &(rod.end - rod.start))
-                        .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), std::f64::consts::PI));
-                    let pose = Isometry3::from_parts(Translation3::from(rod.start.coords), turn);
-                    Body { name: rod.name.clone(), shape, module: Some(rod.sockets[0].module), pose }
-                })
-                .collect();
-            self.bodies.extend(bodies);
-        }
-    }
-
-    /// Motors on their mounts with their screws, and the discs that the propellers sweep.
-    fn place_motors(&mut self) {
-        let [motor, propeller, screw] = ["motor", "propeller", "motor_screw"].map(|role| self.frame.bought.get(role).cloned());
-        let mount = self.frame.motor_mount.clone();
-        if let Some(motor) = motor {
-            let through_mm = propeller.as_ref().map_or(0.0, |propeller| mount.propeller_height_mm + 0.5 * propeller.part.hub_mm());
-            let feature = motor_solid(&motor.part, through_mm);
-            let shape = self.add_plain("motor", Kind::Motor, &motor.name, [0.12, 0.12, 0.13, 1.0], &feature);
-            self.on_motor_axes("motor", shape, 0.0);
-        }
-        if let Some(propeller) = propeller {
-            let height = propeller.part.hub_mm();
-            let feature = Feature::cylinder(0.5 * mount.propeller_diameter_mm, height);
-            let shape = self.add_plain("propeller", Kind::Propeller, &propeller.name, [0.9, 0.62, 0.05, 0.35], &feature);
-            self.on_motor_axes("propeller", shape, mount.propeller_height_mm - 0.5 * height);
-        }
-        let Some(screw) = screw else { return };
-        if let Some(feature) = motor_screws(&screw.part, &self.frame) {
-            let shape = self.add_plain("motor_screw", Kind::Bought("motor_screw"), &screw.name, STEEL, &feature);
-            let first = placement::motor_mount(&self.frame, &self.skeleton.closure);
-            self.bodies.extend(MODULE_NAMES.iter().enumerate().map(|(module, quadrant)| Body {
-                name: format!("motor_screw_{quadrant}"),
-                shape,
-                module: Some(module),
-                pose: self.skeleton.closure.places.pose(module, &first),
-            }));
-        }
-    }
-
-    fn on_motor_axes(&mut self, name: &str, shape: usize, above_seat_mm: f64) {
-        for (module, quadrant) in MODULE_NAMES.iter().enumerate() {
-            let Some(seat) = self.skeleton.node(&format!("M_{quadrant}")) else { continue };
-            let pose = Isometry3::translation(seat.x, seat.y, seat.z + above_seat_mm);
-            self.bodies.push(Body { name: format!("{name}_{quadrant}"), shape, module: Some(module), pose });
-        }
-    }
-
-    fn place_bought(&mut self) {
-        for part in BoughtPart::ALL {
-            let Some(feature) = part.feature(&self.frame, &self.centre) else { continue };
-            let Some(material) = self.frame.bought.get(part.role()).map(|item| item.name.clone()) else { continue };
-            let colour = colour(part);
-            let shape = self.add_plain(part.slug(), Kind::Bought(part.slug()), &material, colour, &feature);
-            self.bodies.push(Body { name: part.slug().into(), shape, module: None, pose: Isometry3::identity() });
+    fn place_others(&mut self, others: Vec<NotPrinted>, made: &[Arc<Plain>]) {
+        for (other, made) in others.into_iter().zip(made) {
+            let (shape, places) = other.shape(made);
+            let shape = self.add_shape(shape);
+            self.bodies.extend(places.into_iter().map(|(name, module, pose)| Body { name, shape, module, pose }));
         }
     }
 }
@@ -300,8 +223,12 @@ impl<B: Send> Making<'_, B> {
                 .map(ControlFlow::Continue)
                 .map_err(|error| DesignError::Part { part: part.name, error }),
         };
+        let others = NotPrinted::all(&frame, &skeleton, &centre);
         // Of several parts that cannot be made the first is named, whichever was tried first.
-        let made: Vec<Result<ControlFlow<B, Printed>, DesignError>> = recipes.into_par_iter().with_max_len(1).map(make).collect();
+        let (made, made_others): (Vec<Result<ControlFlow<B, Printed>, DesignError>>, Vec<Arc<Plain>>) = rayon::join(
+            || recipes.into_par_iter().with_max_len(1).map(make).collect(),
+            || others.par_iter().with_max_len(1).map(|other| other.made(self.memo)).collect(),
+        );
         let mut printed = Vec::new();
         for part in made.into_iter().collect::<Result<Vec<_>, _>>()? {
             match part {
@@ -311,70 +238,8 @@ impl<B: Send> Making<'_, B> {
         }
         let mut design = Design { frame, skeleton, centre, printed, shapes: Vec::new(), bodies: Vec::new(), memo: self.memo.clone() };
         design.place_printed();
-        design.place_rods();
-        design.place_motors();
-        design.place_bought();
+        design.place_others(others, &made_others);
         Ok(ControlFlow::Continue(design))
-    }
-}
-
-/// A shape that is not printed, made.
-#[derive(Clone, Serialize, Deserialize)]
-struct Plain {
-    solid: MeshSolid,
-    mesh: Arc<Mesh>,
-    exact_mm3: Option<f64>,
-}
-
-impl Plain {
-    fn of(feature: &Feature) -> Self {
-        let solid = MeshSolid::build(feature).simplified().reimported();
-        let exact_mm3 = Brep::build(feature).map(|brep| brep.volume_mm3());
-        Self { mesh: Arc::new(solid.mesh()), solid, exact_mm3 }
-    }
-}
-
-/// Linear colour of steel: red, green, blue, alpha.
-const STEEL: [f32; 4] = [0.35, 0.35, 0.37, 1.0];
-
-/// A motor's body, on its shaft where that is catalogued. The shaft reaches this far above the seat, mm: through its propeller.
-fn motor_solid(part: &Entry, through_mm: f64) -> Feature {
-    let height = part.motor_height_mm();
-    let body = Feature::cylinder(0.5 * part.body_diameter_mm.unwrap_or(part.size_mm[0]), height);
-    match part.shaft_diameter_mm.filter(|_| through_mm > height) {
-        Some(shaft) => Feature::union([body, Feature::cylinder(0.5 * shaft, through_mm - 0.5 * height).at(0.0, 0.0, 0.5 * height)]),
-        None => body,
-    }
-}
-
-/// A rod along z, hollow where it is catalogued as a tube.
-fn rod_solid(frame: &Frame, length_mm: f64) -> Feature {
-    let rod = Feature::cylinder(0.5 * frame.rods.rod_diameter_mm, length_mm);
-    match frame.rod_bore_mm() {
-        bore if bore > 0.0 => rod.minus([Feature::bore(0.5 * bore, length_mm + 2.0).at(0.0, 0.0, -1.0)]),
-        _ => rod,
-    }
-}
-
-/// Linear colour of a bought part in the centre.
-fn colour(part: BoughtPart) -> [f32; 4] {
-    match part {
-        BoughtPart::Battery => [0.35, 0.36, 0.45, 1.0],
-        BoughtPart::Computer => [0.01, 0.25, 0.06, 1.0],
-        BoughtPart::FlightController => [0.05, 0.06, 0.1, 1.0],
-        BoughtPart::MotorController => [0.1, 0.05, 0.12, 1.0],
-        BoughtPart::ConnectorBracket | BoughtPart::ConnectorLid => [0.85, 0.6, 0.02, 1.0],
-        BoughtPart::MagnetBracket | BoughtPart::MagnetLid => [0.5, 0.5, 0.52, 1.0],
-        BoughtPart::FlowSensor => [0.01, 0.08, 0.35, 1.0],
-        BoughtPart::Camera => [0.01, 0.22, 0.05, 1.0],
-        BoughtPart::StackScrews | BoughtPart::StackNuts => STEEL,
-        BoughtPart::SpacersUnderHub | BoughtPart::SpacersBetweenBoards => [0.8, 0.8, 0.75, 1.0],
-        BoughtPart::Dampers => [0.45, 0.03, 0.03, 1.0],
-        BoughtPart::Ties => [0.02, 0.02, 0.02, 1.0],
-        BoughtPart::Receiver => [0.02, 0.05, 0.2, 1.0],
-        BoughtPart::Buzzer => [0.03, 0.03, 0.03, 1.0],
-        BoughtPart::Gps => [0.45, 0.36, 0.2, 1.0],
-        BoughtPart::FpvCamera => [0.25, 0.02, 0.02, 1.0],
     }
 }
 
@@ -393,5 +258,5 @@ fn solve_target(frame: &mut Frame, target: TargetSize) -> Result<(), DesignError
         }
     }
     [frame.rods.cage_rod_length_mm, frame.rods.arm_rod_length_mm, frame.rods.strut_rod_length_mm] = lengths;
-    Ok(())
+    Ok(lengths_hold(frame)?)
 }

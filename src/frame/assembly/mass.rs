@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::body::{Body, Kind, Shape};
 use super::design::Design;
 use crate::params::catalogue::MassBasis;
+use crate::params::frame::Extra;
 
 /// A line of the table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -114,12 +115,16 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
 
 fn rod_lines(design: &Design) -> Vec<MassLine> {
     let material = &design.frame.rod_material;
+    let covered = covering(design, "rod");
     let weighed = |shape: &Shape| match shape.kind {
         Kind::Rod(role) => {
             let volume_mm3 = shape.exact_mm3.unwrap_or_else(|| shape.solid.volume_mm3());
             let each_g = material.material.solid_g(volume_mm3);
             let quantity = design.skeleton.rods_of(role).count() as u32;
-            Some(line(&shape.name, "rod", &material.name, quantity, each_g, "computed"))
+            Some(match covered {
+                Some(extra) => line(&shape.name, "rod", &material.name, quantity, 0.0, &format!("in {extra}")),
+                None => line(&shape.name, "rod", &material.name, quantity, each_g, "computed"),
+            })
         }
         _ => None,
     };
@@ -128,19 +133,24 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
 
 fn bought_lines(design: &Design) -> Vec<MassLine> {
     let frame = &design.frame;
-    let covering = |role: &str| frame.extras.iter().find(|(_, extra)| extra.covers.iter().any(|c| c == role)).map(|(name, _)| name);
     frame
         .bought
         .iter()
         .filter(|(role, _)| *role != "rod")
         .map(|(role, item)| {
             let mass_g = if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g };
-            match covering(role) {
+            match covering(design, role) {
                 Some(extra) => line(role, "bought", &item.name, item.quantity, 0.0, &format!("in {extra}")),
                 None => line(role, "bought", &item.name, item.quantity, mass_g, basis(item.part.mass_basis)),
             }
         })
         .collect()
+}
+
+/// The extra in whose mass that of a role is contained.
+fn covering<'a>(design: &'a Design, role: &str) -> Option<&'a str> {
+    let covers = |extra: &Extra| extra.covers.iter().any(|covered| covered == role);
+    design.frame.extras.iter().find(|(_, extra)| covers(extra)).map(|(name, _)| name.as_str())
 }
 
 fn extra_lines(design: &Design) -> Vec<MassLine> {

@@ -10,6 +10,7 @@ mod centre_tests;
 pub mod compensated;
 mod design;
 pub mod mass;
+mod not_printed;
 #[cfg(test)]
 mod parts_tests;
 pub mod press_fit;

@@ -31,6 +31,21 @@ fn analytic_every_part_is_made_placed_and_weighed_in_every_preset() {
     assert!(PartName::ALL.iter().all(|name| met.contains(name)), "a part that none of them has");
 }
 
+/// Rods that are weighed with something else are counted there, and once.
+#[test]
+fn planted_rods_that_an_extra_covers_are_counted_once() {
+    let design = |text: &str| {
+        let file = FrameFile::parse("own.toml", &format!("base = \"cognifly\"\n{text}")).expect("reads");
+        Design::new(Frame::resolve(&file).expect("is one")).expect("closes")
+    };
+    let of_rods = |masses: &mass::MassTable| masses.lines.iter().filter(|line| line.kind == "rod").map(|line| line.total_g).sum::<f64>();
+    let plain = mass::table(&design(""));
+    let weighed =
+        mass::table(&design("[extras.all_rods]\nmass_g = 30.0\nmass_basis = \"measured\"\nsource = \"own\"\ncovers = [\"rod\"]\n"));
+    assert!(of_rods(&plain) > 20.0 && of_rods(&weighed) == 0.0);
+    assert!((weighed.total_g - (plain.total_g - of_rods(&plain) + 30.0)).abs() < 1e-9, "{} and {}", weighed.total_g, plain.total_g);
+}
+
 #[test]
 fn analytic_every_record_agrees_with_the_parameters() {
     for part in catalogue() {

@@ -22,6 +22,7 @@ impl DesignError {
                 let remedy = if each.is_empty() { closure.remedy() } else { format!("it closes with {}", each.join(", or with ")) };
                 file.refuse(nearest, Reason::Impossible { message, remedy })
             }
+            Self::Relation(broken) => file.refuse(broken.key, Reason::clone(&broken.reason)),
             Self::Target { .. } => {
                 let remedy = "choose another width, height or strut_tilt_deg".into();
                 file.refuse("target.width_mm", Reason::Impossible { message, remedy })
@@ -44,5 +45,27 @@ impl DesignError {
                 file.refuse(&nearest, Reason::Impossible { message, remedy })
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::assembly::Design;
+
+    /// The lengths of a target size are those that its relations are held against, not those of the base.
+    #[test]
+    fn planted_a_target_size_is_judged_by_the_lengths_that_follow_from_it() {
+        let design = |text: &str| {
+            let file = FrameFile::parse("own.toml", &format!("base = \"cognifly\"\n{text}")).expect("reads");
+            let frame = Frame::resolve(&file).expect("is resolved, as its lengths are not known yet");
+            Design::new(frame).map(|_| ()).map_err(|error| error.refusal(&file).to_string())
+        };
+        let wide = "target.width_mm = 300\ntarget.height_mm = 130\ntarget.strut_tilt_deg = 22\n";
+        assert_eq!(design(&format!("{wide}motor_mount.motor_position_mm = 105\n")), Ok(()));
+        let narrow = design("target.width_mm = 169\ntarget.height_mm = 100\ntarget.strut_tilt_deg = 22\n");
+        assert!(narrow.is_err_and(|told| told.contains("the way left between motor mount and fork")));
+        let long = design(&format!("{wide}rods.cage_side_ratio = 1.12\n"));
+        assert!(long.is_err_and(|told| told.contains("the reach of the computer's holes")));
     }
 }

@@ -11,6 +11,7 @@ use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{Broken, Done, Rules, rods_enter_mm};
 use super::task::{FoldMotion, Task};
+use crate::figures::told_apart;
 use crate::frame::skeleton::{Centre, MODULE_NAMES, MODULE_WORDS, ModulePlaces, RodRole, Skeleton};
 use crate::memo::Key;
 use crate::params::Frame;
@@ -33,7 +34,8 @@ pub enum FoldError {
         blocked: Vec<(Task, Broken)>,
     },
     /// The plugs are too short to guide the modules while the rings close.
-    #[error("the cage rods enter the next corner {needed_mm:.1} mm before the modules are home, the plugs reach only {plug_mm:.1} mm")]
+    #[error("the cage rods enter the next corner {} mm before the modules are home, the plugs reach only {} mm",
+        told_apart(*.needed_mm, *.plug_mm, 1)[0], told_apart(*.needed_mm, *.plug_mm, 1)[1])]
     PlugTooShort {
         /// Way of the modules from where rods enter, mm.
         needed_mm: f64,

@@ -1,6 +1,7 @@
 //! The mounts of a design in an order that can be carried out.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -128,9 +129,15 @@ impl Mounting {
     fn in_order(design: &Design, fold: &FoldSequence, planning: &Planning, order: &[&'static Mount]) -> Self {
         let mut seen = PartsSeen::new(design);
         let folded = order.iter().position(|mount| mount.stage == Stage::AfterFold).unwrap_or(order.len());
-        let before = (0..folded).map(|at| planning.step(order, at, &mut seen)).collect();
+        // What takes the time does not depend on the steps before having been looked at.
+        let mut found =
+            (0..order.len()).into_par_iter().with_max_len(1).map(|at| planning.found(order, at)).collect::<Vec<_>>().into_iter();
+        let mut steps = |range: Range<usize>, seen: &mut PartsSeen| {
+            range.zip(found.by_ref()).map(|(at, found)| planning.step(order, at, found, seen)).collect()
+        };
+        let before = steps(0..folded, &mut seen);
         let fold_parts = fold.steps.iter().map(|step| seen.of_fold(step)).collect();
-        let after = (folded..order.len()).map(|at| planning.step(order, at, &mut seen)).collect();
+        let after = steps(folded..order.len(), &mut seen);
         Self { before, fold_parts, after }
     }
 
@@ -321,11 +328,10 @@ impl<'a> Planning<'a> {
         }
     }
 
-    fn step(&self, order: &[&'static Mount], at: usize, seen: &mut PartsSeen) -> MountStep {
+    /// What meets what on a mount's way, after those that come before it in an order.
+    fn found(&self, order: &[&'static Mount], at: usize) -> OnTheWay {
         let mount = order[at];
-        let done: Done = order[..at].iter().map(|mount| mount.id).collect();
-        let [moving, still] = self.sides(&done, mount);
-        let names = |bodies: &[&Body]| bodies.iter().map(|body| body.name.clone()).collect::<Vec<_>>();
+        let done = names_of(&order[..at]);
         let depends = |other: &'static Mount, because: String| Precedence { mount: other.id, because };
         let after = order[..at].iter().filter_map(|other| {
             let without: Done = done.iter().copied().filter(|id| *id != other.id).collect();
@@ -335,6 +341,14 @@ impl<'a> Planning<'a> {
             let with: Done = done.iter().copied().chain([other.id]).collect();
             self.broken(&with, mount).map(|because| depends(other, because))
         });
+        OnTheWay { after: after.collect(), before: before.collect(), sweep: self.sweep(&done, mount) }
+    }
+
+    fn step(&self, order: &[&'static Mount], at: usize, found: OnTheWay, seen: &mut PartsSeen) -> MountStep {
+        let mount = order[at];
+        let OnTheWay { after, before, sweep } = found;
+        let [moving, still] = self.sides(&names_of(&order[..at]), mount);
+        let names = |bodies: &[&Body]| bodies.iter().map(|body| body.name.clone()).collect::<Vec<_>>();
         let (moves, there) = (names(&moving), names(&still));
         let cables: Vec<&Wire> =
             self.cables.iter().filter(|cable| cable.joins.is_some_and(|ends| joined_end(&moves, &there, ends).is_some())).collect();
@@ -357,9 +371,23 @@ impl<'a> Planning<'a> {
             travel_mm: from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
             parts: seen.of_mount(mount),
             supplies: mount.supplies.iter().copied().chain(cables.iter().map(|cable| cable.role)).collect(),
-            after: after.collect(),
-            before: before.collect(),
-            sweep: self.sweep(&done, mount),
+            after,
+            before,
+            sweep,
         }
     }
+}
+
+/// What was found of a mount's place in an order.
+struct OnTheWay {
+    /// Mounts that have to be done before.
+    after: Vec<Precedence>,
+    /// Mounts that it has to come before.
+    before: Vec<Precedence>,
+    /// What its motion meets.
+    sweep: Sweep,
+}
+
+fn names_of(mounts: &[&'static Mount]) -> Done {
+    mounts.iter().map(|mount| mount.id).collect()
 }

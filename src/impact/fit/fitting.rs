@@ -1,13 +1,13 @@
-//! A fit: the minimum of an objective, and how far resampled drops move it.
+//! A fit: the minimum of an objective, and how far other drops move it.
 
 use nalgebra::DVector;
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::chosen::FitError;
 use super::free::Layout;
-use super::least_squares::{Minimum, minimise};
+use super::least_squares::{Minimum, inverse, minimise};
 use crate::impact::effects::Model;
 use crate::impact::measured::Spread;
 
@@ -26,8 +26,23 @@ pub trait Objective: Sync + Sized {
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)>;
     /// What the sum of squares is reported as.
     fn value(&self, sum: f64) -> f64;
-    /// The same of other drops: for each height which ones, each as often as it is named.
-    fn resampled(&self, picks: &[Vec<usize>]) -> Self;
+    /// The same with what only a fit tells of how records vary; `at` are the fitted values on their own scales.
+    fn around(&self, layout: &Layout, at: &[f64]) -> Self;
+    /// The same of other drops that may as well have been measured, where `waves` are those of the fitted model ([`Self::waves`]); none where they
+    /// cannot be drawn.
+    fn another(&self, waves: &[(f64, Vec<f64>)], rng: &mut Pcg64) -> Option<Self>;
+    /// What 95 % intervals are made of.
+    const INTERVALS: Intervals;
+}
+
+/// What 95 % intervals are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Intervals {
+    /// The middle of the fits to other drops.
+    Middle,
+    /// The errors of fits to simulated drops, over the errors that these fits state: the covariance of the records is estimated in each, as it
+    /// was in the fit.
+    BySimulatedErrors,
 }
 
 /// A parameter that was free.
@@ -44,7 +59,7 @@ pub struct ParameterEstimate {
     pub start: f64,
     /// Where it ended.
     pub value: f64,
-    /// Where 95 % of the resampled fits end.
+    /// 95 % interval, see [`Intervals`].
     pub ci95: Option<[f64; 2]>,
     /// Whether it ended at a bound.
     pub at_bound: bool,
@@ -61,44 +76,73 @@ pub struct Fit {
     pub objective: [f64; 2],
     /// What it reads: height, m, and a reading a sample from the trigger on, g.
     pub waves: Vec<(f64, Vec<f64>)>,
-    /// Resampled fits that ended.
+    /// Fits to other drops that ended.
     pub resampled: usize,
+    /// Share of simulated sets of this model whose fits leave as much, this one among them; none where none are simulated.
+    pub p: Option<f64>,
 }
 
-/// Fits what a layout leaves free; intervals by so many bootstrap samples of the drops of each height.
+/// Fits what a layout leaves free; intervals by so many other sets of drops.
 ///
 /// # Errors
 /// When the simulation diverges at the starting values.
-pub fn fit(objective: &impl Objective, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, FitError> {
+pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, FitError> {
     let started = objective.residual(&layout.model).ok_or(FitError::Diverges)?.norm_squared();
     let best = starts(layout)
         .iter()
         .filter_map(|start| minimum(objective, layout, start))
         .min_by(|a, b| a.sum.total_cmp(&b.sum))
         .ok_or(FitError::Diverges)?;
-    let mut rng = Pcg64::seed_from_u64(seed);
-    let mut drawn = |count: &usize| -> Vec<usize> { (0..*count).map(|_| rng.random_range(0..*count)).collect() };
-    let picks: Vec<Vec<Vec<usize>>> = (0..samples).map(|_| objective.counts().iter().map(&mut drawn).collect()).collect();
-    let again: Vec<Option<Minimum>> = picks.par_iter().map(|picks| minimum(&objective.resampled(picks), layout, &best.at)).collect();
-    let ended: Vec<Vec<f64>> = again.into_iter().flatten().map(|minimum| minimum.at).collect();
+    let model = layout.model_at(&best.at);
+    let waves = objective.waves(&model);
+    let others = others(&objective.around(layout, &best.at), &waves, samples, seed);
+    let ended: Vec<Minimum> =
+        others.par_iter().map(|other| minimum(other, layout, &best.at)).collect::<Vec<_>>().into_iter().flatten().collect();
     let outward = |at: usize, scaled: f64| layout.free[at].outward(scaled);
+    let bounds = layout.bounds();
+    let is_simulated = O::INTERVALS == Intervals::BySimulatedErrors;
     let estimate = |(at, free): (usize, &super::free::Free)| ParameterEstimate {
         effect: free.spec.id,
         key: free.key(),
         unit: free.spec.parameters[free.at].unit,
         start: layout.model.value(free.spec.id, free.key()).unwrap_or(0.0),
         value: outward(at, best.at[at]),
-        ci95: interval(ended.iter().map(|values| outward(at, values[at]))),
+        ci95: match is_simulated {
+            false => Spread::middle(ended.iter().map(|other| outward(at, other.at[at])), 0.95),
+            true => by_errors(at, &best, &ended).map(|ends| ends.map(|end| outward(at, end.clamp(bounds[at][0], bounds[at][1])))),
+        },
         at_bound: best.at_bound[at],
     };
-    let model = layout.model_at(&best.at);
+    let as_much = ended.iter().filter(|other| other.sum >= best.sum).count();
     Ok(Fit {
-        waves: objective.waves(&model),
+        waves,
         model,
         estimates: layout.free.iter().enumerate().map(estimate).collect(),
         objective: [objective.value(started), objective.value(best.sum)],
         resampled: ended.len(),
+        p: (is_simulated && !ended.is_empty()).then(|| (as_much + 1) as f64 / (ended.len() + 1) as f64),
     })
+}
+
+/// Objectives of other sets of drops.
+fn others<O: Objective>(objective: &O, waves: &[(f64, Vec<f64>)], samples: usize, seed: u64) -> Vec<O> {
+    let mut rng = Pcg64::seed_from_u64(seed);
+    (0..samples).filter_map(|_| objective.another(waves, &mut rng)).collect()
+}
+
+/// An interval, on a parameter's own scale, that is as many stated errors wide as hold the errors of 95 % of simulated fits.
+fn by_errors(at: usize, best: &Minimum, simulated: &[Minimum]) -> Option<[f64; 2]> {
+    let ratio = |other: &Minimum| Some((other.at[at] - best.at[at]).abs() / stated_error(other, at)?);
+    let mut ratios: Vec<f64> = simulated.iter().filter_map(ratio).collect();
+    ratios.sort_by(f64::total_cmp);
+    let within = (0.95 * (ratios.len() + 1) as f64).ceil() as usize;
+    let half = ratios.get(within.checked_sub(1)?.min(ratios.len().checked_sub(1)?))? * stated_error(best, at)?;
+    Some([best.at[at] - half, best.at[at] + half])
+}
+
+/// Standard error of a parameter by the curvature at a minimum, on its own scale.
+fn stated_error(minimum: &Minimum, at: usize) -> Option<f64> {
+    inverse(&(minimum.jacobian.transpose() * &minimum.jacobian)).map(|covariance| covariance[(at, at)].sqrt()).filter(|error| *error > 0.0)
 }
 
 fn minimum(objective: &impl Objective, layout: &Layout, start: &[f64]) -> Option<Minimum> {
@@ -118,9 +162,4 @@ fn starts(layout: &Layout) -> Vec<Vec<f64>> {
         }
     }
     starts
-}
-
-/// The middle 95 % of values.
-fn interval(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
-    Spread::middle(values, 0.95)
 }

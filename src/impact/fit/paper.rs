@@ -6,9 +6,12 @@
 //! without.
 
 use nalgebra::DVector;
+use rand::RngExt;
+use rand_pcg::Pcg64;
 
 use super::chosen::Chosen;
-use super::fitting::Objective;
+use super::fitting::{Intervals, Objective};
+use super::free::Layout;
 use crate::impact::effects::Model;
 use crate::impact::sim::{SolverOptions, Stop, System, wave};
 use crate::units::GRAVITY_M_S2;
@@ -91,10 +94,17 @@ impl Objective for PaperObjective {
         libm::log1p(sum)
     }
 
-    fn resampled(&self, picks: &[Vec<usize>]) -> Self {
-        let pick = |((height_m, windows), picks): (&(f64, Vec<Vec<f64>>), &Vec<usize>)| {
-            (*height_m, picks.iter().map(|at| windows[*at].clone()).collect())
+    const INTERVALS: Intervals = Intervals::Middle;
+
+    fn around(&self, _: &Layout, _: &[f64]) -> Self {
+        self.clone()
+    }
+
+    /// The drops of each height, drawn with replacement.
+    fn another(&self, _: &[(f64, Vec<f64>)], rng: &mut Pcg64) -> Option<Self> {
+        let mut drawn = |(height_m, windows): &(f64, Vec<Vec<f64>>)| {
+            (*height_m, windows.iter().map(|_| windows[rng.random_range(0..windows.len())].clone()).collect())
         };
-        Self { step_s: self.step_s, heights: self.heights.iter().zip(picks).map(pick).collect() }
+        Some(Self { step_s: self.step_s, heights: self.heights.iter().map(&mut drawn).collect() })
     }
 }

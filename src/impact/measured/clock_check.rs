@@ -9,7 +9,7 @@ use super::clock_period::ClockPeriod;
 use super::clock_sign::ClockSign;
 use super::clock_trace::ClockTrace;
 use super::fall_length::FallLength;
-use super::flag::IMPULSE_OVER_V0;
+use super::flag::impulse_over_v0;
 use super::impact::WINDOW_S;
 use super::shorth::Shorth;
 
@@ -68,7 +68,7 @@ fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&Clock
         usual.vibration.iter().zip(trace.vibration).filter_map(|(usual, own)| Some(usual.as_ref()?.above(own?, LEAST_VIBRATION)));
     let smoothest = smoothest.fold(0.0, f64::min);
     let noise = usual.noise.zip(trace.noise).filter(|(usual, own)| usual.above(*own, LEAST_NOISE) > SMOOTH_NOISE);
-    let impossible = usual.impulse.is_none() && !IMPULSE_OVER_V0.contains(&trace.over_v0);
+    let impossible = usual.impulse.is_none() && !impulse_over_v0(height_m).contains(&trace.over_v0);
     let (unlike, late, smooth) = (impulse.abs() > UNLIKE || impossible, trace.to_peak_s > WINDOW_S + 1e-6, smoothest < -SMOOTH);
     let jump = trace.jump.is_some();
     let cut = impulse < -CUT && usual.impulse.is_some_and(|usual| trace.over_v0 < CUT_SHARE * usual.middle);

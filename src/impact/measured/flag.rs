@@ -1,10 +1,12 @@
 //! What is wrong with a record that reads.
 
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 use super::clock_sign::ClockSign;
 use super::impact::{Impact, TRIGGER_G, WINDOW_S};
+use super::impact_speed_m_s;
 use super::record::Record;
+use crate::units::GRAVITY_M_S2;
 
 /// Samples a second with which an impact can be compared with a model.
 const RATES_HZ: RangeInclusive<f64> = 399.0..=201_000.0;
@@ -17,8 +19,14 @@ const LEAST_AFTER_S: f64 = 0.02;
 /// Equal samples in a row, at the top of the impact, that count as clipping: at least so many, and so long, s.
 const FLAT: usize = 3;
 const FLAT_S: f64 = 0.0015;
-/// Impulse over v0 that a vertical drop can have: 1 without, 2 with full restitution, and room for variation.
-pub(super) const IMPULSE_OVER_V0: RangeInclusive<f64> = 0.8..=1.8;
+/// Impulse over v0 that a vertical drop has at least: 1, with room for variation.
+const LEAST_OVER_V0: f64 = 0.8;
+/// What it has at the most without its weight: 2 with full restitution.
+const MOST_OVER_V0: f64 = 2.0;
+/// Readings that differ by less are the same, but for the rounding of their conversion, g.
+const LEAST_STEP_G: f64 = 1e-6;
+/// A rounded top is as long as a parabola through what is beside it, give or take so many samples.
+const ROUNDED: f64 = 1.0;
 
 /// A reason not to trust a record.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -47,10 +55,12 @@ pub enum Flag {
         level_g: f64,
     },
     /// More, or less, than a fall from the stated height can give.
-    #[error("impossible impulse: {over_v0:.2} v0, a vertical drop gives {} to {}", IMPULSE_OVER_V0.start(), IMPULSE_OVER_V0.end())]
+    #[error("impossible impulse: {over_v0:.2} v0, a vertical drop gives {LEAST_OVER_V0} to {most:.2}")]
     Impulse {
         /// Over v0.
         over_v0: f64,
+        /// Most that it can be.
+        most: f64,
     },
     /// It begins or ends in the impact.
     #[error("too short: {before} samples before the trigger and {after_ms:.0} ms after it, 3 and 20 ms are needed")]
@@ -109,13 +119,19 @@ pub fn flags(record: &Record, impact: Option<&Impact>, signs: Vec<ClockSign>) ->
     }
     flags.extend(saturation(record, impact));
     let over_v0 = impact.impulse_over_v0(record.height_m);
-    if !stalled && !IMPULSE_OVER_V0.contains(&over_v0) {
-        flags.push(Flag::Impulse { over_v0 });
+    let possible = impulse_over_v0(record.height_m);
+    if !stalled && !possible.contains(&over_v0) {
+        flags.push(Flag::Impulse { over_v0, most: *possible.end() });
     }
     if stalled {
         flags.push(Flag::ClockStall { signs });
     }
     flags
+}
+
+/// Impulse over v0 that a vertical drop from a height can have within the window: that of the impact, and of the weight meanwhile.
+pub(super) fn impulse_over_v0(height_m: f64) -> RangeInclusive<f64> {
+    LEAST_OVER_V0..=MOST_OVER_V0 + GRAVITY_M_S2 * WINDOW_S / impact_speed_m_s(height_m)
 }
 
 fn clock(record: &Record) -> Option<Flag> {
@@ -134,10 +150,30 @@ fn saturation(record: &Record, impact: &Impact) -> Option<Flag> {
         return Some(Flag::Saturated { samples: record.at_full_scale, level_g: impact.peak_axial_g });
     }
     let level_g = window.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let (mut run, mut longest) = (0, 0);
-    for accel_g in window {
+    let (mut run, mut longest, mut end) = (0, 0, 0);
+    for (at, accel_g) in window.iter().enumerate() {
         run = if *accel_g == level_g { run + 1 } else { 0 };
-        longest = longest.max(run);
+        if run > longest {
+            (longest, end) = (run, at + 1);
+        }
     }
-    (longest >= FLAT.max(record.samples_in(FLAT_S)) && level_g > TRIGGER_G).then_some(Flag::Saturated { samples: longest, level_g })
+    let is_flat = longest >= FLAT.max(record.samples_in(FLAT_S)) && level_g > TRIGGER_G;
+    (is_flat && !is_rounded(window, end - longest..end)).then_some(Flag::Saturated { samples: longest, level_g })
+}
+
+/// Whether equal samples at the top are a round top in steps of the converter: a parabola through the samples beside them is as long within
+/// one step of its vertex.
+fn is_rounded(window: &[f64], flat: Range<usize>) -> bool {
+    let beside = [flat.start.checked_sub(1), Some(flat.end)].map(|at| at.and_then(|at| window.get(at)));
+    let [Some(before_g), Some(behind_g)] = beside else { return false };
+    let fall_g = window[flat.start] - 0.5 * (before_g + behind_g);
+    let length = (flat.len() + 1) as f64 * (step_g(window) / fall_g).sqrt();
+    flat.len() as f64 <= length + ROUNDED
+}
+
+/// The converter's step, g: the least difference between two readings.
+fn step_g(window: &[f64]) -> f64 {
+    let mut readings = window.to_vec();
+    readings.sort_by(f64::total_cmp);
+    readings.windows(2).map(|pair| pair[1] - pair[0]).filter(|step_g| *step_g > LEAST_STEP_G).fold(f64::INFINITY, f64::min)
 }

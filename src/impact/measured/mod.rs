@@ -35,6 +35,7 @@ mod scale;
 mod session;
 mod sheet;
 mod shorth;
+mod speed_heights;
 mod spread;
 mod stamp_jitter;
 mod static_test;

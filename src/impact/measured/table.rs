@@ -12,6 +12,7 @@ use super::encoding::plain;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
+use super::speed_heights;
 use super::spread::Spread;
 use super::table_format::TableFormat;
 use super::table_header::{Header, separator};
@@ -253,6 +254,9 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         return Err((SourcePosition::Whole, Fault::Empty));
     }
     builder.one_height_each().map_err(|fault| (SourcePosition::Whole, fault))?;
+    if builder.header.height.is_none() && builder.header.speed.is_some() {
+        speed_heights::grouped(&mut builder.records);
+    }
     let stamped_hz = Spread::of(builder.stamps.iter().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
     Ok((builder.records, Aside { columns: builder.header.others, stamped_hz }))
 }

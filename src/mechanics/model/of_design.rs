@@ -31,6 +31,7 @@ impl FrameModel {
         settings: &MechanicsSettings,
         extent: Extent,
     ) -> Result<Self, ModelError> {
+        let settings = &settings.for_material(&design.frame.flexible.material);
         let weights = weights(design, masses);
         let mut builder = Builder::new(design, settings, extent, weights);
         for part in parts {

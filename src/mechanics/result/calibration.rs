@@ -88,7 +88,7 @@ pub fn calibrate(
     if farthest < LEAST_MM {
         return Err(CalibrationError::Small { farthest_mm: farthest });
     }
-    let mut settings = settings.clone();
+    let mut settings = settings.for_material(&design.frame.flexible.material);
     for _ in 0..8 {
         let model = FrameModel::of_parts(design, parts, masses, &settings, Extent::Quarter).map_err(CurveError::from)?;
         let curve = StaticCurve::new(&model, farthest, &[])?;
@@ -105,9 +105,11 @@ pub fn calibrate(
             let scatter = rms_n * (measured.len() as f64 / freedom).sqrt();
             // Infinite where there is no such distribution: no freedom is left.
             let student = StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |student| student.inverse_cdf(0.975));
-            let half = settings.young_mpa * student * scatter / square.sqrt();
-            let interval_mpa = [settings.young_mpa - half, settings.young_mpa + half];
-            settings.young_band_mpa = interval_mpa;
+            // Of the logarithm: a modulus is above zero, however much a test scatters.
+            let share = student * scatter / square.sqrt();
+            let interval_mpa = [-share, share].map(|share| settings.young_mpa * libm::exp(share));
+            settings = settings.with_band(interval_mpa);
+            settings.tensile_mpa = design.frame.flexible.material.tensile_modulus_mpa;
             return Ok(Calibration { settings, interval_mpa, rms_n, curve });
         }
         settings.young_mpa *= ratio;

@@ -83,6 +83,8 @@ pub struct Impact {
     pub lost: Vec<(&'static str, f64)>,
     /// When the payload was lowest: what the parts bear.
     pub zones: Vec<ZoneState>,
+    /// The largest strain of each zone over the whole impact.
+    pub strains: Vec<(&'static str, f64)>,
     /// The same of the rods: the most loaded of each role over the whole impact.
     pub rods: Vec<RodForce>,
     /// States for pictures: when, ms, and where everything was.
@@ -116,6 +118,7 @@ impl Impact {
             energies: [start; 2],
             lost: Vec::new(),
             zones: Vec::new(),
+            strains: Vec::new(),
             rods: Vec::new(),
             states: Vec::new(),
             unaccounted: 0.0,
@@ -130,13 +133,15 @@ impl Impact {
             impact.moments.push(Moment { t_ms: motion.t_ms, down_mm, up_m_s: motion.velocity[hub], proper_g, ground_n });
             impact.centre.push(centre(&motion.state));
             impact.watch_rods(model, &motion.state);
+            let zones = zones(model, &motion.state);
+            impact.watch_strains(&zones);
             if impact.moments.len() % 10 == 1 {
                 impact.states.push((motion.t_ms, motion.state.clone()));
             }
             if down_mm > lowest {
                 lowest = down_mm;
                 impact.energies[0] = motion.energies();
-                impact.zones = zones(model, &motion.state);
+                impact.zones = zones;
             }
             left_ms = if ground_n > 0.0 { None } else { left_ms.or(Some(motion.t_ms)) };
             // Feet hop while the frame still comes down; that is no end.
@@ -165,6 +170,15 @@ impl Impact {
         };
         impact.energies.iter_mut().for_each(scale);
         Ok(impact)
+    }
+
+    fn watch_strains(&mut self, zones: &[ZoneState]) {
+        for zone in zones {
+            match self.strains.iter_mut().find(|(known, _)| *known == zone.zone) {
+                Some((_, most)) => *most = most.max(zone.strain),
+                None => self.strains.push((zone.zone, zone.strain)),
+            }
+        }
     }
 
     fn watch_rods(&mut self, model: &FrameModel, state: &State) {

@@ -25,12 +25,17 @@ pub struct Prediction {
     /// The payload's way down, mm, and its speed downwards, m/s, moment by moment.
     #[serde(skip)]
     pub descent: Vec<[f64; 2]>,
-    /// The zone that is strained most when the payload is lowest, and its strain.
+    /// The zone that is strained most at any moment, and its strain.
     pub strain: (&'static str, f64),
     /// The rod nearest to buckling.
     pub rod: Option<RodForce>,
     /// Factors between which stiffness lies: the band of the modulus. Between frames of one material it cancels.
     pub stiffness_band: [f64; 2],
+    /// Modulus of the flexible material at rest, MPa.
+    pub young_mpa: f64,
+    /// What has to be said of the flexible material.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<String>,
 }
 
 impl Prediction {
@@ -69,7 +74,7 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
     let curve = StaticCurve::new(&model, PRESSED_MM, &[])?;
     let drop_m = settings.limits.drop_m;
     let impact = Impact::new(&model, settings, drop_m, &Run::default())?;
-    let strained = impact.zones.iter().filter(|zone| zone.zone != "links").max_by(|a, b| a.strain.total_cmp(&b.strain));
+    let strained = impact.strains.iter().filter(|(zone, _)| *zone != "links").max_by(|a, b| a.1.total_cmp(&b.1));
     Ok(Prediction {
         initial_n_mm: curve.initial_n_mm(),
         secant_8_mm_n_mm: curve.secant_n_mm(8.0).unwrap_or(f64::NAN),
@@ -77,8 +82,10 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
         payload_peak_g: impact.peak()[0],
         travel_mm: impact.travel_mm(),
         descent: impact.moments.iter().map(|moment| [moment.down_mm, -moment.up_m_s]).collect(),
-        strain: strained.map_or(("", 0.0), |zone| (zone.zone, zone.strain)),
+        strain: strained.copied().unwrap_or(("", 0.0)),
         rod: impact.rods.iter().max_by(|a, b| a.utilisation().total_cmp(&b.utilisation())).cloned(),
         stiffness_band: settings.young_band_mpa.map(|young| young / settings.young_mpa),
+        young_mpa: settings.for_material(&design.frame.flexible.material).young_mpa,
+        doubt: settings.doubt(&design.frame.flexible),
     })
 }

@@ -62,13 +62,14 @@ pub struct StaticCurve {
 /// Displacement at which the initial stiffness is taken, mm.
 const SMALL_MM: f64 = 0.05;
 
-/// Displacements of the curve, mm.
+/// Displacements of the curve, mm: steps of a millimetre, of two beyond 20 mm, and at least four of them.
 fn grid(to_mm: f64) -> Vec<f64> {
+    let step_mm = f64::min(1.0, 0.25 * to_mm);
     let mut all = vec![SMALL_MM];
-    let mut at = 1.0;
+    let mut at = step_mm;
     while at < to_mm - 1e-9 {
         all.push(at);
-        at += if at < 20.0 - 1e-9 { 1.0 } else { 2.0 };
+        at += if at < 20.0 - 1e-9 { step_mm } else { 2.0 };
     }
     all.push(to_mm);
     all

@@ -58,9 +58,8 @@ impl Fit {
 
     /// Numbers that stand on the coupon, tenths of a millimetre.
     pub fn numbers(self, frame: &Frame) -> Vec<i32> {
-        let rod = gauge::tenths(frame.rods.rod_diameter_mm);
         match self {
-            Self::Held | Self::Slides => gauge::BORES_TENTHS.map(|tenths| rod + tenths).collect(),
+            Self::Held | Self::Slides => gauge::bores_tenths(frame).collect(),
             Self::Window => gauge::WINDOWS_TENTHS.collect(),
             Self::Plug => gauge::BOSSES_TENTHS.collect(),
             Self::Hinge => gauge::tongues(frame).to_vec(),

@@ -29,7 +29,7 @@ const TONGUE_WIDTH_MM: f64 = 3.0;
 const CELL_MM: f64 = 5.2;
 
 /// Bores less rod diameter, tenths of a millimetre: 2.5 to 3.4 mm for rods of 3 mm.
-pub(super) const BORES_TENTHS: std::ops::RangeInclusive<i32> = -5..=4;
+const BORES_TENTHS: std::ops::RangeInclusive<i32> = -5..=4;
 /// Clearances of windows, tenths of a millimetre.
 pub(super) const WINDOWS_TENTHS: std::ops::RangeInclusive<i32> = 0..=3;
 /// Clearances of bosses, tenths of a millimetre.
@@ -100,13 +100,18 @@ impl Row {
     }
 }
 
+/// The bores' diameters, which are their numbers, tenths of a millimetre: whole ones for a rod between two tenths, too.
+pub(super) fn bores_tenths(frame: &Frame) -> impl Iterator<Item = i32> {
+    let rod = tenths(frame.rods.rod_diameter_mm);
+    BORES_TENTHS.map(move |more| rod + more)
+}
+
 /// The flexible piece: bores for a rod, windows for the bar, tongues.
 pub(super) fn flexible(frame: &Frame) -> Feature {
-    let rod_mm = frame.rods.rod_diameter_mm;
     let mut row = Row::new(DEPTH_MM);
-    for tenths in BORES_TENTHS {
-        let bore_mm = rod_mm + mm(tenths);
-        row.cell(self::tenths(bore_mm), [bore_mm; 2], WALL_MM, &|at| Contour::bore(at, 0.5 * bore_mm));
+    for number in bores_tenths(frame) {
+        let bore_mm = mm(number);
+        row.cell(number, [bore_mm; 2], WALL_MM, &|at| Contour::bore(at, 0.5 * bore_mm));
     }
     let (wide, high) = (frame.fork.fork_bar_height_mm, frame.fork.fork_bar_depth_mm);
     for tenths in WINDOWS_TENTHS {

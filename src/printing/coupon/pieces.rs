@@ -133,15 +133,16 @@ mod tests {
 
     #[test]
     fn analytic_bores_are_as_wide_as_their_numbers_say() {
-        for preset in ["cognifly", "cognifly-mini", "cognifly-v8"] {
-            let file = FrameFile::load(preset).expect("is a preset");
+        // A rod between two tenths, too.
+        for (preset, rod_mm) in [("cognifly", 3.0), ("cognifly-mini", 3.0), ("cognifly-v8", 3.0), ("cognifly", 2.95)] {
+            let mut file = FrameFile::load(preset).expect("is a preset");
+            file.set_number("rods.rod_diameter_mm", rod_mm);
             let frame = Frame::resolve(&file).expect("resolves");
             let coupon = Coupon::new(&frame).expect("is made");
             let solid = MeshSolid::from_mesh(&coupon.pieces[0].mesh).expect("is closed");
-            let rod_mm = frame.rods.rod_diameter_mm;
             let mut x = 0.0;
-            for tenths in gauge::BORES_TENTHS {
-                let bore_mm = rod_mm + 0.1 * f64::from(tenths);
+            for number in gauge::bores_tenths(&frame) {
+                let bore_mm = 0.1 * f64::from(number);
                 let width = (bore_mm + 0.9).max(5.2);
                 let (middle, axis) = (x + 0.5 * width, 0.5 * bore_mm + 0.9);
                 for side in [-1.0, 1.0] {

@@ -35,7 +35,7 @@ impl Heater {
 pub struct Heat {
     /// Of which.
     pub of: Heater,
-    /// What the material's profile sets.
+    /// What the material's profile sets, and no less than it needs.
     pub wanted: f64,
     /// What the printer has.
     pub has: f64,
@@ -63,9 +63,9 @@ pub struct Instead {
 
 /// All that can be compared of a material and a printer.
 pub fn heats(material: &Material, printer: &Printer) -> Vec<Heat> {
-    let [nozzle, bed] =
-        [(material.nozzle_c, printer.most_nozzle_c), (material.bed_c, printer.most_bed_c)].map(|(wanted, has)| wanted.zip(has));
     let least = material.least_nozzle_c.or(material.nozzle_c);
+    let wanted_c = material.nozzle_c.into_iter().chain(least).reduce(f64::max);
+    let [nozzle, bed] = [(wanted_c, printer.most_nozzle_c), (material.bed_c, printer.most_bed_c)].map(|(wanted, has)| wanted.zip(has));
     let nozzle = nozzle.map(|(wanted, has)| Heat { of: Heater::Nozzle, wanted, has, too_cold: least.is_some_and(|least| least > has) });
     let bed = bed.map(|(wanted, has)| Heat { of: Heater::Bed, wanted, has, too_cold: false });
     let number = |yes: bool| f64::from(u8::from(yes));

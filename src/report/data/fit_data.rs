@@ -44,6 +44,7 @@ pub fn json(run: &Run) -> Value {
             "start": fit.objective[0],
             "fitted": fit.objective[1],
             "degrees_of_freedom": run.numbers.map(|numbers| numbers - fit.estimates.len()),
+            "p": fit.p,
         },
         "parameters": parameters,
         "bootstrap": { "asked": run.bootstrap, "ended": fit.resampled, "seed": run.seed },

@@ -24,12 +24,17 @@ const MOST_SHAPES: usize = 24;
 /// How many times slower than it happens the motion is.
 const SLOWER: f64 = 100.0;
 
+/// The program's numbers, for a frame's own material.
+fn settings(open: &OpenFrame) -> Result<MechanicsSettings, Refused> {
+    Ok(MechanicsSettings::load(None)?.for_material(&open.design.frame.flexible.material))
+}
+
 /// What they predict of the design drop, and the numbers that they were asked with.
 ///
 /// # Errors
 /// When they cannot be computed.
 pub fn predicted(open: &OpenFrame) -> Result<(MechanicsSettings, Prediction), Refused> {
-    let settings = MechanicsSettings::load(None)?;
+    let settings = settings(open)?;
     let found = predict(&open.design, &open.masses, &settings).map_err(refused)?;
     Ok((settings, found))
 }
@@ -39,7 +44,7 @@ pub fn predicted(open: &OpenFrame) -> Result<(MechanicsSettings, Prediction), Re
 /// # Errors
 /// When they cannot be computed.
 pub fn stiffness(open: &OpenFrame) -> Result<Value, Refused> {
-    let settings = MechanicsSettings::load(None)?;
+    let settings = settings(open)?;
     let model = |extent| FrameModel::new(&open.design, &open.masses, &settings, extent).map_err(refused);
     let curve = StaticCurve::new(&model(Extent::Quarter)?, DOWN_MM, &INSIDE_MM).map_err(refused)?;
     let modes = Modes::new(&model(Extent::Whole)?, REPORTED).map_err(refused)?;
@@ -63,7 +68,7 @@ pub fn stiffness(open: &OpenFrame) -> Result<Value, Refused> {
 pub fn impact(open: &OpenFrame, height_m: f64, motion: bool) -> Result<Answer, Refused> {
     flexframe::impact::sim::check_heights(&[height_m]).map_err(Refused::plain)?;
     let OpenFrame { design, masses, .. } = open;
-    let settings = MechanicsSettings::load(None)?;
+    let settings = settings(open)?;
     tell_stage(0, 3, "beams of the frame");
     let parts = part_models(design, &settings).map_err(refused)?;
     let model = |extent| FrameModel::of_parts(design, &parts, masses, &settings, extent).map_err(refused);
