@@ -1,7 +1,6 @@
 //! `bom.csv`: what to print, what to buy, and how to cut the rods from stock lengths.
 
 use super::bill::{Bill, BuyLine, CutLine, PrintLine, RodLine, bill};
-use super::cutting::rest_words;
 use super::format::{ExportError, Exported, File, Format};
 use super::table;
 
@@ -107,7 +106,7 @@ fn stock_rows(bill: &Bill) -> Vec<Row> {
     }
     let stock = |(at, stock): (usize, &CutLine)| {
         let cuts: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();
-        row(format!("{}-{}", rod.name, at + 1), "1", format!("cut: {}; rest {}", cuts.join(" + "), rest_words(stock.rest_mm)))
+        row(format!("{}-{}", rod.name, at + 1), "1", format!("cut: {}; rest {:.1}", cuts.join(" + "), stock.rest_mm))
     };
     bill.cut.iter().enumerate().map(stock).collect()
 }
