@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use crate::params::frame_file::Value;
 use crate::params::parameter::Parameter;
-use crate::params::refusal::{Place, nearest};
+use crate::params::refusal::{Place, Reason, nearest};
 use crate::params::roles::ROLES;
 use crate::params::sleeve_direction::SleeveDirection;
 use crate::params::{Frame, FrameFile, follows, parameters, preset};
@@ -27,6 +27,8 @@ pub(super) struct Choice {
     pub value: Option<(String, Place)>,
     /// The names there are, those of the frame file included.
     pub names: Vec<String>,
+    /// Further names of the kind, of parts that the frame has nothing to carry with in this role.
+    pub not_carried: Vec<String>,
     /// How else it may be chosen.
     pub or: Vec<String>,
     /// Whether it may be `none`.
@@ -105,6 +107,7 @@ fn named(key: &str, what: &str, file: &FrameFile) -> Choice {
         what: what.into(),
         value,
         names,
+        not_carried: Vec::new(),
         or: own.into_iter().map(String::from).collect(),
         without: false,
         sets: Vec::new(),
@@ -115,10 +118,20 @@ fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {
     let key = bought_key(role);
     let (quantity, kind) = ROLES.iter().find(|(known, ..)| *known == role).map_or((1, ""), |(_, quantity, kind)| (*quantity, *kind));
     let mut or = vec!["one described below [override.parts]".to_string()];
-    // The reader knows best what a frame can be without.
-    let mut without = file.clone();
-    without.set(&key, Value::Text("none".into()));
-    let without = Frame::resolve(&without).is_ok();
+    // The reader knows best what a frame can be without, and what it carries.
+    let with = |name: &str| {
+        let mut chosen = file.clone();
+        chosen.set(&key, Value::Text(name.into()));
+        Frame::resolve(&chosen)
+    };
+    let without = with("none").is_ok();
+    let (shipped, offered) = (preset::part_names(kind), preset::names_in(role));
+    let is_carried = |name: &String| match with(name) {
+        Ok(_) => true,
+        // What is refused for another reason may go with another choice.
+        Err(refusal) => !matches!(*refusal.reason, Reason::NotCarried { .. }) && (offered.contains(name) || !shipped.contains(name)),
+    };
+    let (names, not_carried) = with_own(shipped.clone(), file, "parts", Some(kind)).into_iter().partition(is_carried);
     if without {
         or.push("\"none\" for a frame without".into());
     }
@@ -129,7 +142,8 @@ fn bought(role: &'static str, frame: &Frame, file: &FrameFile) -> Choice {
     Choice {
         what: format!("The {}: what is bought for it, {quantity} of the kind `{kind}`.", role.replace('_', " ")),
         value: stated(file, &key),
-        names: with_own(preset::part_names(kind), file, "parts", Some(kind)),
+        names,
+        not_carried,
         or,
         without,
         sets: parameters().filter(|p| follows::role_in(&frame.bought, p.key) == Some(role)).map(followed).collect(),

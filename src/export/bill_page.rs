@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::bill::{Bill, BuyLine, CutLine};
-use super::cutting::Saving;
+use super::cutting::{Saving, rest_words};
 use super::spares::SPARE_RULES;
 use crate::markdown::inert;
 
@@ -128,7 +128,7 @@ fn cut(page: &mut String, bill: &Bill) {
     *page += "| stock | pieces, mm | rest, mm |\n|---:|---|---:|\n";
     for (at, CutLine { pieces, rest_mm }) in bill.cut.iter().enumerate() {
         let pieces: Vec<String> = pieces.iter().map(|(role, mm)| format!("{role} {mm:.1}")).collect();
-        let _ = writeln!(page, "| {} | {} | {rest_mm:.1} |", at + 1, pieces.join(" + "));
+        let _ = writeln!(page, "| {} | {} | {} |", at + 1, pieces.join(" + "), rest_words(*rest_mm));
     }
     for Saving { rod, from_mm, to_mm } in &bill.savings {
         let _ = writeln!(page, "\nA stock length is saved by `{rod}` rods of {to_mm:.1} mm instead of {from_mm:.1} mm.");

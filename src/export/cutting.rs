@@ -1,8 +1,9 @@
-//! How to cut rods from stock lengths: fewest stock lengths, and among those plans the longest piece left over.
+//! How to cut rods from stock lengths: fewest stock lengths, among those plans one that leaves something of each, and among these the longest
+//! piece left over.
 //!
 //! Frames have a few different lengths of each of which several are needed, so every way of counting them down is looked at:
 //! 8, 8, 8 and 4 rods are 3645 states, 4, 4, 8, 8 and 4 are 10,125. Each stock length takes the longest rod that is still missing and as many others as
-//! fit; no plan with fewer stock lengths exists.
+//! fit; no plan with fewer stock lengths exists. A plan that keeps a rest of each is one of stock lengths that are shorter by that rest.
 
 use std::collections::BTreeMap;
 
@@ -32,8 +33,20 @@ pub struct TooLong {
     pub stock_mm: f64,
 }
 
+/// What a plan leaves of each stock length where it can, mm: ends are trimmed where they are split or crooked, some 2 mm each, and a saw by
+/// hand wanders by some tenths at each of ten cuts.
+const KEPT_MM: f64 = 5.0;
+/// A rest below this is told, mm: trimmed ends, or a saw that is a little wider than meant, use it up.
+const NARROW_MM: f64 = 3.0;
+
 /// Sums of lengths are off in the last digits, mm.
 const SLACK_MM: f64 = 1e-6;
+
+/// A rest in words, with what a short one asks for.
+pub fn rest_words(rest_mm: f64) -> String {
+    let care = if rest_mm < NARROW_MM - SLACK_MM { " (trim no end and saw thin)" } else { "" };
+    format!("{rest_mm:.1}{care}")
+}
 
 /// Rods of one role: role, length in mm, count.
 type Kind = (RodRole, f64, u8);
@@ -51,8 +64,8 @@ struct Table<'a> {
 
 impl Table<'_> {
     fn rest_mm(&self, pattern: &[u8]) -> f64 {
-        let used: f64 = self.kinds.iter().zip(pattern).map(|((_, mm, _), n)| f64::from(*n) * (mm + self.kerf_mm)).sum();
-        (self.stock_mm - used).max(0.0)
+        let pieces_mm = self.kinds.iter().zip(pattern).flat_map(|((_, mm, _), n)| std::iter::repeat_n(*mm, usize::from(*n)));
+        rest_mm(pieces_mm, self.stock_mm, self.kerf_mm)
     }
 
     fn fits(&self, pattern: &[u8]) -> bool {
@@ -118,7 +131,30 @@ impl Table<'_> {
 ///
 /// # Errors
 /// When a rod is longer than the stock.
-pub fn plan(rods: &[(RodRole, f64, u8)], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+pub fn plan(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
+    let least = fewest(rods, stock_mm, kerf_mm)?;
+    if least.iter().all(|stock| stock.rest_mm >= KEPT_MM) {
+        return Ok(least);
+    }
+    // A rest is what is left behind the last cut.
+    let less_mm = KEPT_MM + kerf_mm;
+    let Ok(mut kept) = fewest(rods, stock_mm - less_mm, kerf_mm) else { return Ok(least) };
+    if kept.len() > least.len() {
+        return Ok(least);
+    }
+    for stock in &mut kept {
+        stock.rest_mm = rest_mm(stock.pieces.iter().map(|(_, mm)| *mm), stock_mm, kerf_mm);
+    }
+    Ok(kept)
+}
+
+/// What is left of a stock length behind the last cut, mm.
+fn rest_mm(pieces_mm: impl Iterator<Item = f64>, stock_mm: f64, kerf_mm: f64) -> f64 {
+    (stock_mm - pieces_mm.map(|mm| mm + kerf_mm).sum::<f64>()).max(0.0)
+}
+
+/// A plan with the fewest stock lengths, and of these the longest piece left over.
+fn fewest(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Result<Vec<Stock>, TooLong> {
     let mut kinds: Vec<Kind> = rods.to_vec();
     kinds.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     if let Some((role, length_mm, _)) = kinds.iter().find(|(_, mm, n)| *n > 0 && *mm > stock_mm + SLACK_MM) {
@@ -152,7 +188,7 @@ const SHORTER: f64 = 0.05;
 
 /// Roles whose rods need one stock length less when they are shorter by at most a twentieth, the smallest change first.
 pub fn savings(rods: &[Kind], stock_mm: f64, kerf_mm: f64) -> Vec<Saving> {
-    let count = |rods: &[Kind]| plan(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
+    let count = |rods: &[Kind]| fewest(rods, stock_mm, kerf_mm).map_or(usize::MAX, |stocks| stocks.len());
     let now = count(rods);
     let with = |at: usize, length_mm: f64| {
         let mut shorter = rods.to_vec();
@@ -260,6 +296,28 @@ mod tests {
         assert_eq!(plan(&[], 10.0, 1.0), Ok(Vec::new()));
         // The last piece needs no cut behind it.
         assert_eq!(plan(&[(ROLES[0], 4.5, 2)], 10.0, 1.0).expect("fits").len(), 1);
+    }
+
+    #[test]
+    fn analytic_something_is_left_of_each_stock_where_that_takes_no_more() {
+        let rests = |rods: &[Kind]| plan(rods, 100.0, 0.0).expect("fits").iter().map(|stock| stock.rest_mm).collect::<Vec<_>>();
+        // 60 + 40 fill one of 100; 60 and 40 + 40 leave 40 and 20 of two.
+        assert_eq!(rests(&[(ROLES[0], 60.0, 1), (ROLES[1], 40.0, 2)]), [40.0, 20.0]);
+        // 49.5 + 49.5 leave 1 mm, and the longest rest elsewhere.
+        assert!(rests(&[(ROLES[0], 49.5, 3), (ROLES[1], 20.0, 3)]).iter().all(|rest| *rest >= KEPT_MM));
+        // Two of 50 fill one of 100, and the third needs another: no plan of two keeps 5 mm of both.
+        assert_eq!(rests(&[(ROLES[0], 50.0, 3)]), [0.0, 50.0]);
+        // 98 mm leave 2 mm however it is planned.
+        assert_eq!(rests(&[(ROLES[0], 98.0, 1)]), [2.0]);
+        // The cut behind the last piece counts.
+        let cut = plan(&[(ROLES[0], 60.0, 1), (ROLES[1], 34.0, 2)], 100.0, 1.0).expect("fits");
+        assert!(cut.iter().all(|stock| stock.rest_mm >= KEPT_MM), "{cut:?}");
+    }
+
+    #[test]
+    fn analytic_a_rest_that_a_trimmed_end_uses_up_is_told() {
+        assert_eq!([3.0, 5.0, 949.0].map(rest_words), ["3.0", "5.0", "949.0"]);
+        assert_eq!([0.0, 2.9].map(rest_words), ["0.0 (trim no end and saw thin)", "2.9 (trim no end and saw thin)"]);
     }
 
     #[test]

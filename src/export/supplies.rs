@@ -88,7 +88,8 @@ fn glues(design: &Design) -> Vec<Supply> {
     all.push(Supply::one(
         "rod_glue",
         "cyanoacrylate glue",
-        "only for a rod that is loose in its bore; never for a hinge or for the plugs in the hub",
+        "a drop on each arm at the rings of the four motor mounts, and for a rod that is loose in its bore; never for a hinge or for the plugs in \
+         the hub",
     ));
     all
 }
@@ -127,9 +128,9 @@ fn takes(mount: &Mount, any: &[Tool]) -> bool {
 /// How many of which screws the computer takes, where that is known.
 fn sizes_of_screws(design: &Design) -> String {
     let Some(screws) = CarrierScrews::new(&design.frame) else { return String::new() };
-    let on_board = screws.words(screws.on_board_mm);
-    match screws.on_feet_mm {
-        Some(on_feet_mm) => format!("; the computer takes 2 x {on_board} and 2 x {}", screws.words(on_feet_mm)),
+    let on_board = screws.words(screws.on_board);
+    match screws.on_feet {
+        Some(on_feet) => format!("; the computer takes 2 x {on_board} and 2 x {}", screws.words(on_feet)),
         None => format!("; the computer takes 4 x {on_board}"),
     }
 }
@@ -279,6 +280,7 @@ mod tests {
         // Without a camera its connectors are not glued.
         let joints = |all: &[Supply]| line(all, "glue").note.matches(';').count() + 1;
         assert_eq!((joints(&whole), joints(&bare)), (7, 6));
-        assert!(line(&whole, "rod_glue").search.contains("cyanoacrylate"));
+        let rods = line(&whole, "rod_glue");
+        assert!(rods.search.contains("cyanoacrylate") && rods.note.contains("four motor mounts"), "{rods:?}");
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
+use super::carried::is_carried;
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::figure::within_bounds;
 use super::frame::{BoughtItem, NamedMaterial};
@@ -12,10 +13,7 @@ use super::kind_fields::kinds_of;
 use super::preset;
 use super::read::{bad_entry, in_one_line, stated_text, text, to_blame};
 use super::refusal::{Reason, Refusal, nearest};
-use super::roles::ROLES;
-
-/// Roles that no frame can be without.
-const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];
+use super::roles::{NEEDED, ROLES};
 
 /// The catalogues, by their tables within `override`.
 pub(super) const CATALOGUES: [&str; 3] = ["parts", "materials", "printers"];
@@ -115,7 +113,7 @@ impl Catalogues {
             let Some(name) = text(file, &key)?.filter(|name| name != "none") else { continue };
             let part: BoughtPart = entry(&self.parts, file, &key, "bought part", "parts", &name)?;
             if part.kind != kind {
-                let (found, expected, fits) = (format!("a {}", part.kind), format!("a {kind}"), fitting(&self.parts, |p| is(p, kind)));
+                let (found, expected, fits) = (format!("a {}", part.kind), format!("a {kind}"), self.parts_for(role, kind));
                 return Err(file.refuse(&key, Reason::WrongKind { key: key.clone(), name, found, expected, fits }));
             }
             if !part.is_priced_whole() {
@@ -137,7 +135,7 @@ impl Catalogues {
                 None => Reason::Missing { key: key.clone() },
                 Some(_) => Reason::Impossible {
                     message: format!("`{key}` = \"none\": a frame cannot be without a {role}"),
-                    remedy: format!("name one: {}", listed(&fitting(&self.parts, |p| is(p, kind)))),
+                    remedy: format!("name one: {}", listed(&self.parts_for(role, kind))),
                 },
             };
             return Err(file.refuse(&key, reason));
@@ -153,6 +151,15 @@ impl Catalogues {
             _ => drop(items.remove("stack_spacer")),
         }
         Ok(items)
+    }
+
+    /// The names of the bought parts of a kind that a frame can carry in a role.
+    fn parts_for(&self, role: &str, kind: &str) -> Vec<String> {
+        let is_carried = |entry: &toml::Table| {
+            let part: Option<BoughtPart> = toml::Value::Table(entry.clone()).try_into().ok();
+            part.is_none_or(|part| is_carried(role, &part))
+        };
+        fitting(&self.parts, |entry| is(entry, kind) && is_carried(entry))
     }
 
     /// The material of the joints; it has to say how far it stretches, or their hinges could not be checked.

@@ -142,6 +142,12 @@ fn propeller_height_mm(propeller: &BoughtPart, bought: &Bought) -> Option<f64> {
     Some(sum_mm([motor.motor_height_mm(), PROPELLER_GAP_MM, 0.5 * propeller.hub_mm()]))
 }
 
+/// The number that a part alone gives a key in a role; none where the key does not follow from the role, or from more than the part.
+pub(super) fn from_part(role: &str, part: &BoughtPart, key: &str) -> Option<f64> {
+    let rule = FOLLOWS.iter().find(|rule| rule.key == key && rule.roles.contains(&role))?;
+    (rule.figure)(part, &Bought::new())
+}
+
 /// The number that a bought part, or its absence, gives a key.
 pub(super) fn from_bought(bought: &Bought, key: &str) -> Option<f64> {
     let rule = FOLLOWS.iter().find(|rule| rule.key == key)?;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::de::DeserializeOwned;
 
+use super::carried::is_carried;
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::roles::ROLES;
 use super::sleeve_direction::SleeveDirection;
@@ -73,10 +74,7 @@ pub fn names_for(key: &str) -> Vec<String> {
         None if key == "printer" => printer_names().map(String::from).collect(),
         Some(_) if key == SleeveDirection::KEY => SleeveDirection::WORDS.map(String::from).into(),
         Some(("materials", _)) => of_kind(MATERIALS, "materials", "printed"),
-        Some(("bought", role)) => {
-            let kind = ROLES.iter().find(|(known, ..)| *known == role).map_or("", |(.., kind)| *kind);
-            of_kind(BOUGHT, "parts", kind)
-        }
+        Some(("bought", role)) => names_in(role),
         _ => Vec::new(),
     }
 }
@@ -94,6 +92,13 @@ pub fn material_names(kind: &str) -> Vec<String> {
 /// The names of the bought parts of a kind.
 pub fn part_names(kind: &str) -> Vec<String> {
     names_of(BOUGHT, "parts", kind)
+}
+
+/// The names of the bought parts that a frame can carry in a role.
+pub fn names_in(role: &str) -> Vec<String> {
+    let kind = ROLES.iter().find(|(known, ..)| *known == role).map_or("", |(.., kind)| *kind);
+    let carried = |(name, part): (String, BoughtPart)| (part.kind == kind && is_carried(role, &part)).then_some(name);
+    bought_parts().into_iter().filter_map(carried).collect()
 }
 
 /// The bought parts that come with the program, by name.

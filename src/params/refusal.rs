@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use super::roles::NEEDED;
+
 /// A parameter file as read.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Source {
@@ -116,6 +118,28 @@ pub enum Reason {
         /// Unit; empty or 1 for a plain number.
         unit: String,
     },
+    /// A bought part from which a number follows that is outside its bounds.
+    #[error("there is no {carrier} for the {} `{name}`: `{key}` = {}, which follows from it, is out of bounds: {min} to {max}{}", spaced(.role), written(.value), unit_after(.unit))]
+    NotCarried {
+        /// The part's role.
+        role: String,
+        /// Its name.
+        name: String,
+        /// What carries it.
+        carrier: String,
+        /// The field of the file's own entry that the number follows from.
+        field: Option<String>,
+        /// The number's key.
+        key: String,
+        /// The number.
+        value: f64,
+        /// Lowest allowed.
+        min: f64,
+        /// Highest allowed.
+        max: f64,
+        /// Unit; empty or 1 for a plain number.
+        unit: String,
+    },
     /// Neither this file nor its bases state it.
     #[error("`{key}` is stated nowhere")]
     Missing {
@@ -163,6 +187,11 @@ pub(super) fn unit_after(unit: &str) -> String {
     if matches!(unit, "" | "1") { String::new() } else { format!(" {unit}") }
 }
 
+/// A name in a sentence.
+fn spaced(name: &str) -> String {
+    name.replace('_', " ")
+}
+
 /// A number as a person would write it: without hundreds of zeros.
 fn written(value: &f64) -> String {
     if *value == 0.0 || (1e-6..1e12).contains(&value.abs()) { value.to_string() } else { format!("{value:e}") }
@@ -193,6 +222,16 @@ impl Reason {
                 format!("the nearest allowed value is {limit}{}", unit_after(unit))
             }
             Self::OutOfBounds { .. } => "give a finite number".into(),
+            Self::NotCarried { role, field, .. } => {
+                let mended = field.as_ref().map_or(String::new(), |field| format!("correct `{field}`, or "));
+                let without = match NEEDED.contains(&role.as_str()) {
+                    true => String::new(),
+                    false => format!(
+                        ", or leave it out ({role} = \"none\" in [bought]) and weigh it as an entry of [extras] with covers = [\"{role}\"]"
+                    ),
+                };
+                format!("{mended}choose another {}{without}", spaced(role))
+            }
             Self::Missing { key } if key.starts_with("target.") => {
                 "a [target] needs all three: width_mm, height_mm and strut_tilt_deg; or leave it out and state the rod lengths".into()
             }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::carried::carrier;
 use super::choice::{CATALOGUES, Catalogues};
 use super::figure::within_bounds;
 use super::follows;
@@ -167,15 +168,18 @@ fn number(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Parameter
     if (p.min..=p.max).contains(&value) {
         return Ok(value);
     }
-    let reason = Reason::OutOfBounds { key: key.clone(), value, min: p.min, max: p.max, unit: p.unit().into() };
-    let typed = file.entries.contains_key(&key);
-    if typed {
-        return Err(file.refuse(&key, reason));
+    let (min, max, unit) = (p.min, p.max, p.unit().to_string());
+    let followed = follows::role_in(bought, p.key).and_then(|role| Some((role, bought.get(role)?)));
+    match followed.filter(|_| !file.entries.contains_key(&key)) {
+        None => Err(file.refuse(&key, Reason::OutOfBounds { key: key.clone(), value, min, max, unit })),
+        Some((role, item)) => {
+            // Of a part that the file describes itself, that figure; else the choice of the part.
+            let field = follows::field_of(bought, p.key).filter(|field| file.entries.contains_key(field));
+            let at = field.clone().unwrap_or_else(|| format!("bought.{role}"));
+            let (name, carrier) = (item.name.clone(), carrier(role).into());
+            Err(file.refuse(&at, Reason::NotCarried { role: role.into(), name, carrier, field, key, value, min, max, unit }))
+        }
     }
-    // Of a part that the file describes itself, that figure; else the choice of the part.
-    let described = follows::field_of(bought, p.key).filter(|field| file.entries.contains_key(field));
-    let chosen = || follows::role_in(bought, p.key).map_or_else(|| key.clone(), |role| format!("bought.{role}"));
-    Err(file.refuse(&described.unwrap_or_else(chosen), reason))
 }
 
 /// What a bought part says of a number, and the number that it grows with.

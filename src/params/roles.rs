@@ -26,5 +26,8 @@ pub const ROLES: [(&str, u32, &str); 21] = [
     ("fpv_camera", 1, "fpv_camera"),
 ];
 
+/// Roles that no frame can be without.
+pub(super) const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];
+
 /// Roles that the accessory plate carries.
 pub const ACCESSORIES: [&str; 4] = ["receiver", "buzzer", "gps", "fpv_camera"];

@@ -65,7 +65,7 @@ fn materials() -> Value {
 fn bought() -> Value {
     let mut roles = Map::new();
     for (role, quantity, kind) in ROLES {
-        let names = preset::part_names(kind);
+        let names = preset::names_in(role);
         let text = format!("{quantity} {kind}: a name of params/bought.toml or of [override.parts], or \"none\".");
         roles.insert(role.into(), json!({ "type": "string", "description": text, "examples": names }));
     }

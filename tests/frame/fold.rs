@@ -40,6 +40,27 @@ fn analytic_whatever_the_candidates_order_a_valid_sequence_is_found() {
     }
 }
 
+/// One of three screws is above the leg once the mount is on the arms.
+#[test]
+fn planted_a_motor_with_three_holes_is_seated_before_its_mount_goes_onto_the_arms() {
+    let mut frame = Frame::load("cognifly").expect("a preset").0;
+    let of = |frame: &Frame| {
+        let design = Design::with(frame.clone(), common::memo()).expect("designs");
+        let fold = FoldSequence::new(frame, &design.skeleton).expect("can be folded");
+        assert_eq!(fold.rules(frame, &design.skeleton).check(&fold.order()), []);
+        let at = |task: Task| fold.steps.iter().position(|step| step.task == task).expect("a step");
+        let [motor, mount, triangle] = [Task::SeatMotor, Task::SlideMount, Task::CloseTriangle].map(at);
+        let takes = Mounting::new(&design, &fold).fold_parts;
+        let lists = |step: usize, part: &str| takes[step].iter().any(|line| line.part == part);
+        let listed = ["motor", "motor_screw", "motor_mount"].map(|part| lists(motor, part) && !lists(mount, part));
+        let placed = [motor, triangle].map(|step| fold.steps[step].caution.as_ref().is_some_and(|text| text.contains("cyanoacrylate")));
+        (motor < mount, listed, placed, met(&design))
+    };
+    assert_eq!(of(&frame), (false, [true, true, false], [true, false], Vec::new()));
+    frame.bought.get_mut("motor").expect("has one").part.hole_count = Some(3);
+    assert_eq!(of(&frame), (true, [true, true, true], [false, true], Vec::new()));
+}
+
 #[test]
 fn measured_the_hinges_fold_as_those_of_the_real_frame() {
     let (frame, skeleton) = preset("cognifly-v8");

@@ -53,6 +53,20 @@ fn analytic_every_part_of_the_bill_is_in_one_step() {
     }
 }
 
+/// What keeps the motor mounts in their places is told alike where it is bought, on the first page, and where it is done.
+#[test]
+fn regress_the_glue_of_the_motor_mounts_is_told_everywhere() {
+    let design = designed("cognifly");
+    let fold = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let masses = mass::table(&design);
+    let bought = bill(&design, &masses, None).buy.into_iter().map(|line| line.note).collect::<Vec<_>>();
+    let done = fold.steps.iter().filter_map(|step| step.caution.clone()).map(String::from).collect::<Vec<_>>();
+    let first = Booklet::new(&design, &masses, &fold).preface;
+    assert!(bought.iter().any(|note| note.contains("four motor mounts") && note.contains("loose in its bore")), "{bought:?}");
+    assert!(first.iter().any(|line| line.contains("cyanoacrylate") && line.contains("four motor mounts")), "{first:?}");
+    assert!(done.iter().any(|text| text.contains("the mount") && text.contains("cyanoacrylate")), "{done:?}");
+}
+
 /// The first power tries the motors, so their wires come before it, also where the battery cannot get in; the instructions say that it cannot.
 #[test]
 fn planted_a_battery_that_meets_a_rod_comes_after_the_motor_wires_and_the_instructions_say_so() {

@@ -3,7 +3,6 @@
 use super::comparison::{SAME_MM, measure, name, part};
 use crate::checks::finding::Finding;
 use crate::checks::scene::Scene;
-use crate::frame::mounting::CarrierScrews;
 use crate::frame::skeleton::{Accessories, SLOT_MM, Stack};
 use crate::params::Frame;
 use crate::params::catalogue::{BoughtPart, HOLE_PLAY_MM};
@@ -16,7 +15,6 @@ pub(super) const COMPUTER_HOLES: &[&str] = &["pi_carrier.pi_pattern_along_mm", "
 pub(super) const CAMERA_HOLES: &[&str] = &["camera.camera_pattern_across_mm", "camera.camera_pattern_up_mm", "bought.camera"];
 pub(super) const TIED: &[&str] = &["accessories.accessory_side_mm", "bought.receiver", "bought.buzzer"];
 pub(super) const SENSOR_HOLES: &[&str] = &["sleeve.sensor_hole_pitch_mm", "bought.flow_sensor"];
-pub(super) const CARRIER_HOLES: &[&str] = &["pi_carrier.pi_hole_diameter_mm"];
 pub(super) const CONNECTOR_HOLES: &[&str] = &["camera.camera_hole_diameter_mm"];
 pub(super) const PLATE_HOLES: &[&str] = &["accessories.fpv_hole_diameter_mm"];
 pub(super) const COMPUTER_ALONE: &[&str] = &["bought.computer"];
@@ -115,7 +113,7 @@ fn shaft_hole(frame: &Frame) -> Option<Finding> {
     Some(hole.at_least("holes of the motor: shaft".into(), message))
 }
 
-/// Printed holes that small screws go through have room for them, and those that they cut their thread in are neither too narrow nor too wide.
+/// Printed holes that small screws go through have room for them.
 pub(super) fn small_printed_holes(frame: &Frame) -> Vec<Finding> {
     let printed: [(&str, f64, &'static [&'static str]); 2] = [
         ("camera", frame.camera.camera_hole_diameter_mm, CONNECTOR_HOLES),
@@ -129,21 +127,7 @@ pub(super) fn small_printed_holes(frame: &Frame) -> Vec<Finding> {
             format!("the printed holes for {} are {wide} mm wide, the smallest screw of the bill needs {needed} mm", name(frame, role));
         Some(passed.at_least(format!("holes for the {role}: screw"), message))
     };
-    carrier_holes(frame).into_iter().chain(printed.into_iter().filter_map(of)).collect()
-}
-
-/// The screws of the computer cut their thread in the carrier's holes.
-fn carrier_holes(frame: &Frame) -> Vec<Finding> {
-    let Some(board) = part(frame, "computer") else { return Vec::new() };
-    let (called, hole) = (name(frame, "computer"), frame.pi_carrier.pi_hole_diameter_mm);
-    let [least, most] = CarrierScrews::holes_mm(board).map(|limit| measure(hole, limit, "mm", CARRIER_HOLES));
-    let ([wide, needed], [loose, held]) = (least.figures(2), most.figures(2));
-    let screw = format!("the carrier's holes for {called} are {wide} mm wide, an M2 screw that cuts its thread there needs {needed} mm");
-    let thread = format!(
-        "the carrier's holes for {called} are {loose} mm wide, a screw that passes the board's holes holds in {held} mm, and nuts have no room above \
-         the hub"
-    );
-    vec![least.at_least("holes for the computer: screw".into(), screw), most.at_most("holes for the computer: thread".into(), thread)]
+    printed.into_iter().filter_map(of).collect()
 }
 
 /// The slots for the ties of receiver and buzzer have room on the accessory plate.
@@ -202,7 +186,5 @@ mod tests {
         assert_eq!(broken(|frame| frame.motor_mount.motor_hole_circle_mm = 8.0), ["holes of the motor"]);
         assert_eq!(broken(|frame| frame.motor_mount.motor_shaft_hole_mm = 0.0), ["holes of the motor: shaft"]);
         assert_eq!(broken(|frame| frame.camera.camera_hole_diameter_mm = 1.5), ["holes for the camera: screw"]);
-        assert_eq!(broken(|frame| frame.pi_carrier.pi_hole_diameter_mm = 1.65), ["holes for the computer: screw"]);
-        assert_eq!(broken(|frame| frame.pi_carrier.pi_hole_diameter_mm = 2.75), ["holes for the computer: thread"]);
     }
 }

@@ -1,19 +1,26 @@
 //! Bought parts go together: rods with what the bill of materials says they are, screws with the holes and threads that take them,
-//! boards with the holes that carry them, propellers with their motors and inside of the cage.
+//! boards with the holes that carry them, propellers with their motors and inside of the cage. A warning is given of accessories that
+//! stand out of the cage, and of rods and plugs that nothing holds.
 //!
 //! What is compared is what the catalogue states and what the frame has. A figure that an entry does not state is not compared.
 
+mod above_ring;
+mod carrier;
 mod comparison;
 mod holes;
+mod loose;
 mod propellers;
 mod rods;
 mod screws;
 
+use above_ring::{FPV_CAMERA, MAST};
+use carrier::{CARRIER_HOLES, ON_BOARD, ON_FEET};
 use comparison::ID;
 use holes::{
-    CAMERA_ALONE, CAMERA_HOLES, CARRIER_HOLES, COMPUTER_ALONE, COMPUTER_HOLES, CONNECTOR_HOLES, FLIGHT_HOLES, MOTOR_HOLES, PLATE_HOLES,
-    SENSOR_ALONE, SENSOR_HOLES, SHAFT, STACK_HOLES, TIED,
+    CAMERA_ALONE, CAMERA_HOLES, COMPUTER_ALONE, COMPUTER_HOLES, CONNECTOR_HOLES, FLIGHT_HOLES, MOTOR_HOLES, PLATE_HOLES, SENSOR_ALONE,
+    SENSOR_HOLES, SHAFT, STACK_HOLES, TIED,
 };
+use loose::{GRIP, PLUGS};
 use propellers::{CAGE, SEAT};
 use rods::{ROD, ROD_ALONE, STOCK};
 use screws::{MOTOR_HEAD, MOTOR_LENGTH, MOTOR_THREAD, STACK_FLOOR, STACK_HEAD, STACK_LENGTH, STACK_THREAD};
@@ -52,9 +59,15 @@ pub static RULE: Rule = Rule {
         CAMERA_ALONE,
         SENSOR_ALONE,
         CARRIER_HOLES,
+        ON_BOARD,
+        ON_FEET,
         CONNECTOR_HOLES,
         PLATE_HOLES,
         TIED,
+        MAST,
+        FPV_CAMERA,
+        GRIP,
+        PLUGS,
     ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in"], binds: false },
@@ -70,9 +83,13 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(holes::small_holes(&scene.design.frame));
     found.extend(holes::holes(&scene.design.frame));
     found.extend(holes::tied(scene));
+    found.extend(carrier::holes(&scene.design.frame));
+    found.extend(carrier::engagement(&scene.design.frame));
     found.extend(holes::small_printed_holes(&scene.design.frame));
     found.extend(propellers::seat(&scene.design.frame));
     found.extend(propellers::cage(scene));
+    found.extend(above_ring::accessories(scene));
+    found.extend(loose::rods_and_plugs(&scene.design.frame));
     found
 }
 

@@ -3,6 +3,7 @@
 use super::comparison::{SAME_MM, measure, name, part};
 use crate::checks::finding::Finding;
 use crate::checks::scene::Scene;
+use crate::frame::mounting::pilot_hole_mm;
 use crate::frame::skeleton::Stack;
 use crate::params::Frame;
 
@@ -14,14 +15,12 @@ pub(super) const STACK_HEAD: &[&str] = &["hub.stack_counterbore_diameter_mm", "b
 pub(super) const STACK_FLOOR: &[&str] = &["hub.stack_counterbore_depth_mm", "hub.hub_plate_thickness_mm"];
 pub(super) const STACK_LENGTH: &[&str] = &["bought.stack_screw", "hub.stack_counterbore_depth_mm"];
 
-/// Least engagement of a motor's screw, in diameters: the real frame's M2 x 4 through 2.5 mm reach in by 0.75.
-const ENGAGED: f64 = 0.5;
+/// Least engagement of a screw, in diameters: the real frame's M2 x 4 through 2.5 mm reach into the motor by 0.75.
+pub(super) const ENGAGED: f64 = 0.5;
 /// Most engagement, in diameters: beyond, screws of small motors meet the windings.
 const ENGAGED_MOST: f64 = 1.5;
 /// Height of a nut that the frame does not state, in diameters (ISO 4032: 1.6 mm of M2, 2.4 mm of M3).
 const NUT: f64 = 0.8;
-/// By how much a self-tapping screw's thread is wider than its pilot hole, mm, in the middle (0.1 on the real frame), and how far off.
-const BITE_MM: [f64; 2] = [0.1, 0.2];
 /// Least width of plate below the head of a screw, beside its hole, mm: half a millimetre all around.
 const UNDER_HEAD_MM: f64 = 1.0;
 /// Least plate under the head of a screw of the stack, mm: six layers, without which the head is pulled through.
@@ -69,10 +68,12 @@ pub(super) fn stack_screws(scene: &Scene) -> Vec<Finding> {
         return Vec::new();
     };
     let (called, hub) = (name(frame, "stack_screw"), &frame.hub);
-    let bite = thread - hub.stack_pilot_diameter_mm;
-    let [meant, off] = BITE_MM;
-    let message = format!("{called} is {bite:.2} mm wider than its pilot hole in the hub, {meant:.2} mm hold without splitting it");
-    let mut found = vec![measure((bite - meant).abs(), off, "mm", STACK_THREAD).at_most("screw of the stack: bite".into(), message)];
+    let [narrow, wide] = pilot_hole_mm(thread).map(|limit| measure(hub.stack_pilot_diameter_mm, limit, "mm", STACK_THREAD));
+    let ([hole, least], [bored, most]) = (narrow.figures(2), wide.figures(2));
+    let splits = format!("the pilot holes in the hub are {hole} mm wide, {called} splits what is narrower than {least} mm");
+    let slips = format!("the pilot holes in the hub are {bored} mm wide, {called} holds in {most} mm");
+    let mut found =
+        vec![narrow.at_least("screw of the stack: splitting".into(), splits), wide.at_most("screw of the stack: bite".into(), slips)];
     if let Some(head) = screw.head_diameter_mm {
         let sunk = measure(head, hub.stack_counterbore_diameter_mm, "mm", STACK_HEAD);
         let [wide, bore] = sunk.figures(2);
@@ -119,6 +120,25 @@ mod tests {
                 .map(String::as_str),
             Some("screw of the stack: floor")
         );
-        assert_eq!(m3, ["screw of the stack: bite", "screw of the stack: head", "holes of the flight_controller: screw"]);
+        assert_eq!(m3, ["screw of the stack: splitting", "screw of the stack: head", "holes of the flight_controller: screw"]);
+    }
+
+    #[test]
+    fn planted_pilot_holes_of_the_stack() {
+        let m2 = |hole_mm: f64| broken(|frame| frame.hub.stack_pilot_diameter_mm = hole_mm);
+        assert_eq!(m2(1.6), Vec::<String>::new());
+        assert_eq!(m2(1.5), ["screw of the stack: splitting"]);
+        assert_eq!(m2(2.1), ["screw of the stack: bite"], "wider than the screw");
+        let m3 = |hole_mm: f64| {
+            broken(|frame| {
+                own(frame, "stack_screw", |screw| screw.thread_mm = Some(3.0));
+                frame.hub.stack_pilot_diameter_mm = hole_mm;
+            })
+        };
+        for (hole_mm, splits) in [(2.3, true), (2.5, false), (2.7, false), (2.9, false)] {
+            let found = m3(hole_mm);
+            let says = |what: &str| found.iter().any(|subject| subject == what);
+            assert_eq!([says("screw of the stack: splitting"), says("screw of the stack: bite")], [splits, false], "{hole_mm}");
+        }
     }
 }

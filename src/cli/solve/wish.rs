@@ -111,7 +111,8 @@ fn chosen_from(text: &str, frame: &Frame, file: &FrameFile) -> Result<NameChoice
 
 /// A name that a key can hold.
 fn one_of(name: &str, known: &Choice) -> Result<String, String> {
-    if known.names.iter().any(|own| own == name) || known.without && name == "none" {
+    // What the frame cannot carry is refused by the frame, with the reason.
+    if known.names.iter().chain(&known.not_carried).any(|own| own == name) || known.without && name == "none" {
         return Ok(name.into());
     }
     let near =

@@ -10,7 +10,7 @@ use super::linkage::{FREE_WAY, Linkage, LinkageError, Stance};
 use super::member::Member;
 use super::posture::{Module, Posture};
 use super::rules::{Broken, Done, Rules, rods_enter_mm};
-use super::task::{FoldMotion, Task};
+use super::task::{FoldMotion, Task, is_seated_early};
 use crate::figures::told_apart;
 use crate::frame::skeleton::{Centre, MODULE_NAMES, MODULE_WORDS, ModulePlaces, RodRole, Skeleton};
 use crate::memo::Key;
@@ -145,7 +145,16 @@ pub struct FoldSequence {
 /// All that a frame's fold follows from, and what its motions follow from.
 pub fn inputs(frame: &Frame, skeleton: &Skeleton) -> Key {
     let parts = (&frame.corner, &frame.hub, &frame.hub_joint, &frame.fork, &frame.knee, &frame.motor_mount);
-    let all = (parts, &frame.rods, &frame.fit, &frame.flexible, frame.limits.hinge_strain_factor, Centre::new(frame), skeleton);
+    let all = (
+        parts,
+        &frame.rods,
+        &frame.fit,
+        &frame.flexible,
+        frame.limits.hinge_strain_factor,
+        is_seated_early(frame),
+        Centre::new(frame),
+        skeleton,
+    );
     Key::of("fold", &all)
 }
 
@@ -160,7 +169,7 @@ impl FoldSequence {
         let module = Module::new(frame, skeleton, linkage);
         ring_can_close(frame)?;
         let rules = Rules::new(frame, skeleton, &module, entry);
-        let order = rules.order(&Task::ALL).map_err(|blocked| FoldError::NoOrder { blocked })?;
+        let order = rules.order(&Task::candidates(frame)).map_err(|blocked| FoldError::NoOrder { blocked })?;
         let off_hub_mm = rules.off_hub_mm;
         let steps = (0..order.len()).map(|at| step(&rules, frame, skeleton, &order, at)).collect();
         Ok(Self { module, entry, off_hub_mm, steps })

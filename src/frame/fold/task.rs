@@ -78,6 +78,17 @@ impl Task {
         Self::SeatMotor,
     ];
 
+    /// Every task as candidates for an order: of two that may be done at any time, the later one here is done later. A motor whose screws are out of
+    /// reach above the arms comes onto its mount before that.
+    pub fn candidates(frame: &Frame) -> [Self; 15] {
+        let mut tasks = Self::ALL;
+        if is_seated_early(frame) {
+            let [mount, motor] = [Self::SlideMount, Self::SeatMotor].map(|task| tasks.iter().position(|other| *other == task).unwrap_or(0));
+            tasks[mount..=motor].rotate_right(1);
+        }
+        tasks
+    }
+
     /// How it moves.
     pub fn motion(self) -> FoldMotion {
         match self {
@@ -224,19 +235,13 @@ impl Task {
             Self::PushArms | Self::PushLeg | Self::PushStruts | Self::PushBottomCage | Self::PushTopCage => {
                 Some(cut_rods::when_pushed(frame).into())
             }
-            Self::SeatMotor => Some(
-                format!(
-                    "First slide the mount along the arms until {:.1} mm of each show between its ring and the fork: there the propeller is clear of the \
-                     frame. Nothing else holds it there: put a drop of cyanoacrylate, or a turn of tape, on each arm at the ring.",
-                    mount_to_fork_mm(frame)
-                )
-                .into(),
-            ),
-            Self::SlideMount if frame.bought.get("motor").is_some_and(|motor| motor.part.motor_holes() == 3) => Some(
-                "One of this motor's three screws lies above the leg, where no screwdriver reaches it later. Put the motor onto its mount, its wires \
-                 towards the hub, and turn its screws in before the mount goes onto the arms."
+            Self::SeatMotor if is_seated_early(frame) => Some(
+                "One of this motor's three screws lies above the leg later, where no screwdriver reaches it: turn all three in before the mount goes \
+                 onto the arms."
                     .into(),
             ),
+            Self::SeatMotor => Some(format!("First slide {}", mount_to_its_place(frame)).into()),
+            Self::CloseTriangle if is_seated_early(frame) => Some(format!("Then slide {}", mount_to_its_place(frame)).into()),
             Self::PlugHub => Some("Never glue the plugs to the hub: they are what lets go in a crash.".into()),
             _ => None,
         }
@@ -251,6 +256,20 @@ impl Task {
             _ => 1.0,
         }
     }
+}
+
+/// Whether the motor is screwed onto its mount before that goes onto the arms: of three screws one lies above the leg.
+pub(super) fn is_seated_early(frame: &Frame) -> bool {
+    frame.bought.get("motor").is_some_and(|motor| motor.part.motor_holes() == 3)
+}
+
+/// Where the mount belongs along arms that are home, and what keeps it there.
+fn mount_to_its_place(frame: &Frame) -> String {
+    format!(
+        "the mount along the arms until {:.1} mm of each show between its ring and the fork: there the propeller is clear of the frame. Nothing \
+         else holds it there: put a drop of cyanoacrylate, or a turn of tape, on each arm at the ring.",
+        mount_to_fork_mm(frame)
+    )
 }
 
 /// From the outer face of the motor mount's rings to the mouth of the fork's sockets, along an arm that is home, mm.

@@ -8,14 +8,16 @@ mod mount;
 mod mounting_plan;
 mod mounts;
 mod part_lines;
+mod pilot_hole;
 mod tool;
 mod untold;
 mod way;
 
-pub use carrier_screws::CarrierScrews;
+pub use carrier_screws::{CarrierScrew, CarrierScrews};
 pub use mount::{Fixing, Mount, Stage};
 pub use mounting_plan::{MountStep, Mounting, Precedence, mounts_of};
 pub use mounts::MOUNTS;
 pub use part_lines::{PartLine, without_a_step};
+pub use pilot_hole::holds_mm as pilot_hole_mm;
 pub use tool::Tool;
 pub use untold::untold;

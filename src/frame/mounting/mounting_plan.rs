@@ -204,14 +204,14 @@ fn screws_told(design: &Design) -> [String; 2] {
         return ["Fix it with small screws.", "Fix each with a small screw through its foot."].map(String::from);
     };
     let cut = "They cut their thread in the carrier. Longer ones would meet the hub below it.";
-    let on_board = screws.words(screws.on_board_mm);
-    match screws.on_feet_mm {
+    let on_board = screws.words(screws.on_board);
+    match screws.on_feet {
         None => [format!("Fix it with four screws {on_board} through its holes. {cut}"), String::new()],
-        Some(on_feet_mm) => [
+        Some(on_feet) => [
             format!(
                 "Fix it with two screws {on_board} through its rear holes. {cut} The front holes stay free: the camera's connectors go onto them."
             ),
-            format!("Turn a screw {} from above through each foot and the board into the carrier.", screws.words(on_feet_mm)),
+            format!("Turn a screw {} from above through each foot and the board into the carrier.", screws.words(on_feet)),
         ],
     }
 }

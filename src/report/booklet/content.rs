@@ -223,8 +223,9 @@ fn preface(design: &Design, mounting: &Mounting, fold: &FoldSequence, minutes: f
             before + folds + after
         ),
         when_cut(&design.frame),
-        "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. Of the \
-         rods only one that is loose in its bore is glued. Never glue a hinge, nor the plugs in the hub: they let go in a crash."
+        "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. A drop of \
+         cyanoacrylate keeps each of the four motor mounts in its place on the arms, and a rod that is loose in its bore. Never glue a hinge, \
+         nor the plugs in the hub: they let go in a crash."
             .into(),
         format!(
             "{} In the steps {whole} whole modules move: there only the ends that go into something have a colour of their own. The steps of the fold show the module of the \
@@ -357,7 +358,7 @@ fn cuts(design: &Design) -> Vec<String> {
             .enumerate()
             .map(|(index, stock)| {
                 let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", words(*role))).collect();
-                format!("{}. of {stock_mm:.0} mm: {}; rest {:.1}", index + 1, pieces.join(", "), stock.rest_mm)
+                format!("{}. of {stock_mm:.0} mm: {}; rest {}", index + 1, pieces.join(", "), cutting::rest_words(stock.rest_mm))
             })
             .chain(two_lengths(design))
             .collect(),

@@ -1,0 +1,62 @@
+//! Rods and plugs that nothing holds in their bores.
+//!
+//! Most printers make a hole narrower than it is drawn by a tenth or two, and what clearances of zero hold is held by that. A printer that states
+//! `hole_undersize_mm` gets its bores drawn wider by as much, so they come out as the frame means them: then only a bore that is meant
+//! to be narrower than its rod holds it. Nothing is said of other printers, whose bores are not known.
+
+use super::comparison::measure;
+use crate::checks::finding::Finding;
+use crate::params::Frame;
+
+pub(super) const GRIP: &[&str] = &["fit.grip_clearance_mm"];
+pub(super) const PLUGS: &[&str] = &["fit.plug_clearance_mm"];
+
+/// Most clearance with which a bore grips its rod, mm: narrower by what a printer can place.
+const GRIPS_MM: f64 = -0.01;
+/// Most clearance with which a plug counts as held, mm: chosen. The real frame's plugs are as wide as their bores, and the rings hold the
+/// modules, too; with more play they rattle.
+const STAYS_MM: f64 = 0.1;
+
+/// A warning where rods, or plugs, are loose as they are printed.
+pub(super) fn rods_and_plugs(frame: &Frame) -> Vec<Finding> {
+    let Some(undersize_mm) = frame.printer.hole_undersize_mm.filter(|mm| *mm > 0.0) else { return Vec::new() };
+    let drawn = format!("bores are drawn {undersize_mm} mm wider for this printer and come out as they are meant");
+    let [grip_mm, plug_mm] = [frame.fit.grip_clearance_mm, frame.fit.plug_clearance_mm];
+    let rods = format!(
+        "{drawn}: with grip_clearance_mm = {grip_mm} nothing grips the rods; glue each end into corner, knee and fork, or lower grip_clearance_mm"
+    );
+    let plugs = format!(
+        "{drawn}: with plug_clearance_mm = {plug_mm} the plugs are loose in the hub; lower plug_clearance_mm, for plugs that are glued do not let go \
+         in a crash"
+    );
+    let found = [
+        measure(grip_mm, GRIPS_MM, "mm", GRIP).note("bores of the rods: grip".into(), rods),
+        measure(plug_mm, STAYS_MM, "mm", PLUGS).note("bores of the plugs: grip".into(), plugs),
+    ];
+    found.into_iter().filter(Finding::warns).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn planted_bores_that_hold_nothing_where_they_print_as_drawn() {
+        let (sound, _) = Frame::load("cognifly").expect("a preset");
+        let of = |undersize_mm: Option<f64>, grip_mm: f64, plug_mm: f64| {
+            let mut frame = sound.clone();
+            frame.printer.hole_undersize_mm = undersize_mm;
+            (frame.fit.grip_clearance_mm, frame.fit.plug_clearance_mm) = (grip_mm, plug_mm);
+            rods_and_plugs(&frame).into_iter().map(|finding| finding.subject).collect::<Vec<_>>()
+        };
+        let [rods, plugs] = ["bores of the rods: grip", "bores of the plugs: grip"];
+        assert_eq!(of(Some(0.2), -0.3, 0.0), Vec::<String>::new());
+        assert_eq!(of(Some(0.2), -0.05, 0.1), Vec::<String>::new());
+        assert_eq!(of(Some(0.2), 0.0, 0.0), [rods]);
+        assert_eq!(of(Some(0.2), -0.3, 0.15), [plugs]);
+        assert_eq!(of(Some(0.2), 0.1, 0.4), [rods, plugs]);
+        for unknown in [None, Some(0.0)] {
+            assert_eq!(of(unknown, 0.1, 0.4), Vec::<String>::new(), "nothing is known of {unknown:?}");
+        }
+    }
+}
