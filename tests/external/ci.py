@@ -31,6 +31,11 @@ mass_basis = "measured"
 source = "kitchen scale"
 """
 
+# A key of an earlier version is refused.
+REFUSED = 'base = "cognifly"\n[limits]\nwall_extrusions = 2\n'
+# The longest bridge of ABS, the sleeve's of 18.6 mm, warns; the next best margin of all bridges is larger than its margin was.
+LONG_BRIDGE = 'base = "cognifly"\n[override.materials.abs]\nbridge_mm = 18.0\n'
+
 
 def run(command, folder, env=None, shell=False):
     full = {**os.environ, "FLEXFRAME_CACHE": str(WORK / "findings"), **(env or {})}
@@ -141,6 +146,70 @@ def gitlab(folder, base, url, revision):
     return done.returncode, done.stdout + done.stderr
 
 
+def script(name, folder, kept, *arguments, **variables):
+    """A script of docs/ci by itself, with the kept program: exit code, what it prints."""
+    interpreter = "python3" if name.endswith(".py") else "bash"
+    env = {"FLEXFRAME": str(kept / "bin/flexframe"), **variables}
+    done = run([interpreter, str(SOURCE / "docs/ci" / name), *arguments], folder, env)
+    return done.returncode, done.stdout + done.stderr
+
+
+def mended(kept):
+    """Frames that check refuses in the base revision: in their own text, in that of a base, and because they cannot close."""
+    cannot_close = 'base = "cognifly"\n[rods]\ncage_rod_length_mm = 319.0\n'
+    first = {"shared/base.toml": REFUSED, "frames/heir.toml": 'base = "../shared/base.toml"\n', "frames/old.toml": REFUSED,
+             "frames/wide.toml": cannot_close, "frames/right.toml": LIGHT}
+    right = {path: LIGHT for path in ("shared/base.toml", "frames/old.toml", "frames/wide.toml")}
+    repository = WORK / "ci/mended"
+    sample(repository, {"main": first, "right": right, "heavy": {**right, "frames/right.toml": HEAVY}, "wrong": {"frames/old.toml": REFUSED + "# still\n"}})
+
+    git(repository, "checkout", "--quiet", "right")
+    code, said, _, _ = github(repository, kept, "main")
+    told = re.findall(r"^::notice file=frames/(\w+)\.toml,", said, re.MULTILINE)
+    result("gate.sh: frames that are refused in the base revision count as new", code == 0 and told == ["heir", "old", "wide"], f"exit code {code}: {said}")
+    trees = run(["git", "worktree", "list"], repository).stdout
+    result("gate.sh: no work tree is left", len(trees.splitlines()) == 1, trees)
+    code, said = script("gate.sh", repository, kept, FRAMES="frames/old.toml", BASE="main", FAIL_ON_INCREASE="weight=2g")
+    result("gate.sh: a measure that there is not fails beside such a frame, too", code == 2 and "no measure `weight`" in said and "counts as new" not in said, f"exit code {code}: {said}")
+    git(repository, "checkout", "--quiet", "heavy")
+    code, said, _, _ = github(repository, kept, "main")
+    result("gate.sh: another frame that grows fails beside them", code == 1 and "mass grew by 32.00 g" in said, f"exit code {code}: {said}")
+    git(repository, "checkout", "--quiet", "wrong")
+    code, said, _, _ = github(repository, kept, "main", "frames/old.toml")
+    result("gate.sh: a frame that is still refused fails", code == 2 and "::notice" not in said, f"exit code {code}: {said}")
+
+
+def reports(kept):
+    """Reports of a check that is refused, where an earlier run left some, and of one that is not."""
+    repository = WORK / "ci/reports"
+    sample(repository, {"main": {"frames/light.toml": LIGHT}})
+    files = [repository / "frames.xml", repository / "frames.sarif"]
+    for why, variables in {"no file matches": {"FRAMES": "nothing/*.toml"}, "the baseline is not there": {"BASELINE": "nothing.json"}}.items():
+        for file in files:
+            file.write_text("of an earlier run\n")
+        code, said = script("gate.sh", repository, kept, JUNIT="frames.xml", SARIF="frames.sarif", **variables)
+        gone = [file.name for file in files if not file.exists() and f"{file.name} is not written" in said]
+        result(f"gate.sh: no reports where {why}", code == 2 and len(gone) == 2, f"exit code {code}, gone {gone}: {said}")
+    code, said = script("gate.sh", repository, kept, JUNIT="frames.xml", SARIF="frames.sarif")
+    result("gate.sh: reports of a frame that passes", code == 0 and all(file.stat().st_size for file in files), f"exit code {code}: {said}")
+
+
+def warnings(kept):
+    """A warning is compared with itself, and the other bridges with each other."""
+    repository = WORK / "ci/warnings"
+    sample(repository, {"main": {"frames/span.toml": 'base = "cognifly"\n'}, "long": {"frames/span.toml": LONG_BRIDGE}})
+
+    def rows(strict=""):
+        code, said = script("changes.py", repository, kept, base, STRICT=strict)
+        return re.findall(r"margin of (bridge.*?) \| *(\S+) \| *(\S+) \| *\S+ \| (.*) \|", said)
+
+    for branch, base, row, words in (("long", "main", ("1.39", "-0.61"), ("warns now", "limit violated")), ("main", "long", ("-0.61", "1.39"), ("warned before", "limit kept again"))):
+        git(repository, "checkout", "--quiet", branch)
+        for strict, word in zip(("", "true"), words):
+            found = rows(strict)
+            result(f"changes.py: {'strict: ' if strict else ''}a bridge {word}", found == [("bridge: battery_sleeve, mm", *row, word)], str(found))
+
+
 def grown(kept):
     """What grows although no file that FRAMES names by its first letters has changed."""
     def weighs(mass_g):
@@ -165,6 +234,11 @@ def grown(kept):
     result("gate.sh: a base revision that is not there fails", code == 2 and "there is no revision nowhere" in said, f"exit code {code}: {said}")
 
 
+def table_rows(text):
+    """The rows of Markdown tables, each as its cells."""
+    return [[cell.strip() for cell in line.split("|")] for line in text.splitlines() if line.startswith("|")]
+
+
 def pull_request(repository, kept):
     """On a pull request whose frame fails: the comment, written and then edited, and the plates; the program is that of a wheel."""
     wheels = sorted((WORK / "wheel").glob("*.whl"))
@@ -173,14 +247,13 @@ def pull_request(repository, kept):
         return
     temp = kept.parent.parent / "pull-request"
     temp.mkdir()
+    documented = table_rows((SOURCE / "docs/gate.md").read_text().split("The comment has one row")[1].split("\n\n")[1])
     for edited in (False, True):
         code, said, _, _ = github(repository, temp / "flexframe", "main", wheel=str(wheels[0]), event="pull_request")
         result(f"action.yml: with a wheel, run {1 + edited}: a battery of 90 g fails", code == 1 and "::error file=frames/light.toml" in said, f"exit code {code}: {said}")
         comment = (temp / "11.md").read_text()
-        right = all(re.search(row, comment) for row in (
-            r"^<!-- flexframe", r"\| `frames/light\.toml` \| take-off mass, g \| 23\d\.\d\d \| 26\d\.\d\d \| \+32\.00 \| worse \|",
-            r"\| margin of mass_budget, g \| \d\.\d\d \| -2\d\.\d\d \| -32\.00 \| limit violated \|"))
-        result(f"action.yml: the comment, run {1 + edited}", right and (temp / "edited").exists() == edited, comment)
+        right = comment.startswith("<!-- flexframe") and table_rows(comment) == documented
+        result(f"action.yml: the comment, run {1 + edited}, is the one of docs/gate.md", right and (temp / "edited").exists() == edited, comment)
     plates = sorted(path.name for path in (temp / "plates/frames-light").iterdir())
     result("action.yml: the plates of a frame that fails", plates == ["abs_1.3mf", "print-settings.md", "tpu_1.3mf"], str(plates))
 
@@ -223,6 +296,10 @@ def main():
     hint = [line for line in said.splitlines() if line.startswith("::error ") and "min_wall_nozzles" in line]
     result("GitHub action: a renamed key gives a hint", code == 2 and len(hint) == 1, said)
     grown(kept)
+    mended(kept)
+    reports(kept)
+    warnings(kept)
 
 
-main()
+if __name__ == "__main__":
+    main()
