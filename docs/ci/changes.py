@@ -1,8 +1,9 @@
 """changes.py BASE: prints a Markdown table of the masses and margins that changed since the revision BASE.
 
-Variables: FLEXFRAME, the program, and FRAMES, files or patterns separated by spaces, as in gate.sh. The frames are checked in the
-work tree and in a checkout of BASE. A margin is the smallest of a rule's findings: how far the worst of them is from its limit;
-it is negative where the limit is violated. Exit code: 0, or 2 when there is no such revision.
+Variables: FLEXFRAME, the program, FRAMES, files or patterns separated by spaces, and STRICT, as in gate.sh. The frames are checked in
+the work tree and in a checkout of BASE. A margin is the smallest of a rule's findings: how far the worst of them is from its limit;
+it is negative where the limit is violated. What warns in one of the two has a row of its own, so that it is compared with itself, and
+does not hide the rule's other findings. Exit code: 0, or 2 when there is no such revision.
 """
 import json
 import os
@@ -14,6 +15,10 @@ from pathlib import Path
 
 FLEXFRAME = os.environ.get("FLEXFRAME", "flexframe")
 FRAMES = (os.environ.get("FRAMES") or "frames/*.toml").split()
+STRICT = os.environ.get("STRICT") == "true"
+
+# How a quantity stands to its limit, from good to bad.
+KEPT, WARNS, VIOLATED = range(3)
 
 
 def git(*arguments):
@@ -37,16 +42,36 @@ def checked(folder):
     return frames
 
 
-def quantities(frame):
-    """Quantity to (value, limit kept): the mass, g, and the smallest margin of each rule and unit. Notes have no limit to keep."""
-    found = {"take-off mass, g": (frame["masses"]["total_g"], True)}
+def standing(finding):
+    """A note has no limit to keep; beyond its figure it is a warning, which fails in strict mode."""
+    if finding["verdict"] != "note":
+        return KEPT if finding["verdict"] == "holds" else VIOLATED
+    if finding["margin"] is None or finding["margin"] >= 0:
+        return KEPT
+    return VIOLATED if STRICT else WARNS
+
+
+def subject(finding):
+    return finding["rule"], finding["subject"], finding["unit"]
+
+
+def warned(frame):
+    """The subjects of a frame's warnings."""
+    beyond = (f for f in frame["findings"] if f["verdict"] == "note" and standing(f) != KEPT)
+    return {subject(finding) for finding in beyond}
+
+
+def quantities(frame, alone):
+    """Quantity to (value, standing): the mass, g, and the smallest margin of each rule and unit; subjects in `alone` have their own."""
+    found = {"take-off mass, g": (frame["masses"]["total_g"], KEPT)}
     for finding in frame["findings"]:
-        if finding["verdict"] == "note" or finding["margin"] is None:
+        own = subject(finding) in alone
+        if finding["margin"] is None or finding["verdict"] == "note" and not own:
             continue
         unit = f", {finding['unit']}" if finding["unit"] else ""
-        name = f"margin of {finding['rule']}{unit}"
-        margin, kept = found.get(name, (float("inf"), True))
-        found[name] = (min(margin, finding["margin"]), kept and finding["verdict"] == "holds")
+        name = f"margin of {finding['rule']}{': ' + plain(finding['subject']) if own else ''}{unit}"
+        margin, worst = found.get(name, (float("inf"), KEPT))
+        found[name] = (min(margin, finding["margin"]), max(worst, standing(finding)))
     return found
 
 
@@ -57,8 +82,16 @@ def number(value):
 
 def change(name, before, after):
     """What is to be said of a quantity: more mass and less margin are worse."""
-    if not before[1] or not after[1]:
-        return "limit violated" if not after[1] else "limit kept again"
+    if after[1] == VIOLATED:
+        return "limit violated"
+    if after[1] == WARNS:
+        return "still warns" if before[1] == WARNS else "warns now"
+    if before[1] == WARNS:
+        return "warned before"
+    if before[0] is None or after[0] is None:
+        return "new" if before[0] is None else "gone"
+    if before[1] == VIOLATED:
+        return "limit kept again"
     worse = (after[0] > before[0]) == name.startswith("take-off mass")
     return "worse" if worse else "better"
 
@@ -70,21 +103,21 @@ def rows(asked, before, after):
         return [[name, "", "", "", "", "removed"]]
     if "refused" in after:
         return [[name, plain(after["refused"]), "", "", "", "refused"]]
-    now = quantities(after)
     if before is None or "refused" in before:
-        violated = sum(not kept for _, kept in now.values())
+        now = quantities(after, warned(after))
+        violated = sum(state == VIOLATED for _, state in now.values())
         mass = now["take-off mass, g"][0]
         return [[name, "take-off mass, g", "", number(mass), "", f"new; limits violated: {violated}"]]
-    former = quantities(before)
+    alone = warned(before) | warned(after)
+    former, now = quantities(before, alone), quantities(after, alone)
     found = []
     for quantity in former | now:
-        was, is_now = former.get(quantity, (None, True)), now.get(quantity, (None, True))
+        was, is_now = former.get(quantity, (None, KEPT)), now.get(quantity, (None, KEPT))
         if (number(was[0]), was[1]) == (number(is_now[0]), is_now[1]):
             continue
         known = was[0] is not None and is_now[0] is not None
         difference = f"{is_now[0] - was[0]:+.2f}" if known else ""
-        what = change(quantity, was, is_now) if known else "new" if was[0] is None else "gone"
-        found.append([name, quantity, number(was[0]), number(is_now[0]), difference, what])
+        found.append([name, quantity, number(was[0]), number(is_now[0]), difference, change(quantity, was, is_now)])
         name = ""
     return found
 

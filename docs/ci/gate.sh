@@ -6,10 +6,10 @@
 #   FORMAT            github (annotations) or text
 #   STRICT            true: a note whose value exceeds its limit fails
 #   BASELINE          a list of accepted findings
-#   BASE              a revision; each frame that exists there is compared with it
+#   BASE              a revision; each frame that exists there is compared with it. A frame that is refused there counts as new
 #   FAIL_ON_INCREASE  largest allowed increases against BASE, such as mass=2g, separated by spaces
 #   SUMMARY           a file to which the Markdown page is appended
-#   JUNIT, SARIF      files for the reports
+#   JUNIT, SARIF      files for the reports; there is none if check ends without a report, as when no file matches
 #
 # Exit code: 0 all limits are kept, 1 a limit is violated or an increase is too large, 2 an input is wrong, 3 a disk or permission error.
 set -uo pipefail
@@ -27,8 +27,17 @@ check() { "$flexframe" check "${options[@]}" "$@" -- "${frames[@]}"; }
 # The first call computes the findings and caches them; the others only convert them to another format.
 check --format "${FORMAT:-text}"
 code=$?
-[[ -n ${JUNIT:-} ]] && check --format junit >"$JUNIT" 2>/dev/null
-[[ -n ${SARIF:-} ]] && check --format sarif >"$SARIF" 2>/dev/null
+
+# report FORMAT FILE: an empty file would be read as a broken report, or as one without findings.
+report() {
+    check --format "$1" >"$2" 2>/dev/null
+    # A link, such as /dev/stdout, is not ours.
+    [[ -f $2 && ! -L $2 && ! -s $2 ]] || return
+    rm -f -- "$2"
+    echo "gate.sh: $2 is not written, because check ended without a report" >&2
+}
+[[ -n ${JUNIT:-} ]] && report junit "$JUNIT"
+[[ -n ${SARIF:-} ]] && report sarif "$SARIF"
 [[ -n ${SUMMARY:-} ]] && check --format markdown >>"$SUMMARY" 2>/dev/null
 
 # fails CODE: the job ends with the highest code.
@@ -39,12 +48,52 @@ some_file_changed() {
     ! git diff --quiet "$BASE" -- ':/*.toml' || [[ -n $(git ls-files --others --exclude-standard -- ':/*.toml') ]]
 }
 
+# former_tree: the files of BASE in the folder $former. The bases of a frame are read there, too.
+former=""
+former_tree() {
+    [[ -n $former ]] && return
+    local folder
+    folder=$(mktemp -d) || return
+    trap 'git worktree remove --force "$former" 2>/dev/null; rm -rf -- "${former%/*}"' EXIT
+    former=$folder/base
+    git worktree add --quiet --detach "$former" "$BASE"
+}
+
+# was_refused FRAME: check refuses the frame as it is in BASE. If diff refuses the frame beside itself, the reason is another one:
+# the frame as it is now, or the options.
+was_refused() {
+    local file
+    "$flexframe" diff --quiet "${limits[@]}" -- "$1" "$1" >/dev/null 2>&1
+    (($? < 2)) || return
+    former_tree
+    file=$former/$(git rev-parse --show-prefix)$1
+    [[ -f $file ]] || return
+    "$flexframe" check --quiet -- "$file" >/dev/null 2>&1
+    (($? == 2))
+}
+
+# notice FILE TEXT: said without an effect on the exit code.
+notice() {
+    if [[ ${FORMAT:-text} != github ]]; then
+        echo "gate.sh: $1: $2" >&2
+        return
+    fi
+    # The name of a file may contain what ends a property, or the command.
+    local file=${1//%/%25}
+    file=${file//$'\r'/%0D} file=${file//$'\n'/%0A} file=${file//:/%3A}
+    echo "::notice file=${file//,/%2C},title=flexframe::$2"
+}
+
 compare() {
     local page grown
     # A new file has no earlier revision.
     [[ $1 == *.toml && -f $1 ]] && git cat-file -e "$BASE:./$1" 2>/dev/null || return
     page=$("$flexframe" diff --git "$BASE" --format markdown "${limits[@]}" -- "$1")
     grown=$?
+    if ((grown == 2)) && was_refused "$1"; then
+        notice "$1" "check refuses the frame as it is in the revision to compare with (the log has the reason), so it counts as new"
+        return
+    fi
     fails "$grown"
     # A frame without differences is not reported.
     [[ -z $page || $page == *$'\nNo difference.'* ]] || printf '%s\n' "$page" >>"${SUMMARY:-/dev/stdout}"

@@ -31,6 +31,28 @@ fn pages() -> Vec<(PathBuf, String)> {
     paths.into_iter().map(|path| (path.clone(), fs::read_to_string(&path).expect("UTF-8"))).collect()
 }
 
+/// The examples of frames in a page: its blocks of TOML that have a base.
+fn frame_examples(text: &str) -> impl Iterator<Item = &str> {
+    text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next()).filter(|block| block.contains("base = "))
+}
+
+/// What `check` computes of one frame, with its masses.
+fn checked(arguments: &[&str]) -> serde_json::Value {
+    let report: serde_json::Value =
+        serde_json::from_slice(&flexframe(&[&["check", "--json"][..], arguments].concat()).stdout).expect("JSON");
+    report["frames"][0].clone()
+}
+
+fn number(value: &serde_json::Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// The mass of all lines of one kind, g.
+fn mass_of_kind(frame: &serde_json::Value, kind: &str) -> f64 {
+    let lines = frame["masses"]["lines"].as_array().expect("a list");
+    lines.iter().filter(|line| line["kind"] == kind).map(|line| number(&line["total_g"])).sum()
+}
+
 #[test]
 fn regress_parameters_page_is_what_the_program_prints() {
     let printed = String::from_utf8(flexframe(&["params", "--markdown"]).stdout).expect("UTF-8");
@@ -71,8 +93,7 @@ fn regress_frame_examples_keep_their_limits() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut examples = 0;
     for (path, text) in pages() {
-        let blocks = text.split("```toml\n").skip(1).filter_map(|rest| rest.split("```").next());
-        for block in blocks.filter(|block| block.contains("base = ")) {
+        for block in frame_examples(&text) {
             let file = folder.path().join(format!("example-{examples}.toml"));
             fs::write(&file, block).expect("can be written");
             let check = flexframe(&["check", "-q", file.to_str().expect("UTF-8")]);
@@ -88,14 +109,62 @@ fn regress_frame_examples_keep_their_limits() {
 fn regress_readme_states_mass_and_size_of_each_preset() {
     let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).expect("is there");
     for name in flexframe::params::preset::names() {
-        let report: serde_json::Value = serde_json::from_slice(&flexframe(&["check", name, "--json"]).stdout).expect("JSON");
+        let frame = checked(&[name]);
         let size = ["width", "depth", "height"].map(|axis| {
             let subject = format!("{axis} without propellers");
-            let findings = report["frames"][0]["findings"].as_array().expect("a list");
+            let findings = frame["findings"].as_array().expect("a list");
             findings.iter().find(|f| f["subject"] == subject.as_str()).and_then(|f| f["value"].as_f64()).expect("is measured")
         });
-        let mass = report["frames"][0]["masses"]["total_g"].as_f64().expect("a number");
+        let mass = number(&frame["masses"]["total_g"]);
         let row = format!("| `{name}` | {mass:.1} | {:.1} x {:.1} x {:.1} |", size[0], size[1], size[2]);
         assert!(readme.contains(&row), "README.md should state\n{row}");
+    }
+}
+
+#[test]
+fn regress_texts_state_the_masses_of_their_frames() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let page = |name: &str| fs::read_to_string(root.join(name)).expect("UTF-8");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("frame.toml");
+    let total_g = |text: &str| {
+        fs::write(&file, text).expect("can be written");
+        number(&checked(&[file.to_str().expect("UTF-8")])["masses"]["total_g"])
+    };
+    let light = total_g(frame_examples(&page("README.md")).next().expect("light.toml"));
+    let long_x = page("examples/frames/long-x.toml");
+    let along = total_g(&long_x);
+    let across = total_g(&format!("{long_x}\n[sleeve]\nsleeve_direction = \"across\"\n"));
+    let [default, v8, pla] = [&["cognifly"][..], &["cognifly-v8"], &["cognifly", "--rigid", "pla"]].map(checked);
+    let [total, of_pla] = [&default, &pla].map(|frame| number(&frame["masses"]["total_g"]));
+    let of_parts = |frame: &serde_json::Value| {
+        let [printed, rods] = ["printed", "rod"].map(|kind| mass_of_kind(frame, kind));
+        format!("{printed:.1}, {rods:.1}, {:.1} g", number(&frame["masses"]["total_g"]))
+    };
+    for (name, sentence) in [
+        ("README.md", format!("`flexframe check light.toml` reports {light:.1} g,")),
+        ("README.md", format!("{:.1} g of the default's {total:.1} g are estimates", number(&default["masses"]["estimated_g"]))),
+        ("docs/frame-files.md", format!("along: {across:.1} g instead of {along:.1} g in `examples/frames/long-x.toml`")),
+        ("docs/differences.md", format!("| printed parts, rods, total | {} | {} |", of_parts(&v8), of_parts(&default))),
+        ("docs/printing.md", format!("rigid parts of pla at 210 °C ({:+.1} g,", of_pla - total)),
+        ("docs/physics.md", format!("they weigh {:.2} g now", mass_of_kind(&v8, "printed"))),
+    ] {
+        let text = page(name).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(&sentence), "{name} should state\n{sentence}");
+    }
+}
+
+/// The rows of the table of masses in `docs/physics.md`, whose last column is what `cognifly-v8` weighs. One row has both connectors.
+#[test]
+fn regress_physics_states_the_masses_of_the_parts_of_v8() {
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/physics.md")).expect("UTF-8");
+    let v8 = checked(&["cognifly-v8"]);
+    let lines = v8["masses"]["lines"].as_array().expect("a list");
+    for line in lines.iter().filter(|line| line["kind"] == "printed") {
+        let name = line["name"].as_str().expect("a name").replace('_', " ");
+        let row = format!("| {name} | {} |", line["quantity"]);
+        let mass = format!(" {:.2} |", number(&line["total_g"]));
+        let stated = page.lines().any(|text| text.to_lowercase().starts_with(&row) && text.ends_with(&mass));
+        assert!(stated || name.starts_with("camera connector"), "docs/physics.md should state\n{row} … |{mass}");
     }
 }
