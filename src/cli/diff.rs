@@ -36,7 +36,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "REVISION")]
     pub git: Option<String>,
     /// Exit 1 when a measure increases by more than this; may be given several times.
-    #[arg(long, value_name = "MEASURE=AMOUNT")]
+    #[arg(long, value_name = "MEASURE=AMOUNT", add = candidates::measures_with_values())]
     pub fail_on_increase: Vec<String>,
     /// Format of the comparison; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]

@@ -30,10 +30,10 @@ pub(super) struct Args {
     #[command(flatten)]
     pub drops: DropsOption,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
-    #[arg(long, default_value = "paper-corrected", value_name = "MODEL", add = candidates::models())]
+    #[arg(long, default_value = MODEL, value_name = "MODEL", add = candidates::models())]
     pub model: String,
     /// Parameters that are fitted, by their keys in the model file; the others keep their values.
-    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]
+    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…", add = candidates::parameters_of_model(MODEL))]
     pub free: Vec<String>,
     /// Objective that is minimised.
     #[arg(long, value_enum, default_value = "ml")]
@@ -76,6 +76,9 @@ impl Aim {
         }
     }
 }
+
+/// The model that is fitted unless another is named.
+const MODEL: &str = "paper-corrected";
 
 /// Bootstrap samples at the most.
 const MOST_SAMPLES: u32 = 100_000;

@@ -527,6 +527,25 @@ fn analytic_a_shell_completes_names() {
     let second = offered(&["solve", "--minimise", "mass", "--vary", "rods.arm_rod_length_mm,rods.st"]);
     assert_eq!(second, ["rods.arm_rod_length_mm,rods.strut_rod_length_mm"]);
     assert_eq!(offered(&["drop", "--model", "paper-"]), ["paper-corrected"]);
+    // Keys without their tables, once something is typed.
+    let arms = offered(&["explain", "arm_"]);
+    assert!(arms.iter().any(|key| key == "arm_pitch_mm") && arms.iter().all(|key| key.starts_with("arm_")), "{arms:?}");
+    assert_eq!(offered(&["solve", "--vary", "arm_pitch_mm,strut_rod_l"]), ["arm_pitch_mm,strut_rod_length_mm"]);
+    let all = offered(&["explain", ""]);
+    assert!(all.iter().all(|key| key.starts_with('-') || key.contains('.') || key == "base" || key == "printer"), "{all:?}");
+    assert_eq!(offered(&["explain", "target.w"]), ["target.width_mm"]);
+    assert_eq!(offered(&["solve", "--minimise", "envelope.w"]), ["envelope.width"]);
+    assert_eq!(offered(&["solve", "--pareto", "mass,envelope.w"]), ["mass,envelope.width"]);
+    assert_eq!(offered(&["solve", "--aim", "envelope.w"]), ["envelope.width="]);
+    assert_eq!(offered(&["diff", "cognifly", "cognifly-v8", "--fail-on-increase", "mass.p"]), ["mass.printed="]);
+    assert!(offered(&["fit", "--free", "k,"]).contains(&"k,c".to_string()));
+    assert!(offered(&["fit", "--model", "nowhere.toml", "--free", ""]).contains(&"k".to_string()), "the default's, where there is none");
+    assert_eq!(offered(&["coupon", "--read", "held=2.8,sl"]), ["held=2.8,slides="]);
+    assert_eq!(offered(&["man", "synt"]), ["synthesize"]);
+    assert_eq!(offered(&["man", "study", "ru"]), ["run"]);
+    for words in [&["synthesize", "cog"][..], &["study", "run", "cog"], &["study", "pick", "cog"]] {
+        assert_eq!(offered(words), ["cognifly-mine.toml"], "{words:?}");
+    }
     for shell in ["elvish", "fish", "powershell", "zsh"] {
         assert!(text(&flexframe(&["completions", shell]).stdout).contains("flexframe"), "{shell}");
     }

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use super::study_option::load;
+use crate::cli::candidates;
 use crate::cli::failure::Failure;
 use crate::cli::frame_text::{self, Line};
 use crate::cli::options::Common;
@@ -17,7 +18,7 @@ use crate::study::{Axis, Input, Study, Subject};
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
+    #[arg(value_name = "PLAN", add = candidates::toml_files())]
     plan: String,
     /// The row's number.
     #[arg(value_name = "ROW")]
