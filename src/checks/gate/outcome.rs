@@ -75,6 +75,14 @@ impl CheckedFrame {
         self
     }
 
+    /// The same after all that fails was put on a list of accepted findings.
+    fn accepted(mut self) -> Self {
+        for judged in self.findings.iter_mut().filter(|judged| judged.standing == Standing::Fails) {
+            judged.standing = Standing::Accepted;
+        }
+        self
+    }
+
     /// How many findings have a standing.
     pub fn count(&self, standing: Standing) -> usize {
         self.findings.iter().filter(|judged| judged.standing == standing).count()
@@ -128,6 +136,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// The same after all that fails was put on a list of accepted findings.
+    pub fn accepted(self) -> Self {
+        Self { result: self.result.map(CheckedFrame::accepted), ..self }
+    }
+
     /// The exit code for this frame alone.
     pub fn exit_code(&self) -> u8 {
         match &self.result {

@@ -43,13 +43,19 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             output::write_new(&place, drops.to_toml().as_bytes()).map_err(failed)?;
         }
     }
-    if !common.quiet && !common.json {
+    let refused = match study.subject {
+        Subject::Frames(_) => Frame::load(&place.display().to_string()).err().map(|error| error.to_string()),
+        Subject::Recovery(_) => None,
+    };
+    if common.json {
+        terminal::print_json(
+            &serde_json::json!({ "schema_version": 1, "file": place.display().to_string(), "row": row, "refused": refused }),
+        )?;
+    } else if !common.quiet {
         terminal::print(&format!("{}: written\n", place.display()))?;
     }
-    if matches!(study.subject, Subject::Frames(_))
-        && let Err(error) = Frame::load(&place.display().to_string())
-    {
-        terminal::tell(&format!("note: row {row} is no frame: {error}"));
+    if let Some(why) = refused {
+        terminal::tell(&format!("note: row {row} is no frame: {why}"));
     }
     Ok(ExitCode::SUCCESS)
 }
