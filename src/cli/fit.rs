@@ -94,7 +94,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("fitting", common);
     let model = with_body_of(frame, model, common)?;
     let set = read_drops(&paths, &args.format, &file_format(&args.format)?)?;
-    let mut layout = layout(model, &args.free).map_err(usage)?;
+    let mut layout = layout(model, &args.free)?;
     let keep = if args.objective == Aim::Paper || args.all { Keep::Every } else { Keep::Clean };
     let (chosen, reason) = chosen(args, &set, &layout.model, keep).map_err(usage)?;
     layout.model.sensor.channel = chosen.channel;
@@ -140,14 +140,17 @@ fn usage(error: FitError) -> Failure {
 }
 
 /// Which parameters are free.
-fn layout(model: Model, free: &[String]) -> Result<Layout, FitError> {
+fn layout(model: Model, free: &[String]) -> Result<Layout, Failure> {
+    if let Some((_, twice)) = free.iter().enumerate().find(|(at, key)| free[..*at].contains(key)) {
+        return Err(Failure::Usage { message: format!("--free: {twice} stands there twice") });
+    }
     let known: Vec<String> = Layout::of(model.clone()).free.iter().map(|free| free.key().to_string()).collect();
     let every = || model.effects.iter().flat_map(|listed| listed.spec.parameters).map(|parameter| parameter.key);
     if let Some(key) = free.iter().find(|key| every().all(|known| known != *key)) {
-        return Err(FitError::NoParameter { key: key.clone(), known: every().collect::<Vec<_>>().join(", ") });
+        return Err(usage(FitError::NoParameter { key: key.clone(), known: every().collect::<Vec<_>>().join(", ") }));
     }
     let keys: Vec<&str> = free.iter().map(String::as_str).collect();
-    Layout::named(model, &keys).ok_or_else(|| FitError::NoParameter { key: free.join(","), known: known.join(", ") })
+    Layout::named(model, &keys).ok_or_else(|| usage(FitError::NoParameter { key: free.join(","), known: known.join(", ") }))
 }
 
 /// The fit, and how many numbers were compared where they are independent.

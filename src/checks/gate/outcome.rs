@@ -115,7 +115,14 @@ impl Refused {
     pub fn of_load(error: &LoadError) -> Self {
         match error {
             LoadError::Refused(refusal) => Self::of(refusal),
-            other => Self { message: other.to_string(), remedy: NO_FRAME_REMEDY.into(), spot: None, machine: other.is_of_machine() },
+            other => {
+                let remedy = match other {
+                    LoadError::NoSuchModel { .. } => "`flexframe list models` lists the models",
+                    LoadError::NoSuchPlan { .. } => "docs/diagnosis.md lists the keys of a plan",
+                    _ => NO_FRAME_REMEDY,
+                };
+                Self { message: other.to_string(), remedy: remedy.into(), spot: None, machine: other.is_of_machine() }
+            }
         }
     }
 
