@@ -85,6 +85,7 @@ fn written(files: Vec<File>) -> Vec<(String, Vec<u8>)> {
 /// What was written of a part that has to be printed again.
 #[derive(Serialize)]
 struct SpareParts<'a> {
+    schema_version: u32,
     part: &'a str,
     quantity: usize,
     plates: usize,
@@ -114,7 +115,14 @@ fn one_part(design: &Design, part: &str, args: &Args, common: &Common) -> Result
     let place = output::write_folder(&args.output, &format!("{}-{part}", design.frame.name), &files)?;
     if common.json {
         let paths = files.iter().map(|(path, _)| path.as_str()).collect();
-        terminal::print_json(&SpareParts { part, quantity, plates: count, folder: place.display().to_string(), files: paths })?;
+        terminal::print_json(&SpareParts {
+            schema_version: 1,
+            part,
+            quantity,
+            plates: count,
+            folder: place.display().to_string(),
+            files: paths,
+        })?;
     } else if !common.quiet {
         terminal::print(&format!("{}: {quantity} {part} on {} plate{}\n", place.display(), count, if count == 1 { "" } else { "s" }))?;
     }

@@ -103,7 +103,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         told_apart(list, &outcomes)?;
     }
     if args.update_baseline {
-        return update(args, common, &outcomes, former);
+        return update(args, common, outcomes, former);
     }
     say(args, common, &outcomes)?;
     if let (Some(list), Some(path)) = (&baseline, &args.baseline) {
@@ -195,29 +195,45 @@ fn told_apart(list: &Baseline, outcomes: &[Outcome]) -> Result<(), Failure> {
 }
 
 /// Writes the list of what fails now; what this run says nothing about keeps its entries: frames that are not among these, rules that did not run. A
-/// frame that does not read keeps the list from being written.
-fn update(args: &Args, common: &Common, outcomes: &[Outcome], former: Option<Baseline>) -> Result<ExitCode, Failure> {
+/// frame that does not read keeps the list from being written. A report for a program is printed as by any run; it then has all of them accepted.
+fn update(args: &Args, common: &Common, outcomes: Vec<Outcome>, former: Option<Baseline>) -> Result<ExitCode, Failure> {
     let Some(path) = &args.baseline else { return Ok(ExitCode::SUCCESS) };
+    let is_text = format(args, common) == CheckFormat::Text;
     if let Some(code) = outcomes.iter().map(Outcome::exit_code).filter(|code| *code > 1).max() {
+        if !is_text {
+            say(args, common, &outcomes)?;
+        }
         return Ok(ExitCode::from(code));
     }
-    let list = acceptance::renewed(outcomes, args.mechanics.strength, former.as_ref());
+    let list = acceptance::renewed(&outcomes, args.mechanics.strength, former.as_ref());
     let failed = |error| Failure::Machine { what: format!("cannot write {}", path.display()), error };
     if let Some(parent) = path.parent().filter(|parent| !parent.as_os_str().is_empty()) {
         fs::create_dir_all(parent).map_err(failed)?;
     }
-    output::replace_file(path, list.text().as_bytes()).map_err(failed)?;
-    if !common.quiet {
-        terminal::print(&format!("{}: written\n", path.display()))?;
+    output::replace_users_file(path, list.text().as_bytes()).map_err(failed)?;
+    let written = format!("{}: written", path.display());
+    match is_text {
+        true if common.quiet => {}
+        true => terminal::print(&(written + "\n"))?,
+        false => {
+            say(args, common, &outcomes.into_iter().map(Outcome::accepted).collect::<Vec<_>>())?;
+            if !common.quiet {
+                terminal::tell(&written);
+            }
+        }
     }
     Ok(ExitCode::SUCCESS)
 }
 
+/// The format that is asked for.
+fn format(args: &Args, common: &Common) -> CheckFormat {
+    if common.json { CheckFormat::Json } else { args.format.unwrap_or(CheckFormat::Text) }
+}
+
 fn say(args: &Args, common: &Common, outcomes: &[Outcome]) -> Result<(), Failure> {
-    let format = if common.json { CheckFormat::Json } else { args.format.unwrap_or(CheckFormat::Text) };
     let xml =
         || junit::xml(outcomes).map_err(|e| Failure::Machine { what: "cannot make the report".into(), error: std::io::Error::other(e) });
-    match format {
+    match format(args, common) {
         CheckFormat::Text if common.quiet => {
             for held in outcomes.iter().filter_map(|outcome| outcome.result.as_ref().ok()) {
                 let name = if outcomes.len() > 1 { format!("{}: ", held.frame) } else { String::new() };

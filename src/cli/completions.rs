@@ -20,7 +20,8 @@ pub(super) struct Args {
 }
 
 /// Prints the script, which calls the program for each word.
-pub(super) fn run(args: &Args, _: &Common) -> Result<ExitCode, Failure> {
+pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    common.refuse_json("a script of the shell")?;
     let shells = Shells::builtins();
     let Some(shell) = shells.completer(&args.shell.to_string()) else {
         return Err(Failure::Usage { message: format!("there is no script for {}", args.shell) });

@@ -3,15 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use super::candidates;
 use super::failure::Failure;
-use super::frame_text::{self, Line};
+use super::frame_text::{AmendedFile, Line};
 use super::options::{Common, FrameOption};
 use super::output;
 use super::session;
 use super::terminal;
 use crate::checks::{self, Finding, Verdict};
 use crate::export::stl;
-use crate::frame::assembly::mass;
+use crate::frame::assembly::{Design, mass};
 use crate::frame::fold;
 use crate::impact::measured::{FoldReading, read_folds};
 use crate::params::Frame;
@@ -30,7 +31,7 @@ pub(super) struct Args {
     #[command(flatten)]
     pub frame: FrameOption,
     /// Readings: held, slides, window, plug, hinge, each with the number on the coupon in mm; or the table of folded hinges.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT=MM|CSV", requires = "into")]
+    #[arg(long, value_delimiter = ',', value_name = "WHAT=MM|CSV", requires = "into", add = candidates::found_on_a_coupon())]
     pub read: Vec<String>,
     /// Write the resulting clearances and limit into a frame file. An existing file is amended; a new one has FRAME as its base.
     #[arg(long, value_name = "TOML", requires = "read")]
@@ -70,7 +71,7 @@ fn write(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failur
     let place = output::write_folder(&args.output, &folder, &files)?;
     if common.json {
         let names: Vec<String> = files.iter().map(|(name, _)| place.join(name).display().to_string()).collect();
-        terminal::print_json(&serde_json::json!({ "folder": place.display().to_string(), "files": names }))?;
+        terminal::print_json(&serde_json::json!({ "schema_version": 1, "folder": place.display().to_string(), "files": names }))?;
     } else if !common.quiet {
         terminal::print(&format!("{}: {} pieces to print; coupon.md says what to look for\n", place.display(), coupon.pieces.len()))?;
     }
@@ -93,7 +94,11 @@ fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure
     }
     let line = |(key, value, why): &(&str, f64, String)| Line { key: (*key).into(), value: Value::Number(*value), why: why.clone() };
     let Some(place) = &args.into else { return Ok(ExitCode::SUCCESS) };
-    frame_text::amend(place, &args.frame.frame, "What a printer's prints were found to do", &set.iter().map(line).collect::<Vec<_>>())?;
+    let lines: Vec<Line> = set.iter().map(line).collect();
+    let amended = AmendedFile::new(place, &args.frame.frame, "What a printer's prints were found to do", &lines)?;
+    // What cannot be designed is refused before it is written.
+    let design = amended.designed(common)?;
+    amended.write()?;
     if common.json {
         let values: serde_json::Map<String, serde_json::Value> =
             set.iter().map(|(key, value, _)| ((*key).into(), (*value).into())).collect();
@@ -104,31 +109,30 @@ fn read(frame: &Frame, args: &Args, common: &Common) -> Result<ExitCode, Failure
                 "elongation_percent": limit.elongation_percent,
             })
         });
-        terminal::print_json(&serde_json::json!({ "file": place.display().to_string(), "set": values, "hinges": hinges }))?;
+        terminal::print_json(
+            &serde_json::json!({ "schema_version": 1, "file": place.display().to_string(), "set": values, "hinges": hinges }),
+        )?;
     } else if !common.quiet {
         let formatted: String = set.iter().map(|(key, value, _)| format!("{key:<40} {value}\n")).collect();
         let hinges = limit.as_ref().map(|(_, limit)| hinge_lines(limit)).unwrap_or_default();
         terminal::print(&format!("{hinges}{formatted}{}\n", place.display()))?;
     }
-    tell_changes(frame, place, common)?;
+    tell_changes(frame, &design, place);
     Ok(ExitCode::SUCCESS)
 }
 
 /// Says what the frame with the new values does that the former did not: which limits it violates, as parts grow around wider bores, and by how
 /// much more a thinner web is strained.
-fn tell_changes(before: &Frame, place: &Path, common: &Common) -> Result<(), Failure> {
-    let frame = place.display().to_string();
-    let design = session::design(&FrameOption { frame: frame.clone(), rigid: None }, common)?;
+fn tell_changes(before: &Frame, design: &Design, place: &Path) {
     tell_strain(before, &design.frame);
-    let found = checks::check(&design, &mass::table(&design));
+    let found = checks::check(design, &mass::table(design));
     let violated: Vec<&Finding> = found.iter().filter(|finding| finding.verdict == Verdict::Violated).collect();
     for finding in &violated {
         terminal::tell(&format!("VIOLATED {}: {}", finding.rule, finding.message));
     }
     if !violated.is_empty() {
-        terminal::tell(&format!("`flexframe check {frame} --remedies` looks for what helps"));
+        terminal::tell(&format!("`flexframe check {} --remedies` looks for what helps", place.display()));
     }
-    Ok(())
 }
 
 /// Says that a thinner web is strained more, which a tongue that folds flat does not show.

@@ -36,7 +36,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "REVISION")]
     pub git: Option<String>,
     /// Exit 1 when a measure increases by more than this; may be given several times.
-    #[arg(long, value_name = "MEASURE=AMOUNT")]
+    #[arg(long, value_name = "MEASURE=AMOUNT", add = candidates::measures_with_values())]
     pub fail_on_increase: Vec<String>,
     /// Format of the comparison; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
@@ -62,7 +62,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let difference = Difference::of(&sides);
     drop(working);
     let page = diff_page::markdown(&difference);
-    let json = difference_data::json(&difference);
+    let exceeded: Vec<Exceeded> = increases.iter().filter_map(|increase| Exceeded::of(increase, &sides)).collect();
+    let mut json = difference_data::json(&difference);
+    if !exceeded.is_empty() {
+        json["increased"] = exceeded.iter().map(Exceeded::json).collect();
+    }
     let place = match &args.output {
         None => None,
         Some(folder) => {
@@ -87,8 +91,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             terminal::print(&format!("{}{written}", diff_page::text(&difference)))?;
         }
     }
-    let exceeded: Vec<String> = increases.iter().filter_map(|increase| exceeded(increase, &sides)).collect();
-    exceeded.iter().for_each(|message| terminal::tell(message));
+    exceeded.iter().for_each(|exceeded| terminal::tell(&exceeded.message));
     Ok(if exceeded.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
@@ -125,24 +128,47 @@ fn folder_name(name: &str) -> String {
     name.chars().map(|c| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '-' }).collect()
 }
 
-/// What to say when a measure grew by more than allowed. Growth counts as it is printed: one of 0.00 mm is none.
-/// A lower figure that leaves out a harder impact is no better one, so it fails, too.
-fn exceeded(increase: &Increase, sides: &[Side; 2]) -> Option<String> {
-    let Increase { measure, most } = increase;
-    let [before, after] = sides.each_ref().map(|side| measure.of(&side.evaluation));
-    let why = why_not_compared(measure, sides);
-    if let Some(why) = why.as_ref().filter(|_| after < before) {
-        return Some(format!("{why}; whether the second frame is worse cannot be told"));
+/// A measure that grew by more than `--fail-on-increase` allows, or of which that cannot be told.
+struct Exceeded<'a> {
+    increase: &'a Increase,
+    /// By how much it grew, in its unit; negative where its lower figure is no better one.
+    found: Option<f64>,
+    message: String,
+}
+
+impl<'a> Exceeded<'a> {
+    /// What became of an allowed increase; none where it is kept. Growth counts as it is printed: one of 0.00 mm is none.
+    /// A lower figure that leaves out a harder impact is no better one, so it fails, too.
+    fn of(increase: &'a Increase, sides: &[Side; 2]) -> Option<Self> {
+        let Increase { measure, most } = increase;
+        let [before, after] = sides.each_ref().map(|side| measure.of(&side.evaluation));
+        let why = why_not_compared(measure, sides);
+        if let Some(why) = why.as_ref().filter(|_| after < before) {
+            let message = format!("{why}; whether the second frame is worse cannot be told");
+            return Some(Self { increase, found: after.zip(before).map(|(after, before)| after - before), message });
+        }
+        let grown = increase.exceeded(before, after)?;
+        let (name, unit, formatted) = (measure.name, measure.unit, measure.reported(Some(grown)));
+        if formatted.parse::<f64>().is_ok_and(|formatted| formatted <= *most) {
+            return None;
+        }
+        let softer = why.map_or(String::new(), |why| format!(" ({why})"));
+        let message = format!(
+            "{name} grew by {formatted} {unit}, from {} to {} {unit}; {most} {unit} are allowed{softer}",
+            measure.reported(before),
+            measure.reported(after)
+        );
+        Some(Self { increase, found: Some(grown), message })
     }
-    let grown = increase.exceeded(before, after)?;
-    let (name, unit, formatted) = (measure.name, measure.unit, measure.reported(Some(grown)));
-    if formatted.parse::<f64>().is_ok_and(|formatted| formatted <= *most) {
-        return None;
+
+    fn json(&self) -> serde_json::Value {
+        let Increase { measure, most } = self.increase;
+        serde_json::json!({
+            "measure": measure.name,
+            "unit": measure.unit,
+            "allowed": most,
+            "found": self.found,
+            "message": self.message,
+        })
     }
-    let softer = why.map_or(String::new(), |why| format!(" ({why})"));
-    Some(format!(
-        "{name} grew by {formatted} {unit}, from {} to {} {unit}; {most} {unit} are allowed{softer}",
-        measure.reported(before),
-        measure.reported(after)
-    ))
 }

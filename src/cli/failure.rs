@@ -25,6 +25,12 @@ pub enum Failure {
         /// What, and what to do.
         message: String,
     },
+    /// The input is good and asks for what there is not: a frame within its limits, an order of folding.
+    #[error("{message}")]
+    Impossible {
+        /// What there is not, and why.
+        message: String,
+    },
     /// The machine failed: a disk, a permission.
     #[error("{what}: {error}")]
     Machine {
@@ -56,6 +62,7 @@ impl Failure {
         match self {
             Self::Input(error) if error.is_of_machine() => 3,
             Self::Records(Malformed { fault: Fault::Unreadable { kind, .. }, .. }) if is_of_machine(*kind) => 3,
+            Self::Impossible { .. } => 1,
             Self::Input(_) | Self::Records(_) | Self::Usage { .. } => 2,
             Self::Machine { .. } => 3,
         }
@@ -83,6 +90,7 @@ impl Failure {
         match self {
             Self::Input(LoadError::Refused(refusal)) => refusal.render(),
             Self::Records(malformed) => format!("error: {malformed}\nhelp: {}\n", malformed.fault.remedy()),
+            Self::Impossible { message } => format!("{message}\n"),
             other => format!("error: {other}\n"),
         }
     }

@@ -31,10 +31,10 @@ pub(super) struct Args {
     #[command(flatten)]
     pub drops: DropsOption,
     /// Impact model: `paper`, `paper-corrected` or a TOML file; its k and c are starting values.
-    #[arg(long, default_value = "paper-corrected", value_name = "MODEL", add = candidates::models())]
+    #[arg(long, default_value = MODEL, value_name = "MODEL", add = candidates::models())]
     pub model: String,
     /// Parameters that are fitted, by their keys in the model file; the others keep their values.
-    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…")]
+    #[arg(long, value_delimiter = ',', default_value = "k,c", value_name = "KEY,…", add = candidates::parameters_of_model(MODEL))]
     pub free: Vec<String>,
     /// Objective that is minimised.
     #[arg(long, value_enum, default_value = "ml")]
@@ -78,6 +78,9 @@ impl Aim {
     }
 }
 
+/// The model that is fitted unless another is named.
+const MODEL: &str = "paper-corrected";
+
 /// Bootstrap samples at the most.
 const MOST_SAMPLES: u32 = 100_000;
 
@@ -92,7 +95,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let working = Progress::of("fitting", common);
     let model = with_body_of(frame, model, common)?;
     let set = read_drops(&paths, &args.format, &file_format(&args.format)?)?;
-    let mut layout = layout(model, &args.free).map_err(usage)?;
+    let mut layout = layout(model, &args.free)?;
     let keep = if args.objective == Aim::Paper || args.all { Keep::Every } else { Keep::Clean };
     let (chosen, reason) = chosen(args, &set, &layout.model, keep).map_err(usage)?;
     layout.model.sensor.channel = chosen.channel;
@@ -138,14 +141,17 @@ fn usage(error: FitError) -> Failure {
 }
 
 /// Which parameters are free.
-fn layout(model: Model, free: &[String]) -> Result<Layout, FitError> {
+fn layout(model: Model, free: &[String]) -> Result<Layout, Failure> {
+    if let Some((_, twice)) = free.iter().enumerate().find(|(at, key)| free[..*at].contains(key)) {
+        return Err(Failure::Usage { message: format!("--free: {twice} stands there twice") });
+    }
     let known: Vec<String> = Layout::of(model.clone()).free.iter().map(|free| free.key().to_string()).collect();
     let every = || model.effects.iter().flat_map(|listed| listed.spec.parameters).map(|parameter| parameter.key);
     if let Some(key) = free.iter().find(|key| every().all(|known| known != *key)) {
-        return Err(FitError::NoParameter { key: key.clone(), known: every().collect::<Vec<_>>().join(", ") });
+        return Err(usage(FitError::NoParameter { key: key.clone(), known: every().collect::<Vec<_>>().join(", ") }));
     }
     let keys: Vec<&str> = free.iter().map(String::as_str).collect();
-    Layout::named(model, &keys).ok_or_else(|| FitError::NoParameter { key: free.join(","), known: known.join(", ") })
+    Layout::named(model, &keys).ok_or_else(|| usage(FitError::NoParameter { key: free.join(","), known: known.join(", ") }))
 }
 
 /// The fit, and how many numbers were compared where they are independent.

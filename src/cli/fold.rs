@@ -51,10 +51,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let design = session::design(&args.frame, common)?;
     let sequence = match FoldSequence::new(&design.frame, &design.skeleton) {
         Ok(sequence) => sequence,
-        Err(error) => {
-            terminal::tell(&format!("error: {} cannot be folded: {error}", design.frame.name));
-            return Ok(ExitCode::from(1));
-        }
+        Err(error) => return Err(Failure::Impossible { message: format!("{} cannot be folded: {error}", design.frame.name) }),
     };
     let broken = broken(&design);
     if let Some(number) = args.step {
@@ -101,8 +98,10 @@ fn one_step(args: &Args, common: &Common, all: &AllSteps, number: usize, working
         if args.png { step.pictures().into_iter().map(|(name, picture)| (beside(&name), picture.png())).collect() } else { Vec::new() };
     drop(working);
     let mut told: String = if common.json {
-        let steps: Value = serde_json::from_slice(&steps_as_json(all.design, all.fold)?).map_err(|error| failed(error.into()))?;
-        format!("{:#}\n", steps["steps"][number - 1])
+        let mut steps: Value = serde_json::from_slice(&steps_as_json(all.design, all.fold)?).map_err(|error| failed(error.into()))?;
+        let mut step = steps["steps"][number - 1].take();
+        step["schema_version"] = steps["schema_version"].take();
+        format!("{step:#}\n")
     } else {
         step.paragraphs().iter().map(|line| textwrap::fill(line, COLUMNS) + "\n").collect()
     };

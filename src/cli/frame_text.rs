@@ -1,14 +1,20 @@
 //! A frame file as it is written: a base, and what differs, each with the reason.
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 use toml_edit::Key;
 
+use super::cache;
 use super::failure::Failure;
+use super::options::Common;
 use super::output;
+use super::session;
+use crate::frame::assembly::Design;
 use crate::params::amend::{Amendment, amended, quoted};
+use crate::params::files::{Disk, Files};
 use crate::params::frame_file::Value;
-use crate::params::{FrameFile, frame_name, preset};
+use crate::params::{Frame, FrameFile, frame_name, preset};
 
 /// A line of a frame file.
 pub(super) struct Line {
@@ -51,22 +57,77 @@ pub(super) fn key(steps: &[&str]) -> String {
     steps.iter().map(|step| Key::new(*step).to_string()).collect::<Vec<_>>().join(".")
 }
 
-/// Writes lines into a frame file: one that is there keeps all else, comments too; a new one has a frame as its base.
-pub(super) fn amend(place: &Path, frame: &str, description: &str, lines: &[Line]) -> Result<(), Failure> {
-    if place.extension().is_none_or(|ending| ending != "toml") {
-        let message = format!("{} is no frame file: its name has to end in .toml", place.display());
-        return Err(Failure::Usage { message });
+/// A frame file with further lines in it, read as a frame and not yet written.
+pub(super) struct AmendedFile {
+    place: PathBuf,
+    is_new: bool,
+    text: String,
+    frame: Frame,
+    file: FrameFile,
+}
+
+impl AmendedFile {
+    /// Puts lines into a frame file: one that is there keeps all else, comments too; a new one has a frame as its base.
+    ///
+    /// # Errors
+    /// When the file cannot be read, or with these lines is no frame.
+    pub fn new(place: &Path, frame: &str, description: &str, lines: &[Line]) -> Result<Self, Failure> {
+        if place.extension().is_none_or(|ending| ending != "toml") {
+            let message = format!("{} is no frame file: its name has to end in .toml", place.display());
+            return Err(Failure::Usage { message });
+        }
+        let usage = |message: String| Failure::Usage { message: format!("{}: {message}", place.display()) };
+        let name = place.display().to_string();
+        let is_new = place.symlink_metadata().is_err();
+        let text = if is_new {
+            let place = self::place(&name)?;
+            text(&base_for(&place, frame)?, description, lines).map_err(usage)?
+        } else {
+            let former = FrameFile::load(&name)?;
+            amended(former.files.first().map_or("", |source| &source.text), &amendments(lines)).map_err(usage)?
+        };
+        let file = FrameFile::load_from(&name, &Unwritten { place, text: &text })?;
+        let (frame, file) = session::resolved(file)?;
+        Ok(Self { place: place.to_path_buf(), is_new, text, frame, file })
     }
-    if place.symlink_metadata().is_err() {
-        let place = self::place(&place.display().to_string())?;
-        return write(&place, &base_for(&place, frame)?, description, lines);
+
+    /// The design of its frame.
+    ///
+    /// # Errors
+    /// When the frame cannot be designed: it does not close, or parts collide.
+    pub fn designed(&self, common: &Common) -> Result<Design, Failure> {
+        session::designed(self.frame.clone(), &self.file, &cache::memo(common))
     }
-    let failed = |what: &str| format!("cannot {what} {}", place.display());
-    let former = FrameFile::load(&place.display().to_string())?;
-    let text = former.files.first().map_or("", |source| &source.text);
-    let text =
-        amended(text, &amendments(lines)).map_err(|message| Failure::Usage { message: format!("{}: {message}", place.display()) })?;
-    output::replace_file(place, text.as_bytes()).map_err(|error| Failure::Machine { what: failed("write"), error })
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// When the place cannot be written, or holds a read-only file.
+    pub fn write(&self) -> Result<(), Failure> {
+        let write = if self.is_new { output::write_new } else { output::replace_users_file };
+        write(&self.place, self.text.as_bytes())
+            .map_err(|error| Failure::Machine { what: format!("cannot write {}", self.place.display()), error })
+    }
+}
+
+/// The disk with a text in the place of one of its files.
+struct Unwritten<'a> {
+    place: &'a Path,
+    text: &'a str,
+}
+
+impl Files for Unwritten<'_> {
+    fn is_file(&self, path: &Path) -> bool {
+        path == self.place || Disk.is_file(path)
+    }
+
+    fn bytes(&self, path: &Path, most: u64) -> io::Result<Vec<u8>> {
+        if path != self.place {
+            return Disk.bytes(path, most);
+        }
+        let most = usize::try_from(most).unwrap_or(usize::MAX);
+        Ok(self.text.as_bytes()[..self.text.len().min(most)].to_vec())
+    }
 }
 
 /// A base as a file in another folder names it: a preset's name, or the way from one file to the other.

@@ -41,7 +41,8 @@ fn matches(pattern: &str) -> Result<Vec<String>, Failure> {
     let mut found = Vec::new();
     for path in paths.take(MOST_FRAMES + 1) {
         let path = path.map_err(|error| Failure::Machine { what: format!("cannot look for {pattern}"), error: error.into() })?;
-        if path.is_file() {
+        // A link that leads nowhere stays: reading it says so.
+        if !path.is_dir() {
             found.push(path.to_str().map(String::from).ok_or_else(|| usage(format!("{} is not UTF-8", path.display())))?);
         }
     }

@@ -81,12 +81,12 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
                 .iter()
                 .map(|vary| format!("{} {:.1} to {:.1}", vary.key(), vary.bounds[0], vary.bounds[1]))
                 .collect::<Vec<_>>();
-            terminal::tell(&format!(
+            let message = format!(
                 "no such variant was found: {error}\nlooked at: {}; for a size beyond, take a frame near it with --from\n\
                  ask for less, or free more parameters with --vary",
                 looked.join(", ")
-            ));
-            return Ok(ExitCode::from(1));
+            );
+            return Err(Failure::Impossible { message });
         }
         Err(CreateError::Unsolved(error)) => return Err(Failure::Usage { message: error.to_string() }),
     };

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::bounded::{magnitude, number};
 use super::candidates;
+use super::failure::Failure;
 use crate::impact::diagnose::ComparedAxes;
 
 /// Options of every command.
@@ -20,6 +21,13 @@ pub(super) struct Common {
     /// Compute everything: neither read nor write cached results (FLEXFRAME_CACHE=off does the same).
     #[arg(long, global = true)]
     pub no_cache: bool,
+}
+
+impl Common {
+    /// Refuses --json for a command whose output is no JSON; `prints` says what it is.
+    pub(super) fn refuse_json(&self, prints: &str) -> Result<(), Failure> {
+        if self.json { Err(Failure::Usage { message: format!("--json: this command prints {prints}; leave --json out") }) } else { Ok(()) }
+    }
 }
 
 /// Which frame.

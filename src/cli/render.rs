@@ -51,7 +51,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     )?;
     if common.json {
         let paths: Vec<String> = files.iter().map(|(path, _)| place.join(path).display().to_string()).collect();
-        terminal::print_json(&serde_json::json!({ "folder": place.display().to_string(), "pictures": paths }))?;
+        terminal::print_json(&serde_json::json!({ "schema_version": 1, "folder": place.display().to_string(), "pictures": paths }))?;
     } else if !common.quiet {
         let unmarked = if args.findings { unmarked(&design, &files) } else { String::new() };
         terminal::tell(&format!("{}: {} pictures{unmarked}", place.display(), files.len()));

@@ -41,6 +41,7 @@ const LARGEST: u64 = 64 << 20;
 
 /// Serves the page until it is ended.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    common.refuse_json("the address of a page until it is ended")?;
     let missing: Vec<&str> = ["index.html", "engine/engine.wasm"].into_iter().filter(|file| !args.folder.join(file).is_file()).collect();
     if !missing.is_empty() {
         let message = format!(

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
+use super::candidates;
 use super::failure::Failure;
 use super::options::Common;
 use super::output;
@@ -19,7 +20,7 @@ use crate::impact::synthetic::{Plan, records, table};
 )]
 pub(super) struct Args {
     /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
+    #[arg(value_name = "PLAN", add = candidates::toml_files())]
     pub plan: String,
     /// Seed instead of the plan's.
     #[arg(long, value_name = "N")]

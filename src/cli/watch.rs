@@ -38,6 +38,7 @@ const QUIET: Duration = Duration::from_millis(40);
 /// Holds the frame again at every save, with the parts that are the same as before, and says what changed; ends when it is
 /// interrupted, or after so many saves.
 pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
+    common.refuse_json("lines for a person until it is ended (`flexframe diff --json` compares two frames)")?;
     session::needs_file(&args.frame.frame, "watch a file")?;
     let memo = cache::memo(common);
     let (mut last, mut files) = match evaluated(&args.frame, &memo) {

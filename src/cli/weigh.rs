@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 use super::candidates;
 use super::failure::Failure;
-use super::frame_text::{self, Line};
+use super::frame_text::{self, AmendedFile, Line};
 use super::options::{Common, FrameOption};
 use super::progress::Progress;
 use super::session;
@@ -55,7 +55,10 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let weighing = table(&design, &scale, &sliced, readings_file.unwrap_or_default())?;
     if let Some(place) = &args.into {
         let lines = lines(&weighing, readings_file.unwrap_or_default());
-        frame_text::amend(place, frame, "Print factors as weighed", &lines)?;
+        let amended = AmendedFile::new(place, frame, "Print factors as weighed", &lines)?;
+        // What cannot be designed is refused before it is written.
+        amended.designed(common)?;
+        amended.write()?;
     }
     if common.json {
         terminal::print_json(&weighing_page::json(&design.frame.name, &weighing))?;

@@ -41,6 +41,12 @@ pub enum LoadError {
         /// The models there are.
         models: String,
     },
+    /// No file; no plan comes with the program.
+    #[error("there is no plan `{name}`: give a TOML file, such as params/synthetic/bottoming.toml of flexframe's sources")]
+    NoSuchPlan {
+        /// What was asked for.
+        name: String,
+    },
     /// The file cannot be read.
     #[error("cannot read {path}: {error}")]
     Unreadable {

@@ -16,7 +16,30 @@ pub struct ImpactFile {
     pub name: String,
     /// The entries.
     pub entries: BTreeMap<String, Entry>,
+    kind: Kind,
     source: Arc<Source>,
+}
+
+/// What a file describes.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    /// A drop.
+    Model,
+    /// The mechanics of frames.
+    Mechanics,
+    /// Synthetic drops.
+    Plan,
+}
+
+impl Kind {
+    /// Where its keys are explained.
+    fn keys(self) -> &'static str {
+        match self {
+            Self::Model => "docs/physics.md lists the keys of a model file",
+            Self::Mechanics => "params/mechanics.toml has every key of a file of the mechanics; docs/mechanics.md explains them",
+            Self::Plan => "docs/diagnosis.md lists the keys of a plan, docs/physics.md those of its model",
+        }
+    }
 }
 
 impl ImpactFile {
@@ -50,6 +73,18 @@ impl ImpactFile {
         Ok(Self::read((*name).into(), Arc::new(source))?)
     }
 
+    /// Reads a plan of synthetic drops: a path to a TOML file.
+    ///
+    /// # Errors
+    /// When there is none, when it cannot be read, or when it is not TOML.
+    pub fn plan(path: &str) -> Result<Self, LoadError> {
+        if !path.ends_with(".toml") {
+            return Err(LoadError::NoSuchPlan { name: path.into() });
+        }
+        let (name, source) = read_source(PathBuf::from(path))?;
+        Ok(Self { kind: Kind::Plan, ..Self::read(name, source)? })
+    }
+
     /// Reads the numbers of the frame's mechanics: a path to a TOML file, or those that come with the program.
     ///
     /// # Errors
@@ -57,10 +92,10 @@ impl ImpactFile {
     pub fn mechanics(path: Option<&str>) -> Result<Self, LoadError> {
         if let Some(path) = path {
             let (name, source) = read_source(PathBuf::from(path))?;
-            return Ok(Self::read(name, source)?);
+            return Ok(Self { kind: Kind::Mechanics, ..Self::read(name, source)? });
         }
         let source = Source { name: "params/mechanics.toml".into(), text: MECHANICS.into() };
-        Ok(Self::read("mechanics".into(), Arc::new(source))?)
+        Ok(Self { kind: Kind::Mechanics, ..Self::read("mechanics".into(), Arc::new(source))? })
     }
 
     /// Reads a model from text.
@@ -73,7 +108,7 @@ impl ImpactFile {
 
     fn read(name: String, source: Arc<Source>) -> Result<Self, Refusal> {
         let entries = typed_entries(&source, 0)?;
-        Ok(Self { name, entries, source })
+        Ok(Self { name, entries, kind: Kind::Model, source })
     }
 
     /// A refusal that points at a key; where the file lacks it, at the last line of its table, or else at the file's end.
@@ -205,10 +240,7 @@ impl ImpactFile {
                 near => Reason::UnknownName { kind: "effect".into(), name: id.into(), nearest: near },
             },
             None => match nearest(key, known.iter().map(String::as_str)) {
-                near if near.is_empty() => Reason::Impossible {
-                    message: format!("unknown key `{key}`"),
-                    remedy: "docs/physics.md lists the keys of a model file".into(),
-                },
+                near if near.is_empty() => Reason::Impossible { message: format!("unknown key `{key}`"), remedy: self.kind.keys().into() },
                 near => Reason::UnknownKey { key: key.clone(), nearest: near },
             },
         };

@@ -201,7 +201,7 @@ impl Reason {
     /// What to change.
     pub fn remedy(&self) -> String {
         let nearest = |names: &[String]| match names {
-            [] => "`flexframe params` lists every key".to_string(),
+            [] => "`flexframe params` lists the keys of all numbers, docs/frame-files.md those of names".to_string(),
             names => format!("did you mean {}?", names.iter().map(|n| format!("`{n}`")).collect::<Vec<_>>().join(" or ")),
         };
         match self {

@@ -527,6 +527,25 @@ fn analytic_a_shell_completes_names() {
     let second = offered(&["solve", "--minimise", "mass", "--vary", "rods.arm_rod_length_mm,rods.st"]);
     assert_eq!(second, ["rods.arm_rod_length_mm,rods.strut_rod_length_mm"]);
     assert_eq!(offered(&["drop", "--model", "paper-"]), ["paper-corrected"]);
+    // Keys without their tables, once something is typed.
+    let arms = offered(&["explain", "arm_"]);
+    assert!(arms.iter().any(|key| key == "arm_pitch_mm") && arms.iter().all(|key| key.starts_with("arm_")), "{arms:?}");
+    assert_eq!(offered(&["solve", "--vary", "arm_pitch_mm,strut_rod_l"]), ["arm_pitch_mm,strut_rod_length_mm"]);
+    let all = offered(&["explain", ""]);
+    assert!(all.iter().all(|key| key.starts_with('-') || key.contains('.') || key == "base" || key == "printer"), "{all:?}");
+    assert_eq!(offered(&["explain", "target.w"]), ["target.width_mm"]);
+    assert_eq!(offered(&["solve", "--minimise", "envelope.w"]), ["envelope.width"]);
+    assert_eq!(offered(&["solve", "--pareto", "mass,envelope.w"]), ["mass,envelope.width"]);
+    assert_eq!(offered(&["solve", "--aim", "envelope.w"]), ["envelope.width="]);
+    assert_eq!(offered(&["diff", "cognifly", "cognifly-v8", "--fail-on-increase", "mass.p"]), ["mass.printed="]);
+    assert!(offered(&["fit", "--free", "k,"]).contains(&"k,c".to_string()));
+    assert!(offered(&["fit", "--model", "nowhere.toml", "--free", ""]).contains(&"k".to_string()), "the default's, where there is none");
+    assert_eq!(offered(&["coupon", "--read", "held=2.8,sl"]), ["held=2.8,slides="]);
+    assert_eq!(offered(&["man", "synt"]), ["synthesize"]);
+    assert_eq!(offered(&["man", "study", "ru"]), ["run"]);
+    for words in [&["synthesize", "cog"][..], &["study", "run", "cog"], &["study", "pick", "cog"]] {
+        assert_eq!(offered(words), ["cognifly-mine.toml"], "{words:?}");
+    }
     for shell in ["elvish", "fish", "powershell", "zsh"] {
         assert!(text(&flexframe(&["completions", shell]).stdout).contains("flexframe"), "{shell}");
     }
@@ -557,6 +576,117 @@ fn regress_quiet_is_quiet() {
         let path = path.as_str().expect("a path");
         assert!(fs::read(path).expect("is there").starts_with(b"\x89PNG"), "{path}");
     }
+}
+
+/// The one document on standard output.
+fn document(output: &Output) -> serde_json::Value {
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {} {}", text(&output.stdout), text(&output.stderr)))
+}
+
+#[test]
+fn planted_what_would_be_no_frame_is_not_amended() {
+    let open = "base = \"cognifly\"\n[rods]\ncage_rod_length_mm = 300.0\n";
+    let unknown = "base = \"cognifly\"\nqqqq = 1\n";
+    let bench = Bench::new("base = \"cognifly\"\n");
+    bench.write("scale.csv", "part,mass_g\nhub,9\n");
+    let (bad, scale) = (bench.path("bad.toml"), bench.path("scale.csv"));
+    for (before, arguments, said) in [
+        (open, &["coupon", "--read", "plug=0.2", "--into", &bad][..], "the frame cannot close"),
+        (open, &["weigh", &scale, "--into", &bad], "the frame cannot close"),
+        (unknown, &["coupon", "--read", "plug=0.2", "--into", &bad], "unknown key `qqqq`"),
+        (unknown, &["weigh", &scale, "--into", &bad], "unknown key `qqqq`"),
+        ("name = \"empty\"\n", &["weigh", &scale, "--into", &bad], "is stated nowhere"),
+    ] {
+        bench.write("bad.toml", before);
+        let output = flexframe(&[arguments, &["--json"]].concat());
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", text(&output.stderr));
+        assert_says(&text(&output.stderr), &[said]);
+        let refused = document(&output);
+        assert!(refused["error"]["message"].as_str().is_some_and(|message| message.contains(said)), "{refused}");
+        assert_eq!(fs::read_to_string(&bad).expect("is there"), before, "{arguments:?}");
+    }
+}
+
+#[test]
+fn analytic_json_is_one_document_with_its_version_whatever_the_end() {
+    let bench = Bench::new("base = \"cognifly\"\n");
+    bench.write("taken", "a file where a folder should be");
+    let out = bench.path("out");
+    for arguments in [
+        &["render", "--findings", "-o", &out][..],
+        &["coupon", "-o", &out],
+        &["coupon", "--read", "plug=0.2", "--into", &bench.path("found.toml")],
+        &["fold", "--step", "3"],
+        &["build", "--part", "knee", "-o", &out],
+    ] {
+        let output = flexframe(&[arguments, &["--json"]].concat());
+        assert!(output.status.code() == Some(0) && document(&output)["schema_version"].is_u64(), "{arguments:?}");
+    }
+    let [missing, taken, x] = ["missing/b", "taken", "x"].map(|name| bench.path(name));
+    let solve = |of: &[&'static str], more: &[&str]| -> Vec<String> {
+        let words = [&["solve", "--vary", "arm_rod", "--frames", "4"][..], of, more].concat();
+        words.into_iter().map(String::from).collect()
+    };
+    let front = ["--pareto", "mass,clearance.propeller"];
+    for (arguments, code, said) in [
+        (solve(&["--minimise", "mass"], &["-o", &missing]), 3, "cannot write"),
+        (solve(&front, &["-o", &taken]), 3, "cannot make the folder"),
+        (solve(&["--minimise", "mass", "--subject-to", "mass<=100"], &[]), 1, "mass<=100g is 2"),
+        (solve(&front, &["--subject-to", "mass<=100"]), 1, "mass<=100g is 2"),
+        (["new", &x, "--mass", "150", "--frames", "4"].map(String::from).into(), 1, "no such variant was found"),
+        (["man"].map(String::from).into(), 2, "leave --json out"),
+        (["completions", "bash"].map(String::from).into(), 2, "leave --json out"),
+        (["watch", &bench.path("frame.toml")].map(String::from).into(), 2, "leave --json out"),
+        (["studio"].map(String::from).into(), 2, "leave --json out"),
+    ] {
+        let words: Vec<&str> = arguments.iter().map(String::as_str).chain(["--json"]).collect();
+        let output = flexframe(&words);
+        let told = document(&output);
+        assert_eq!((output.status.code(), told["error"]["exit_code"].as_i64()), (Some(code), Some(code.into())), "{words:?}: {told}");
+        assert_eq!(told["schema_version"], 1, "{words:?}");
+        assert!(told["error"]["message"].as_str().is_some_and(|message| message.contains(said)), "{words:?}: {told}");
+        assert!(text(&output.stderr).contains(said), "{words:?}: {}", text(&output.stderr));
+    }
+    // A person keeps the answer of a search that cannot be written.
+    let output = flexframe(&["solve", "--minimise", "mass", "--vary", "arm_rod", "--frames", "4", "-o", &missing]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("what holds it back"), "{}", text(&output.stdout));
+    let long = "[corner]\ncorner_socket_depth_mm = 13.0\n[hub_joint]\nhub_arm_socket_depth_mm = 8.0\n[fork]\nfork_socket_depth_mm = 7.0\n";
+    let output = Bench::new(&format!("base = \"cognifly\"\n{long}")).run("fold", &["--json"]);
+    assert_eq!((output.status.code(), document(&output)["error"]["exit_code"].as_i64()), (Some(1), Some(1)));
+}
+
+#[test]
+fn planted_a_remedy_names_the_document_of_its_kind_of_file() {
+    let key = refused("base = \"cognifly\"\nqqqq = 1\n");
+    assert_says(&key, &["unknown key `qqqq`", "`flexframe params` lists the keys of all numbers, docs/frame-files.md those of names"]);
+    let bench = Bench::new("");
+    let shipped = |name: &str| fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("params").join(name)).expect("is there");
+    for (name, text) in [
+        ("model.toml", shipped("impact/paper.toml")),
+        ("mechanics.toml", shipped("mechanics.toml")),
+        ("plan.toml", shipped("synthetic/bottoming.toml")),
+    ] {
+        bench.write(name, &format!("qqqq = 1\n{text}"));
+    }
+    let [model, mechanics, plan, out] = ["model.toml", "mechanics.toml", "plan.toml", "out"].map(|name| bench.path(name));
+    for (arguments, said) in [
+        (&["drop", "--model", &model, "-o", &out][..], "docs/physics.md lists the keys of a model file"),
+        (&["check", "--strength", "--mechanics", &mechanics], "docs/mechanics.md explains them"),
+        (&["synthesize", &plan, "-o", &out], "docs/diagnosis.md lists the keys of a plan"),
+    ] {
+        let output = flexframe(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", text(&output.stderr));
+        let message = text(&output.stderr) + &text(&flexframe(&[arguments, &["--json"]].concat()).stdout);
+        assert_says(&message, &["unknown key `qqqq`", said]);
+    }
+    let output = flexframe(&["synthesize", "bottoming", "--json", "-o", &out]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = document(&output)["error"]["message"].as_str().expect("a message").to_string();
+    assert!(
+        message.starts_with("there is no plan `bottoming`") && message.contains("bottoming.toml") && !message.contains("model"),
+        "{message}"
+    );
 }
 
 #[test]

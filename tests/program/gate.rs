@@ -164,6 +164,39 @@ fn planted_accepted_findings_do_not_fail_until_they_are_worse() {
 }
 
 #[test]
+fn planted_a_report_stays_one_document_while_the_list_is_written() {
+    let bench = Bench::new(&[("heavy.toml", HEAVY), ("wrong.toml", WRONG)]);
+    for format in ["json", "sarif", "junit", "github", "markdown"] {
+        let (code, out, err) = bench.check(&["heavy.toml", "--baseline", "b.json", "--update-baseline", "--format", format]);
+        assert!(code == 0 && !out.contains("b.json: written") && err.contains("b.json: written"), "{format}: {out}{err}");
+        // As the next run with the list reports it.
+        assert_eq!(bench.check(&["heavy.toml", "--baseline", "b.json", "--format", format]).1, out, "{format}");
+    }
+    let (_, out, _) = bench.check(&["heavy.toml", "--baseline", "b.json", "--update-baseline", "--json"]);
+    let report: serde_json::Value = serde_json::from_str(&out).expect("one document");
+    let accepted = report["frames"][0]["findings"].as_array().expect("a list").iter().filter(|finding| finding["accepted"] == true);
+    assert_eq!((report["frames"][0]["violations"].as_u64(), accepted.count()), (Some(0), 1));
+    // A frame that does not read keeps the list as it is, and is told in the report.
+    let before = bench.read("b.json");
+    let (code, out, _) = bench.check(&["wrong.toml", "--baseline", "b.json", "--update-baseline", "--json"]);
+    let report: serde_json::Value = serde_json::from_str(&out).expect("one document");
+    assert!(code == 2 && report["frames"][0]["refused"].is_string(), "{report}");
+    assert_eq!(bench.read("b.json"), before);
+}
+
+/// A link that leads nowhere is a frame that cannot be read, not one that is not there.
+#[cfg(unix)]
+#[test]
+fn planted_a_link_that_leads_nowhere_matches_a_pattern() {
+    let bench = Bench::new(&[("frames/good.toml", GOOD)]);
+    std::os::unix::fs::symlink("nowhere.toml", bench.folder.path().join("frames/gone.toml")).expect("can be linked");
+    fs::create_dir(bench.folder.path().join("frames/folder.toml")).expect("can be made");
+    let (code, out, err) = bench.check(&["frames/*.toml"]);
+    assert!(code == 2 && err.contains("cannot read frames/gone.toml") && !out.contains("folder.toml"), "{out}{err}");
+    assert!(out.ends_with("2 frames: 1 within their limits, 0 beyond a limit, 1 not read\n"), "{out}");
+}
+
+#[test]
 fn analytic_a_passing_frame_fits_a_screen_and_its_warnings_come_first() {
     let bench = Bench::new(&[("good.toml", GOOD)]);
     let (code, out, err) = bench.check(&["good.toml"]);

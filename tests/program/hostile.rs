@@ -198,20 +198,23 @@ fn planted_links_are_not_followed_when_writing() {
     bench.ends(&["new", "new", "--mass", "250"], 2, "new.toml is there already");
     std::os::unix::fs::symlink(outside.path("gone"), bench.path("gone.toml")).expect("can be linked");
     bench.ends(&["new", "gone", "--mass", "250"], 2, "gone.toml is there already");
-    // A list of accepted findings is replaced where it lies: the link goes, what it led to stays.
+    // A list of accepted findings is replaced where it is: the link stays. What is no list is refused when it is read.
     bench.write("frame.toml", "base = \"cognifly\"\nname = \"linked\"\n");
     outside.write("list", "{\"schema_version\": 1, \"accepted\": []}");
     std::os::unix::fs::symlink(outside.path("list"), bench.path("list.json")).expect("can be linked");
     let done = bench.run(&["check", "frame.toml", "--strict", "--baseline", "list.json", "--update-baseline", "-q"]);
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
-    assert_eq!(fs::read_to_string(outside.path("list")).expect("is there"), "{\"schema_version\": 1, \"accepted\": []}");
+    let list = fs::read_to_string(outside.path("list")).expect("is there");
+    assert!(bench.path("list.json").is_symlink() && list.contains("\"frame\": \"linked\""), "{list}");
+    std::os::unix::fs::symlink(outside.path("precious"), bench.path("no-list.json")).expect("can be linked");
+    bench.ends(&["check", "frame.toml", "--baseline", "no-list.json", "--update-baseline"], 2, "is no list of accepted findings");
     // A linked folder in the result's place is the place: nothing in it is replaced that is not the program's.
     fs::create_dir(bench.path("out")).expect("can be made");
     std::os::unix::fs::symlink(outside.folder.path(), bench.path("out/linked")).expect("can be linked");
     let done = bench.run(&["build", "frame.toml", "-o", "out", "--no-pictures", "-q"]);
     assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
     assert!(bench.path("out/linked").is_symlink() && outside.path("manifest.json").exists());
-    assert_eq!(fs::read_to_string(outside.path("list")).expect("is there"), "{\"schema_version\": 1, \"accepted\": []}");
+    assert_eq!(fs::read_to_string(outside.path("list")).expect("is there"), list);
     assert_eq!(fs::read_to_string(outside.path("precious")).expect("is there"), "keep");
     // A link inside a result is a file of the user's: it makes way, and what it leads to stays as it is.
     let apart = Bench::new();

@@ -104,3 +104,47 @@ fn planted_a_read_only_result_stays_as_it_is() {
     assert_eq!((self::place(folder.path()), fs::read(place.join("drops.csv")).expect("is there")), (place.clone(), before));
     fs::set_permissions(&place, fs::Permissions::from_mode(0o755)).expect("is ours");
 }
+
+/// A file of the user's behind a link is written where it is; a read-only one stays, for root too.
+#[cfg(unix)]
+#[test]
+fn planted_a_file_that_is_written_into_keeps_its_link_and_its_permissions() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name);
+    fs::create_dir(path("real")).expect("can be made");
+    fs::write(path("real/frame.toml"), "base = \"cognifly\"\nname = \"own\"\n").expect("can be written");
+    fs::write(path("real/list.json"), "{\"schema_version\": 1, \"accepted\": []}").expect("can be written");
+    fs::write(path("scale.csv"), "part,mass_g\nhub,9\n").expect("can be written");
+    for name in ["frame.toml", "list.json"] {
+        symlink(Path::new("real").join(name), path(name)).expect("can be linked");
+    }
+    let program = |arguments: &[&str]| {
+        let mut command = Command::new(cargo_bin("flexframe"));
+        let output = command.args(arguments).arg("-q").current_dir(folder.path()).env("NO_COLOR", "1").output().expect("starts");
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    for (name, arguments) in [
+        ("frame.toml", &["coupon", "--read", "plug=0.2", "--into", "frame.toml"][..]),
+        ("frame.toml", &["weigh", "scale.csv", "--into", "frame.toml"]),
+        ("list.json", &["check", "frame.toml", "--strict", "--baseline", "list.json", "--update-baseline"]),
+    ] {
+        let real = path("real").join(name);
+        let read = || fs::read(&real).expect("is there");
+        let mode = |mode: u32| fs::set_permissions(&real, fs::Permissions::from_mode(mode)).expect("is ours");
+        let before = read();
+        mode(0o440);
+        let (code, said) = program(arguments);
+        assert!(code == Some(3) && said.contains(&format!("cannot write {name}: it is read-only")), "{arguments:?}: {code:?} {said}");
+        assert_eq!(read(), before, "{arguments:?}");
+        mode(0o640);
+        let (code, said) = program(arguments);
+        assert_eq!(code, Some(0), "{arguments:?}: {said}");
+        assert!(path(name).is_symlink() && read() != before, "{arguments:?}");
+        assert_eq!(fs::metadata(&real).expect("is there").permissions().mode() & 0o777, 0o640, "{arguments:?}");
+    }
+    symlink("nowhere.json", path("gone.json")).expect("can be linked");
+    let (code, said) = program(&["check", "frame.toml", "--baseline", "gone.json", "--update-baseline"]);
+    assert!(code == Some(3) && said.contains("it is a link that leads nowhere"), "{code:?} {said}");
+    assert!(path("gone.json").is_symlink() && !path("nowhere.json").exists());
+}

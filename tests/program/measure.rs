@@ -248,6 +248,7 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
     for (arguments, says) in [
         (&["good.csv"][..], "none of the 1 drops can be fitted"),
         (&["good.csv", "--free", "k,x1_mm"], "the model has no parameter `x1_mm`; it has k, c"),
+        (&["good.csv", "--free", "k,c,k"], "--free: k stands there twice"),
         (&["cognifly"], "name the drops"),
         (&["cognifly", "cognifly-v8", "good.csv"], "name one frame"),
         (&["good.csv", "--counts-per-g", "1,2"], "--counts-per-g takes three numbers"),

@@ -92,7 +92,8 @@ fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() 
     let has_reason = |row: &Vec<String>| reasons.iter().any(|reason| row[column("refused")].contains(reason));
     assert!(refused.iter().all(|row| has_reason(row) && row[column("mass")].is_empty()), "{refused:?}");
     let (at, row) = table[1..].iter().enumerate().next_back().expect("rows");
-    desk.good(&["pick", "s.toml", &at.to_string(), "-o", "mine"]);
+    let picked: Value = serde_json::from_str(&desk.good(&["pick", "s.toml", &at.to_string(), "-o", "mine", "--json"])).expect("JSON");
+    assert_eq!((&picked["schema_version"], &picked["file"], &picked["row"]), (&1.into(), &"mine.toml".into(), &at.into()), "{picked}");
     let picked = desk.read("mine.toml");
     assert!(picked.contains("rod = \"rod-bamboo-3\"") && picked.contains("arm_rod_length_mm = 86"), "{picked}");
     let checked =

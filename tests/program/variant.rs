@@ -97,6 +97,15 @@ fn planted_a_lighter_battery_shows_where_it_acts_and_nowhere_else() {
         bench.run(&["diff", "light.toml", "cognifly", "--fail-on-increase", "mass=2g", "--fail-on-increase", "wall=0.1mm"]);
     assert_eq!(code, 1);
     assert!(err.starts_with("mass grew by ") && err.contains("; 2 g are allowed") && err.lines().count() == 1, "{err}");
+    let increases = ["--fail-on-increase", "mass=2g", "--fail-on-increase", "wall=0.1mm", "--json"];
+    let json = bench.json(&[&["diff", "light.toml", "cognifly"][..], &increases].concat());
+    let [increased] = &json["increased"].as_array().expect("a list")[..] else { panic!("{json:#}") };
+    assert_eq!([&increased["measure"], &increased["unit"], &increased["allowed"]], [&Value::from("mass"), &"g".into(), &2.0.into()]);
+    let values = &json["measures"].as_array().expect("a list").iter().find(|m| m["name"] == "mass").expect("is there")["values"];
+    let grown = values[1].as_f64().expect("a number") - values[0].as_f64().expect("a number");
+    assert!((increased["found"].as_f64().expect("a number") - grown).abs() < 1e-9 && grown > 2.0, "{increased}");
+    let kept = bench.json(&["diff", "cognifly", "light.toml", "--fail-on-increase", "mass=2g", "--json"]);
+    assert!(kept.get("increased").is_none(), "{kept:#}");
     for (wrong, says) in
         [("mas=2g", "did you mean `mass`"), ("mass=2mm", "mass is measured in g"), ("mass", "does not read"), ("mass=-1", "does not read")]
     {

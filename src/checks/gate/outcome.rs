@@ -75,6 +75,14 @@ impl CheckedFrame {
         self
     }
 
+    /// The same after all that fails was put on a list of accepted findings.
+    fn accepted(mut self) -> Self {
+        for judged in self.findings.iter_mut().filter(|judged| judged.standing == Standing::Fails) {
+            judged.standing = Standing::Accepted;
+        }
+        self
+    }
+
     /// How many findings have a standing.
     pub fn count(&self, standing: Standing) -> usize {
         self.findings.iter().filter(|judged| judged.standing == standing).count()
@@ -107,7 +115,14 @@ impl Refused {
     pub fn of_load(error: &LoadError) -> Self {
         match error {
             LoadError::Refused(refusal) => Self::of(refusal),
-            other => Self { message: other.to_string(), remedy: NO_FRAME_REMEDY.into(), spot: None, machine: other.is_of_machine() },
+            other => {
+                let remedy = match other {
+                    LoadError::NoSuchModel { .. } => "`flexframe list models` lists the models",
+                    LoadError::NoSuchPlan { .. } => "docs/diagnosis.md lists the keys of a plan",
+                    _ => NO_FRAME_REMEDY,
+                };
+                Self { message: other.to_string(), remedy: remedy.into(), spot: None, machine: other.is_of_machine() }
+            }
         }
     }
 
@@ -128,6 +143,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// The same after all that fails was put on a list of accepted findings.
+    pub fn accepted(self) -> Self {
+        Self { result: self.result.map(CheckedFrame::accepted), ..self }
+    }
+
     /// The exit code for this frame alone.
     pub fn exit_code(&self) -> u8 {
         match &self.result {

@@ -21,7 +21,7 @@ use std::path::{Component, Path, PathBuf};
 use super::failure::Failure;
 use super::interrupt::Step;
 use super::terminal;
-pub(super) use file::{replace_file, write_new};
+pub(super) use file::{replace_file, replace_users_file, write_new};
 use record::{MANIFEST, RECORD, Record};
 use staging::{Lock, Staging};
 

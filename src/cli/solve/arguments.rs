@@ -14,13 +14,13 @@ pub(in crate::cli) struct Args {
     #[command(flatten)]
     pub frame: FrameOption,
     /// Measure to minimise.
-    #[arg(long, value_name = "MEASURE", required_unless_present_any = ["aim", "pareto"], conflicts_with_all = ["aim", "pareto"])]
+    #[arg(long, value_name = "MEASURE", required_unless_present_any = ["aim", "pareto"], conflicts_with_all = ["aim", "pareto"], add = candidates::measures())]
     pub minimise: Option<String>,
     /// Target value of a measure, such as stiffness=9.2.
-    #[arg(long, value_name = "MEASURE=VALUE", conflicts_with = "pareto")]
+    #[arg(long, value_name = "MEASURE=VALUE", conflicts_with = "pareto", add = candidates::measures_with_values())]
     pub aim: Option<String>,
     /// Pareto front: frames of which none is better than another in all of two or three measures.
-    #[arg(long, value_delimiter = ',', value_name = "MEASURE,…", conflicts_with = "choose")]
+    #[arg(long, value_delimiter = ',', value_name = "MEASURE,…", conflicts_with = "choose", add = candidates::measures())]
     pub pareto: Vec<String>,
     /// Further constraint besides the frame's limits, such as 'clearance.propeller>=3mm'; may be given several times.
     #[arg(long, value_delimiter = ',', value_name = "GOAL")]

@@ -1,6 +1,6 @@
 //! A Pareto front, as a table, as CSV and JSON, and as a picture.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use crate::cli::failure::Failure;
@@ -13,28 +13,33 @@ use crate::report::chart::front_plot;
 use crate::report::data::front_data;
 use crate::variant::{Front, caveats};
 
-/// Says what was found, and writes it when asked to; exit code 1 when nothing was.
-pub(super) fn report_front(found: &Option<Front>, frame: &str, into: Option<&Path>, common: &Common) -> Result<ExitCode, Failure> {
-    let Some(front) = found else { return Ok(ExitCode::from(1)) };
+/// Says what was found, and writes it when asked to.
+pub(super) fn report_front(front: &Front, frame: &str, into: Option<&Path>, common: &Common) -> Result<ExitCode, Failure> {
     let json = front_data::json(front, frame, searching::id(front.ended));
+    let written = into.map(|folder| write(front, &json, frame, folder)).transpose();
     if common.json {
+        // A folder that cannot be written is the one document that is printed.
+        written?;
         terminal::print_json(&json)?;
-    } else if !common.quiet {
+        return Ok(ExitCode::SUCCESS);
+    }
+    if !common.quiet {
         terminal::print(&table(front))?;
     }
-    if let Some(folder) = into {
-        let mut files = vec![("pareto.csv".to_string(), front_data::csv(front)?.into_bytes())];
-        files.push(("pareto.json".into(), format!("{json:#}\n").into_bytes()));
-        let points: Vec<&[f64]> = front.points.iter().map(|point| &point.goals[..]).collect();
-        let plots = front_plot::plots(&front.goals, &points, frame);
-        files
-            .extend(plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?);
-        let place = output::write_folder(folder, &format!("pareto-{frame}"), &files)?;
-        if !common.quiet && !common.json {
-            terminal::print(&format!("{}: written\n", place.display()))?;
-        }
+    if let Some(place) = written?.filter(|_| !common.quiet) {
+        terminal::print(&format!("{}: written\n", place.display()))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the folder of a front; says where it is.
+fn write(front: &Front, json: &serde_json::Value, frame: &str, folder: &Path) -> Result<PathBuf, Failure> {
+    let mut files = vec![("pareto.csv".to_string(), front_data::csv(front)?.into_bytes())];
+    files.push(("pareto.json".into(), format!("{json:#}\n").into_bytes()));
+    let points: Vec<&[f64]> = front.points.iter().map(|point| &point.goals[..]).collect();
+    let plots = front_plot::plots(&front.goals, &points, frame);
+    files.extend(plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?);
+    output::write_folder(folder, &format!("pareto-{frame}"), &files)
 }
 
 fn table(front: &Front) -> String {

@@ -56,10 +56,18 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     };
     let found = choose(&problem, &choices);
     following.ends();
-    let Some(chosen) = answered(found)? else { return Ok(ExitCode::from(1)) };
+    let chosen = answered(found)?;
+    let done = match (&written, base) {
+        (Some(place), Some(base)) => write(place, &base, &format!("{doc} by flexframe solve"), &chosen, args),
+        _ => Ok(()),
+    };
     if common.json {
+        // A file that cannot be written is the one document that is printed.
+        done?;
         terminal::print_json(&report::json(&chosen))?;
-    } else if !common.quiet {
+        return Ok(ExitCode::SUCCESS);
+    }
+    if !common.quiet {
         let begun = Evaluation::quick(before.clone(), &problem.memo).ok();
         let begun = match &mechanics {
             None => begun,
@@ -67,25 +75,23 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
         };
         terminal::print(&report::formatted(&chosen, &before.name, &file, begun.as_ref()))?;
     }
-    if let (Some(place), Some(base)) = (written, base) {
-        write(&place, &base, &format!("{doc} by flexframe solve"), &chosen, args)?;
-        if !common.quiet && !common.json {
-            terminal::print(&format!("{}: written\n", place.display()))?;
-        }
+    // A person has the answer of a long search on the terminal, also where it cannot be written.
+    done?;
+    if let Some(place) = written.filter(|_| !common.quiet) {
+        terminal::print(&format!("{}: written\n", place.display()))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// The answer; none, and it was said, where no frame keeps every limit.
-fn answered<T>(found: Result<T, SolveError>) -> Result<Option<T>, Failure> {
-    match found {
-        Ok(answer) => Ok(Some(answer)),
-        Err(error @ SolveError::Infeasible { .. }) => {
-            terminal::tell(&format!("no answer: {error}"));
-            Ok(None)
-        }
-        Err(error) => Err(Failure::Usage { message: error.to_string() }),
-    }
+/// The answer.
+///
+/// # Errors
+/// [`Failure::Impossible`] where no frame keeps every limit.
+fn answered<T>(found: Result<T, SolveError>) -> Result<T, Failure> {
+    found.map_err(|error| match error {
+        SolveError::Infeasible { .. } => Failure::Impossible { message: format!("no answer: {error}") },
+        error => Failure::Usage { message: error.to_string() },
+    })
 }
 
 fn write(place: &Path, base: &str, what: &str, chosen: &Chosen, args: &Args) -> Result<(), Failure> {

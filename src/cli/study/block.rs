@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use super::hq;
 use super::study_option::load;
+use crate::cli::candidates;
 use crate::cli::failure::Failure;
 use crate::cli::output;
 use crate::study::{Evaluator, begun, line};
@@ -13,7 +14,7 @@ use crate::study::{Evaluator, begun, line};
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
+    #[arg(value_name = "PLAN", add = candidates::toml_files())]
     plan: String,
     /// First row and the row after the last, such as 0-50; without it HyperQueue's HQ_ENTRY.
     #[arg(long, value_name = "FIRST-END", value_parser = hq::block)]

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use super::study_option::load;
+use crate::cli::candidates;
 use crate::cli::failure::Failure;
 use crate::cli::frame_text::{self, Line};
 use crate::cli::options::Common;
@@ -17,7 +18,7 @@ use crate::study::{Axis, Input, Study, Subject};
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
+    #[arg(value_name = "PLAN", add = candidates::toml_files())]
     plan: String,
     /// The row's number.
     #[arg(value_name = "ROW")]
@@ -42,13 +43,19 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             output::write_new(&place, drops.to_toml().as_bytes()).map_err(failed)?;
         }
     }
-    if !common.quiet && !common.json {
+    let refused = match study.subject {
+        Subject::Frames(_) => Frame::load(&place.display().to_string()).err().map(|error| error.to_string()),
+        Subject::Recovery(_) => None,
+    };
+    if common.json {
+        terminal::print_json(
+            &serde_json::json!({ "schema_version": 1, "file": place.display().to_string(), "row": row, "refused": refused }),
+        )?;
+    } else if !common.quiet {
         terminal::print(&format!("{}: written\n", place.display()))?;
     }
-    if matches!(study.subject, Subject::Frames(_))
-        && let Err(error) = Frame::load(&place.display().to_string())
-    {
-        terminal::tell(&format!("note: row {row} is no frame: {error}"));
+    if let Some(why) = refused {
+        terminal::tell(&format!("note: row {row} is no frame: {why}"));
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use super::study_option::load;
+use crate::cli::candidates;
 use crate::cli::failure::Failure;
 use crate::cli::options::Common;
 use crate::cli::terminal;
@@ -13,7 +14,7 @@ use crate::study::{Axis, Column, Evaluator, Outcome, Study};
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
+    #[arg(value_name = "PLAN", add = candidates::toml_files())]
     plan: String,
 }
 

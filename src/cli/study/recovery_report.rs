@@ -76,7 +76,7 @@ fn write_into(page: &Path, study: &str, tables: &str) -> Result<(), Failure> {
             message: format!("{}: the tables of {study} stand between the lines {begin} and {end}, which it has not", page.display()),
         }
     })?;
-    output::replace_file(page, filled.as_bytes()).map_err(machine("write"))
+    output::replace_users_file(page, filled.as_bytes()).map_err(machine("write"))
 }
 
 /// A page with the tables between its marks; none where it has no marks. Headings are a level lower than in a page of their own.

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::cli::candidates;
 use crate::cli::failure::Failure;
 use crate::params::files::Disk;
 use crate::study::{self, Study};
@@ -10,7 +11,7 @@ use crate::study::{self, Study};
 #[derive(Debug, clap::Args)]
 pub(super) struct StudyOption {
     /// The plan: a TOML file.
-    #[arg(value_name = "PLAN")]
+    #[arg(value_name = "PLAN", add = candidates::toml_files())]
     pub plan: String,
     /// Folder in which to write the folder `study-PLAN`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]

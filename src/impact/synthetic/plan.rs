@@ -104,7 +104,7 @@ impl Plan {
     /// # Errors
     /// When it cannot be read, or is refused.
     pub fn load(path: &str) -> Result<Self, LoadError> {
-        Ok(Self::resolve(&ImpactFile::load(path)?)?)
+        Ok(Self::resolve(&ImpactFile::plan(path)?)?)
     }
 
     /// A plan file's meaning.
