@@ -13,7 +13,7 @@ use crate::frame::assembly::Kind;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
 use crate::frame::assembly::screw_solids::threads_mm3;
 use crate::params::PartName;
-use crate::params::roles::ACCESSORIES;
+use crate::params::roles::{ACCESSORIES, HUNG};
 
 const ROD_FIT: &[&str] = &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"];
 const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
@@ -106,7 +106,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
     match () {
         () if has("motor_screw") => (if a.shape.kind == Kind::Motor || b.shape.kind == Kind::Motor { in_motor } else { 0.0 }, MOTOR_SCREWS),
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, stack),
-        () if ["flight_controller", "motor_controller"].into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
+        () if HUNG.into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
         () if STACK_BODIES.into_iter().any(has) => (0.0, stack),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),

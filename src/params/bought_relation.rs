@@ -4,6 +4,7 @@ use super::catalogue::HOLE_PLAY_MM;
 use super::frame::Frame;
 use super::refusal::Reason;
 use super::relation::Broken;
+use super::roles::HUNG;
 
 /// Checks every relation of what is bought.
 pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
@@ -19,15 +20,12 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
 /// What a bought part does for others, by its key: what nothing does without it, and the roles of which one is there.
 const SERVED: [(&str, &str, &[&str]); 6] = [
     ("bought.motor_screw", "holds the motors", &["motor"]),
-    ("bought.stack_screw", "holds the boards under the hub", BOARDS),
-    ("bought.stack_nut", "holds the boards on their screws", BOARDS),
-    ("bought.stack_spacer", "keeps the boards where they are along their screws", BOARDS),
+    ("bought.stack_screw", "holds the boards under the hub", &HUNG),
+    ("bought.stack_nut", "holds the boards on their screws", &HUNG),
+    ("bought.stack_spacer", "keeps the boards where they are along their screws", &HUNG),
     ("bought.tie", "holds the bracket with the battery", &["battery"]),
     ("bought.connector", "connects the battery", &["battery"]),
 ];
-
-/// Roles of the boards under the hub.
-const BOARDS: &[&str] = &["flight_controller", "motor_controller"];
 
 /// Whether an extra stands for a role.
 fn is_covered(frame: &Frame, role: &str) -> bool {
@@ -123,8 +121,8 @@ const ACCESSORY_KEYS: [&str; 4] = ["bought.receiver", "bought.buzzer", "bought.g
 
 /// The boards under the hub hang on four screws: their holes are one square.
 fn stack(frame: &Frame) -> Result<(), Broken> {
-    let boards = [("bought.flight_controller", "flight_controller"), ("bought.motor_controller", "motor_controller")];
-    let patterns = boards.into_iter().filter_map(|(key, role)| Some((key, frame.bought.get(role)?)));
+    let boards = ["bought.flight_controller", "bought.motor_controller"].into_iter().zip(HUNG);
+    let patterns = boards.filter_map(|(key, role)| Some((key, frame.bought.get(role)?)));
     for (key, item) in patterns {
         let Some([along, across]) = item.part.hole_pattern_mm else { continue };
         let pattern = frame.hub.stack_pattern_mm;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::catalogue::BoughtPart;
 use super::frame::BoughtItem;
+use super::roles::HUNG;
 
 /// Room around a connector's section in its channel, across and up together, mm: 10.55 x 5.55 around an XT30.
 const CONNECTOR_CLEARANCE_MM: f64 = 0.35;
@@ -55,8 +56,6 @@ impl Follows {
     }
 }
 
-const STACK: &[&str] = &["flight_controller", "motor_controller"];
-
 const FOLLOWS: [Follows; 24] = [
     Follows::always("rod_diameter_mm", &["rod"], |rod, _| rod.diameter_mm).of(&["diameter_mm"]),
     Follows::always("fork_bar_height_mm", &["rod"], |rod, _| Some(sum_mm([rod.diameter_mm?, BAR_OVER_ROD_MM]))).of(&["diameter_mm"]),
@@ -71,7 +70,7 @@ const FOLLOWS: [Follows; 24] = [
     Follows::always("motor_hole_circle_mm", &["motor"], |motor, _| motor.hole_pcd_mm).of(&["hole_pcd_mm"]),
     Follows::always("motor_hole_diameter_mm", &["motor"], |motor, _| motor.hole_diameter_mm).of(&["hole_diameter_mm"]),
     Follows::always("motor_shaft_hole_mm", &["motor"], |motor, _| motor.shaft_hole_diameter_mm).of(&["shaft_hole_diameter_mm"]),
-    Follows::or("stack_pattern_mm", STACK, |board, _| Some(board.hole_pattern_mm?[0]), 20.0).of(&["hole_pattern_mm"]),
+    Follows::or("stack_pattern_mm", &HUNG, |board, _| Some(board.hole_pattern_mm?[0]), 20.0).of(&["hole_pattern_mm"]),
     Follows::or("pi_pattern_along_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[0]), 58.0).of(&["hole_pattern_mm"]),
     Follows::or("pi_pattern_across_mm", &["computer"], |board, _| Some(board.hole_pattern_mm?[1]), 23.0).of(&["hole_pattern_mm"]),
     Follows::or("camera_pattern_across_mm", &["camera"], |camera, _| Some(camera.hole_pattern_mm?[0]), 21.0).of(&["hole_pattern_mm"]),

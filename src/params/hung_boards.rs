@@ -6,6 +6,7 @@
 //! need, so that nothing slides along it. Without spacers the way is bare. Heights are above the hub's underside, mm.
 
 use super::catalogue::BoughtPart;
+use super::roles::HUNG;
 
 /// Least air between the hub's underside and the first board, mm: chosen, for wires and solder.
 const AIR_MM: f64 = 1.4;
@@ -46,7 +47,7 @@ pub fn hung_boards<'a>(part: impl Fn(&str) -> Option<&'a BoughtPart>) -> Vec<Hun
     let mut hung: Vec<HungBoard> = Vec::new();
     // The lowest of what is above: of components, and of what lies on the screws.
     let (mut low_mm, mut face_mm) = (-AIR_MM, 0.0);
-    for role in ["flight_controller", "motor_controller"] {
+    for role in HUNG {
         let Some(board) = part(role) else { continue };
         let dampers = part("damper").filter(|_| hung.is_empty());
         let half_mm = 0.5 * board.size_mm[2];

@@ -29,5 +29,8 @@ pub const ROLES: [(&str, u32, &str); 21] = [
 /// Roles that no frame can be without.
 pub(super) const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];
 
+/// Roles of the boards that hang under the hub, from there down.
+pub const HUNG: [&str; 2] = ["flight_controller", "motor_controller"];
+
 /// Roles that the accessory plate carries.
 pub const ACCESSORIES: [&str; 4] = ["receiver", "buzzer", "gps", "fpv_camera"];

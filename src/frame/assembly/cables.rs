@@ -8,6 +8,7 @@ use nalgebra::{Point3, Vector3};
 use super::body_box::bounds_mm;
 use super::design::Design;
 use super::wire::{Section, Wire};
+use crate::params::roles::HUNG;
 
 /// A cable that a design may have.
 struct Cable {
@@ -46,8 +47,6 @@ const RIBBON_MM: [f64; 2] = [11.5, 0.3];
 const OUT_MM: f64 = 3.0;
 /// What of a board's half width a cable stays within.
 const ON_BOARD: f64 = 0.8;
-/// Boards that sensors and accessories are read by, the first that there is.
-const READERS: [&str; 2] = ["flight_controller", "motor_controller"];
 
 const CABLES: [Cable; 8] = [
     Cable {
@@ -137,7 +136,8 @@ impl Cable {
         let to = match self.route {
             Route::Ribbon => "computer",
             Route::Stack => "motor_controller",
-            Route::Upright | Route::Hub => READERS.into_iter().find(|name| bounds_mm(design, name).is_some())?,
+            // What reads sensors and accessories: the first board that there is.
+            Route::Upright | Route::Hub => HUNG.into_iter().find(|name| bounds_mm(design, name).is_some())?,
         };
         let (begin, end) = (bounds_mm(design, self.from)?, bounds_mm(design, to)?);
         let way = match self.route {
