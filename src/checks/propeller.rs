@@ -9,9 +9,10 @@ use nalgebra::Point3;
 use super::bounds::Bounds;
 use super::finding::Finding;
 use super::measure::{Measure, falls_short_mm};
-use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
+use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule, Sort};
 use super::scene::{Placed, Scene};
 use crate::frame::assembly::Kind;
+use crate::frame::skeleton::MODULE_NAMES;
 use crate::solid::SEGMENTS_PER_TURN;
 
 const LEVERS: &[&str] = &["motor_mount.propeller_diameter_mm", "motor_mount.motor_position_mm", "motor_mount.propeller_height_mm"];
@@ -25,9 +26,20 @@ pub static RULE: Rule = Rule {
     limits: &[Limit::Key { subject: "", key: "limits.propeller_clearance_mm" }],
     levers: Levers::Sets(&[LEVERS]),
     blame: Blame::Levers,
-    in_search: InSearch::Constraints { subjects: &[""], binds: true },
+    in_search: InSearch::Sorted {
+        sorts: &[Sort { name: "inwards", is_of: |subject| !is_outside(subject) }, Sort { name: "outwards", is_of: is_outside }],
+        binds: true,
+    },
     found: Found::By(&[Pass::quick(check)]),
 };
+
+/// Whether a finding is about what lies outside of the motors, which moves motors inwards: rods, and what holds them. From all else they move outwards.
+fn is_outside(subject: &str) -> bool {
+    let other = subject.split_once(" to ").map_or("", |(_, other)| other);
+    let is_in_module = MODULE_NAMES.iter().any(|quadrant| other.split('_').any(|word| word == *quadrant));
+    let is_inside = ["motor", "propeller"].iter().any(|name| other.starts_with(name));
+    (is_in_module && !is_inside) || ["rod", "printed part"].contains(&other)
+}
 
 /// Distances beyond this are not measured, mm.
 const REACH_MM: f64 = 100.0;
@@ -139,6 +151,18 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
 mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
+
+    /// Each subject is of one constraint of a search: what is near a propeller's outer side moves its motor inwards, the rest outwards.
+    #[test]
+    fn analytic_sides_of_a_propeller_are_told_apart() {
+        let of = |subject: &str| RULE.constraints().into_iter().filter(|name| RULE.concerns(name, subject)).collect::<Vec<_>>();
+        for outside in ["strut_FR_top", "knee_FR", "cage_FR_bottom", "top_corner_BL", "rod", "printed part"] {
+            assert_eq!(of(&format!("propeller_FR to {outside}")), ["outwards"], "{outside}");
+        }
+        for inside in ["camera", "camera_connector_left", "propeller_FL", "motor_BR", "board or battery", "propeller", "motor"] {
+            assert_eq!(of(&format!("propeller_FR to {inside}")), ["inwards"], "{inside}");
+        }
+    }
 
     #[test]
     fn analytic_neighbours_pass_at_the_difference_of_pitch_and_diameter() {

@@ -69,7 +69,7 @@ pub enum Blame {
 }
 
 /// How a search for better frames keeps a rule.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub enum InSearch {
     /// As constraints on every frame that is looked at.
     Constraints {
@@ -79,10 +79,26 @@ pub enum InSearch {
         /// Whether little room means that the rule limits the answer. It does not where the value is meant to be at its limit.
         binds: bool,
     },
+    /// The same, for the tightest finding of each sort, by its subject.
+    Sorted {
+        /// The sorts; each subject is of one.
+        sorts: &'static [Sort],
+        /// Whether little room means that the rule limits the answer.
+        binds: bool,
+    },
     /// On the best frames at the end only, for the reason given.
     AtTheEnd(&'static str),
     /// Only if a goal requests it, for the reason given.
     AsGoal(&'static str),
+}
+
+/// Findings of a rule that pull one way.
+#[derive(Clone, Copy)]
+pub struct Sort {
+    /// In words.
+    pub name: &'static str,
+    /// Whether a subject is of it.
+    pub is_of: fn(&str) -> bool,
 }
 
 /// How long a pass over a frame takes.
@@ -147,11 +163,20 @@ impl Rule {
         })
     }
 
-    /// The constraints of a search: how the subjects of each begin. None for a rule that is kept otherwise.
-    pub fn constraints(&self) -> &'static [&'static str] {
+    /// The constraints of a search, in words. None for a rule that is kept otherwise.
+    pub fn constraints(&self) -> Vec<&'static str> {
         match self.in_search {
-            InSearch::Constraints { subjects, .. } => subjects,
-            InSearch::AtTheEnd(_) | InSearch::AsGoal(_) => &[],
+            InSearch::Constraints { subjects, .. } => subjects.to_vec(),
+            InSearch::Sorted { sorts, .. } => sorts.iter().map(|sort| sort.name).collect(),
+            InSearch::AtTheEnd(_) | InSearch::AsGoal(_) => Vec::new(),
+        }
+    }
+
+    /// Whether a finding with this subject is of a constraint.
+    pub fn concerns(&self, constraint: &str, subject: &str) -> bool {
+        match self.in_search {
+            InSearch::Sorted { sorts, .. } => sorts.iter().any(|sort| sort.name == constraint && (sort.is_of)(subject)),
+            InSearch::Constraints { .. } | InSearch::AtTheEnd(_) | InSearch::AsGoal(_) => subject.starts_with(constraint),
         }
     }
 
@@ -167,7 +192,7 @@ impl Rule {
 
     /// Whether little room means that the rule limits the answer of a search.
     pub fn binds(&self) -> bool {
-        matches!(self.in_search, InSearch::Constraints { binds: true, .. })
+        matches!(self.in_search, InSearch::Constraints { binds: true, .. } | InSearch::Sorted { binds: true, .. })
     }
 
     /// Whether its findings come about in a pass of its own.

@@ -106,10 +106,12 @@ fn analytic_every_rule_says_all_of_itself() {
             assert!(is_key(key), "{id}: {key} is no key of a frame file");
         }
         match (&rule.found, rule.in_search) {
-            (Found::By(passes), InSearch::Constraints { subjects, .. }) => {
-                assert!(!subjects.is_empty() && passes.iter().any(|pass| pass.cost == Cost::Quick), "{id}: nothing for a search");
+            (Found::By(passes), InSearch::Constraints { .. } | InSearch::Sorted { .. }) => {
+                assert!(!rule.constraints().is_empty() && passes.iter().any(|pass| pass.cost == Cost::Quick), "{id}: nothing for a search");
             }
-            (_, InSearch::Constraints { subjects, .. }) => assert!(!subjects.is_empty(), "{id}: nothing for a search"),
+            (_, InSearch::Constraints { .. } | InSearch::Sorted { .. }) => {
+                assert!(!rule.constraints().is_empty(), "{id}: nothing for a search");
+            }
             (Found::By(passes), _) => assert!(passes.iter().all(|pass| pass.cost == Cost::Slow), "{id}: quick, but no constraint"),
             (_, InSearch::AtTheEnd(why) | InSearch::AsGoal(why)) => assert!(!why.is_empty(), "{id}: no constraint, and no reason"),
         }

@@ -20,6 +20,7 @@ use crate::frame::assembly::{Design, mass};
 use crate::frame::fold::{FoldSequence, sweeps};
 use crate::report::booklet::content::{AllSteps, Booklet};
 use crate::report::booklet::{booklet_html, booklet_pdf};
+use crate::report::picture::fold_scene::Picture;
 
 /// Write the assembly of a frame: steps, animation, instructions; exits 1 when it cannot be assembled.
 #[derive(Debug, clap::Args)]
@@ -127,22 +128,31 @@ fn steps_as_json(design: &Design, sequence: &FoldSequence) -> Result<Vec<u8>, Fa
     fold_json::fold_json(design, sequence, &sweeps(design, sequence)).map_err(|error| failed(error.into()))
 }
 
+/// Every picture of the instructions, by the name of its file.
+fn named_pictures(booklet: &Booklet) -> Vec<(String, &Picture)> {
+    let mut pictures = vec![("exploded.png".to_string(), &booklet.apart)];
+    pictures.extend(booklet.pages.iter().flat_map(|page| page.picture_names().into_iter().zip(&page.pictures)));
+    pictures.extend(booklet.alone.iter().map(|(part, picture)| (booklet_html::part_name(part), picture)));
+    pictures.extend(booklet.assemblies.iter().map(|of| (booklet_html::assembly_name(of.name), &of.picture)));
+    pictures.extend(booklet.before.iter().chain(&booklet.after).map(|panel| (panel.picture_name(), &panel.picture)));
+    pictures
+}
+
 fn everything(design: &Design, sequence: &FoldSequence) -> Result<Vec<(String, Vec<u8>)>, Failure> {
     let steps = steps_as_json(design, sequence)?;
     // The steps come first: the booklet reads what was compared for them.
     let (motion, booklet) = rayon::join(|| fold_glb::fold(design, sequence), || Booklet::new(design, &mass::table(design), sequence));
-    let (page, paper) = rayon::join(|| booklet_html::html(&booklet), || booklet_pdf::pdf(&booklet));
+    let pictures = named_pictures(&booklet);
+    let ((page, paper), encoded) = rayon::join(
+        || rayon::join(|| booklet_html::html(&booklet), || booklet_pdf::pdf(&booklet)),
+        || pictures.into_par_iter().map(|(name, picture)| (name, picture.png())).collect::<Vec<_>>(),
+    );
     let mut files = vec![
         (STEPS.to_string(), steps),
         ("fold.glb".into(), motion.map_err(|error| failed(std::io::Error::other(error)))?),
         ("instructions.html".into(), page.into_bytes()),
         ("instructions.pdf".into(), paper.map_err(|error| failed(std::io::Error::other(error)))?),
     ];
-    let mut pictures = vec![("exploded.png".to_string(), &booklet.apart)];
-    pictures.extend(booklet.pages.iter().flat_map(|page| page.picture_names().into_iter().zip(&page.pictures)));
-    pictures.extend(booklet.alone.iter().map(|(part, picture)| (booklet_html::part_name(part), picture)));
-    pictures.extend(booklet.assemblies.iter().map(|of| (booklet_html::assembly_name(of.name), &of.picture)));
-    pictures.extend(booklet.before.iter().chain(&booklet.after).map(|panel| (panel.picture_name(), &panel.picture)));
-    files.par_extend(pictures.into_par_iter().map(|(name, picture)| (name, picture.png())));
+    files.extend(encoded);
     Ok(files)
 }

@@ -1,5 +1,6 @@
 //! The bill of materials as a value: what to print, what to buy, and how to cut the rods. Every form of it is made from this one.
 
+use rayon::prelude::*;
 use serde::Serialize;
 
 use super::cutting::{KERF_MM, Saving, rod_plan, rod_savings};
@@ -10,7 +11,7 @@ use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
 use crate::params::frame::NamedMaterial;
-use crate::printing::print_time::part_s;
+use crate::printing::print_time::of_part_s;
 
 /// A printed part.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -191,10 +192,10 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
             price: price.map(|(price, _)| price),
             currency: price.map(|(_, currency)| currency.into()),
             price_source: material.price_source.clone(),
-            print_min: part_s(&part.mesh, material, &design.frame.printer).map(|seconds| seconds * f64::from(quantity) / 60.0),
+            print_min: of_part_s(design, part).map(|seconds| seconds * f64::from(quantity) / 60.0),
         }
     };
-    design.printed.iter().map(line).collect()
+    design.printed.par_iter().map(line).collect()
 }
 
 fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {

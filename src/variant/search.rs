@@ -48,24 +48,24 @@ impl Point {
     }
 }
 
-/// A constraint of a search: the tightest finding of a rule whose subjects begin with these words.
+/// A constraint of a search: the tightest of some findings of a rule.
 #[derive(Clone, Copy)]
 pub(super) struct Constraint {
     /// The rule.
     pub rule: &'static Rule,
-    /// How the subjects begin.
+    /// Which findings, in words: [`Rule::concerns`].
     pub subject: &'static str,
 }
 
 impl Constraint {
     /// Those of all rules that a search keeps on every frame.
     fn of_all(rules: &[&'static Rule]) -> Vec<Self> {
-        rules.iter().flat_map(|rule| rule.constraints().iter().map(|subject| Self { rule, subject })).collect()
+        rules.iter().flat_map(|rule| rule.constraints().into_iter().map(|subject| Self { rule, subject })).collect()
     }
 
     /// Whether a finding is one of its own. Notes never are.
     pub fn concerns(&self, finding: &Finding) -> bool {
-        finding.rule == self.rule.id && finding.subject.starts_with(self.subject) && finding.verdict != Verdict::Note
+        finding.rule == self.rule.id && self.rule.concerns(self.subject, &finding.subject) && finding.verdict != Verdict::Note
     }
 }
 

@@ -40,7 +40,7 @@ const LAYERS: [(&str, &[&str]); 38] = [
     ("frame/fold", &["units", "figures", "memo", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     ("frame/mounting", &["params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("printing/printability", &["units", "params", "solid", "frame/assembly"]),
-    ("printing/print_time", &["params", "solid"]),
+    ("printing/print_time", &["params", "solid", "frame/assembly"]),
     ("printing/filament", &[]),
     ("printing/heat", &["params", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time"]),

@@ -4,6 +4,8 @@
 //! off the material a part that needs it gets it on its plate, and the finding is a note; where it does not, the part cannot
 //! be printed as it lies.
 
+use std::sync::Arc;
+
 use crate::checks::finding::Finding;
 use crate::checks::measure::Measure;
 use crate::figures::decimals;
@@ -22,7 +24,7 @@ pub(in crate::checks) struct Hung<'a> {
     flexible: bool,
     pub material: &'a str,
     pub process: Process,
-    pub places: Vec<Hanging>,
+    pub places: Arc<Vec<Hanging>>,
 }
 
 impl<'a> Hung<'a> {
@@ -34,7 +36,7 @@ impl<'a> Hung<'a> {
             flexible: part.part.is_flexible(),
             material: &material.name,
             process,
-            places: printability::hanging(part, &process),
+            places: printability::hanging(design, part, &process),
         }
     }
 

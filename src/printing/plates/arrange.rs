@@ -80,7 +80,7 @@ fn supported(design: &Design, wanted: &[Wanted]) -> Vec<PartName> {
         let process = Process::of(&design.material_of(*name).material, &design.frame.printer);
         let needs = |part: &Printed| {
             let inputs = (part.flat.key(), part.print_pose, process);
-            *design.memo.get("support", name.slug(), &inputs, || printability::needs_support(part, &process))
+            *design.memo.get("support", name.slug(), &inputs, || printability::needs_support(design, part, &process))
         };
         design.part(*name).is_some_and(needs)
     };

@@ -2,11 +2,10 @@
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
-use crate::frame::assembly::Printed;
+use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
-use crate::params::catalogue::Printer;
 use crate::params::frame::NamedMaterial;
-use crate::printing::print_time::part_s;
+use crate::printing::print_time::of_part_s;
 
 /// A copy of a part on the bed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,9 +53,9 @@ impl Plate {
         self.printed(printed).map(|(part, count)| part.volume_mm3 * count as f64).sum()
     }
 
-    /// Time to print it, s, as [`part_s`] estimates it; nothing where the material does not say its speed.
-    pub fn print_s(&self, printed: &[Printed], printer: &Printer) -> Option<f64> {
-        self.printed(printed).map(|(part, count)| Some(part_s(&part.mesh, &self.material.material, printer)? * count as f64)).sum()
+    /// Time to print it, s, as [`of_part_s`] estimates it; nothing where the material does not say its speed.
+    pub fn print_s(&self, design: &Design) -> Option<f64> {
+        self.printed(&design.printed).map(|(part, count)| Some(of_part_s(design, part)? * count as f64)).sum()
     }
 
     fn printed<'a>(&self, printed: &'a [Printed]) -> impl Iterator<Item = (&'a Printed, usize)> {

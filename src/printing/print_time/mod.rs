@@ -11,6 +11,7 @@
 mod layer;
 
 use self::layer::{LayerShape, layers};
+use crate::frame::assembly::{Design, Printed};
 use crate::params::catalogue::{Material, Printer};
 use crate::solid::Mesh;
 
@@ -27,6 +28,7 @@ const JERK_MM_S: f64 = 8.0;
 pub const SLOW_MM_S: f64 = 20.0;
 
 /// How the lines of a material are laid by a printer.
+#[derive(Debug)]
 struct Lines {
     layer_mm: f64,
     /// Distance of two lines beside each other, mm.
@@ -47,6 +49,13 @@ impl Lines {
         Some(Self { layer_mm, spacing_mm, walls: material.perimeters.unwrap_or(2.0), speed_mm_s: material.speed_mm_s?.min(by_flow) })
     }
 
+    /// Time of a mesh as it lies on the bed, s.
+    fn mesh_s(&self, mesh: &Mesh) -> f64 {
+        let first = self.speed_mm_s.min(SLOW_MM_S);
+        let time = |(at, shape): (usize, &LayerShape)| self.layer_s(shape, if at == 0 { first } else { self.speed_mm_s });
+        layers(mesh, self.layer_mm).iter().enumerate().map(time).sum()
+    }
+
     /// Time of a layer, s.
     fn layer_s(&self, shape: &LayerShape, speed_mm_s: f64) -> f64 {
         if shape.outline_mm == 0.0 {
@@ -64,11 +73,13 @@ impl Lines {
 /// Time to print one part, s, as its mesh lies on the bed; nothing where the material does not say its speed, or where its layers are
 /// too high for the nozzle's lines.
 pub fn part_s(mesh: &Mesh, material: &Material, printer: &Printer) -> Option<f64> {
-    let lines = Lines::of(material, printer)?;
-    let first = lines.speed_mm_s.min(SLOW_MM_S);
-    let shapes = layers(mesh, lines.layer_mm);
-    let time = |(at, shape): (usize, &LayerShape)| lines.layer_s(shape, if at == 0 { first } else { lines.speed_mm_s });
-    Some(shapes.iter().enumerate().map(time).sum())
+    Lines::of(material, printer).map(|lines| lines.mesh_s(mesh))
+}
+
+/// The same of a part of a design, computed once for all pages that say it.
+pub fn of_part_s(design: &Design, part: &Printed) -> Option<f64> {
+    let lines = Lines::of(&design.material_of(part.name).material, &design.frame.printer)?;
+    Some(*design.memo.hold("print time", &(part.name, part.flat.key(), &lines), || lines.mesh_s(&part.mesh)))
 }
 
 #[cfg(test)]

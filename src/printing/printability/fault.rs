@@ -1,8 +1,10 @@
 //! The places of a part that hang over air, and what they break.
 
+use std::sync::Arc;
+
 use super::process::Process;
 use super::unsupported::{self, Hanging};
-use crate::frame::assembly::Printed;
+use crate::frame::assembly::{Design, Printed};
 
 /// What a place that hangs breaks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,12 +30,13 @@ impl Hanging {
     }
 }
 
-/// The places of a part that hang over air.
-pub fn hanging(part: &Printed, process: &Process) -> Vec<Hanging> {
-    unsupported::of(&part.printed(), &part.mesh, process)
+/// The places of a part of a design that hang over air, found once for the rules and for the plates.
+pub fn hanging(design: &Design, part: &Printed, process: &Process) -> Arc<Vec<Hanging>> {
+    let inputs = (part.flat.key(), part.print_pose, process);
+    design.memo.hold("places over air", &inputs, || unsupported::of(&part.printed(), &part.mesh, process))
 }
 
-/// Whether a part needs support.
-pub fn needs_support(part: &Printed, process: &Process) -> bool {
-    hanging(part, process).iter().any(|place| place.fault(process).is_some())
+/// Whether a part of a design needs support.
+pub fn needs_support(design: &Design, part: &Printed, process: &Process) -> bool {
+    hanging(design, part, process).iter().any(|place| place.fault(process).is_some())
 }

@@ -163,5 +163,5 @@ fn regress_crumbs_of_a_cut_are_no_islands() {
     let design = Design::new(frame).expect("can be designed");
     let process = Process::of(&design.frame.flexible.material, &design.frame.printer);
     let knee = design.part(PartName::Knee).expect("is printed");
-    assert!(hanging(knee, &process).iter().all(|place| !place.island));
+    assert!(hanging(&design, knee, &process).iter().all(|place| !place.island));
 }

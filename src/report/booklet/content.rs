@@ -171,18 +171,18 @@ impl Booklet {
         if !barred_steps.is_empty() {
             preface.insert(0, format!("This frame cannot be assembled as it is: something is in the way of {}.", barred_steps.join(", ")));
         }
-        Self {
-            frame: design.frame.name.clone(),
-            preface,
-            apart: fold_scene::apart(design, fold),
-            alone: alone(design, &mounting),
-            parts: parts(masses),
-            cuts: cuts(design),
-            assemblies: sub_assemblies(design, fold, &mounting),
-            before: panels(&mounting.before, 0),
-            pages: fold.steps.par_iter().enumerate().map(page).collect(),
-            after: panels(&mounting.after, first + fold.steps.len()),
-        }
+        let (((apart, alone), assemblies), ((before, after), pages)) = rayon::join(
+            || {
+                let whole = || rayon::join(|| fold_scene::apart(design, fold), || alone(design, &mounting));
+                rayon::join(whole, || sub_assemblies(design, fold, &mounting))
+            },
+            || {
+                let mounts = || rayon::join(|| panels(&mounting.before, 0), || panels(&mounting.after, first + fold.steps.len()));
+                rayon::join(mounts, || fold.steps.par_iter().enumerate().map(page).collect())
+            },
+        );
+        let frame = design.frame.name.clone();
+        Self { frame, preface, apart, alone, parts: parts(masses), cuts: cuts(design), assemblies, before, pages, after }
     }
 }
 

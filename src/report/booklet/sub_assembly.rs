@@ -30,7 +30,9 @@ const CAGE: &str = "cage";
 
 /// Centre, module and cartridge, in the order in which they are made.
 pub fn sub_assemblies(design: &Design, fold: &FoldSequence, mounting: &Mounting) -> [SubAssembly; 3] {
-    [centre(design, mounting), module(design, fold, mounting), cartridge(design, fold, mounting)]
+    let ((centre, module), cartridge) =
+        rayon::join(|| rayon::join(|| centre(design, mounting), || module(design, fold, mounting)), || cartridge(design, fold, mounting));
+    [centre, module, cartridge]
 }
 
 fn numbered(number: usize, title: &str) -> String {

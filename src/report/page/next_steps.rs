@@ -46,10 +46,8 @@ fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
         let what = format!("print {pieces} parts, {:.0} g; not all of them lie on the printer's bed", bill.printed_g);
         return [what, time, unknown(), "`parts/`, one STL file each".into()];
     }
-    let printer = &design.frame.printer;
     let plate = |(plate, _): &(Plate, Vec<u8>)| {
-        let hours =
-            plate.print_s(&design.printed, printer).map_or(String::new(), |seconds| format!(" {} h", decimals(seconds / 3600.0, 1)));
+        let hours = plate.print_s(design).map_or(String::new(), |seconds| format!(" {} h", decimals(seconds / 3600.0, 1)));
         format!("{}{hours}", linked(&plate.name()))
     };
     let files: Vec<String> = plates.iter().map(plate).collect();

@@ -89,7 +89,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     let _ = write!(text, "\n## {}\n\n| plate | parts | time | filament | cost |\n|---|---|---:|---:|---:|\n", inert(name));
     for plate in &own {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
-        let time = plate.print_s(&design.printed, &design.frame.printer).map_or("-".into(), formatted);
+        let time = plate.print_s(design).map_or("-".into(), formatted);
         let volume_mm3: f64 = plate.volume_mm3(&design.printed);
         let (mass_g, metres) = (material.solid_g(volume_mm3), filament_m(volume_mm3));
         let cost = material.cost(mass_g).map_or("-".into(), |(cost, currency)| inert(&format!("{cost:.2} {currency}")));

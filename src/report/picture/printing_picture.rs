@@ -51,7 +51,7 @@ pub fn file_of(part: PartName) -> String {
 
 fn picture_of(design: &Design, part: &Printed) -> Option<Vec<u8>> {
     let process = Process::of(&design.material_of(part.name).material, &design.frame.printer);
-    let marks = [thin_spots(design, part), footing(design, part, &process), over_air(part, &process)].concat();
+    let marks = [thin_spots(design, part), footing(design, part, &process), over_air(design, part, &process)].concat();
     (!marks.is_empty()).then(|| drawn(part, &marks))
 }
 
@@ -77,8 +77,9 @@ fn footing(design: &Design, part: &Printed, process: &Process) -> Vec<Mark> {
 }
 
 /// What hangs: what breaks a rule first, then the largest.
-fn over_air(part: &Printed, process: &Process) -> Vec<Mark> {
-    let mut places = printability::hanging(part, process);
+fn over_air(design: &Design, part: &Printed, process: &Process) -> Vec<Mark> {
+    let found = printability::hanging(design, part, process);
+    let mut places: Vec<&Hanging> = found.iter().collect();
     places.sort_by(|a, b| {
         let rank = |place: &Hanging| place.fault(process).is_none();
         rank(a).cmp(&rank(b)).then(b.area_mm2.total_cmp(&a.area_mm2))
