@@ -172,7 +172,10 @@ fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile, before: &mut usize)
         let mut with = base.clone();
         with.ask(&of_frame, Value::Text(name.clone()), format!("{key} = {name}"));
         if let Err(refusal) = Frame::resolve(&with)
-            && matches!(*refusal.reason, Reason::UnknownKey { .. } | Reason::UnknownName { .. } | Reason::WrongKind { .. })
+            && matches!(
+                *refusal.reason,
+                Reason::UnknownKey { .. } | Reason::UnknownName { .. } | Reason::WrongKind { .. } | Reason::WrongType { .. }
+            )
         {
             return Err(file.refuse(key, *refusal.reason));
         }

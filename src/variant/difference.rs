@@ -51,6 +51,11 @@ impl Changed {
         Self { name, unit, reported, values, trend: Trend::Neither }
     }
 
+    /// Whether both sides are reported alike.
+    pub fn is_same(&self) -> bool {
+        self.reported[0] == self.reported[1]
+    }
+
     /// By how much the second is more than the first.
     pub fn grown(&self) -> Option<f64> {
         Some(self.values[1]? - self.values[0]?)
@@ -136,7 +141,8 @@ impl Difference {
 
     /// Whether the frames are alike in all that is compared.
     pub fn is_empty(&self) -> bool {
-        self.parameters.is_empty() && self.masses.is_empty() && self.volumes.is_empty() && self.broken.is_empty() && self.mended.is_empty()
+        let is_none = [&self.parameters, &self.masses, &self.volumes].iter().all(|changes| changes.is_empty());
+        is_none && self.measures.iter().all(Changed::is_same) && self.broken.is_empty() && self.mended.is_empty()
     }
 }
 

@@ -482,6 +482,16 @@ fn planted_new_begins_within_the_bounds_that_it_is_given() {
     assert_eq!(bench.run(&["check", "-q", "large.toml"]).0, 0, "{out}");
 }
 
+/// Between struts outside of a larger propeller and the camera inside of it little room is left, and the motors stand in its middle.
+#[test]
+fn planted_new_finds_the_room_of_a_larger_propeller() {
+    let bench = Bench::new(&[]);
+    let wanted = ["--propeller", "propeller-4-inch", "--motor", "motor-1404", "--mass", "300", "--envelope", "240x240x125"];
+    let (code, out, err) = bench.run(&[&["new", "four"][..], &wanted].concat());
+    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!(bench.run(&["check", "-q", "four.toml"]).0, 0, "{out}");
+}
+
 /// Spares, search words, wires and ranges of prices, in each form.
 fn bill_to_buy_from(bench: &Bench, page: &str, csv: &str) {
     for part in [

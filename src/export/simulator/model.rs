@@ -222,7 +222,8 @@ fn balance(motors: &mut [Motor], whole: &RigidBody) {
 
 fn imu(design: &Design) -> Imu {
     let stack = Stack::new(&design.frame, &design.centre);
-    let board = stack.boards.iter().find(|board| board.role == "flight_controller");
+    let role = if design.frame.is_all_in_one() { "motor_controller" } else { "flight_controller" };
+    let board = stack.boards.iter().find(|board| board.role == role);
     Imu {
         on: board.map_or("hub", |board| board.role).into(),
         position_m: point_m(Point3::new(0.0, 0.0, board.map_or(0.0, |board| board.middle_mm))),

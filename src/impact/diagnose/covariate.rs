@@ -11,7 +11,7 @@ use rand_pcg::Pcg64;
 
 use crate::figures::p_value;
 use crate::impact::fit::{Chosen, WaveGroup, Waves, inverse};
-use crate::impact::measured::Record;
+use crate::impact::measured::{Drop, Record};
 
 /// Parts of the drops that are left out in turn.
 const PARTS: usize = 5;
@@ -54,15 +54,8 @@ impl Covariate {
 
     /// What texts say of each drop: numbers, or else names, each a column of its own.
     pub fn of_texts(id: &str, waves: &Waves, chosen: &Chosen, text: impl Fn(&Record) -> Option<String>) -> Self {
-        let record = |height_m: f64, trial: &str| {
-            let own = |record: &&Record| record.trial == trial && record.height_m == height_m;
-            chosen.drops.iter().map(|drop| drop.record).find(own)
-        };
-        let texts: Vec<Vec<Option<String>>> = waves
-            .groups
-            .iter()
-            .map(|group| group.trials.iter().map(|trial| record(group.height_m, trial).and_then(&text)).collect())
-            .collect();
+        let said = |drops: Vec<Option<&Drop>>| drops.into_iter().map(|drop| drop.and_then(|drop| text(drop.record))).collect();
+        let texts: Vec<Vec<Option<String>>> = chosen.behind(waves).into_iter().map(said).collect();
         let said = || texts.iter().flatten().flatten();
         let number = |text: &str| text.parse::<f64>().ok().filter(|value| value.is_finite());
         let mut names: Vec<&String> = said().collect();
@@ -111,6 +104,13 @@ impl CovariateEffect {
         let Self { id, explained, p, drops, of } = self;
         let known = if drops < of { format!("{id}, known of {drops} of {of} drops,") } else { id.clone() };
         match (explained, p) {
+            (Some(explained), Some(p)) if *explained <= 0.0 => {
+                format!(
+                    "{known} explains nothing of the variation between drops of one height ({:.0} % out of sample, p = {})",
+                    1e2 * explained,
+                    p_value(*p)
+                )
+            }
             (Some(explained), Some(p)) => {
                 format!("{known} explains {:.0} % of the variation between drops of one height (p = {})", 1e2 * explained, p_value(*p))
             }

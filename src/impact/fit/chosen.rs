@@ -164,18 +164,40 @@ impl<'a> Chosen<'a> {
         if one_axis == 0 { Ok(self) } else { Err(FitError::OneAxis { one_axis, count: self.drops.len() }) }
     }
 
+    /// A name for each drop that no other from its height has: its own, or with its file and number where several have the same one.
+    fn names(&self) -> Vec<String> {
+        let alike = |a: &Drop, b: &Drop| a.record.height_m == b.record.height_m && a.record.trial == b.record.trial;
+        let name = |(at, drop): (usize, &Drop)| {
+            let same: Vec<usize> = (0..self.drops.len()).filter(|other| alike(&self.drops[*other], drop)).collect();
+            match same.iter().position(|other| *other == at) {
+                Some(number) if same.len() > 1 => format!("{} of {} ({})", drop.record.trial, drop.record.source, number + 1),
+                _ => drop.record.trial.clone(),
+            }
+        };
+        self.drops.iter().enumerate().map(name).collect()
+    }
+
+    /// The drop behind each window of its waves, height by height.
+    pub fn behind<'b>(&'b self, waves: &Waves) -> Vec<Vec<Option<&'b Drop<'a>>>> {
+        let names = self.names();
+        let named = |height_m: f64, name: &String| {
+            self.drops.iter().zip(&names).find(|(drop, own)| drop.record.height_m == height_m && *own == name).map(|(drop, _)| drop)
+        };
+        waves.groups.iter().map(|group| group.trials.iter().map(|name| named(group.height_m, name)).collect()).collect()
+    }
+
     /// The trigger-aligned drops.
     ///
     /// # Errors
     /// When they cannot be aligned, or are too few to estimate the trial covariance.
     pub fn waves(&self) -> Result<Waves, Unusable> {
-        let drop = |drop: &Drop| super::waves::FittedDrop {
-            trial: drop.record.trial.clone(),
+        let drop = |(drop, trial): (&Drop, String)| super::waves::FittedDrop {
+            trial,
             height_m: drop.record.height_m,
             t_s: drop.record.t_s.clone(),
             accel_g: self.series(drop.record),
         };
-        Waves::of(&self.drops.iter().map(drop).collect::<Vec<_>>())
+        Waves::of(&self.drops.iter().zip(self.names()).map(drop).collect::<Vec<_>>())
     }
 
     /// What of a record is compared, g.
@@ -213,4 +235,44 @@ fn most_impulses_impossible(drops: &[Drop]) -> bool {
     let whole: Vec<&Drop> = drops.iter().filter(|drop| !is_saturated(drop)).collect();
     let impossible = whole.iter().filter(|drop| drop.flags.iter().any(|flag| matches!(flag, Flag::Impulse { .. }))).count();
     2 * impossible > whole.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::measured::{FileFormat, read_bytes};
+
+    /// Five drops from half a metre as a table, trials 1 to 5, each a half sine of its own height.
+    fn table(least_g: f64) -> Vec<u8> {
+        let mut text = String::from("trial,height_m,t_s,accel_g\n");
+        for trial in 1..=5 {
+            for sample in 0..500 {
+                let t_s = f64::from(sample) * 1e-3;
+                let into_s = t_s - 0.419;
+                let peak_g = least_g + f64::from(trial);
+                let accel_g = match into_s {
+                    _ if t_s < 0.1 => 1.0,
+                    into_s if (0.0..0.01).contains(&into_s) => peak_g * (std::f64::consts::PI * into_s / 0.01).sin(),
+                    _ => 0.0,
+                };
+                text += &format!("{trial},0.5,{t_s:.3},{accel_g:.4}\n");
+            }
+        }
+        text.into_bytes()
+    }
+
+    /// Each window has the drop that it is of, though drops of two sessions have the same numbers.
+    #[test]
+    fn analytic_drops_of_one_name_are_told_apart() {
+        let set = read_bytes(&[("mon.csv".into(), table(50.0)), ("tue.csv".into(), table(60.0))], &FileFormat::default()).expect("reads");
+        let chosen = Chosen::of(&set, Channel::Axial, Keep::Every).expect("can be used");
+        let waves = chosen.waves().expect("are aligned");
+        let behind = chosen.behind(&waves);
+        assert_eq!(behind.iter().map(Vec::len).collect::<Vec<_>>(), [10]);
+        let most = |readings: &[f64]| readings.iter().copied().fold(0.0, f64::max);
+        for (window, drop) in waves.groups[0].windows.iter().zip(&behind[0]) {
+            let drop = drop.expect("is one of them");
+            assert_eq!(most(window), most(&drop.record.accel_g), "{} of {}", drop.record.trial, drop.record.source);
+        }
+    }
 }

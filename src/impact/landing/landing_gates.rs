@@ -82,11 +82,14 @@ impl LandingAssessment {
             gate("constant", steady_p >= UNSTEADY && self.effects_steady_p.is_none_or(|p| p >= UNSTEADY), {
                 let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
                 let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
-                let of_slopes = format!("one turning rate for all heights {left} the touch times within their errors (p = {steady_p:.1e})");
+                let of_slopes = match self.heights.len() {
+                    0 | 1 => "not tested: one height was fitted".into(),
+                    _ => format!("one turning rate for all fitted heights {left} the touch times within their errors (p = {steady_p:.1e})"),
+                };
                 match self.effects_steady_p {
                     None => of_slopes,
                     Some(p) if p < UNSTEADY => format!("{of_slopes}, and {effects} differs from height to height (p = {p:.1e})"),
-                    Some(p) => format!("{of_slopes}, and {effects} is the same at all heights (p = {p:.1e})"),
+                    Some(p) => format!("{of_slopes}, and {effects} is the same at all fitted heights (p = {p:.1e})"),
                 }
             }),
             self.plausible(),

@@ -63,12 +63,7 @@ pub struct ObservedLandings {
 impl ObservedLandings {
     /// Reads the touches of the drops that a fit takes; `None` where a height has no lateral axes.
     pub fn of(chosen: &Chosen, waves: &Waves) -> Option<Self> {
-        let drop = |trial: &String, height_m: f64| {
-            let same = |drop: &&Drop| drop.record.trial == *trial && drop.record.height_m == height_m;
-            chosen.drops.iter().find(same)
-        };
-        let all: Vec<Option<&Drop>> =
-            waves.groups.iter().flat_map(|group| group.trials.iter().map(|trial| drop(trial, group.height_m))).collect();
+        let all: Vec<Option<&Drop>> = chosen.behind(waves).into_iter().flatten().collect();
         let mut touches = all.iter().zip(ReadDrops::of(&all).each);
         let heights = waves.groups.iter().map(|group| {
             let read = group.trials.iter().zip(&group.windows).zip(touches.by_ref());

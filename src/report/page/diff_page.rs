@@ -94,7 +94,7 @@ pub fn markdown(difference: &Difference) -> String {
         page.push('\n');
     }
     for (at, (title, changes)) in TITLES.into_iter().zip(sections(difference)).enumerate() {
-        let shown: Vec<&Changed> = changes.iter().filter(|c| at > 0 || c.trend != Trend::Neither).collect();
+        let shown: Vec<&Changed> = changes.iter().filter(|c| !c.is_same()).collect();
         if shown.is_empty() {
             continue;
         }
