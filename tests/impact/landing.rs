@@ -138,7 +138,7 @@ fn planted_landings_decide_where_a_set_along_the_vertical_would_be_named() {
     let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
     let waves = chosen.waves().expect("usable");
     let (fitted, held_out) = (waves.only(|height_m| height_m < 1.2), waves.only(|height_m| height_m > 1.2));
-    let observed = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
+    let observed = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
     let (mut found, _) = request(&plan, &set, Some(ComparedAxes::Axial)).diagnosed(&|_| ()).expect("drops that can be diagnosed");
     let mut judged = |verdict: Verdict| {
         found.verdict = verdict;
@@ -186,7 +186,7 @@ fn planted_records_spread_as_those_of_their_own_legs_and_no_others() {
     let set = read(&records(&plan));
     let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
     let waves = chosen.waves().expect("usable");
-    let touches = ObservedLandings::of(&chosen, &waves).expect("lateral axes were measured");
+    let touches = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
     let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
     let body = LeggedBody::of(&plan.model).expect("four legs");
     let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
@@ -341,7 +341,7 @@ fn measured_real_drops_touch_foot_by_foot() {
     let paths = ["soft_050cm", "soft_100cm", "soft_150cm"].map(|name| case::folder().join(name));
     let set = measured::read(&paths, &FileFormat::default()).expect("reads");
     let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("drops of one frame");
-    let observed = ObservedLandings::of(&chosen, &chosen.waves().expect("usable")).expect("lateral axes were measured");
+    let observed = ObservedLandings::of(&chosen, &chosen.waves().expect("usable"), &[]).expect("lateral axes were measured");
     let evidence = TouchEvidence::of(&observed, 1);
     // The page of the reference has 0.73 to 0.93 along a diagonal, and median errors of 0.8 to 0.9 ms.
     assert!(evidence.feet_in_one_plane() && evidence.along_diagonals > 0.7, "{evidence:?}");

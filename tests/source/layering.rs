@@ -45,7 +45,7 @@ const LAYERS: [(&str, &[&str]); 38] = [
     ("printing/heat", &["params", "frame/assembly"]),
     ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time"]),
     ("printing/weighing", &["params", "frame/assembly"]),
-    ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/fold"]),
+    ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
     ("mechanics", &["units", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     (
         "checks",

@@ -66,13 +66,21 @@ pub fn mesh<'a>(part: &'a Printed, printer: &Printer, layer_mm: f64) -> Result<C
         let feature = part.feature.with_wider_bores(0.5 * hole_mm);
         laid(&MeshSolid::build(&feature).simplified(), &part.print_pose.rotation)?.0
     };
+    drawn_in_below(&solid, foot_mm, layer_mm).map(Cow::Owned)
+}
+
+/// The mesh of a solid that stands on z = 0, its first layer of this height drawn in by so much, mm; as it is where that is 0.
+///
+/// # Errors
+/// When it does not pass the export gate.
+pub fn drawn_in_below(solid: &MeshSolid, foot_mm: f64, layer_mm: f64) -> Result<Mesh, GateError> {
     if foot_mm == 0.0 {
-        return Ok(Cow::Owned(simplified(&solid, &DETAILS_MM)?.1));
+        return Ok(simplified(solid, &DETAILS_MM)?.1);
     }
     let mut refused = GateError::Empty;
     for [fine_mm, moved_mm] in CUTS_MM {
-        match simplified(&drawn_in(&solid, foot_mm, layer_mm + moved_mm, fine_mm), &DETAILS_MM) {
-            Ok((_, mesh)) => return Ok(Cow::Owned(mesh)),
+        match simplified(&drawn_in(solid, foot_mm, layer_mm + moved_mm, fine_mm), &DETAILS_MM) {
+            Ok((_, mesh)) => return Ok(mesh),
             Err(error) => refused = error,
         }
     }

@@ -61,10 +61,11 @@ pub struct ObservedLandings {
 }
 
 impl ObservedLandings {
-    /// Reads the touches of the drops that a fit takes; `None` where a height has no lateral axes.
-    pub fn of(chosen: &Chosen, waves: &Waves) -> Option<Self> {
+    /// Reads the touches of the drops that a fit takes; `None` where a height has no lateral axes. What touches look like is learned from the heights
+    /// that are not held out.
+    pub fn of(chosen: &Chosen, waves: &Waves, held_out_heights_m: &[f64]) -> Option<Self> {
         let all: Vec<Option<&Drop>> = chosen.behind(waves).into_iter().flatten().collect();
-        let mut touches = all.iter().zip(ReadDrops::of(&all).each);
+        let mut touches = all.iter().zip(ReadDrops::of(&all, |drop| !held_out_heights_m.contains(&drop.record.height_m)).each);
         let heights = waves.groups.iter().map(|group| {
             let read = group.trials.iter().zip(&group.windows).zip(touches.by_ref());
             let drops: Vec<ObservedLanding> = read

@@ -20,8 +20,9 @@ pub struct ReadDrops {
 }
 
 impl ReadDrops {
-    /// Reads drops together, as they show one shape of spike.
-    pub fn of(drops: &[Option<&Drop>]) -> Self {
+    /// Reads drops together, as they show one shape of spike. Of drops that nothing may be learned from the shape is not.
+    pub fn of(drops: &[Option<&Drop>], is_seen: impl Fn(&Drop) -> bool) -> Self {
+        let seen: Vec<bool> = drops.iter().map(|drop| drop.is_some_and(&is_seen)).collect();
         let lateral: Vec<Option<LateralReadings>> = drops.iter().map(|drop| drop.and_then(LateralReadings::of)).collect();
         let read = |shape: &SpikeShape| -> Vec<Option<FourSpikes>> {
             lateral.par_iter().map(|one| one.as_ref().map(|one| one.read(shape))).collect()
@@ -29,7 +30,11 @@ impl ReadDrops {
         let mut shape = SpikeShape::first();
         for _ in 0..ROUNDS {
             let spikes = read(&shape);
-            let known = lateral.iter().flatten().zip(spikes.iter().flatten());
+            let known = lateral
+                .iter()
+                .zip(&spikes)
+                .zip(&seen)
+                .filter_map(|((one, spikes), seen)| one.as_ref().zip(spikes.as_ref()).filter(|_| *seen));
             let channels: Vec<(Channel, [Spike; 2])> = known.flat_map(|(one, spikes)| one.channels.iter().cloned().zip(*spikes)).collect();
             match SpikeShape::of(&channels) {
                 Some(next) => shape = next,
@@ -96,7 +101,7 @@ mod tests {
         let set = read_bytes(&[("a.csv".into(), table(&drops).into_bytes())], &FileFormat::default()).expect("reads");
         let judged = JudgedDrops::of(&set).groups;
         let all: Vec<Option<&Drop>> = judged[0].1.iter().map(Some).collect();
-        let read = ReadDrops::of(&all).each.into_iter().map(|read| read.expect("has touches"));
+        let read = ReadDrops::of(&all, |_| true).each.into_iter().map(|read| read.expect("has touches"));
         drops.into_iter().zip(read).collect()
     }
 

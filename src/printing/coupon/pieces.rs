@@ -2,6 +2,7 @@
 
 use super::gauge;
 use super::hinges::Hinges;
+use crate::frame::assembly::compensated::drawn_in_below;
 use crate::frame::skeleton::ClosureError;
 use crate::params::Frame;
 use crate::params::frame::NamedMaterial;
@@ -52,12 +53,17 @@ impl<'a> Coupon<'a> {
     /// When a piece's mesh does not pass the export gate, or the frame does not close.
     pub fn new(frame: &'a Frame) -> Result<Self, CouponError> {
         // As the parts of this printer are drawn.
-        let wider_mm = 0.5 * frame.printer.hole_undersize_mm.unwrap_or(0.0);
+        let [hole_mm, foot_mm] = [frame.printer.hole_undersize_mm, frame.printer.elephant_foot_mm].map(|mm| mm.unwrap_or(0.0));
         let piece = |name: &str, material: &'a NamedMaterial, feature: &Feature| {
-            let (name, mesh) = (name.to_string(), MeshSolid::build(&feature.with_wider_bores(wider_mm)).simplified().mesh());
-            match gate::pass(&mesh) {
-                Ok(_) => Ok(Piece { name, material, mesh }),
-                Err(error) => Err(CouponError::Unsound { piece: name, error }),
+            let solid = MeshSolid::build(&feature.with_wider_bores(0.5 * hole_mm)).simplified();
+            let drawn = match foot_mm {
+                0.0 => Ok(solid.mesh()),
+                foot_mm => drawn_in_below(&solid, foot_mm, frame.printer.layer_mm(&material.material)),
+            };
+            let passed = drawn.and_then(|mesh| gate::pass(&mesh).map(|_| mesh));
+            match passed {
+                Ok(mesh) => Ok(Piece { name: name.into(), material, mesh }),
+                Err(error) => Err(CouponError::Unsound { piece: name.into(), error }),
             }
         };
         let hinges = Hinges::of(frame).map_err(|error| CouponError::Open { error })?;
@@ -129,6 +135,22 @@ mod tests {
         }
         printer.size_mm = [60.0, 60.0];
         assert_eq!(coupon.plates(&printer).iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [1]);
+    }
+
+    /// As the parts are, which the clearances that are read are for.
+    #[test]
+    fn analytic_first_layers_are_drawn_in_as_those_of_parts() {
+        let mut frame = Frame::load("cognifly").expect("is a preset").0;
+        let width_mm = |frame: &Frame, z_mm: f64| {
+            let coupon = Coupon::new(frame).expect("is made");
+            let bar = coupon.pieces.iter().find(|piece| piece.name == "bar").expect("is one");
+            let [low, high] = MeshSolid::from_mesh(&bar.mesh).expect("is closed").slice(z_mm).bounds_mm();
+            high[0] - low[0]
+        };
+        let plain_mm = width_mm(&frame, 0.1);
+        frame.printer.elephant_foot_mm = Some(0.2);
+        assert!((width_mm(&frame, 0.1) - (plain_mm - 0.4)).abs() < 0.01, "{plain_mm} and {}", width_mm(&frame, 0.1));
+        assert!((width_mm(&frame, 0.3) - width_mm(&frame, 1.0)).abs() < 0.01, "only the first layer");
     }
 
     #[test]

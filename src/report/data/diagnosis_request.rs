@@ -254,7 +254,7 @@ impl DiagnosisRequest<'_> {
         if choice.axes != ComparedAxes::All {
             return Ok(None);
         }
-        let observed = ObservedLandings::of(&choice.chosen, &choice.waves);
+        let observed = ObservedLandings::of(&choice.chosen, &choice.waves, self.hold_out_heights_m);
         let why = if choice.chosen.has_lateral_axes() { TOUCHES_NEED } else { "the drops have no lateral axes (columns x, y, z)" };
         if observed.is_none() && self.axes.is_some() { Err(RequestError::AllAxes { why }) } else { Ok(observed) }
     }

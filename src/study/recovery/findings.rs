@@ -124,7 +124,7 @@ impl<'a> Findings<'a> {
         let (fitted, held_out) = (waves.only(|height_m| height_m < highest_m), waves.only(|height_m| height_m >= highest_m));
         let options = DiagnosisOptions::new(recovery.most_effects, plan.seed);
         let mut diagnosis = diagnose(&fitted, Some(&held_out), &model, &options).map_err(|error| error.to_string())?;
-        let observed = ObservedLandings::of(&chosen, &waves);
+        let observed = ObservedLandings::of(&chosen, &waves, &[highest_m]);
         let landing = observed.as_ref().and_then(|observed| {
             let evidence = LandingEvidence { fitted: &fitted, held_out: Some(&held_out), observed, model: &model, seed: plan.seed };
             Some(UnjudgedLandings::of(&evidence)?.beside(&diagnosis))

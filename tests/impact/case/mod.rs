@@ -379,19 +379,22 @@ impl Study {
         };
         if let Some(friction) = self.landing.estimates.iter().find(|one| one.key == "f_c_n") {
             let test = StaticTest::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("params/static/cognifly-v8.csv")).expect("is there");
+            let (line_n_m, _) = test.line_through_origin();
             let loaded: Vec<(f64, f64)> = test.points.into_iter().filter(|(x_m, _)| *x_m > 0.0).collect();
             let _ = writeln!(
                 page,
                 "The friction is no constant force of the frame at rest. Its static test reads {:.0} N at {:.0} mm and {:.0} N at {:.0} mm, and a frame with\n\
                  {:.0} N of dry friction ({:.0} to {:.0} N) would not move below that. It is what resists like dry friction during an impact: that of feet\n\
-                 which slide under their load, or damping of another law.\n",
+                 which slide under their load, or damping of another law. Nor are the legs' {:.0} N/m the stiffness of the frame at rest, of which the test says\n\
+                 {line_n_m:.0} N/m: they are what an impact of a few milliseconds meets.\n",
                 loaded[0].1,
                 1e3 * loaded[0].0,
                 loaded[1].1,
                 1e3 * loaded[1].0,
                 friction.value,
                 friction.ci95[0],
-                friction.ci95[1]
+                friction.ci95[1],
+                self.landing.fit.legs.stiffness_n_m
             );
         }
         if let Some(refused) = &self.landing.refused {
