@@ -225,9 +225,9 @@ impl<B: Send> Making<'_, B> {
         };
         let others = NotPrinted::all(&frame, &skeleton, &centre);
         // Of several parts that cannot be made the first is named, whichever was tried first.
-        let (made, made_others): (Vec<Result<ControlFlow<B, Printed>, DesignError>>, Vec<Arc<Plain>>) = rayon::join(
-            || recipes.into_par_iter().with_max_len(1).map(make).collect(),
-            || others.par_iter().with_max_len(1).map(|other| other.made(self.memo)).collect(),
+        let (made, made_others) = rayon::join(
+            || recipes.into_par_iter().with_max_len(1).map(make).collect::<Vec<_>>(),
+            || others.par_iter().with_max_len(1).map(|other| other.made(self.memo)).collect::<Vec<_>>(),
         );
         let mut printed = Vec::new();
         for part in made.into_iter().collect::<Result<Vec<_>, _>>()? {

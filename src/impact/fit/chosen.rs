@@ -252,7 +252,7 @@ mod tests {
                 let peak_g = least_g + f64::from(trial);
                 let accel_g = match into_s {
                     _ if t_s < 0.1 => 1.0,
-                    into_s if (0.0..0.01).contains(&into_s) => peak_g * (std::f64::consts::PI * into_s / 0.01).sin(),
+                    into_s if (0.0..0.01).contains(&into_s) => peak_g * libm::sin(std::f64::consts::PI * into_s / 0.01),
                     _ => 0.0,
                 };
                 text += &format!("{trial},0.5,{t_s:.3},{accel_g:.4}\n");

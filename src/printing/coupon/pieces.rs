@@ -147,10 +147,12 @@ mod tests {
             let [low, high] = MeshSolid::from_mesh(&bar.mesh).expect("is closed").slice(z_mm).bounds_mm();
             high[0] - low[0]
         };
-        let plain_mm = width_mm(&frame, 0.1);
+        // In the first layer and above it.
+        let plain_mm = [0.1, 0.5].map(|z_mm| width_mm(&frame, z_mm));
         frame.printer.elephant_foot_mm = Some(0.2);
-        assert!((width_mm(&frame, 0.1) - (plain_mm - 0.4)).abs() < 0.01, "{plain_mm} and {}", width_mm(&frame, 0.1));
-        assert!((width_mm(&frame, 0.3) - width_mm(&frame, 1.0)).abs() < 0.01, "only the first layer");
+        let drawn_mm = [0.1, 0.5].map(|z_mm| width_mm(&frame, z_mm));
+        let by_mm = [plain_mm[0] - drawn_mm[0], plain_mm[1] - drawn_mm[1]];
+        assert!((by_mm[0] - 0.4).abs() < 0.01 && by_mm[1].abs() < 0.01, "{plain_mm:?} and {drawn_mm:?}");
     }
 
     #[test]
