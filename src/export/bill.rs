@@ -26,7 +26,7 @@ pub struct PrintLine {
     pub volume_mm3: f64,
     /// Mass of all copies, g.
     pub mass_g: f64,
-    /// Time to print all copies, minutes, by [`part_s`]; none where the material does not say its speed.
+    /// Time to print all copies, minutes, by [`of_part_s`]; none where the material does not say its speed.
     pub print_min: Option<f64>,
     /// What the filament of one copy costs; none where the material states no price.
     pub price: Option<f64>,
@@ -126,7 +126,7 @@ pub struct Bill {
     pub cut_error: Option<String>,
     /// Mass of all printed parts, g.
     pub printed_g: f64,
-    /// Time to print them, hours, by [`part_s`]; nothing where a material does not say its speed.
+    /// Time to print them, hours, by [`of_part_s`]; nothing where a material does not say its speed.
     pub print_h: Option<f64>,
     /// Sum of what the filament costs where its price is stated, by currency.
     pub filament_prices: Vec<(String, f64)>,

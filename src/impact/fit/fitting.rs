@@ -59,7 +59,7 @@ pub struct ParameterEstimate {
     pub start: f64,
     /// Where it ended.
     pub value: f64,
-    /// 95 % interval, see [`Intervals`].
+    /// 95 % interval.
     pub ci95: Option<[f64; 2]>,
     /// Whether it ended at a bound.
     pub at_bound: bool,
