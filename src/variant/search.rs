@@ -124,8 +124,8 @@ impl<'a> Search<'a> {
         search
     }
 
-    /// The same search, with another problem's count of frames and follower, that looks at sketches by a known frame.
-    pub fn of_sketches<'b>(&self, problem: &'b SearchProblem<'b>, known: Known) -> Search<'b>
+    /// The same search that has looked at nothing yet, with another problem's count of frames and follower.
+    fn again<'b>(&self, problem: &'b SearchProblem<'b>) -> Search<'b>
     where
         'a: 'b,
     {
@@ -133,6 +133,15 @@ impl<'a> Search<'a> {
         let mut search = Search::new(problem, rules);
         search.look.scales = scales.clone();
         search.look.aim = aim.clone();
+        search
+    }
+
+    /// The same search, with another problem's count of frames and follower, that looks at sketches by a known frame.
+    pub fn of_sketches<'b>(&self, problem: &'b SearchProblem<'b>, known: Known) -> Search<'b>
+    where
+        'a: 'b,
+    {
+        let mut search = self.again(problem);
         search.look.known = Some(known);
         search
     }
@@ -143,12 +152,12 @@ impl<'a> Search<'a> {
     where
         'a: 'b,
     {
-        let Look { rules, aim, scales, .. } = &self.look;
-        let mut search = Search::new(problem, rules);
-        search.look.scales = scales.clone();
-        search.look.aim = aim.clone();
+        let mut search = self.again(problem);
         search.look.dearest = Cost::Slow;
-        search.look.constraints.extend(rules.iter().filter(|rule| rule.is_asked_at_the_end()).map(|rule| Constraint { rule, subject: "" }));
+        search
+            .look
+            .constraints
+            .extend(self.look.rules.iter().filter(|rule| rule.is_asked_at_the_end()).map(|rule| Constraint { rule, subject: "" }));
         search
     }
 
