@@ -201,12 +201,19 @@ fn analytic_propellers_whose_mass_is_in_another_line_are_no_bodies() {
 }
 
 #[test]
-fn analytic_the_sensor_is_on_the_flight_controller_or_at_the_hub() {
+fn analytic_the_sensor_is_on_the_board_that_has_one_or_at_the_hub() {
     let (design, with) = of_text("base = \"cognifly\"");
     let board = design.bodies.iter().find(|body| body.name == "flight_controller").expect("has one");
     let [low, high] = design.shape(board).solid.bounds_in_mm(&board.pose);
     assert_eq!(with.imu.on, "flight_controller");
     assert!(low[2] < with.imu.position_m[2] * 1e3 && with.imu.position_m[2] * 1e3 < high[2], "{:?}", with.imu);
-    let (_, without) = of_text("base = \"cognifly\"\nbought.flight_controller = \"none\"\nbought.motor_controller = \"aio-20x20\"\n");
+    let (design, all_in_one) = of_text("base = \"cognifly\"\nbought.flight_controller = \"none\"\nbought.motor_controller = \"aio-20x20\"\n");
+    let board = design.bodies.iter().find(|body| body.name == "motor_controller").expect("has one");
+    let [low, high] = design.shape(board).solid.bounds_in_mm(&board.pose);
+    assert_eq!(all_in_one.imu.on, "motor_controller");
+    assert!(low[2] < all_in_one.imu.position_m[2] * 1e3 && all_in_one.imu.position_m[2] * 1e3 < high[2], "{:?}", all_in_one.imu);
+    let elsewhere = "base = \"cognifly\"\nbought.flight_controller = \"none\"\nextras.autopilot.mass_g = 9.0\n\
+                     extras.autopilot.mass_basis = \"estimate\"\nextras.autopilot.source = \"a guess\"\nextras.autopilot.covers = [\"flight_controller\"]\n";
+    let (_, without) = of_text(elsewhere);
     assert_eq!((without.imu.on.as_str(), without.imu.position_m), ("hub", [0.0; 3]));
 }

@@ -76,7 +76,7 @@ pub struct Motor {
 /// Where the inertial sensor is.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Imu {
-    /// What carries it: `flight_controller`, or `hub` where there is none.
+    /// What carries it: `flight_controller`, `motor_controller` where that board is both, or `hub` where the frame has neither.
     pub on: String,
     /// Middle of the circuit board, m. Its axes are those of the frame.
     pub position_m: [f64; 3],
