@@ -9,7 +9,9 @@ use sha2::{Digest, Sha256};
 fn main() -> io::Result<()> {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let mut files = Vec::new();
-    for name in ["src", "params", "Cargo.toml", "Cargo.lock", "build.rs"] {
+    // The engine of the studio has libraries of its own; a package of the program alone comes without their list.
+    let own = ["src", "params", "Cargo.toml", "Cargo.lock", "build.rs", "studio/wasm/Cargo.lock"];
+    for name in own.into_iter().filter(|name| root.join(name).exists()) {
         println!("cargo::rerun-if-changed={name}");
         gather(&root.join(name), &mut files)?;
     }

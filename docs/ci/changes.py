@@ -1,6 +1,7 @@
 """changes.py BASE: prints a Markdown table of the masses and margins that changed since the revision BASE.
 
-Variables: FLEXFRAME, the program, FRAMES, files or patterns separated by spaces, and STRICT, as in gate.sh. The frames are checked in
+Variables: FLEXFRAME, the program, FRAMES, files or patterns separated by spaces, STRICT, and BASELINE, a list of accepted findings, as in
+gate.sh. The frames are checked in
 the work tree and in a checkout of BASE. A margin is the smallest of a rule's findings: how far the worst of them is from its limit;
 it is negative where the limit is violated. What warns in one of the two has a row of its own, so that it is compared with itself, and
 does not hide the rule's other findings. Exit code: 0, or 2 when there is no such revision.
@@ -16,9 +17,11 @@ from pathlib import Path
 FLEXFRAME = os.environ.get("FLEXFRAME", "flexframe")
 FRAMES = (os.environ.get("FRAMES") or "frames/*.toml").split()
 STRICT = os.environ.get("STRICT") == "true"
+# Both revisions are judged by the list of the work tree.
+BASELINE = os.environ.get("BASELINE") and Path(os.environ["BASELINE"]).absolute()
 
 # How a quantity stands to its limit, from good to bad.
-KEPT, WARNS, VIOLATED = range(3)
+KEPT, WARNS, ACCEPTED, VIOLATED = range(4)
 
 
 def git(*arguments):
@@ -33,8 +36,9 @@ def plain(text):
 def checked(folder):
     """The frames of a folder by the name they were asked for; a pattern that matches nothing gives none."""
     frames = {}
+    options = ["--baseline", str(BASELINE)] if BASELINE else []
     for pattern in FRAMES:
-        done = subprocess.run([FLEXFRAME, "check", "--json", "--", pattern], cwd=folder, capture_output=True, text=True)
+        done = subprocess.run([FLEXFRAME, "check", "--json", *options, "--", pattern], cwd=folder, capture_output=True, text=True)
         if done.stdout:
             frames.update((frame["asked"], frame) for frame in json.loads(done.stdout)["frames"])
         elif folder == Path():
@@ -43,7 +47,9 @@ def checked(folder):
 
 
 def standing(finding):
-    """A note has no limit to keep; beyond its figure it is a warning, which fails in strict mode."""
+    """A note has no limit to keep; beyond its figure it is a warning, which fails in strict mode. What is accepted does not fail."""
+    if finding.get("accepted"):
+        return ACCEPTED
     if finding["verdict"] != "note":
         return KEPT if finding["verdict"] == "holds" else VIOLATED
     if finding["margin"] is None or finding["margin"] >= 0:
@@ -84,13 +90,15 @@ def change(name, before, after):
     """What is to be said of a quantity: more mass and less margin are worse."""
     if after[1] == VIOLATED:
         return "limit violated"
+    if after[1] == ACCEPTED:
+        return "limit violated, accepted"
     if after[1] == WARNS:
         return "still warns" if before[1] == WARNS else "warns now"
     if before[1] == WARNS:
         return "warned before"
     if before[0] is None or after[0] is None:
         return "new" if before[0] is None else "gone"
-    if before[1] == VIOLATED:
+    if before[1] in (ACCEPTED, VIOLATED):
         return "limit kept again"
     worse = (after[0] > before[0]) == name.startswith("take-off mass")
     return "worse" if worse else "better"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # comment.sh: comments on a pull request what changed in masses and margins, once: a later run edits its own comment.
-# Variables: FLEXFRAME, FRAMES, STRICT and BASE as in gate.sh; PULL_REQUEST is the number, GH_REPO the repository, GH_TOKEN the token of `gh`.
+# Variables: FLEXFRAME, FRAMES, STRICT, BASELINE and BASE as in gate.sh; PULL_REQUEST is the number, GH_REPO the repository, GH_TOKEN the token of `gh`.
 # The token of a pull request from a fork may not write. Then the table stands in the log, and the job goes on.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

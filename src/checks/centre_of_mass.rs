@@ -9,6 +9,7 @@ use crate::frame::skeleton::MODULE_NAMES;
 
 const LEVERS: &[&str] = &["bought.battery", "camera.camera_reach_mm", "lid.lid_block_depth_mm"];
 
+/// The rule.
 pub static RULE: Rule = Rule {
     id: "centre_of_mass",
     title: "Centre of mass",

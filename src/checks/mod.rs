@@ -27,7 +27,7 @@ mod strength;
 
 pub use cartridge::{CartridgeMeeting, CartridgePassage};
 pub use catalogue::{CATALOGUE, check, check_by, check_one, followed, ground_clearance};
-pub use centre_of_mass::CentreOffset;
+pub use centre_of_mass::{CentreOffset, RULE as CENTRE_OF_MASS};
 pub use clearance::{RULE as PART_CLEARANCE, RodClearance};
 pub use envelope::{Extent, RULE as ENVELOPE};
 pub use finding::{Finding, Tightest, Verdict, tightest};

@@ -1,18 +1,19 @@
 //! The plan of a study as typed, and what is wrong with it.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::axis::{Axis, twice};
 use super::column::Column;
 use super::plan::{Frames, Study, Subject};
-use super::plan_keys::{impossible, named, only_known, text, whole};
+use super::plan_keys::{impossible, named, none_of, only_known, text, whole};
 use super::recovery;
 use super::samples::samples;
 use super::sampling::{Layers, NAMES, SOBOL_DIMENSIONS, Sampling, most_rows};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::params::files::Files;
-use crate::params::frame_file::Value;
+use crate::params::frame_file::{Entry, Value};
 use crate::params::lookup::lookup;
 use crate::params::refusal::{Reason, Refusal};
 use crate::params::{Frame, FrameFile, ImpactFile, LoadError};
@@ -62,6 +63,7 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
     let mechanics = asks_mechanics.then(|| MechanicsSettings::load(mechanics_path.as_deref())).transpose()?;
     let (axes, sampling, listed) = match text(&file, "table")? {
         Some(table) => {
+            none_of(&file, &["sampling", "samples", "points"], "a table")?;
             let listed = read(&beside(folder, table), files)?;
             let (axes, rows) = samples(&file, &listed)?;
             (axes, Sampling::Table { rows: Arc::new(rows) }, listed)
@@ -73,8 +75,7 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
         }
     };
     let seed = whole(&file, "seed", [0.0, f64::from(u32::MAX)])?.unwrap_or(1) as u32;
-    let based: Vec<String> = base.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect();
-    let text = format!("{}\n{}\n{listed}\n{mechanics:?}", typed(&file), based.join("\n"));
+    let text = format!("{}\n{}\n{listed}\n{mechanics:?}", typed(&file.entries), typed(&base.entries));
     let subject = Subject::Frames(Frames { base, base_name, mechanics });
     Ok(Study { name: file.name, subject, axes, sampling, seed, columns, text })
 }
@@ -83,15 +84,16 @@ fn of_frames(file: ImpactFile, folder: &Path, files: &dyn Files) -> Result<Study
 fn of_recovery(file: ImpactFile, files: &dyn Files) -> Result<Study, LoadError> {
     let columns = recovery::columns(&file)?.into_iter().map(Column::Recovery).collect();
     let recovery = recovery::setting(&file, files)?;
-    let text = format!("{}\n{}", typed(&file), recovery.base.to_toml());
+    let text = format!("{}\n{}", typed(&file.entries), recovery.base.to_toml());
     let (axes, rows) = recovery.rows();
     let sampling = Sampling::Table { rows: Arc::new(rows) };
     Ok(Study { name: file.name, subject: Subject::Recovery(recovery), axes, sampling, seed: 0, columns, text })
 }
 
-/// What a plan says, in the order of its keys.
-fn typed(file: &ImpactFile) -> String {
-    file.entries.iter().map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect::<Vec<_>>().join("\n")
+/// What a file says, in the order of its keys. Its description changes no row.
+fn typed(entries: &BTreeMap<String, Entry>) -> String {
+    let stated = entries.iter().filter(|(key, _)| *key != "description");
+    stated.map(|(key, entry)| format!("{key} = {:?}", entry.value)).collect::<Vec<_>>().join("\n")
 }
 
 /// A file named in a plan: a path from the plan's folder; what is no file stays a name.
@@ -185,6 +187,7 @@ fn name_axis(file: &ImpactFile, key: &str, base: &FrameFile, before: &mut usize)
 
 fn sampling(file: &ImpactFile, axes: &[Axis]) -> Result<Sampling, Refusal> {
     let name = NAMES[file.word("sampling", &NAMES)?];
+    none_of(file, &[if name == "grid" { "samples" } else { "points" }], &format!("sampling = \"{name}\""))?;
     let samples = whole(file, "samples", [1.0, most_rows(name) as f64])?.unwrap_or(SAMPLES);
     let dimensions = if name == "saltelli" { 2 * axes.len() } else { axes.len() };
     if matches!(name, "sobol" | "saltelli") && dimensions > SOBOL_DIMENSIONS {

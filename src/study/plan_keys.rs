@@ -24,6 +24,14 @@ pub(super) fn only_known(file: &ImpactFile, keys: &[&str], tables: &[&str]) -> R
     Err(file.refuse(key, reason))
 }
 
+/// Refuses the first of these keys that is stated: beside `what` it would do nothing.
+pub(super) fn none_of(file: &ImpactFile, keys: &[&str], what: &str) -> Result<(), Refusal> {
+    match keys.iter().find(|key| file.entries.contains_key(**key)) {
+        Some(key) => Err(file.refuse(key, impossible(format!("`{key}` does nothing with {what}"), "leave it out".into()))),
+        None => Ok(()),
+    }
+}
+
 /// A text, where it is stated.
 pub(super) fn text(file: &ImpactFile, key: &str) -> Result<Option<String>, Refusal> {
     match file.entries.get(key).map(|entry| &entry.value) {

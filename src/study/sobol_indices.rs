@@ -39,10 +39,23 @@ pub enum IndicesError {
     /// Another sampling.
     #[error("Sobol' indices are computed from the rows of sampling = \"saltelli\"")]
     Sampling,
-    /// Too few groups, or a figure that does not vary.
-    #[error("too few whole groups of rows, or a figure that does not vary")]
+    /// Too few groups of which every row has the figure.
+    #[error(
+        "{whole} of {groups} groups of rows have it in every row, {LEAST_GROUPS} are needed: other rows are not evaluated, or are no frames"
+    )]
+    TooFew {
+        /// Groups of which every row has the figure.
+        whole: usize,
+        /// Groups of the study.
+        groups: usize,
+    },
+    /// A figure that does not vary.
+    #[error("it is the same in all rows")]
     NothingVaries,
 }
+
+/// Fewest groups that tell a share.
+const LEAST_GROUPS: usize = 4;
 
 /// One group: the figure at A, at each mixture, and at B.
 struct Group {
@@ -56,7 +69,7 @@ struct Group {
 /// all figures is subtracted first. Wrong where the axes depend on each other.
 ///
 /// # Errors
-/// When the study is of another sampling, or nothing varies.
+/// When the study is of another sampling, too few of its groups are whole, or nothing varies.
 pub fn indices(study: &Study, outcomes: &Outcomes, column: usize) -> Result<Indices, IndicesError> {
     let (count, members) = outcomes.groups(study).ok_or(IndicesError::Sampling)?;
     let group = |group: usize| -> Option<Group> {
@@ -65,8 +78,8 @@ pub fn indices(study: &Study, outcomes: &Outcomes, column: usize) -> Result<Indi
         Some(Group { a: figures[0], mixed: figures[1..members - 1].to_vec(), b: figures[members - 1] })
     };
     let groups: Vec<Group> = (0..count).filter_map(group).collect();
-    if groups.len() < 4 {
-        return Err(IndicesError::NothingVaries);
+    if groups.len() < LEAST_GROUPS {
+        return Err(IndicesError::TooFew { whole: groups.len(), groups: count });
     }
     let all: Vec<&Group> = groups.iter().collect();
     let estimate = estimates(&all, members - 2).ok_or(IndicesError::NothingVaries)?;
@@ -153,5 +166,8 @@ mod tests {
         assert_eq!((found.groups, found.left_out), (63, 1));
         let (study, outcomes) = of(|_| 3.0, 64);
         assert_eq!(indices(&study, &outcomes, 0), Err(IndicesError::NothingVaries));
+        let (study, mut outcomes) = of(|x| x[2], 4);
+        outcomes.learn(0, super::super::Outcome::Refused("no".into()));
+        assert_eq!(indices(&study, &outcomes, 0), Err(IndicesError::TooFew { whole: 3, groups: 4 }));
     }
 }

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 
 use super::measures::{Better, Evaluation, MEASURES, Measure};
+use super::stated_values;
 use crate::checks::Verdict;
 use crate::figures::decimals;
 use crate::params::sleeve_direction::SleeveDirection;
@@ -46,9 +47,14 @@ pub enum Trend {
 }
 
 impl Changed {
-    fn numbers(name: String, unit: &'static str, values: [Option<f64>; 2], places: usize) -> Self {
+    pub(super) fn numbers(name: String, unit: &'static str, values: [Option<f64>; 2], places: usize) -> Self {
         let reported = distinguished(values, places);
         Self { name, unit, reported, values, trend: Trend::Neither }
+    }
+
+    /// Something that is no number.
+    pub(super) fn words(name: String, reported: [String; 2]) -> Self {
+        Self { name, unit: "", reported, values: [None; 2], trend: Trend::Neither }
     }
 
     /// Whether both sides are reported alike.
@@ -99,7 +105,7 @@ fn distinguished(values: [Option<f64>; 2], places: usize) -> [String; 2] {
 pub struct Difference {
     /// What the sides are called.
     pub names: [String; 2],
-    /// Numbers and choices of the frame files that differ.
+    /// Numbers and choices of the frame files that differ, and what the files state of parts, materials, printers and extras.
     pub parameters: Vec<Changed>,
     /// Lines of the mass table that differ, g.
     pub masses: Vec<Changed>,
@@ -161,8 +167,8 @@ fn parameter_changes(frames: [&Frame; 2]) -> Vec<Changed> {
     choices.push(("materials.rigid".into(), frames.map(|frame| frame.rigid.name.clone())));
     choices.push((SleeveDirection::KEY.into(), frames.map(|frame| frame.sleeve_direction.word().into())));
     choices.push(("printer".into(), frames.map(|frame| frame.printer.name.clone())));
-    let named = |(name, reported): (String, [String; 2])| Changed { name, unit: "", reported, values: [None; 2], trend: Trend::Neither };
-    numbers.chain(choices.into_iter().filter(|(_, [a, b])| a != b).map(named)).collect()
+    let choices = choices.into_iter().filter(|(_, [a, b])| a != b).map(|(name, reported)| Changed::words(name, reported));
+    numbers.chain(choices).chain(stated_values::changes(frames)).collect()
 }
 
 /// Lines by name: a line of one side alone is named too.

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::peak::{PEAK_CAVEAT, predicted_peak};
 use crate::checks::{
-    self, CATALOGUE, Cost, ENVELOPE, Finding, GROUND_CLEARANCE, HINGE_STRAIN, PART_CLEARANCE, PROPELLER_CLEARANCE, Rule, SOCKET_SEATING,
-    THINNEST_WALL, Verdict,
+    self, CATALOGUE, CENTRE_OF_MASS, Cost, ENVELOPE, Finding, GROUND_CLEARANCE, HINGE_STRAIN, PART_CLEARANCE, PROPELLER_CLEARANCE, Rule,
+    SOCKET_SEATING, THINNEST_WALL, Verdict,
 };
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
@@ -184,10 +184,13 @@ impl Measure {
 }
 
 /// Every measure, in the order of tables: those of the design, then those of its mechanics.
-pub static MEASURES: [Measure; 19] = [
+pub static MEASURES: [Measure; 20] = [
     design("mass", "g", "take-off mass", Better::Less, &[], |e| Some(e.masses.total_g)),
     design("mass.printed", "g", "mass of all printed parts", Better::Less, &[], |e| Some(e.mass_of_g("printed"))),
     design("mass.rods", "g", "mass of all rods", Better::Less, &[], |e| Some(e.mass_of_g("rod"))),
+    design("centre_of_mass", "mm", "from the motors' centre to the centre of mass, in plan", Better::Less, &[&CENTRE_OF_MASS], |e| {
+        e.extreme(&CENTRE_OF_MASS, true, |_| true)
+    }),
     design("envelope.width", "mm", "width without propellers", Better::Less, &[&ENVELOPE], |e| e.extent_mm("width without")),
     design("envelope.depth", "mm", "depth without propellers", Better::Less, &[&ENVELOPE], |e| e.extent_mm("depth without")),
     design("envelope.height", "mm", "height without propellers", Better::Less, &[&ENVELOPE], |e| e.extent_mm("height without")),

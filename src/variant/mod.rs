@@ -19,6 +19,7 @@ mod search;
 mod sensitivity;
 mod sketch;
 mod solve;
+mod stated_values;
 
 pub use aim::Aim;
 pub use choose::{Chosen, NameChoice, choose};

@@ -66,7 +66,7 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
         answered => answered,
     };
     if is_refused_at_the_end(&search, &answered) && search.left() > 0 {
-        asking_all_rules(&search, &own, &start).or(answered)
+        asking_all_rules(&search, answered.as_ref().ok(), &own, &start).or(answered)
     } else {
         answered
     }
@@ -75,19 +75,24 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
 /// Whether the best frame by the rules that are asked of each is none by those that are asked at the end.
 fn is_refused_at_the_end(search: &Search, answered: &Result<Solution, SolveError>) -> bool {
     let best = ranked(search).into_iter().next().filter(|_| search.found());
-    let answer = answered.as_ref().ok().map(|solution| solution.values.iter().map(|(.., value)| *value).collect::<Vec<_>>());
-    best.is_some() && best != answer
+    best.is_some() && best != answered.as_ref().ok().map(values_of)
 }
 
-/// Searches with the frames that are left, each asked by every rule: what refused the best ones is then seen before it is reached.
-fn asking_all_rules(search: &Search, own: &[f64], start: &[f64]) -> Result<Solution, SolveError> {
+/// The values of what varied.
+fn values_of(solution: &Solution) -> Vec<f64> {
+    solution.values.iter().map(|(.., value)| *value).collect()
+}
+
+/// Searches with the frames that are left, each asked by every rule: what refused the best ones is then seen before it is reached. What is
+/// answered already is looked at first, so that no worse frame is the answer.
+fn asking_all_rules(search: &Search, answered: Option<&Solution>, own: &[f64], start: &[f64]) -> Result<Solution, SolveError> {
     let (before, told) = (search.looked_at(), search.problem());
     let follows =
         |now: &SearchProgress| (told.follows)(&SearchProgress { looked_at: before + now.looked_at, most: told.most, ..now.clone() });
     let rest = SearchProblem { most: search.left(), follows: &follows, ..told.clone() };
     let all_rules = search.asking_all_rules(&rest);
-    let mut known: Vec<Vec<f64>> = ranked(search).into_iter().take(KNOWN).collect();
-    known.push(start.to_vec());
+    let best = ranked(search).into_iter().take(KNOWN);
+    let known: Vec<Vec<f64>> = answered.map(values_of).into_iter().chain(best).chain([start.to_vec()]).collect();
     all_rules.look_at(&known);
     find(&all_rules, start);
     improve(&all_rules);
@@ -236,8 +241,8 @@ mod tests {
     use crate::params::{FrameFile, parameters};
     use crate::variant::{Aim, measure};
 
-    /// The solution of a search for the narrowest frame by all rules and one more.
-    fn narrowest(toy: &'static Rule, most: usize) -> Solution {
+    /// Asks something of the search for the narrowest frame that keeps all rules and one more.
+    fn narrowest<T>(toy: &'static Rule, most: usize, ask: impl FnOnce(&SearchProblem, &[&'static Rule]) -> T) -> T {
         let rules: Vec<&'static Rule> = CATALOGUE.into_iter().chain([toy]).collect();
         let file = FrameFile::load("cognifly").expect("a preset");
         let frame = Frame::resolve(&file).expect("is one");
@@ -255,12 +260,16 @@ mod tests {
             mechanics: None,
             memo: Arc::default(),
         };
-        solve_by(&problem, &rules).unwrap_or_else(|error| panic!("{error}"))
+        ask(&problem, &rules)
+    }
+
+    fn solved(toy: &'static Rule, most: usize) -> Solution {
+        narrowest(toy, most, |problem, rules| solve_by(problem, rules).unwrap_or_else(|error| panic!("{error}")))
     }
 
     #[test]
     fn planted_a_search_keeps_a_rule_that_it_does_not_name() {
-        let solution = narrowest(&TOY, 14);
+        let solution = solved(&TOY, 14);
         let (_, before, after) = solution.values[0];
         // A limit in mm counts as kept when it is missed by no more than a length may be mismeasured, 0.005 mm.
         assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{after}");
@@ -270,9 +279,28 @@ mod tests {
     /// What a rule refuses that is asked at the end is not where the search ends.
     #[test]
     fn planted_a_search_goes_on_where_a_rule_at_its_end_refuses_the_best() {
-        let solution = narrowest(&SLOW_TOY, 24);
+        let solution = solved(&SLOW_TOY, 24);
         let (_, before, after) = solution.values[0];
         assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{before} to {after}, {} frames", solution.looked_at);
         assert!(solution.looked_at <= 24 && solution.refused.iter().any(|why| why.contains("slow_toy")), "{:?}", solution.refused);
+    }
+
+    /// The best frames are refused by what is asked at the end, and the frames that are left are too few to reach the answered one again.
+    #[test]
+    fn planted_a_search_that_goes_on_gives_no_worse_frame_than_it_had() {
+        let went_on = narrowest(&SLOW_TOY, 11, |problem, rules| {
+            let frame = Frame::resolve(problem.file).expect("is one");
+            let own = own_values(&problem.vary, &frame);
+            let mut search = Search::new(problem, rules);
+            search.scale_by(frame);
+            let shorter = [188.0, 188.2, 188.4, 188.6, TOY_MM + 0.5].map(|mm| vec![mm]);
+            search.look_at(&[own.clone()]);
+            search.look_at(&shorter);
+            let answered = answer(&search, &own);
+            assert!(is_refused_at_the_end(&search, &answered));
+            asking_all_rules(&search, answered.as_ref().ok(), &own, &own).expect("has one")
+        });
+        let (_, before, after) = went_on.values[0];
+        assert!(after <= TOY_MM + 0.5 && after >= TOY_MM - 0.005, "{before} to {after}");
     }
 }

@@ -215,6 +215,23 @@ def warnings(kept):
     is_told("longer", "long", ("-0.61", "-1.61"), "still warns")
 
 
+def accepted(kept):
+    """A violation that the list of the work tree accepts, and one that is worse than there."""
+    def weighs(mass_g):
+        return f'base = "cognifly"\n[battery]\nbattery_mass_g = {mass_g}\n'
+
+    repository = WORK / "ci/accepted"
+    sample(repository, {"main": {"frames/heavy.toml": weighs(58.0)}, "heavy": {"frames/heavy.toml": weighs(90.0)}, "heavier": {"frames/heavy.toml": weighs(95.0)}})
+    git(repository, "checkout", "--quiet", "heavy")
+    listed = run([str(kept / "bin/flexframe"), "check", "-q", "frames/heavy.toml", "--baseline", "accepted.json", "--update-baseline"], repository)
+    for branch, variables, word in [("heavy", {"BASELINE": "accepted.json"}, "limit violated, accepted"),
+                                    ("heavy", {}, "limit violated"), ("heavier", {"BASELINE": "accepted.json"}, "limit violated")]:
+        git(repository, "checkout", "--quiet", branch)
+        _, said = script("changes.py", repository, kept, "main", **variables)
+        found = re.findall(r"margin of mass_budget.*\| ([^|]*) \|", said)
+        result(f"changes.py: {branch} with {list(variables) or 'no list'} is told as {word}", found == [word], f"{listed.stdout}{listed.stderr}{said}")
+
+
 def grown(kept):
     """What grows although no file that FRAMES names by its first letters has changed."""
     def weighs(mass_g):
@@ -305,6 +322,7 @@ def main():
     mended(kept)
     reports(kept)
     warnings(kept)
+    accepted(kept)
 
 
 if __name__ == "__main__":

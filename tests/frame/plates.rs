@@ -96,6 +96,25 @@ fn analytic_every_printer_takes_the_frame() {
 }
 
 #[test]
+fn planted_wide_brims_meet_neither_each_other_nor_the_edge() {
+    const BRIM_MM: f64 = 9.0;
+    let mut design = design();
+    design.frame.flexible.material.brim_mm = Some(BRIM_MM);
+    design.frame.rigid.material.brim_mm = Some(BRIM_MM);
+    let size_mm = design.frame.printer.size_mm;
+    for plate in arrange(&design, &all(&design)).expect("has room") {
+        let boxes = boxes(&design, &plate);
+        for (at, [low, high]) in boxes.iter().enumerate() {
+            let inside = (0..2).all(|axis| low[axis] >= BRIM_MM - 0.01 && high[axis] <= size_mm[axis] - BRIM_MM + 0.01);
+            assert!(inside, "a brim of {} leaves the bed: {low:?} {high:?}", plate.name());
+            let apart = |axis: usize, other: &[[f64; 2]; 2]| (other[0][axis] - high[axis]).max(low[axis] - other[1][axis]);
+            let meets = boxes[at + 1..].iter().any(|other| (0..2).all(|axis| apart(axis, other) < 2.0 * BRIM_MM - 0.01));
+            assert!(!meets, "brims meet on {}", plate.name());
+        }
+    }
+}
+
+#[test]
 fn analytic_a_plate_of_no_printer_lies_on_every_rectangular_bed() {
     let design = design();
     let plates = arrange(&design, &all(&design)).expect("has room");

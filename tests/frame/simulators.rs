@@ -207,7 +207,8 @@ fn analytic_the_sensor_is_on_the_board_that_has_one_or_at_the_hub() {
     let [low, high] = design.shape(board).solid.bounds_in_mm(&board.pose);
     assert_eq!(with.imu.on, "flight_controller");
     assert!(low[2] < with.imu.position_m[2] * 1e3 && with.imu.position_m[2] * 1e3 < high[2], "{:?}", with.imu);
-    let (design, all_in_one) = of_text("base = \"cognifly\"\nbought.flight_controller = \"none\"\nbought.motor_controller = \"aio-20x20\"\n");
+    let (design, all_in_one) =
+        of_text("base = \"cognifly\"\nbought.flight_controller = \"none\"\nbought.motor_controller = \"aio-20x20\"\n");
     let board = design.bodies.iter().find(|body| body.name == "motor_controller").expect("has one");
     let [low, high] = design.shape(board).solid.bounds_in_mm(&board.pose);
     assert_eq!(all_in_one.imu.on, "motor_controller");

@@ -120,6 +120,10 @@ fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() 
 fn planted_rows_of_another_plan_are_no_rows_of_this_one() {
     let desk = Desk::new("samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 41]\n");
     desk.good(&["run", "s.toml"]);
+    // What it says of itself is no other plan.
+    let described = "description = \"short arms\"\nsamples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 41]\n";
+    fs::write(desk.path().join("s.toml"), described).expect("can be written");
+    desk.good(&["report", "s.toml"]);
     fs::write(desk.path().join("s.toml"), "samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 42]\n").expect("can be written");
     let (code, _, err) = desk.run(&["run", "s.toml"]);
     assert!(code == 2 && err.contains("--restart"), "{err}");
@@ -141,6 +145,9 @@ fn planted_plans_that_cannot_be_are_refused_at_their_line() {
     let cases = [
         (format!("samples = 0\n{vary}"), "samples"),
         (format!("samples = 2.5\n{vary}"), "no whole number"),
+        (format!("sampling = \"grid\"\nsamples = 9\n{vary}"), "`samples` does nothing with sampling = \"grid\""),
+        (format!("points = 9\n{vary}"), "`points` does nothing with sampling = \"latin_hypercube\""),
+        ("samples = 9\ntable = \"rows.csv\"\n".into(), "`samples` does nothing with a table"),
         (format!("sampling = \"halton\"\n{vary}"), "latin_hypercube"),
         (format!("sampling = \"sobol\"\nsamples = 65537\n{vary}"), "65536"),
         (format!("measures = [\"mas\"]\n{vary}"), "`mass`"),

@@ -2,7 +2,9 @@
 
 use std::fs::{self, Permissions};
 use std::io::{self, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+use super::staging::{names, too_many};
 
 /// Writes a file of the program's beside its place and puts it there in one step: a reader sees the former one or the new one, whole.
 /// A link in the place goes, and what it leads to stays.
@@ -32,15 +34,25 @@ pub(in crate::cli) fn replace_users_file(place: &Path, bytes: &[u8]) -> io::Resu
 }
 
 fn put(place: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    let name = place.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let staging = place.with_file_name(format!(".{name}.{}.new", std::process::id()));
+    let staging = staged(place, bytes)?;
     let permit = || permissions.map_or(Ok(()), |permissions| fs::set_permissions(&staging, permissions));
-    let done = write_new(&staging, bytes).and_then(|()| permit()).and_then(|()| fs::rename(&staging, place));
+    let done = permit().and_then(|()| fs::rename(&staging, place));
     if done.is_err() {
         // The new file is of no use; that it cannot be removed either changes nothing.
         let _ = fs::remove_file(&staging);
     }
     done
+}
+
+/// Writes a hidden file beside a place, under a name that no other run has.
+fn staged(place: &Path, bytes: &[u8]) -> io::Result<PathBuf> {
+    for staging in names(place, "new") {
+        match write_new(&staging, bytes) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            written => return written.map(|()| staging),
+        }
+    }
+    Err(too_many())
 }
 
 /// Writes a file that is not there yet, so that no link that lies in its place is followed.
@@ -52,4 +64,22 @@ pub(in crate::cli) fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
         let _ = fs::remove_file(path);
     }
     done
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In a container most runs have the same process number, so one that was killed leaves a name that the next one would take.
+    #[test]
+    fn planted_a_file_that_another_run_left_stands_in_no_way_and_stays() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let place = folder.path().join("accepted.json");
+        let left = folder.path().join(format!(".accepted.json.{}.new", std::process::id()));
+        fs::write(&left, "of another run").expect("can be written");
+        replace_file(&place, b"new").expect("is written");
+        assert_eq!(fs::read(&place).expect("is there"), b"new");
+        assert_eq!(fs::read(&left).expect("is there"), b"of another run");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 2);
+    }
 }

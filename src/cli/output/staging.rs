@@ -138,8 +138,8 @@ fn exchange(_: &Path, _: &Path) -> io::Result<bool> {
     Ok(false)
 }
 
-/// Names for the hidden folders of this run; another in a container of its own may have the same process number.
-fn names(place: &Path, end: &str) -> impl Iterator<Item = PathBuf> {
+/// Names for the hidden files and folders of this run; another in a container of its own may have the same process number.
+pub(super) fn names(place: &Path, end: &str) -> impl Iterator<Item = PathBuf> {
     let (name, pid) = (place.file_name().unwrap_or_default().to_string_lossy().into_owned(), std::process::id());
     let numbers = std::iter::once(pid.to_string()).chain((1..MOST).map(move |number| format!("{pid}-{number}")));
     numbers.map(move |number| place.with_file_name(format!(".{name}.{number}.{end}")))
@@ -150,8 +150,8 @@ fn moved(folder: &Path, name: &Path) -> bool {
     name.symlink_metadata().is_err() && fs::rename(folder, name).is_ok()
 }
 
-fn too_many() -> io::Error {
-    io::Error::new(io::ErrorKind::AlreadyExists, "there are too many hidden folders of other runs")
+pub(super) fn too_many() -> io::Error {
+    io::Error::new(io::ErrorKind::AlreadyExists, "there are too many hidden files and folders of other runs")
 }
 
 /// What a hidden folder is by its name, when it is one of a place's.

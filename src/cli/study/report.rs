@@ -13,7 +13,7 @@ use crate::cli::terminal;
 use crate::report::chart::study_plots;
 use crate::report::page::document;
 use crate::report::page::study_page::StudyReport;
-use crate::study::{Column, Indices, Outcomes, Study, Subject, front, indices};
+use crate::study::{Column, Indices, IndicesError, Outcomes, Study, Subject, front, indices};
 use crate::variant::Better;
 
 /// Write the report of a study: front, charts, sensitivities and failures of frames, or how often hidden effects were found.
@@ -49,8 +49,8 @@ fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common
     let goals = goals(args, study)?;
     let usage = |error| Failure::Usage { message: format!("--goals: {error}") };
     let found = if goals.is_empty() { Vec::new() } else { front(study, known, &goals).map_err(usage)? };
-    let explained = explained(study, known);
-    let report = StudyReport { study, outcomes: known, goals: &goals, front: &found, indices: &explained };
+    let (explained, unexplained) = explained(study, known);
+    let report = StudyReport { study, outcomes: known, goals: &goals, front: &found, indices: &explained, without_indices: &unexplained };
     let plots = study_plots::plots(study, known, &goals, &found, &explained);
     let plots = plots.map_err(|error| Failure::Machine { what: "cannot make the plots".into(), error: std::io::Error::other(error) })?;
     let json = json(&report);
@@ -81,11 +81,21 @@ fn goals(args: &Args, study: &Study) -> Result<Vec<String>, Failure> {
     Err(Failure::Usage { message: "--goals: give one to three different measures of the study, with commas between".into() })
 }
 
-/// The indices of every figure that varies, where the study is made for them.
-fn explained(study: &Study, outcomes: &Outcomes) -> Vec<(usize, Indices)> {
+/// Things of columns, by their places.
+type OfColumns<T> = Vec<(usize, T)>;
+
+/// The indices of every measure, and why others have none, where the study is made for them.
+fn explained(study: &Study, outcomes: &Outcomes) -> (OfColumns<Indices>, OfColumns<IndicesError>) {
+    let (mut explained, mut unexplained) = (Vec::new(), Vec::new());
     let is_measure = |column: &Column| matches!(column, Column::Measure(_));
-    let columns = study.columns.iter().enumerate().filter(|(_, column)| is_measure(column));
-    columns.filter_map(|(at, _)| Some((at, indices(study, outcomes, at).ok()?))).collect()
+    for (at, _) in study.columns.iter().enumerate().filter(|(_, column)| is_measure(column)) {
+        match indices(study, outcomes, at) {
+            Ok(found) => explained.push((at, found)),
+            Err(IndicesError::Sampling) => {}
+            Err(why) => unexplained.push((at, why)),
+        }
+    }
+    (explained, unexplained)
 }
 
 fn json(report: &StudyReport) -> serde_json::Value {
@@ -107,6 +117,8 @@ fn json(report: &StudyReport) -> serde_json::Value {
             "axes": study.axes.iter().enumerate().map(axis).collect::<Vec<_>>(),
         })
     };
+    let without =
+        |(column, why): &(usize, IndicesError)| serde_json::json!({ "measure": study.columns[*column].name(), "why": why.to_string() });
     let mut value = serde_json::json!({
         "schema_version": 1,
         "study": study.name,
@@ -116,6 +128,7 @@ fn json(report: &StudyReport) -> serde_json::Value {
         "goals": report.goals,
         "front": report.front.iter().map(point).collect::<Vec<_>>(),
         "indices": report.indices.iter().map(index).collect::<Vec<_>>(),
+        "without_indices": report.without_indices.iter().map(without).collect::<Vec<_>>(),
     });
     for [name, caveat] in Column::caveats(&study.columns) {
         value[name] = caveat.into();

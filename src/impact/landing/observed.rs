@@ -11,7 +11,7 @@ use super::touch_errors::TouchErrors;
 use super::touch_pattern::TouchPattern;
 use super::touches::LegTouches;
 use crate::impact::fit::{Chosen, Decimation, Waves};
-use crate::impact::measured::{Drop, Spread};
+use crate::impact::measured::{Drop, Spread, is_same_m};
 
 /// The shares of the quantiles that a fit compares.
 pub const QUARTILES: [f64; 3] = [0.25, 0.5, 0.75];
@@ -65,7 +65,8 @@ impl ObservedLandings {
     /// that are not held out.
     pub fn of(chosen: &Chosen, waves: &Waves, held_out_heights_m: &[f64]) -> Option<Self> {
         let all: Vec<Option<&Drop>> = chosen.behind(waves).into_iter().flatten().collect();
-        let mut touches = all.iter().zip(ReadDrops::of(&all, |drop| !held_out_heights_m.contains(&drop.record.height_m)).each);
+        let held = |height_m: f64| held_out_heights_m.iter().any(|out_m| is_same_m(*out_m, height_m));
+        let mut touches = all.iter().zip(ReadDrops::of(&all, |drop| !held(drop.record.height_m)).each);
         let heights = waves.groups.iter().map(|group| {
             let read = group.trials.iter().zip(&group.windows).zip(touches.by_ref());
             let drops: Vec<ObservedLanding> = read

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use super::encoding::plain;
+use super::height::is_same_m;
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::malformed;
 use super::record::DropSet;
@@ -12,8 +13,6 @@ use super::table_header::separator;
 
 /// Every column that such a table can have, in words.
 const KNOWN: &str = "trial, height_m if trials are numbered anew at each height, and a column for each quantity";
-/// Stated heights agree within this, m.
-const SAME_M: f64 = 1e-6;
 /// Heights, m.
 const HEIGHTS_M: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
@@ -60,7 +59,7 @@ impl DropTable {
         let mut without = 0;
         for record in set.groups.iter_mut().flat_map(|group| &mut group.records) {
             let height_m = record.height_m;
-            let own = |row: &&&Row| row.height_m.is_none_or(|of_m| (of_m - height_m).abs() < SAME_M);
+            let own = |row: &&&Row| row.height_m.is_none_or(|of_m| is_same_m(of_m, height_m));
             match of_trial.get(record.trial.as_str()).and_then(|rows| rows.iter().find(own)) {
                 Some(row) => record.columns.extend(self.columns.iter().cloned().zip(row.values.iter().cloned())),
                 None => without += 1,

@@ -9,6 +9,7 @@ use std::io::ErrorKind;
 use std::ops::RangeInclusive;
 
 use super::encoding::plain;
+use super::height::stated_m;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
@@ -30,6 +31,8 @@ const TIMES_S: RangeInclusive<f64> = -1e7..=1e7;
 const ACCELS_G: RangeInclusive<f64> = -1e5..=1e5;
 /// From here on a reading stands at the end of the converter's +-230 g, g: a few counts below it.
 const FULL_SCALE_G: f64 = 229.5;
+/// A reading beyond this is of another sensor, of which no end is known, g.
+const BEYOND_SCALE_G: f64 = 231.0;
 
 type Refused = (SourcePosition, Fault);
 
@@ -64,8 +67,10 @@ struct Builder<'a> {
     format: &'a TableFormat,
     header: Header,
     records: Vec<Record>,
-    /// What the time stamps of each record say where a sampling rate is given instead.
-    stamps: Vec<Stamps>,
+    /// What the time stamps of a record, by its place, say where a sampling rate is given instead.
+    stamps: BTreeMap<usize, Stamps>,
+    /// Whether the sensor reads more than the converter of +-230 g.
+    reads_beyond: bool,
     /// By trial and bits of the height.
     places: BTreeMap<(Vec<u8>, u64), usize>,
     /// The row before: its trial and height as they stand in the file, and its record.
@@ -120,6 +125,7 @@ impl Builder<'_> {
         record.t_s.push(t_s);
         let zero_g = self.format.zero_g;
         record.at_full_scale += usize::from(accel_g.abs() >= FULL_SCALE_G);
+        self.reads_beyond |= accel_g.abs() > BEYOND_SCALE_G;
         record.accel_g.push(accel_g - zero_g[2]);
         if let ([Some(x), Some(y), z], Some(all)) = (axes, &mut record.axes_g) {
             for ((axis, value), zero_g) in all.iter_mut().zip([x, y, z.unwrap_or(accel_g)]).zip(zero_g) {
@@ -134,10 +140,8 @@ impl Builder<'_> {
         let Some(last_s) = self.header.unused_time.and_then(|at| scaled(row, at, "t_s", &TIMES_S, "s", self.format.time_s).ok()) else {
             return;
         };
-        match self.stamps.get_mut(record) {
-            Some(stamps) => *stamps = Stamps { last_s, count: stamps.count + 1, ..*stamps },
-            None => self.stamps.push(Stamps { first_s: last_s, last_s, count: 1 }),
-        }
+        let stamps = self.stamps.entry(record).or_insert(Stamps { first_s: last_s, last_s, count: 0 });
+        *stamps = Stamps { last_s, count: stamps.count + 1, ..*stamps };
     }
 
     /// The record that a row belongs to.
@@ -184,7 +188,7 @@ impl Builder<'_> {
     fn height_m(&self, row: &csv::ByteRecord) -> Result<f64, Fault> {
         let Header { height, speed, .. } = self.header;
         match (height, speed, self.label) {
-            (Some(at), ..) => scaled(row, at, "height_m", &HEIGHTS_M, "m", self.format.height_m),
+            (Some(at), ..) => scaled(row, at, "height_m", &HEIGHTS_M, "m", self.format.height_m).map(stated_m),
             (None, Some(at), _) => {
                 let v_m_s = number(row, at, "speed_m_s", &SPEEDS_M_S, "m/s")?;
                 Ok((v_m_s * v_m_s / (2.0 * GRAVITY_M_S2) / HEIGHT_STEP_M).round() * HEIGHT_STEP_M)
@@ -243,8 +247,17 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
     let mut reader = csv::ReaderBuilder::new().delimiter(separator(bytes)).buffer_capacity(1 << 16).from_reader(bytes);
     let names = reader.byte_headers().map_err(|error| refused(&error))?;
     let header = Header::of(names, format, label.is_some()).map_err(|fault| (SourcePosition::Line(1), fault))?;
-    let mut builder =
-        Builder { source, label, format, header, records: Vec::new(), stamps: Vec::new(), places: BTreeMap::new(), before: None };
+    let mut builder = Builder {
+        source,
+        label,
+        format,
+        header,
+        records: Vec::new(),
+        stamps: BTreeMap::new(),
+        reads_beyond: false,
+        places: BTreeMap::new(),
+        before: None,
+    };
     let mut row = csv::ByteRecord::new();
     while reader.read_byte_record(&mut row).map_err(|error| refused(&error))? {
         let line = row.position().map_or(0, csv::Position::line);
@@ -257,7 +270,10 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
     if builder.header.height.is_none() && builder.header.speed.is_some() {
         speed_heights::grouped(&mut builder.records);
     }
-    let stamped_hz = Spread::of(builder.stamps.iter().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
+    if builder.reads_beyond {
+        builder.records.iter_mut().for_each(|record| record.at_full_scale = 0);
+    }
+    let stamped_hz = Spread::of(builder.stamps.values().filter_map(Stamps::rate_hz)).map(|spread| spread.median);
     Ok((builder.records, Aside { columns: builder.header.others, stamped_hz }))
 }
 
@@ -317,6 +333,23 @@ mod tests {
         let (all, others) = records(b"x\ty\tz\ttemperature\n3\t4\t0\t20\n0\t0\t1\t20\n", "7.csv", Some(&label), &format).expect("reads");
         assert_eq!((all[0].trial.as_str(), all[0].height_m, all[0].t_s.clone()), ("7", 0.5, vec![0.0, 0.0005]));
         assert_eq!((all[0].size_g(0), all[0].accel_g.clone(), others.columns), (5.0, vec![0.0, 1.0], vec!["temperature".to_string()]));
+    }
+
+    #[test]
+    fn planted_readings_beyond_the_usual_converter_are_of_a_sensor_with_more_range() {
+        let scale = |most: f64| {
+            let text = format!("trial,height_m,t_s,accel_g\n1,1,0,0\n1,1,0.001,229.9\n2,1,0,0\n2,1,0.001,{most}\n");
+            read(&text).expect("reads").0.iter().map(|record| record.at_full_scale).collect::<Vec<_>>()
+        };
+        assert_eq!([scale(229.9), scale(345.0)], [[1, 1], [0, 0]]);
+    }
+
+    #[test]
+    fn analytic_stamps_that_are_not_used_stay_with_their_record() {
+        let format = TableFormat { rate_hz: Some(1000.0), ..TableFormat::default() };
+        let text = "trial,height_m,t_s,accel_g\n1,1,no,0\n1,1,no,0\n2,1,0,0\n2,1,0.002,0\n2,1,0.004,0\n3,1,0,0\n3,1,0.002,0\n";
+        let (_, aside) = records(text.as_bytes(), "a.csv", None, &format).expect("reads");
+        assert_eq!(aside.stamped_hz, Some(500.0));
     }
 
     #[test]

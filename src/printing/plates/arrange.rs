@@ -4,7 +4,7 @@ use crunch::{Item as Box, PackedItem, Rect, Rotation};
 use rayon::prelude::*;
 
 use super::plate::{Item, Plate, short};
-use super::room::{GAP_MM, Room, alone};
+use super::room::{Room, alone};
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::Printer;
@@ -65,7 +65,9 @@ fn laid_out(design: &Design, wanted: &[Wanted]) -> (Vec<Plate>, Vec<NoRoom>) {
             .collect();
         // Two grades of one material have plates of one name.
         let before = plates.iter().filter(|plate: &&Plate| short(&plate.material.name) == short(&material.name)).count();
-        for (at, mut items) in filled(&parts, &design.frame.printer, &mut no_room).into_iter().enumerate() {
+        for (at, mut items) in
+            filled(&parts, &design.frame.printer, material.material.brim_mm.unwrap_or(0.0), &mut no_room).into_iter().enumerate()
+        {
             items.sort_by(|a, b| a.part.cmp(&b.part).then(place(a).partial_cmp(&place(b)).unwrap_or(std::cmp::Ordering::Equal)));
             let supported = supported.iter().copied().filter(|name| items.iter().any(|item| item.part == *name)).collect();
             plates.push(Plate { material: material.clone(), number: before + at + 1, items, supported });
@@ -98,8 +100,8 @@ fn materials(design: &Design) -> Vec<&NamedMaterial> {
 }
 
 /// Plates of parts of one material; what lies on no bed is added to `no_room`.
-fn filled(parts: &[&Printed], printer: &Printer, no_room: &mut Vec<NoRoom>) -> Vec<Vec<Item>> {
-    let room = Room::of(printer);
+fn filled(parts: &[&Printed], printer: &Printer, brim_mm: f64, no_room: &mut Vec<NoRoom>) -> Vec<Vec<Item>> {
+    let room = Room::of(printer, brim_mm);
     let low_enough = |at: &usize| parts[*at].mesh.size_mm()[2] <= printer.height_mm;
     let mut open: Vec<usize> = (0..parts.len()).collect();
     let mut plates = Vec::new();
@@ -125,10 +127,10 @@ fn filled(parts: &[&Printed], printer: &Printer, no_room: &mut Vec<NoRoom>) -> V
 /// What goes onto one plate: in the smallest rectangle of the room's proportions that takes as much as the whole room, as the middle of a
 /// bed is flatter and warmer than its rim, and as the plate then lies on smaller beds, too.
 fn packed(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<usize>> {
-    let mut best = most_into(parts, open, room.size_mm);
+    let mut best = most_into(parts, open, room);
     let chosen: Vec<usize> = best.iter().map(|item| item.data).collect();
     for percent in (MOST_SHRUNK_PERCENT..100).rev().step_by(SHRINK_STEP_PERCENT) {
-        if let Some(smaller) = all_into(parts, &chosen, room.size_mm.map(|size| 0.01 * f64::from(percent) * size)) {
+        if let Some(smaller) = all_into(parts, &chosen, &room.shrunk(percent)) {
             best = smaller;
         }
     }
@@ -136,8 +138,8 @@ fn packed(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<usi
 }
 
 /// All parts if they go into a rectangle together; else the largest, and of the others, from large to small, each that goes in beside them.
-fn most_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Vec<PackedItem<usize>> {
-    if let Some(all) = all_into(parts, open, size_mm) {
+fn most_into(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<usize>> {
+    if let Some(all) = all_into(parts, open, room) {
         return all;
     }
     let area_mm2 = |at: &usize| {
@@ -150,7 +152,7 @@ fn most_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Vec<Packe
     let mut chosen = Vec::new();
     for at in from_large {
         chosen.push(at);
-        match all_into(parts, &chosen, size_mm) {
+        match all_into(parts, &chosen, room) {
             Some(packed) => most = packed,
             None => drop(chosen.pop()),
         }
@@ -159,25 +161,25 @@ fn most_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Vec<Packe
 }
 
 /// Parts in a rectangle; `None` where not all of them go in.
-fn all_into(parts: &[&Printed], open: &[usize], size_mm: [f64; 2]) -> Option<Vec<PackedItem<usize>>> {
-    let [width, depth] = size_mm.map(|size| ((size + GAP_MM) * STEPS).floor() as usize);
+fn all_into(parts: &[&Printed], open: &[usize], room: &Room) -> Option<Vec<PackedItem<usize>>> {
+    let [width, depth] = room.size_mm.map(|size| ((size + room.gap_mm) * STEPS).floor() as usize);
     let boxes: Vec<Box<usize>> = open
         .iter()
         .map(|at| (*at, parts[*at].mesh.size_mm()))
-        .map(|(at, [x, y, _])| Box::new(at, steps(x), steps(y), Rotation::Allowed))
+        .map(|(at, [x, y, _])| Box::new(at, steps(x, room), steps(y, room), Rotation::Allowed))
         .collect();
     let each_fits = boxes.iter().all(|one| (one.w <= width && one.h <= depth) || (one.h <= width && one.w <= depth));
     each_fits.then(|| crunch::pack(Rect::new(0, 0, width, depth), boxes).ok()).flatten()
 }
 
 /// A part's side with the gap behind it.
-fn steps(side_mm: f64) -> usize {
-    ((side_mm + GAP_MM) * STEPS).ceil() as usize
+fn steps(side_mm: f64, room: &Room) -> usize {
+    ((side_mm + room.gap_mm) * STEPS).ceil() as usize
 }
 
 fn placed(item: &PackedItem<usize>, part: &Printed, room: &Room) -> Item {
     let [x, y, _] = part.mesh.size_mm();
-    let turned = item.rect.w != steps(x);
+    let turned = item.rect.w != steps(x, room);
     let side = if turned { [y, x] } else { [x, y] };
     let corner = [item.rect.x, item.rect.y].map(|at| at as f64 / STEPS);
     Item { part: part.name, turned, middle_mm: [0, 1].map(|axis| room.low_mm[axis] + corner[axis] + 0.5 * side[axis]) }

@@ -12,7 +12,7 @@ use crate::impact::diagnose::{
 use crate::impact::effects::{self, AIR_DRAG, Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
 use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence, UnjudgedLandings};
-use crate::impact::measured::{DropSet, Fall, FreeFallOffset, Session, StaticTest, symptoms};
+use crate::impact::measured::{DropSet, Fall, FreeFallOffset, Session, StaticTest, is_same_m, symptoms};
 
 /// Most effects on top of spring and damper.
 pub const MOST_EFFECTS: usize = 3;
@@ -106,9 +106,8 @@ impl DiagnosisRequest<'_> {
         let observed = self.observed(&choice)?;
         self.model.sensor.channel = choice.chosen.channel;
         let waves = &choice.waves;
-        let same = |a: f64, b: f64| (a - b).abs() < 1e-6;
-        let held = |height_m: f64| self.hold_out_heights_m.iter().any(|out| same(*out, height_m));
-        let unknown = |out: &&f64| waves.groups.iter().all(|group| !same(group.height_m, **out));
+        let held = |height_m: f64| self.hold_out_heights_m.iter().any(|out| is_same_m(*out, height_m));
+        let unknown = |out: &&f64| waves.groups.iter().all(|group| !is_same_m(group.height_m, **out));
         if let Some(height_m) = self.hold_out_heights_m.iter().copied().find(|out| unknown(&out)) {
             let known = waves.groups.iter().map(|group| group.height_m.to_string()).collect();
             return Err(RequestError::NoSuchHeight { height_m, known });

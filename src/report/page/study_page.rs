@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::document::Block;
 use crate::figures::decimals;
-use crate::study::{Axis, Column, Indices, Outcome, Outcomes, Study};
+use crate::study::{Axis, Column, Indices, IndicesError, Outcome, Outcomes, Study};
 
 /// Most rows of the front, and most reasons of refusals, that are listed.
 const LISTED: usize = 30;
@@ -21,6 +21,8 @@ pub struct StudyReport<'a> {
     pub front: &'a [(usize, Vec<f64>)],
     /// The indices of some columns.
     pub indices: &'a [(usize, Indices)],
+    /// Why other columns of a study that is made for indices have none.
+    pub without_indices: &'a [(usize, IndicesError)],
 }
 
 impl StudyReport<'_> {
@@ -49,14 +51,17 @@ impl StudyReport<'_> {
         blocks.extend((!self.front.is_empty()).then(|| self.front_table()));
         blocks.push(Block::Heading("All frames".into()));
         blocks.extend(figure("parallel", "Each line is a frame; an axis reaches from its least value to its largest."));
-        if !self.indices.is_empty() {
+        if !(self.indices.is_empty() && self.without_indices.is_empty()) {
             blocks.push(Block::Heading("What explains the figures".into()));
-            blocks.push(Block::Text(self.indices_in_words()));
+            blocks.extend((!self.indices.is_empty()).then(|| Block::Text(self.indices_in_words())));
             for (column, indices) in self.indices {
                 let name = self.study.columns[*column].name();
                 blocks.extend(figure(&format!("indices-{name}"), &format!("Sobol' indices of {name}, with 95 % intervals.")));
                 blocks.push(self.index_table(indices));
             }
+            let without = self.without_indices.iter();
+            blocks
+                .extend(without.map(|(column, why)| Block::Text(format!("{} has no indices: {why}.", self.study.columns[*column].name()))));
         }
         blocks.push(Block::Heading("What fails".into()));
         blocks.extend(self.failures());
