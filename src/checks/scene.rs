@@ -5,10 +5,11 @@ use rayon::prelude::*;
 
 use super::bounds::Bounds;
 use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::rod_piece::piece_between;
 use crate::frame::assembly::{Body, Design, Kind, Shape};
 use crate::memo::Memo;
 use crate::params::PartName;
-use crate::solid::{Feature, MeshSolid};
+use crate::solid::MeshSolid;
 
 /// A body in its place.
 pub(super) struct Placed<'a> {
@@ -71,10 +72,8 @@ impl<'a> Placed<'a> {
         if !self.is_rod() {
             return Some(self.shape.solid.clone());
         }
-        let [_, [radius, _, length]] = self.shape.solid.bounds_mm();
         let [low, high] = other.shape.solid.bounds_in_mm(pose).map(|corner| corner[2]);
-        let (from, to) = ((low - reach_mm - END_MM).max(0.0), (high + reach_mm + END_MM).min(length));
-        (from < to).then(|| MeshSolid::build(&Feature::cylinder(radius, to - from).at(0.0, 0.0, from)))
+        piece_between(&self.shape.solid, [low - reach_mm, high + reach_mm])
     }
 }
 
@@ -130,9 +129,6 @@ pub(super) fn rounded_pose(pose: &Isometry3<f64>) -> Isometry3<f64> {
     let rotation = UnitQuaternion::new_normalize(Quaternion::from(turn));
     Isometry3::from_parts(Translation3::from(pose.translation.vector.map(rounded)), rotation)
 }
-
-/// A rod's piece is longer by this at both ends than it must be, mm.
-const END_MM: f64 = 0.5;
 
 /// Everything the rules read.
 pub(super) struct Scene<'a> {

@@ -16,7 +16,7 @@ use super::terminal;
 use crate::checks::{self, Verdict, is_too_cold};
 use crate::export::File;
 use crate::frame::assembly::mass;
-use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::mass::{LineKind, MassTable};
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::refusal::nearest;
@@ -135,7 +135,7 @@ fn table(design: &Design, masses: &MassTable, place: &Path) -> String {
     for part in &design.printed {
         text += &row(part, masses);
     }
-    for line in masses.lines.iter().filter(|line| line.kind == "rod") {
+    for line in masses.lines.iter().filter(|line| line.kind == LineKind::Rod) {
         let name = line.name.trim_end_matches("_rod");
         let rod = design.skeleton.rods.iter().find(|rod| rod.role.slug() == name);
         let sawn = rod.map_or(0.0, |rod| design.skeleton.sawn_mm(rod.role));

@@ -8,7 +8,7 @@ use super::search_words::{ALL_IN_ONE, search_words};
 use super::spares::with_spares;
 use super::supplies::{RECEIVER_SEARCH, SMALL_TIE, Supply, supplies};
 use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::{MassLine, MassTable};
+use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
 use crate::params::frame::NamedMaterial;
 use crate::printing::print_time::of_part_s;
@@ -180,7 +180,7 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
         let NamedMaterial { name, material } = design.material_of(part.name);
         let quantity = part.part.quantity();
         let volume_mm3 = part.volume_mm3 * f64::from(quantity);
-        let weighed = masses.lines.iter().find(|line| line.kind == "printed" && line.name == part.name.slug());
+        let weighed = masses.lines.iter().find(|line| line.kind == LineKind::Printed && line.name == part.name.slug());
         let mass_g = weighed.map_or(0.0, |line| line.total_g);
         let price = material.cost(mass_g / f64::from(quantity.max(1)));
         PrintLine {
@@ -201,7 +201,7 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
 fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
     let line = |(role, item): (&String, &crate::params::frame::BoughtItem)| {
         let part = &item.part;
-        let weighed = masses.lines.iter().find(|line| line.kind == "bought" && line.name == *role);
+        let weighed = masses.lines.iter().find(|line| line.kind == LineKind::Bought && line.name == *role);
         let quantity = if role == "rod" { stocks } else { item.quantity };
         let searched = if role == "motor_controller" && design.frame.is_all_in_one() { ALL_IN_ONE } else { role };
         BuyLine {
@@ -245,7 +245,7 @@ fn extra_lines(design: &Design, masses: &MassTable) -> Vec<BuyLine> {
         source: design.frame.extras.get(&line.name).map_or(String::new(), |extra| extra.source.clone()),
         ..BuyLine::default()
     };
-    masses.lines.iter().filter(|line| line.kind == "extra").map(line).collect()
+    masses.lines.iter().filter(|line| line.kind == LineKind::Extra).map(line).collect()
 }
 
 /// What an extra is to the buyer: a receiver itself, or a mass of several things.
@@ -274,7 +274,7 @@ fn rod_lines(design: &Design, masses: &MassTable) -> Vec<RodLine> {
             mass_g: line.total_g,
         })
     };
-    masses.lines.iter().filter(|line| line.kind == "rod").filter_map(line).collect()
+    masses.lines.iter().filter(|line| line.kind == LineKind::Rod).filter_map(line).collect()
 }
 
 /// Sums of priced lines by currency, in the order in which the currencies come.

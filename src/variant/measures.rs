@@ -11,7 +11,7 @@ use crate::checks::{
 use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
-use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::mass::{LineKind, MassTable};
 use crate::impact::body::{DropBody, Feet, Origin};
 use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
 use crate::mechanics::settings::MechanicsSettings;
@@ -116,7 +116,7 @@ impl Evaluation {
         self.design.printed.iter().map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum()
     }
 
-    fn mass_of_g(&self, kind: &str) -> f64 {
+    fn mass_of_g(&self, kind: LineKind) -> f64 {
         self.masses.lines.iter().filter(|line| line.kind == kind).map(|line| line.total_g).sum()
     }
 }
@@ -186,8 +186,8 @@ impl Measure {
 /// Every measure, in the order of tables: those of the design, then those of its mechanics.
 pub static MEASURES: [Measure; 20] = [
     design("mass", "g", "take-off mass", Better::Less, &[], |e| Some(e.masses.total_g)),
-    design("mass.printed", "g", "mass of all printed parts", Better::Less, &[], |e| Some(e.mass_of_g("printed"))),
-    design("mass.rods", "g", "mass of all rods", Better::Less, &[], |e| Some(e.mass_of_g("rod"))),
+    design("mass.printed", "g", "mass of all printed parts", Better::Less, &[], |e| Some(e.mass_of_g(LineKind::Printed))),
+    design("mass.rods", "g", "mass of all rods", Better::Less, &[], |e| Some(e.mass_of_g(LineKind::Rod))),
     design("centre_of_mass", "mm", "from the motors' centre to the centre of mass, in plan", Better::Less, &[&CENTRE_OF_MASS], |e| {
         e.extreme(&CENTRE_OF_MASS, true, |_| true)
     }),

@@ -56,7 +56,13 @@ fn masses(table: &MassTable) -> String {
         let _ = writeln!(
             text,
             "{:<8} {:<22} {:>2} x {:>7.3} = {:>7.3} g  {} ({})",
-            line.kind, line.name, line.quantity, line.each_g, line.total_g, line.material, line.basis
+            line.kind.word(),
+            line.name,
+            line.quantity,
+            line.each_g,
+            line.total_g,
+            line.material,
+            line.basis
         );
     }
     let [x, y, z] = table.centre_of_mass_mm.map(rounded);

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use crate::checks::{Blame, Finding, Rule};
-use crate::frame::assembly::mass::{MassLine, MassTable};
+use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::params::refusal::Place;
 use crate::params::{FrameFile, follows, parameters};
 
@@ -117,7 +117,7 @@ pub(super) fn masses_named(rule: &Rule, masses: &MassTable) -> String {
 
 /// Where a lever that no file states comes from: the bought part that it follows, its own figures first.
 fn followed(lever: &str, masses: &MassTable) -> Vec<String> {
-    let bought = |role: &str| masses.lines.iter().find(|line| line.kind == "bought" && line.name == role);
+    let bought = |role: &str| masses.lines.iter().find(|line| line.kind == LineKind::Bought && line.name == role);
     let Some(role) = follows::role_among(lever.rsplit('.').next().unwrap_or(lever), |role| bought(role).is_some()) else {
         return Vec::new();
     };
@@ -136,14 +136,16 @@ fn mass_keys(masses: &MassTable) -> Vec<String> {
 
 fn line_keys(line: &MassLine) -> Vec<String> {
     let MassLine { name, material, .. } = line;
-    match &*line.kind {
-        "bought" if name == "battery" => {
+    match line.kind {
+        LineKind::Bought if name == "battery" => {
             vec![format!("override.parts.{material}.mass_g"), "battery.battery_mass_g".into(), "bought.battery".into()]
         }
-        "bought" => vec![format!("override.parts.{material}.mass_g"), format!("bought.{name}")],
-        "extra" => vec![format!("extras.{name}.mass_g")],
-        "rod" => rod_keys(name).into_iter().chain(["bought.rod".into()]).collect(),
-        _ => vec![format!("override.materials.{material}.print_factor"), format!("override.materials.{material}.density_g_cm3")],
+        LineKind::Bought => vec![format!("override.parts.{material}.mass_g"), format!("bought.{name}")],
+        LineKind::Extra => vec![format!("extras.{name}.mass_g")],
+        LineKind::Rod => rod_keys(name).into_iter().chain(["bought.rod".into()]).collect(),
+        LineKind::Printed => {
+            vec![format!("override.materials.{material}.print_factor"), format!("override.materials.{material}.density_g_cm3")]
+        }
     }
 }
 

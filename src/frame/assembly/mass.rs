@@ -1,6 +1,5 @@
 //! The mass table: what weighs how much, how that is known, and where it sits.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Point3, Vector3};
@@ -11,13 +10,39 @@ use super::design::Design;
 use crate::params::catalogue::MassBasis;
 use crate::params::frame::Extra;
 
+/// What a line of the table is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LineKind {
+    /// A printed part.
+    Printed,
+    /// A rod.
+    Rod,
+    /// A bought part.
+    Bought,
+    /// A mass that a frame file states.
+    Extra,
+}
+
+impl LineKind {
+    /// Its word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Printed => "printed",
+            Self::Rod => "rod",
+            Self::Bought => "bought",
+            Self::Extra => "extra",
+        }
+    }
+}
+
 /// A line of the table.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MassLine {
     /// What: a part, a rod, a role.
     pub name: String,
-    /// `printed`, `rod`, `bought` or `extra`.
-    pub kind: Cow<'static, str>,
+    /// What that is.
+    pub kind: LineKind,
     /// Material or catalogue name.
     pub material: String,
     /// How many.
@@ -108,7 +133,7 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
             let solid_g = material.material.solid_g(part.volume_mm3);
             let each_g = solid_g * material.material.print_factor;
             let quantity = part.part.quantity();
-            line(part.name.slug(), "printed", &material.name, quantity, each_g, "computed")
+            line(part.name.slug(), LineKind::Printed, &material.name, quantity, each_g, "computed")
         })
         .collect()
 }
@@ -122,8 +147,8 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
             let each_g = material.material.solid_g(volume_mm3);
             let quantity = design.skeleton.rods_of(role).count() as u32;
             Some(match covered {
-                Some(extra) => line(&shape.name, "rod", &material.name, quantity, 0.0, &format!("in {extra}")),
-                None => line(&shape.name, "rod", &material.name, quantity, each_g, "computed"),
+                Some(extra) => line(&shape.name, LineKind::Rod, &material.name, quantity, 0.0, &format!("in {extra}")),
+                None => line(&shape.name, LineKind::Rod, &material.name, quantity, each_g, "computed"),
             })
         }
         _ => None,
@@ -140,8 +165,8 @@ fn bought_lines(design: &Design) -> Vec<MassLine> {
         .map(|(role, item)| {
             let mass_g = if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g };
             match covering(design, role) {
-                Some(extra) => line(role, "bought", &item.name, item.quantity, 0.0, &format!("in {extra}")),
-                None => line(role, "bought", &item.name, item.quantity, mass_g, basis(item.part.mass_basis)),
+                Some(extra) => line(role, LineKind::Bought, &item.name, item.quantity, 0.0, &format!("in {extra}")),
+                None => line(role, LineKind::Bought, &item.name, item.quantity, mass_g, basis(item.part.mass_basis)),
             }
         })
         .collect()
@@ -155,12 +180,12 @@ fn covering<'a>(design: &'a Design, role: &str) -> Option<&'a str> {
 
 fn extra_lines(design: &Design) -> Vec<MassLine> {
     let extras = design.frame.extras.iter().filter(|(_, extra)| extra.mass_g > 0.0);
-    extras.map(|(name, extra)| line(name, "extra", "", 1, extra.mass_g, basis(extra.mass_basis))).collect()
+    extras.map(|(name, extra)| line(name, LineKind::Extra, "", 1, extra.mass_g, basis(extra.mass_basis))).collect()
 }
 
-fn line(name: &str, kind: &'static str, material: &str, quantity: u32, each_g: f64, basis: &str) -> MassLine {
+fn line(name: &str, kind: LineKind, material: &str, quantity: u32, each_g: f64, basis: &str) -> MassLine {
     let total_g = each_g * f64::from(quantity);
-    MassLine { name: name.into(), kind: kind.into(), material: material.into(), quantity, each_g, total_g, basis: basis.into() }
+    MassLine { name: name.into(), kind, material: material.into(), quantity, each_g, total_g, basis: basis.into() }
 }
 
 fn basis(basis: MassBasis) -> &'static str {
@@ -178,7 +203,7 @@ fn moments(design: &Design, lines: &[MassLine], carries: &dyn Fn(Option<&Body>) 
     let mut known: BTreeMap<usize, (Point3<f64>, Matrix3<f64>, f64)> = BTreeMap::new();
     for line in lines {
         // An extra is where its file says, whatever its name is.
-        let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == "extra");
+        let extra = design.frame.extras.get(&line.name).filter(|_| line.kind == LineKind::Extra);
         let is_body = |body: &&Body| extra.is_none() && design.shape(body).kind.bill_line() == line.name;
         let bodies: Vec<_> = design.bodies.iter().filter(is_body).collect();
         let weight = |body: &&Body| design.shape(body).kind.weight(&design.frame);

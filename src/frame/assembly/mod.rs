@@ -16,6 +16,7 @@ mod parts_tests;
 pub mod press_fit;
 mod printed;
 mod refusal;
+pub mod rod_piece;
 pub mod screw_solids;
 pub mod wire;
 pub mod wires;

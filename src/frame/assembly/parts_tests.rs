@@ -38,7 +38,9 @@ fn planted_rods_that_an_extra_covers_are_counted_once() {
         let file = FrameFile::parse("own.toml", &format!("base = \"cognifly\"\n{text}")).expect("reads");
         Design::new(Frame::resolve(&file).expect("is one")).expect("closes")
     };
-    let of_rods = |masses: &mass::MassTable| masses.lines.iter().filter(|line| line.kind == "rod").map(|line| line.total_g).sum::<f64>();
+    let of_rods = |masses: &mass::MassTable| {
+        masses.lines.iter().filter(|line| line.kind == mass::LineKind::Rod).map(|line| line.total_g).sum::<f64>()
+    };
     let plain = mass::table(&design(""));
     let weighed =
         mass::table(&design("[extras.all_rods]\nmass_g = 30.0\nmass_basis = \"measured\"\nsource = \"own\"\ncovers = [\"rod\"]\n"));

@@ -1,6 +1,5 @@
 //! The rigid pieces that a fold moves: bodies, and of those that bend each side of the hinge.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use nalgebra::Isometry3;
@@ -10,8 +9,9 @@ use super::posture::{Module, bent_by};
 use super::task::Task;
 use super::timeline::Moment;
 use crate::frame::assembly::press_fit::{ROUNDING, TOUCH_MM3, gripped_mm3, plugs_mm3};
+use crate::frame::assembly::rod_piece::piece_between;
 use crate::frame::assembly::{Body, Design, Kind, sides as printed_sides};
-use crate::solid::{BoxTree, Feature, Mesh, MeshSolid};
+use crate::solid::{BoxTree, Mesh, MeshSolid};
 
 /// A rigid piece of a body.
 pub(super) struct Piece {
@@ -29,9 +29,6 @@ pub(super) struct Piece {
     /// In the body's axes, flat.
     pub solid: MeshSolid,
 }
-
-/// A rod's piece is longer by this at both ends than it must be, mm.
-const ROD_END_MM: f64 = 0.5;
 
 /// The pieces of a design. A propeller's disc is what it sweeps when it turns, not a body that is carried about; screws are turned in when
 /// what they hold stands.
@@ -123,20 +120,18 @@ impl Piece {
 
     /// Volume in common with another in a pose relative to this one's axes, mm³. Of a rod only the length beside this counts.
     pub fn shared_mm3(&self, other: &Self, pose: &Isometry3<f64>) -> f64 {
-        let near = if other.is_rod() { other.rod_near(self, pose) } else { Cow::Borrowed(&other.solid) };
-        self.solid.shared_mm3(&near, pose)
+        if other.is_rod() {
+            return other.piece_near(self, pose).map_or(0.0, |piece| self.solid.shared_mm3(&piece, pose));
+        }
+        self.solid.shared_mm3(&other.solid, pose)
     }
 
-    fn rod_near(&self, other: &Self, pose: &Isometry3<f64>) -> Cow<'_, MeshSolid> {
-        let [_, [radius, _, length]] = self.solid.bounds_mm();
+    /// What of this rod can be in another body, of which `pose` is this one's.
+    fn piece_near(&self, other: &Self, pose: &Isometry3<f64>) -> Option<MeshSolid> {
         let heights = other.boxes().bounds().map_or([0.0; 8], |bounds| bounds.corners().map(|c| pose.inverse_transform_point(&c).z));
         let least = heights.iter().copied().fold(f64::INFINITY, f64::min);
         let most = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let (from, to) = ((least - ROD_END_MM).max(0.0), (most + ROD_END_MM).min(length));
-        if from >= to {
-            return Cow::Borrowed(&self.solid);
-        }
-        Cow::Owned(MeshSolid::build(&Feature::cylinder(radius, to - from).at(0.0, 0.0, from)))
+        piece_between(&self.solid, [least, most])
     }
 
     /// Whether the two are joined when the frame is complete.

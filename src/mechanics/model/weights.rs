@@ -1,7 +1,7 @@
 //! What weighs how much in the model: flexible parts, rods, motors, and the rigid centre with all the rest.
 
 use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::{Lump, MassLine, MassTable, lump};
+use crate::frame::assembly::mass::{LineKind, Lump, MassLine, MassTable, lump};
 use crate::mechanics::parts::parts_plan::is_beams;
 use crate::params::PartName;
 
@@ -44,7 +44,7 @@ pub fn weights(design: &Design, masses: &MassTable) -> Weights {
     let on_motor = |line: &MassLine| ON_MOTORS.contains(&line.name.as_str());
     let parts = masses.lines.iter().filter_map(|line| Some((flexible(line)?, line.each_g))).collect();
     let centre: Vec<MassLine> =
-        masses.lines.iter().filter(|line| flexible(line).is_none() && line.kind != "rod" && !on_motor(line)).cloned().collect();
+        masses.lines.iter().filter(|line| flexible(line).is_none() && line.kind != LineKind::Rod && !on_motor(line)).cloned().collect();
     let mass_g = masses.lines.iter().filter(|line| on_motor(line)).map(|line| line.total_g).sum::<f64>() / 4.0;
     let (height, radius) = design.frame.bought.get("motor").map_or((10.0, 7.0), |motor| {
         let part = &motor.part;
