@@ -54,8 +54,8 @@ needs Pillow). `tests/all.sh` builds and checks each frame, and compares this pa
 
 Size is without propellers; budget and envelope are the frame's limits. A margin is the distance to its limit, and the narrowest
 are named with what is left of it. The design drop is from 1 m onto the lower ring, by the frame's own mechanics with the band that
-[mechanics](mechanics.md) states; its peak is that of the payload. Printing hours are the least that the largest flow of each material
-takes, as `flexframe bom` has them.
+[mechanics](mechanics.md) states; its peak is that of the payload. Printing hours are
+those of `flexframe bom`, an estimate ([printing](printing.md#time)).
 """
 
 

@@ -21,7 +21,7 @@ const LEVERS: &[&str] = &["motor_mount.propeller_diameter_mm", "motor_mount.moto
 pub static RULE: Rule = Rule {
     id: "propeller_clearance",
     title: "Propeller clearance",
-    requires: "propellers are clear of everything but their motors",
+    requires: "propellers are clear of everything but their own motors, mounts and screws",
     units: &["mm"],
     limits: &[Limit::Key { subject: "", key: "limits.propeller_clearance_mm" }],
     levers: Levers::Sets(&[LEVERS]),

@@ -42,7 +42,7 @@ pub(super) struct Args {
     /// Format of the report; --json is the same as --format json.
     #[arg(long, value_enum, value_name = "FORMAT", conflicts_with = "json")]
     pub format: Option<CheckFormat>,
-    /// Try changes of the frame, and propose those that clear each kind of violation. Takes seconds to a minute.
+    /// Try changes of the frame, and propose those that clear each kind of violation. Takes seconds to two minutes.
     #[arg(long)]
     pub remedies: bool,
     /// Notes whose value exceeds its limit fail, too.

@@ -68,6 +68,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let json =
         serde_json::to_value(&model).map_err(|error| Failure::Machine { what: "cannot make the JSON".into(), error: error.into() })?;
     drop(working);
+    model.legs.doubt.iter().for_each(|doubt| terminal::tell(doubt));
     let place = output::write_folder(&args.output, &format!("{}-simulators", design.frame.name), &files)?;
     if common.json {
         terminal::print_json(&json)?;
@@ -90,17 +91,18 @@ fn formats(args: &Args) -> Vec<SimulatorFormat> {
 
 /// Spring and damper of the frame's own geometry in an impact.
 fn own_legs(design: &Design, masses: &MassTable, args: &Args) -> Result<LegSpring, Failure> {
-    let settings = MechanicsSettings::load(args.mechanics.as_deref())?;
+    let settings = MechanicsSettings::load(args.mechanics.as_deref())?.for_material(&design.frame.flexible.material);
     let quarter = FrameModel::new(design, masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).map_err(mechanics_refused)?;
     let reduction = Reduction::of(&quarter, &curve, &settings).map_err(mechanics_refused)?;
-    Ok(LegSpring { from: OWN.into(), stiffness_n_m: reduction.stiffness_n_mm * 1e3, damping_n_s_m: reduction.damping_n_s_m })
+    let doubt = settings.doubt(&design.frame.flexible);
+    Ok(LegSpring { from: OWN.into(), stiffness_n_m: reduction.stiffness_n_mm * 1e3, damping_n_s_m: reduction.damping_n_s_m, doubt })
 }
 
 /// Spring and damper of an impact model; effects on top of them have no place in a simulator's files.
 fn legs_of(model: &Model) -> LegSpring {
     let [stiffness_n_m, damping_n_s_m] = model.stiffness_and_damping();
-    LegSpring { from: model.name.clone(), stiffness_n_m, damping_n_s_m }
+    LegSpring { from: model.name.clone(), stiffness_n_m, damping_n_s_m, doubt: None }
 }
 
 /// Summary of the exported model.

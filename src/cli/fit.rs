@@ -45,7 +45,7 @@ pub(super) struct Args {
     /// Number of bootstrap fits for the intervals; 0 for no intervals.
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = count([0, MOST_SAMPLES]))]
     pub bootstrap: usize,
-    /// Seed of the resampling.
+    /// Seed of the random numbers of simulated and resampled sets.
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
     /// Channel that is compared. The paper's objective uses the one that the model states.

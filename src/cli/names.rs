@@ -15,9 +15,9 @@ pub(super) enum What {
     Materials,
     /// Printers: `printer` of a frame file.
     Printers,
-    /// Impact models: `--model` of drops and diagnoses.
+    /// Impact models: `--model` of drops and diagnoses; `frame`, the own geometry of a frame, is one more for drops.
     Models,
-    /// Effects that a diagnosis may name.
+    /// Effects: tables of a model file. A diagnosis adds them to a model, and those of landings, which docs/diagnosis.md lists.
     Effects,
 }
 

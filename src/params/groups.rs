@@ -452,11 +452,11 @@ parameters! {
         envelope_height_mm: 40.0..=400.0 => [],
         /// Largest mass of the whole frame, ready to take off.
         mass_budget_g: 20.0..=2000.0 => [],
-        /// Least distance of a propeller's disc to rods, hub, boards and its neighbour.
+        /// Least distance of a propeller's disc to everything but its own motor, mount and screws.
         propeller_clearance_mm: 0.0..=50.0 => [],
         /// Least distance between rods, and between rods and parts that do not hold them.
         part_clearance_mm: 0.0..=20.0 => [],
-        /// Least distance between the battery sleeve and the ground.
+        /// Least distance between what hangs lowest at the centre and the ground.
         ground_clearance_mm: 0.0..=60.0 => [],
         /// Least length of a rod inside each socket.
         socket_engagement_mm: 0.0..=20.0 => [],

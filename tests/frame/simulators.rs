@@ -9,7 +9,7 @@ use quick_xml::events::Event;
 use crate::common;
 
 fn legs() -> LegSpring {
-    LegSpring { from: "paper".into(), stiffness_n_m: 7040.0, damping_n_s_m: 46.0 }
+    LegSpring { from: "paper".into(), stiffness_n_m: 7040.0, damping_n_s_m: 46.0, doubt: None }
 }
 
 fn of(frame: Frame) -> (Design, SimulatorModel) {

@@ -118,7 +118,7 @@ fn analytic_instructions_name_the_side_of_the_battery() {
 fn analytic_a_simulator_s_sleeve_lies_across() {
     let sleeve = |changes: &str| {
         let design = designed("cognifly", changes);
-        let legs = LegSpring { from: "paper".into(), stiffness_n_m: 7040.0, damping_n_s_m: 46.0 };
+        let legs = LegSpring { from: "paper".into(), stiffness_n_m: 7040.0, damping_n_s_m: 46.0, doubt: None };
         let model = model(&design, &mass::table(&design), legs);
         let shape = model.shapes.iter().find(|shape| shape.name == "sleeve").expect("has one").clone();
         let span = |axis: usize| {

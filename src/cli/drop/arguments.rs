@@ -44,7 +44,7 @@ pub(in crate::cli) struct Args {
     /// With --json: add sensor output, compression and ground force in steps of 0.05 ms over 60 ms.
     #[arg(long)]
     pub trace: bool,
-    /// Folder in which to write the folder `drop-MODEL`, or `drop-MODEL-FRAME`.
+    /// Folder in which to write the folder `drop-MODEL`, `drop-MODEL-FRAME`, or with --fit `drop-fit-FRAME`.
     #[arg(short, long, default_value = "out", value_name = "DIR")]
     pub output: PathBuf,
 }

@@ -91,6 +91,9 @@ pub struct LegSpring {
     pub stiffness_n_m: f64,
     /// Damping, N s/m.
     pub damping_n_s_m: f64,
+    /// What has to be said of the numbers: that nobody states the modulus of the frame's material.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<String>,
 }
 
 /// A sphere about a node of the lower ring that touches the ground.

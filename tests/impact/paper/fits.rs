@@ -152,8 +152,8 @@ pub fn axial(page: &mut String, drops: &Drops) {
          Fitted to a_z instead of the magnitude, with the text's filter (`paper-corrected`), the paper's objective gives c = {:.1} N s/m\n\
          ({}) at k = 7040 N/m. Maximum likelihood on the {} clean drops, `flexframe fit --model paper-corrected`, gives k = {:.0} N/m ({})\n\
          and c = {:.1} N s/m ({}), and reports that this model does not describe the drops: the whitened distance of the mean waves is {:.0} at\n\
-         {} degrees of freedom. A linear spring and damper do not fit these drops with any k and c. The intervals of k and c describe the\n\
-         resampling only.",
+         {} degrees of freedom. A linear spring and damper do not fit these drops with any k and c. The intervals of the paper's objective\n\
+         describe the resampling only.",
         c.value,
         interval(c),
         chosen.drops.len(),
