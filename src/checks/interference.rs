@@ -35,6 +35,8 @@ const LOWER_BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm",
 const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
 const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
 const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
+/// What widens the holes of a tie, or is a narrower one.
+const TIE_HOLES: &[&str] = &["bought.tie", "hub.hub_tie_hole_diameter_mm", "bracket.tie_slot_width_mm"];
 const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
@@ -57,6 +59,7 @@ pub static RULE: Rule = Rule {
         COMPUTER,
         CAMERA,
         SENSOR,
+        TIE_HOLES,
         ACCESSORY,
     ]),
     blame: Blame::Levers,
@@ -108,6 +111,7 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         () if has("stack_screw") && is(PartName::Hub) => (in_hub, stack),
         () if HUNG.into_iter().any(has) && is(PartName::BatteryBracket) => (0.0, bay),
         () if STACK_BODIES.into_iter().any(has) => (0.0, stack),
+        () if has("tie") => (0.0, TIE_HOLES),
         () if has("camera") => (0.0, CAMERA),
         () if has("computer") => (0.0, COMPUTER),
         () if has("flow_sensor") => (0.0, SENSOR),

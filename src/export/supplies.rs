@@ -112,12 +112,14 @@ const SMALL_SCREWS: &str = "small_screws";
 /// What the steps fix with: role, words of a shop's search, and whether a mount needs it.
 type FixedWith = (&'static str, &'static str, fn(&Mount) -> bool);
 
-/// Tape, small screws and ties, and solder.
-const FIXED_WITH: [FixedWith; 5] = [
-    ("tape", "thin double sided adhesive tape", |mount| takes(mount, &[Tool::Tape, Tool::DoubleSidedTape])),
+/// Tape, small screws and ties, varnish, and solder.
+const FIXED_WITH: [FixedWith; 7] = [
+    ("tape", "electrical insulating tape", |mount| takes(mount, &[Tool::Tape])),
+    ("double_sided_tape", "thin double sided adhesive tape", |mount| takes(mount, &[Tool::DoubleSidedTape])),
     ("foam_tape", "double sided foam tape 1 mm", |mount| takes(mount, &[Tool::FoamTape])),
     (SMALL_SCREWS, "assortment of M2 and M2.5 screws 4 to 10 mm with nuts and washers", |mount| mount.fixing == Fixing::SmallScrews),
     (SMALL_TIE, "cable tie 2 mm wide", |mount| takes(mount, &[Tool::SmallTie])),
+    ("varnish", "nail varnish", |mount| takes(mount, &[Tool::Varnish])),
     ("solder", "solder wire for electronics and heat shrink tube", |mount| takes(mount, &[Tool::Solder])),
 ];
 

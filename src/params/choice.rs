@@ -13,7 +13,7 @@ use super::kind_fields::kinds_of;
 use super::preset;
 use super::read::{bad_entry, in_one_line, stated_text, text, to_blame};
 use super::refusal::{Reason, Refusal, nearest};
-use super::roles::{NEEDED, ROLES};
+use super::roles::{ACCESSORIES, BRACKET_TIES, NEEDED, ROLES};
 
 /// The catalogues, by their tables within `override`.
 pub(super) const CATALOGUES: [&str; 3] = ["parts", "materials", "printers"];
@@ -140,9 +140,13 @@ impl Catalogues {
             };
             return Err(file.refuse(&key, reason));
         }
+        let is_laid_on_hub = items.contains_key("computer") || ACCESSORIES.iter().any(|role| items.contains_key(*role));
         let screws = items.get("motor").map(|motor: &BoughtItem| motor.quantity * motor.part.motor_holes());
         if let (Some(item), Some(screws)) = (items.get_mut("motor_screw"), screws) {
             item.quantity = screws;
+        }
+        if let (Some(item), false) = (items.get_mut("tie"), is_laid_on_hub) {
+            item.quantity = BRACKET_TIES;
         }
         let spacers = spacers_needed(|role| items.get(role).map(|item: &BoughtItem| &item.part));
         match items.get_mut("stack_spacer") {

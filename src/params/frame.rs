@@ -1,6 +1,7 @@
 //! The frame as meant: every number present and within its bounds, every name resolved.
 
 use std::collections::BTreeMap;
+use std::f64::consts::SQRT_2;
 
 use super::catalogue::{BoughtPart, Material, Printer};
 use super::groups::*;
@@ -147,6 +148,21 @@ impl Frame {
     /// Length that its rods are sold in, mm: a metre of a rod that nobody named.
     pub fn stock_mm(&self) -> f64 {
         self.bought.get("rod").map_or(1000.0, |rod| rod.part.stock_mm())
+    }
+
+    /// From the middle between a pair of arms to the outside of its plugs, mm.
+    pub fn half_pair_mm(&self) -> f64 {
+        0.5 * (self.hub_joint.arm_pitch_mm + self.hub_joint.hub_joint_diameter_mm)
+    }
+
+    /// Least distance of the plug bores' mouths from the hub's axis, mm: nearer, the bores of neighbouring arms would meet.
+    pub fn least_mouth_mm(&self) -> f64 {
+        self.half_pair_mm() + self.hub.hub_boss_wall_mm + self.hub_joint.plug_length_mm
+    }
+
+    /// From the hub's axis to its ties at the sides, mm: there the outer flanks of neighbouring pairs of arms meet.
+    pub fn tie_side_mm(&self) -> f64 {
+        (self.half_pair_mm() + self.hub.hub_tie_wall_mm) * SQRT_2
     }
 
     /// Whether one board under the hub is flight controller and motor controllers.

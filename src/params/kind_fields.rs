@@ -21,7 +21,7 @@ const KINDS_OF: [(&str, &[&str]); 23] = [
     ("cells", &["battery"]),
     ("capacity_mah", &["battery"]),
     ("strap_mm", &["other"]),
-    ("thread_mm", &["screw"]),
+    ("thread_mm", &["screw", "other"]),
     ("length_mm", &["screw"]),
     ("head_diameter_mm", &["screw"]),
     ("head_height_mm", &["screw"]),

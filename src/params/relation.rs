@@ -17,103 +17,195 @@ pub struct Broken {
 /// Thinnest wall that any part can be made with, mm: below, it is no wall to a slicer with the smallest common nozzle.
 const THINNEST_MM: f64 = 0.4;
 
+/// A number that follows from a frame's parameters and must not be less than another.
+struct Relation {
+    /// The parameter to change.
+    key: &'static str,
+    /// What the number is, in words.
+    what: &'static str,
+    /// What to do, and where it needs saying, what would happen.
+    remedy: &'static str,
+    /// Whether it is asked of a frame.
+    of: fn(&Frame) -> bool,
+    /// The number, mm.
+    value_mm: fn(&Frame) -> f64,
+    /// Its least, mm.
+    least_mm: fn(&Frame) -> f64,
+}
+
+const ANY: fn(&Frame) -> bool = |_| true;
+const WITH_COMPUTER: fn(&Frame) -> bool = |frame| frame.bought.contains_key("computer");
+
+/// Width of a bore in which a rod slides, mm.
+fn slide_mm(frame: &Frame) -> f64 {
+    frame.rods.rod_diameter_mm + frame.fit.slide_clearance_mm
+}
+
+/// Width of a bore that grips a rod, mm.
+fn grip_mm(frame: &Frame) -> f64 {
+    frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm
+}
+
+/// The relations that hold for every frame, in the order in which they are asked.
+static RELATIONS: [Relation; 15] = [
+    Relation {
+        key: "hub_joint.hub_joint_diameter_mm",
+        what: "the wall of the hub joint's sockets",
+        remedy: "raise hub_joint_diameter_mm or lower rod_diameter_mm",
+        of: ANY,
+        value_mm: |f| 0.5 * (f.hub_joint.hub_joint_diameter_mm - slide_mm(f)),
+        least_mm: |_| THINNEST_MM,
+    },
+    Relation {
+        key: "motor_mount.motor_ring_diameter_mm",
+        what: "the wall of the motor mount's rings",
+        remedy: "raise motor_ring_diameter_mm or lower rod_diameter_mm",
+        of: ANY,
+        value_mm: |f| 0.5 * (f.motor_mount.motor_ring_diameter_mm - slide_mm(f)),
+        least_mm: |_| THINNEST_MM,
+    },
+    Relation {
+        key: "hub_joint.arm_pitch_mm",
+        what: "the gap between arm sockets and leg socket",
+        remedy: "raise arm_pitch_mm or lower hub_joint_diameter_mm: the necks need the room",
+        of: ANY,
+        value_mm: |f| 0.5 * f.hub_joint.arm_pitch_mm - f.hub_joint.hub_joint_diameter_mm,
+        least_mm: |_| 2.0,
+    },
+    Relation {
+        key: "hub_joint.neck_thickness_mm",
+        what: "the waist of the necks",
+        remedy: "lower neck_thickness_mm or raise hub_joint_diameter_mm",
+        of: ANY,
+        value_mm: |f| f.hub_joint.hub_joint_diameter_mm - f.hub_joint.neck_thickness_mm,
+        least_mm: |_| 0.4,
+    },
+    Relation {
+        key: "motor_mount.motor_plate_diameter_mm",
+        what: "the rim outside the motor's screw holes, both sides together,",
+        remedy: "raise motor_plate_diameter_mm or lower motor_hole_circle_mm",
+        of: ANY,
+        value_mm: |f| f.motor_mount.motor_plate_diameter_mm - f.motor_mount.motor_hole_circle_mm - f.motor_mount.motor_hole_diameter_mm,
+        least_mm: |f| 2.0 * f.motor_mount.motor_skirt_wall_mm,
+    },
+    Relation {
+        key: "motor_mount.motor_hole_circle_mm",
+        what: "the ring between shaft hole and screw holes, both sides together,",
+        remedy: "raise motor_hole_circle_mm or lower motor_shaft_hole_mm",
+        of: ANY,
+        value_mm: |f| f.motor_mount.motor_hole_circle_mm - f.motor_mount.motor_hole_diameter_mm - f.motor_mount.motor_shaft_hole_mm,
+        least_mm: |_| 2.0 * THINNEST_MM,
+    },
+    Relation {
+        key: "motor_mount.motor_plate_diameter_mm",
+        what: "the room beside the motor plate",
+        remedy: "raise arm_pitch_mm or lower motor_plate_diameter_mm",
+        of: ANY,
+        value_mm: |f| f.hub_joint.arm_pitch_mm - f.motor_mount.motor_plate_diameter_mm,
+        least_mm: |f| slide_mm(f) + 1.0,
+    },
+    Relation {
+        key: "hub_joint.hub_leg_mouth_mm",
+        what: "the gap between the leg's root and the hub",
+        remedy: "raise hub_leg_mouth_mm, or lower hub_leg_socket_depth_mm or hub_leg_root_mm",
+        of: ANY,
+        value_mm: |f| f.hub_joint.hub_leg_mouth_mm - f.hub_joint.hub_leg_socket_depth_mm - f.hub_joint.hub_leg_root_mm,
+        least_mm: |_| 0.5,
+    },
+    Relation {
+        key: "hub.hub_mouth_mm",
+        what: "the distance of the plug bores' mouths from the hub axis",
+        remedy: "raise hub_mouth_mm, or lower arm_pitch_mm or plug_length_mm: the bores of neighbouring arms would meet",
+        of: ANY,
+        value_mm: |f| f.hub.hub_mouth_mm,
+        least_mm: Frame::least_mouth_mm,
+    },
+    Relation {
+        key: "pi_carrier.carrier_bar_width_mm",
+        what: "what the tie rings reach beyond the carrier's bars",
+        remedy: "lower carrier_bar_width_mm or raise tie_ring_radius_mm: the bars' edges would pass the rings",
+        of: WITH_COMPUTER,
+        value_mm: |f| f.hub.tie_ring_radius_mm * std::f64::consts::SQRT_2 - f.pi_carrier.carrier_bar_width_mm,
+        least_mm: |_| 0.05,
+    },
+    Relation {
+        key: "pi_carrier.pi_pattern_across_mm",
+        what: "the carrier's reach across",
+        remedy: "choose a computer with a narrower hole pattern or raise arm_pitch_mm: no bar reaches its holes",
+        of: WITH_COMPUTER,
+        value_mm: |f| f.tie_side_mm() + f.hub.tie_ring_radius_mm - 0.3 - 0.5 * f.pi_carrier.carrier_strut_width_mm,
+        least_mm: |f| 0.5 * f.pi_carrier.pi_pattern_across_mm,
+    },
+    Relation {
+        key: "motor_mount.motor_position_mm",
+        what: "the motor's distance from the hub axis",
+        remedy: "raise motor_position_mm: the mount's rings would run into the hub joint",
+        of: ANY,
+        value_mm: |f| f.motor_mount.motor_position_mm,
+        least_mm: |f| f.hub.hub_mouth_mm + f.hub_joint.hub_arm_socket_depth_mm + 0.5 * f.motor_mount.motor_ring_width_mm,
+    },
+    Relation {
+        key: "fork.fork_bar_height_mm",
+        what: "the wall above the fork's bores",
+        remedy: "raise fork_bar_height_mm or lower rod_diameter_mm",
+        of: ANY,
+        value_mm: |f| 0.5 * (f.fork.fork_bar_height_mm - grip_mm(f)),
+        least_mm: |_| THINNEST_MM,
+    },
+    Relation {
+        key: "fork.fork_socket_depth_mm",
+        what: "the arm rod's hold in the fork",
+        remedy: "raise fork_socket_depth_mm or lower arm_rod_slack_mm",
+        of: ANY,
+        value_mm: |f| f.fork.fork_socket_depth_mm - f.rods.arm_rod_slack_mm,
+        least_mm: |_| 2.0,
+    },
+    Relation {
+        key: "corner.corner_hinge_thickness_mm",
+        what: "the notch above the hinge's web",
+        remedy: "lower corner_hinge_thickness_mm: the web would fill the socket's height",
+        of: ANY,
+        value_mm: |f| f.corner.corner_wall_mm + 0.5 * grip_mm(f) + 0.6 - f.corner.corner_hinge_thickness_mm,
+        least_mm: |_| 0.0,
+    },
+];
+
+/// The relations in which the lengths of rods are.
+static OF_LENGTHS: [Relation; 2] = [
+    Relation {
+        key: "motor_mount.motor_position_mm",
+        what: "the way left between motor mount and fork",
+        remedy: "lower motor_position_mm or raise {longer}: the mount's rings would run into the fork",
+        of: ANY,
+        value_mm: |f| {
+            let arm_ends_mm = f.hub.hub_mouth_mm + f.rods.arm_rod_length_mm + f.rods.arm_rod_slack_mm;
+            arm_ends_mm - f.fork.fork_socket_depth_mm - 0.5 * f.motor_mount.motor_ring_width_mm - f.motor_mount.motor_position_mm
+        },
+        least_mm: |_| 0.0,
+    },
+    Relation {
+        key: "pi_carrier.pi_pattern_along_mm",
+        what: "the reach of the computer's holes",
+        remedy: "choose a computer with a longer hole pattern, or lower arm_pitch_mm or cage_side_ratio: its holes would lie inside the \
+                 carrier's bars",
+        of: WITH_COMPUTER,
+        value_mm: |f| 0.5 * (f.pi_carrier.pi_pattern_along_mm + f.pi_carrier.pi_pattern_across_mm * tie_front_mm(f) / f.tie_side_mm()),
+        least_mm: |f| tie_front_mm(f) + f.pi_carrier.carrier_bar_width_mm + f.pi_carrier.carrier_pad_radius_mm,
+    },
+];
+
+/// From the hub's axis to its ties in front, mm.
+fn tie_front_mm(frame: &Frame) -> f64 {
+    frame.tie_side_mm() + 0.5 * frame.rods.cage_rod_length_mm * (frame.rods.cage_side_ratio - 1.0)
+}
+
 /// Checks every relation, but those of rod lengths that follow from a target size: their lengths are not known yet.
 pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
     if frame.target.is_none() {
         lengths_hold(frame)?;
     }
-    let slide = frame.rods.rod_diameter_mm + frame.fit.slide_clearance_mm;
-    let joint = &frame.hub_joint;
-    let mount = &frame.motor_mount;
-    let fork = &frame.fork;
-    at_least(
-        0.5 * (joint.hub_joint_diameter_mm - slide),
-        THINNEST_MM,
-        "hub_joint.hub_joint_diameter_mm",
-        "the wall of the hub joint's sockets",
-        "raise hub_joint_diameter_mm or lower rod_diameter_mm",
-    )?;
-    at_least(
-        0.5 * (mount.motor_ring_diameter_mm - slide),
-        THINNEST_MM,
-        "motor_mount.motor_ring_diameter_mm",
-        "the wall of the motor mount's rings",
-        "raise motor_ring_diameter_mm or lower rod_diameter_mm",
-    )?;
-    at_least(
-        0.5 * joint.arm_pitch_mm - joint.hub_joint_diameter_mm,
-        2.0,
-        "hub_joint.arm_pitch_mm",
-        "the gap between arm sockets and leg socket",
-        "raise arm_pitch_mm or lower hub_joint_diameter_mm: the necks need the room",
-    )?;
-    at_least(
-        joint.hub_joint_diameter_mm - joint.neck_thickness_mm,
-        0.4,
-        "hub_joint.neck_thickness_mm",
-        "the waist of the necks",
-        "lower neck_thickness_mm or raise hub_joint_diameter_mm",
-    )?;
-    at_least(
-        mount.motor_plate_diameter_mm - mount.motor_hole_circle_mm - mount.motor_hole_diameter_mm,
-        2.0 * mount.motor_skirt_wall_mm,
-        "motor_mount.motor_plate_diameter_mm",
-        "the rim outside the motor's screw holes, both sides together,",
-        "raise motor_plate_diameter_mm or lower motor_hole_circle_mm",
-    )?;
-    at_least(
-        mount.motor_hole_circle_mm - mount.motor_hole_diameter_mm - mount.motor_shaft_hole_mm,
-        2.0 * THINNEST_MM,
-        "motor_mount.motor_hole_circle_mm",
-        "the ring between shaft hole and screw holes, both sides together,",
-        "raise motor_hole_circle_mm or lower motor_shaft_hole_mm",
-    )?;
-    at_least(
-        joint.arm_pitch_mm - mount.motor_plate_diameter_mm,
-        slide + 1.0,
-        "motor_mount.motor_plate_diameter_mm",
-        "the room beside the motor plate",
-        "raise arm_pitch_mm or lower motor_plate_diameter_mm",
-    )?;
-    at_least(
-        joint.hub_leg_mouth_mm - joint.hub_leg_socket_depth_mm - joint.hub_leg_root_mm,
-        0.5,
-        "hub_joint.hub_leg_mouth_mm",
-        "the gap between the leg's root and the hub",
-        "raise hub_leg_mouth_mm, or lower hub_leg_socket_depth_mm or hub_leg_root_mm",
-    )?;
     battery_mass(frame)?;
-    centre(frame)?;
-    let first = frame.hub.hub_mouth_mm + joint.hub_arm_socket_depth_mm + 0.5 * mount.motor_ring_width_mm;
-    at_least(
-        mount.motor_position_mm,
-        first,
-        "motor_mount.motor_position_mm",
-        "the motor's distance from the hub axis",
-        "raise motor_position_mm: the mount's rings would run into the hub joint",
-    )?;
-    at_least(
-        0.5 * (fork.fork_bar_height_mm - frame.rods.rod_diameter_mm - frame.fit.grip_clearance_mm),
-        THINNEST_MM,
-        "fork.fork_bar_height_mm",
-        "the wall above the fork's bores",
-        "raise fork_bar_height_mm or lower rod_diameter_mm",
-    )?;
-    at_least(
-        frame.fork.fork_socket_depth_mm - frame.rods.arm_rod_slack_mm,
-        2.0,
-        "fork.fork_socket_depth_mm",
-        "the arm rod's hold in the fork",
-        "raise fork_socket_depth_mm or lower arm_rod_slack_mm",
-    )?;
-    at_least(
-        frame.corner.corner_wall_mm + 0.5 * (frame.rods.rod_diameter_mm + frame.fit.grip_clearance_mm) + 0.6
-            - frame.corner.corner_hinge_thickness_mm,
-        0.0,
-        "corner.corner_hinge_thickness_mm",
-        "the notch above the hinge's web",
-        "lower corner_hinge_thickness_mm: the web would fill the socket's height",
-    )
+    RELATIONS.iter().try_for_each(|relation| relation.holds(frame))
 }
 
 /// Checks the relations in which the lengths of rods are, once these are known.
@@ -121,40 +213,18 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
 /// # Errors
 /// The first that does not hold.
 pub fn lengths_hold(frame: &Frame) -> Result<(), Broken> {
-    let (mount, carrier, rods) = (&frame.motor_mount, &frame.pi_carrier, &frame.rods);
-    let last = frame.hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm
-        - frame.fork.fork_socket_depth_mm
-        - 0.5 * mount.motor_ring_width_mm;
-    let longer = if frame.target.is_some() { "target.width_mm" } else { "arm_rod_length_mm" };
-    at_least(
-        last - mount.motor_position_mm,
-        0.0,
-        "motor_mount.motor_position_mm",
-        "the way left between motor mount and fork",
-        &format!("lower motor_position_mm or raise {longer}: the mount's rings would run into the fork"),
-    )?;
-    if !frame.bought.contains_key("computer") {
-        return Ok(());
+    OF_LENGTHS.iter().try_for_each(|relation| relation.holds(frame))
+}
+
+impl Relation {
+    fn holds(&self, frame: &Frame) -> Result<(), Broken> {
+        if !(self.of)(frame) {
+            return Ok(());
+        }
+        // The length of the arm rods follows from a target.
+        let longer = if frame.target.is_some() { "target.width_mm" } else { "arm_rod_length_mm" };
+        at_least((self.value_mm)(frame), (self.least_mm)(frame), self.key, self.what, &self.remedy.replace("{longer}", longer))
     }
-    let tie_side = tie_side_mm(frame);
-    let tie_front = tie_side + 0.5 * rods.cage_rod_length_mm * (rods.cage_side_ratio - 1.0);
-    at_least(
-        0.5 * (carrier.pi_pattern_along_mm + carrier.pi_pattern_across_mm * tie_front / tie_side),
-        tie_front + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm,
-        "pi_carrier.pi_pattern_along_mm",
-        "the reach of the computer's holes",
-        "choose a computer with a longer hole pattern, or lower arm_pitch_mm or cage_side_ratio: its holes would lie inside the carrier's bars",
-    )
-}
-
-/// From the hub's axis to its ties, to a side, mm.
-fn tie_side_mm(frame: &Frame) -> f64 {
-    (half_pair_mm(frame) + frame.hub.hub_tie_wall_mm) * std::f64::consts::SQRT_2
-}
-
-/// From the middle between a pair of arms to the outside of its plugs, mm.
-fn half_pair_mm(frame: &Frame) -> f64 {
-    0.5 * (frame.hub_joint.arm_pitch_mm + frame.hub_joint.hub_joint_diameter_mm)
 }
 
 fn at_least(value: f64, least: f64, key: &'static str, what: &str, remedy: &str) -> Result<(), Broken> {
@@ -184,36 +254,6 @@ fn battery_mass(frame: &Frame) -> Result<(), Broken> {
     );
     let remedy = "state its mass in grams, 0 if it is weighed with something else".into();
     Err(Broken { key: "battery.battery_mass_g", reason: Box::new(Reason::Impossible { message, remedy }) })
-}
-
-/// The rigid centre: its bores stay apart, and the computer, where there is one, finds something to stand on.
-fn centre(frame: &Frame) -> Result<(), Broken> {
-    let (hub, joint, carrier) = (&frame.hub, &frame.hub_joint, &frame.pi_carrier);
-    at_least(
-        hub.hub_mouth_mm,
-        half_pair_mm(frame) + hub.hub_boss_wall_mm + joint.plug_length_mm,
-        "hub.hub_mouth_mm",
-        "the distance of the plug bores' mouths from the hub axis",
-        "raise hub_mouth_mm, or lower arm_pitch_mm or plug_length_mm: the bores of neighbouring arms would meet",
-    )?;
-    if !frame.bought.contains_key("computer") {
-        return Ok(());
-    }
-    let tie_side = tie_side_mm(frame);
-    at_least(
-        hub.tie_ring_radius_mm * std::f64::consts::SQRT_2 - carrier.carrier_bar_width_mm,
-        0.05,
-        "pi_carrier.carrier_bar_width_mm",
-        "what the tie rings reach beyond the carrier's bars",
-        "lower carrier_bar_width_mm or raise tie_ring_radius_mm: the bars' edges would pass the rings",
-    )?;
-    at_least(
-        tie_side + hub.tie_ring_radius_mm - 0.3 - 0.5 * carrier.carrier_strut_width_mm,
-        0.5 * carrier.pi_pattern_across_mm,
-        "pi_carrier.pi_pattern_across_mm",
-        "the carrier's reach across",
-        "choose a computer with a narrower hole pattern or raise arm_pitch_mm: no bar reaches its holes",
-    )
 }
 
 #[cfg(test)]

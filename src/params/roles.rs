@@ -1,7 +1,7 @@
 //! What is bought, by what it is for.
 
 /// Roles of bought parts, how many of each, and the kind that fits. Of `motor_screw` and `stack_spacer` a frame has as many as its motors and boards
-/// need.
+/// need, of `tie` those of the bracket alone where nothing lies on the hub.
 pub const ROLES: [(&str, u32, &str); 21] = [
     ("motor", 4, "motor"),
     ("propeller", 4, "propeller"),
@@ -25,6 +25,9 @@ pub const ROLES: [(&str, u32, &str); 21] = [
     ("gps", 1, "gps"),
     ("fpv_camera", 1, "fpv_camera"),
 ];
+
+/// How many ties hold the bracket; the others hold what lies on the hub.
+pub(super) const BRACKET_TIES: u32 = 2;
 
 /// Roles that no frame can be without.
 pub(super) const NEEDED: [&str; 4] = ["motor", "propeller", "battery", "rod"];

@@ -23,7 +23,7 @@ use holes::{
 use loose::{GRIP, PLUGS};
 use propellers::{CAGE, SEAT};
 use rods::{ROD, ROD_ALONE, STOCK};
-use screws::{MOTOR_HEAD, MOTOR_LENGTH, MOTOR_THREAD, STACK_FLOOR, STACK_HEAD, STACK_LENGTH, STACK_THREAD};
+use screws::{MOTOR_HEAD, MOTOR_LENGTH, MOTOR_THREAD, ON_STACK, STACK_FLOOR, STACK_HEAD, STACK_LENGTH, STACK_THREAD};
 
 use super::finding::Finding;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
@@ -44,6 +44,9 @@ pub static RULE: Rule = Rule {
         MOTOR_HEAD,
         SHAFT,
         STACK_THREAD,
+        ON_STACK[0].2,
+        ON_STACK[1].2,
+        ON_STACK[2].2,
         STACK_HEAD,
         STACK_FLOOR,
         STACK_LENGTH,

@@ -11,6 +11,12 @@ pub(super) const MOTOR_THREAD: &[&str] = &["bought.motor_screw", "bought.motor"]
 pub(super) const MOTOR_HEAD: &[&str] = &["motor_mount.motor_hole_diameter_mm", "bought.motor_screw"];
 pub(super) const MOTOR_LENGTH: &[&str] = &["bought.motor_screw", "motor_mount.motor_plate_thickness_mm"];
 pub(super) const STACK_THREAD: &[&str] = &["hub.stack_pilot_diameter_mm", "bought.stack_screw"];
+/// What goes onto the stack's screws, each with what drives whether it fits.
+pub(super) const ON_STACK: [(&str, &str, &[&str]); 3] = [
+    ("stack_nut", "nut", &["bought.stack_nut", "bought.stack_screw"]),
+    ("stack_spacer", "spacer", &["bought.stack_spacer", "bought.stack_screw"]),
+    ("damper", "damper", &["bought.damper", "bought.stack_screw"]),
+];
 pub(super) const STACK_HEAD: &[&str] = &["hub.stack_counterbore_diameter_mm", "bought.stack_screw"];
 pub(super) const STACK_FLOOR: &[&str] = &["hub.stack_counterbore_depth_mm", "hub.hub_plate_thickness_mm"];
 pub(super) const STACK_LENGTH: &[&str] = &["bought.stack_screw", "hub.stack_counterbore_depth_mm"];
@@ -74,6 +80,11 @@ pub(super) fn stack_screws(scene: &Scene) -> Vec<Finding> {
     let slips = format!("the pilot holes in the hub are {bored} mm wide, {called} holds in {most} mm");
     let mut found =
         vec![narrow.at_least("screw of the stack: splitting".into(), splits), wide.at_most("screw of the stack: bite".into(), slips)];
+    for (role, word, levers) in ON_STACK {
+        let Some(own) = part(frame, role).and_then(|part| part.thread_mm) else { continue };
+        let message = format!("{} goes onto a screw M{own}, {called} is M{thread}", name(frame, role));
+        found.push(measure((own - thread).abs(), SAME_MM, "mm", levers).at_most(format!("screw of the stack: {word}"), message));
+    }
     if let Some(head) = screw.head_diameter_mm {
         let sunk = measure(head, hub.stack_counterbore_diameter_mm, "mm", STACK_HEAD);
         let [wide, bore] = sunk.figures(2);
@@ -120,7 +131,12 @@ mod tests {
                 .map(String::as_str),
             Some("screw of the stack: floor")
         );
-        assert_eq!(m3, ["screw of the stack: splitting", "screw of the stack: head", "holes of the flight_controller: screw"]);
+        let unlike = ["nut", "spacer", "damper"].map(|word| format!("screw of the stack: {word}"));
+        assert_eq!(m3[1..4], unlike);
+        assert_eq!(
+            [&m3[..1], &m3[4..]].concat(),
+            ["screw of the stack: splitting", "screw of the stack: head", "holes of the flight_controller: screw"]
+        );
     }
 
     #[test]

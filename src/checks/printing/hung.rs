@@ -15,8 +15,13 @@ use crate::printing::printability;
 use crate::printing::printability::{Fault, Hanging, Process};
 use crate::solid::Region;
 
-/// The keys of what a part is printed of, and on: for flexible parts, and for rigid ones.
-pub(in crate::checks) const PROCESS: &[&[&str]; 2] = &[&["materials.flexible", "printer"], &["materials.rigid", "printer"]];
+/// The keys of what a part is printed of, and on: for flexible parts, for rigid ones, and for the hub joint, between whose sockets less hangs where
+/// they are wider.
+pub(in crate::checks) const PROCESS: &[&[&str]; 3] = &[
+    &["materials.flexible", "printer"],
+    &["materials.rigid", "printer"],
+    &["hub_joint.hub_joint_diameter_mm", "materials.flexible", "printer"],
+];
 
 /// The places of a part that hang, and what its material prints over air.
 pub(in crate::checks) struct Hung<'a> {
@@ -77,9 +82,12 @@ impl<'a> Hung<'a> {
         }
     }
 
-    /// The keys of what it is printed of, and on.
+    /// The keys of what it is printed of, and on, and of its shape where one drives it.
     pub fn levers(&self) -> &'static [&'static str] {
-        PROCESS[usize::from(!self.flexible)]
+        match self.part {
+            PartName::HubJoint => PROCESS[2],
+            _ => PROCESS[usize::from(!self.flexible)],
+        }
     }
 
     /// The places that are printed on support.

@@ -102,11 +102,12 @@ pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<
     // The bracket's ties are in front and behind, the others beside it.
     let (before, half_hub) = (centre.tie_bracket_mm, centre.hub_half_height_mm);
     let beside = if centre.battery_axes.are_turned() { centre.tie_front_mm } else { centre.tie_side_mm };
-    let top = match () {
-        () if frame.bought.contains_key("computer") => centre.carrier_top_mm(),
-        () if Accessories::wanted(frame) => Accessories::new(frame, centre).top_mm,
-        () => half_hub,
+    let laid_mm = match () {
+        () if frame.bought.contains_key("computer") => Some(centre.carrier_top_mm()),
+        () if Accessories::wanted(frame) => Some(Accessories::new(frame, centre).top_mm),
+        () => None,
     };
+    let top = laid_mm.unwrap_or(half_hub);
     let upright = |[x, y]: [f64; 2], low: f64| {
         // Flat towards the hub's axis.
         let [a, b] = if x == 0.0 { [0.5 * wide, 0.5 * thick] } else { [0.5 * thick, 0.5 * wide] };
@@ -119,8 +120,10 @@ pub(super) fn ties(part: &BoughtPart, frame: &Frame, centre: &Centre) -> Option<
         let low = [-0.5 * wide, near.min(far), floor];
         Feature::cuboid_between(low, [0.5 * wide, near.max(far), floor + thick])
     };
+    // Where nothing lies on the hub, those beside the bracket would hold nothing.
+    let through_hub = |side: f64| laid_mm.map(|_| upright([side * beside, 0.0], -half_hub));
     let sides =
-        [1.0, -1.0].map(|side| Feature::union([upright([side * beside, 0.0], -half_hub), upright([0.0, side * before], floor), leg(side)]));
+        [1.0, -1.0].map(|side| Feature::union([upright([0.0, side * before], floor), leg(side)].into_iter().chain(through_hub(side))));
     Some(Feature::union(sides))
 }
 

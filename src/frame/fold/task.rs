@@ -201,12 +201,16 @@ impl Task {
             Self::SlideMount => "Slide the motor mount from the outer ends onto both arms, its flat face up.",
             Self::PushFork => "Push the fork with its knee onto both arm rods, and stop at the gap that is stated below.",
             Self::PushStruts => "Push a strut rod into each bore of the knee.",
-            Self::PushFoot => "Push the bottom corner straight onto the lower strut, by the bore opposite the long one.",
+            Self::PushFoot => {
+                "Push the bottom corner straight onto the lower strut, by the bore opposite the long one, its notches towards the leg."
+            }
             Self::CloseTriangle => {
                 "Bend the foot at both its notches until the leg stands before the long bore, then go on bending and push the fork home: leg and arms slide to the bottom of their bores together."
             }
             Self::PushBottomCage => "Push a cage rod into the bottom corner, towards the next module.",
-            Self::PushTopCage => "Push a cage rod into the top corner, by the bore that will look to the next module. Lay it aside.",
+            Self::PushTopCage => {
+                "Push a cage rod into the top corner, by the bore that will look to the next module. Lay it aside, its notch down and its flat web up."
+            }
             Self::PlugHub => {
                 "Lay the four modules as a cross around the hub and push their plugs in by half, until each rod of the bottom ring stands before the next module's bottom corner."
             }
@@ -215,7 +219,7 @@ impl Task {
                 "Start each top rod in the next top corner, so that the four make a ring, and hold it over the upper struts. Bend the corners' free sockets down onto the struts, one after the other. Then go round in small steps: corners slide down the struts, rods into the corners."
             }
             Self::SeatMotor => {
-                "Put the motor onto its mount, its wires towards the hub, and turn its screws in from below. The propellers are a step of their own, the last one."
+                "Put the motor onto its mount, its wires towards the hub, and turn its screws in from below, with a long thin tool: the rod of the leg is beside it. The propellers are a step of their own, the last one."
             }
         }
     }
@@ -224,7 +228,7 @@ impl Task {
     pub fn tool(self) -> &'static str {
         match self {
             Self::ThreadKnee => "thin pliers",
-            Self::SeatMotor => "screwdriver",
+            Self::SeatMotor => "thin screwdriver or hex key",
             _ => "hands",
         }
     }

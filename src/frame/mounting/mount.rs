@@ -93,6 +93,12 @@ pub(super) const PLUGGED: &str = "{cables}";
 /// In a mount's text: where the battery's rear face is in its lid.
 pub(super) const BATTERY_REAR: &str = "{battery_rear}";
 
+/// In a mount's text: the sentences about the holes that ties go through.
+pub(super) const TIES: &str = "{ties}";
+
+/// In a mount's text: the sentence about what a frame file lists as extra.
+pub(super) const EXTRAS: &str = "{extras}";
+
 /// In a mount's text: the sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
 pub(super) const COMPUTER_SCREWS: &str = "{computer_screws}";
 /// See [`COMPUTER_SCREWS`].

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::carrier_screws::CarrierScrews;
-use super::mount::{ALL_IN_ONE, BATTERY_REAR, COMPUTER_SCREWS, FOOT_SCREWS, Fixing, Mount, PLUGGED, Stage};
+use super::mount::{ALL_IN_ONE, BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, Fixing, Mount, PLUGGED, Stage, TIES};
 use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
@@ -182,9 +182,40 @@ pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
 const FLUSH_MM: f64 = 0.05;
 
 /// Names between braces in the texts of mounts, each with what stands for it in a design.
-fn figures(design: &Design) -> [(&'static str, String); 3] {
+fn figures(design: &Design) -> [(&'static str, String); 5] {
     let [computer, feet] = screws_told(design);
-    [(BATTERY_REAR, battery_rear(design)), (COMPUTER_SCREWS, computer), (FOOT_SCREWS, feet)]
+    [
+        (BATTERY_REAR, battery_rear(design)),
+        (COMPUTER_SCREWS, computer),
+        (FOOT_SCREWS, feet),
+        (TIES, ties_told(design)),
+        (EXTRAS, extras_told(design)),
+    ]
+}
+
+/// The sentences about the holes that ties go through.
+fn ties_told(design: &Design) -> String {
+    let of_bracket = "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots";
+    let laid = ["pi_carrier", "accessory_plate"].into_iter().find(|name| design.bodies.iter().any(|body| body.name == *name));
+    let told = match laid {
+        None => format!("{of_bracket}. "),
+        Some("pi_carrier") => format!(
+            "{of_bracket}; two through the hub's holes {{left and right}}. All four go through the carrier, too: the two in front and at the rear \
+             are in it already. "
+        ),
+        Some(_) => format!("{of_bracket}; two through the hub's holes {{left and right}}. All four go through the plate, too. "),
+    };
+    design.centre.battery_axes.words(&told)
+}
+
+/// The sentence about what a frame file lists as extra, and no step is about.
+fn extras_told(design: &Design) -> String {
+    let extras = design.frame.extras.iter().filter(|(_, extra)| extra.covers.is_empty());
+    let names: Vec<String> = extras.map(|(name, _)| name.replace('_', " ")).collect();
+    match names.is_empty() {
+        true => String::new(),
+        false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),
+    }
 }
 
 /// Where the battery's rear face is in its lid.
@@ -222,7 +253,7 @@ struct Planning<'a> {
     /// Those that join two bodies.
     cables: Vec<Wire>,
     /// What stands for names between braces in texts.
-    figures: [(&'static str, String); 3],
+    figures: [(&'static str, String); 5],
 }
 
 impl<'a> Planning<'a> {

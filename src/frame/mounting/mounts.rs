@@ -41,7 +41,7 @@ pub static MOUNTS: [Mount; 31] = [
         brings: &["magnet_bracket"],
         turns: true,
         title: "Magnet into the bracket",
-        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the {rear}, its mark to the {rear}.",
+        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the {rear}, its mark to the {rear}. The other one and the lid's power connector may be glued into the lid now, too, as later steps show: then they harden while the frame is folded.",
         caution: Some("Polarity: a magnet that is glued in the wrong way round pushes the battery out. Marked face looks at marked face."),
         ..GLUED
     },
@@ -63,6 +63,7 @@ pub static MOUNTS: [Mount; 31] = [
         from: BELOW,
         title: "Sleeve under the bracket",
         text: "Glue the bracket's base between the two ribs of the sleeve. The rim that is chamfered inside is at the {rear}, where the magnet is: the battery goes in there. A sleeve with a tray has it at the {front}.",
+        caution: Some("Let the glue harden, as its maker says, before the bracket is tied under the hub."),
         ..GLUED
     },
     Mount {
@@ -84,7 +85,7 @@ pub static MOUNTS: [Mount; 31] = [
         from: ABOVE,
         fixing: Fixing::Thread,
         title: "Screws into the hub",
-        text: "Turn the four long screws from above through the hub until their heads lie in their hollows. They cut their own thread.",
+        text: "Turn the four long screws from above through the hub until their heads lie in their hollows. They cut their own thread. Socket heads of M2 take a hex key of 1.5 mm.",
         tools: &[Tool::Screwdriver],
         ..GLUED
     },
@@ -97,7 +98,7 @@ pub static MOUNTS: [Mount; 31] = [
         needs: &[("stack_screws", "the spacers go onto the screws")],
         title: "Spacers under the hub",
         text: "Turn the hub over. Put the spacers of this step onto the four screws, as many onto each, up to the hub. Nuts as spacers are turned on and pulled tight: they lock the screws in the hub.",
-        tools: &[Tool::Hands],
+        tools: &[Tool::Spanner],
         ..GLUED
     },
     Mount {
@@ -134,8 +135,8 @@ pub static MOUNTS: [Mount; 31] = [
             ("dampers", "the dampers sit between board and screws"),
         ],
         title: "Flight controller onto the screws",
-        text: "With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board with its dampers onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
-        tools: &[Tool::Hands],
+        text: "Solder to the board now what it has no socket for, such as the leads for a receiver: in the stack no iron gets there. With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board with its dampers onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::Hands],
         caution: Some(ALIGNMENT),
         ..GLUED
     },
@@ -183,9 +184,9 @@ pub static MOUNTS: [Mount; 31] = [
             ("dampers_in_motor_controller", "the dampers sit between board and screws"),
         ],
         title: "Board of both controllers onto the screws",
-        text: "With the hub's underside up, hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
+        text: "Solder to the board now what it has no socket for, such as the leads for a receiver: in the stack no iron gets there. With the hub's underside up, hold the board so that the face with its arrow is towards the hub, and its battery pads are at the {rear}: in flight that face looks up. Push the board onto the four screws. Where its plugs leave no room for that, turn its other face to the hub: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees. An arrow that does not point to the front needs a yaw there, too.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
-        tools: &[Tool::Hands],
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::Hands],
         caution: Some(ALIGNMENT),
         ..GLUED
     },
@@ -202,8 +203,8 @@ pub static MOUNTS: [Mount; 31] = [
             ("both_controllers", "the nuts hold the board"),
         ],
         title: "Nuts onto the screws",
-        text: "Turn one nut onto each of the four screws, up to the lowest board or to its dampers, finger tight. No damper is squeezed flat by it, and no board is bent.",
-        tools: &[Tool::Hands],
+        text: "Turn one nut onto each of the four screws, up to the lowest board or to its dampers, finger tight. No damper is squeezed flat by it, and no board is bent. A drop of varnish on the thread behind each nut keeps it from coming off in flight.",
+        tools: &[Tool::Hands, Tool::Varnish],
         ..GLUED
     },
     Mount {
@@ -220,8 +221,8 @@ pub static MOUNTS: [Mount; 31] = [
             ("both_controllers", "its wires end at the board"),
         ],
         title: "Radio receiver onto the hub",
-        text: "Where the frame is flown by radio: stick the receiver flat onto the middle of the hub's plate, between the bosses, with double-sided tape. It is no higher than the bosses. Lead its wires down beside the hub, between two bosses, and connect them to a serial port and to 5 V of the board under the hub. Its antenna goes out between the bosses, away from the rods.",
-        tools: &[Tool::DoubleSidedTape, Tool::SolderingIron, Tool::Solder],
+        text: "Where the frame is flown by radio: stick the receiver flat onto the middle of the hub's plate, between the bosses, with double-sided tape. It is no higher than the bosses. Lead its wires down beside the hub, between two bosses, and join them to the leads of a serial port and of 5 V of the board under the hub, or plug them in. Its antenna goes out between the bosses, away from the rods.",
+        tools: &[Tool::DoubleSidedTape, Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube],
         minutes: 5.0,
         ..GLUED
     },
@@ -232,7 +233,7 @@ pub static MOUNTS: [Mount; 31] = [
         from: ABOVE,
         fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
-        text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Lay the computer on the washers, hole over hole, its camera socket to the front. {computer_screws}",
+        text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded. Lay the computer on the washers, hole over hole, its camera socket to the front. {computer_screws}",
         tools: &[Tool::Glue, Tool::Screwdriver],
         ..GLUED
     },
@@ -334,11 +335,11 @@ pub static MOUNTS: [Mount; 31] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill. {cables}Set the bracket under the hub, its magnet and its power connector to the {rear}. The bay stays open to the {left} and to the {right}: the motor wires come in there.",
+        text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill. Solder the motor wires of the bill to its outputs, too, three for each motor, mark them with its number, and let them hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. {cables}Set the bracket under the hub, its magnet and its power connector to the {rear}. The bay stays open to the {left} and to the {right}, where the motor wires come out.",
         supplies: &["battery_wire"],
         tools: &[Tool::SolderingIron, Tool::Solder],
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
-        minutes: 10.0,
+        minutes: 20.0,
         ..GLUED
     },
     Mount {
@@ -353,7 +354,7 @@ pub static MOUNTS: [Mount; 31] = [
             ("bracket", "the ties pass through the bracket"),
         ],
         title: "Ties",
-        text: "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots; two through the hub's holes {left and right}. Where there is a carrier or an accessory plate, all four go through it, too. Pull them tight and cut what is over.",
+        text: "{ties}Pull them tight and cut what is over.",
         tools: &[Tool::SideCutter],
         minutes: 4.0,
         ..GLUED
@@ -366,7 +367,7 @@ pub static MOUNTS: [Mount; 31] = [
         fixing: Fixing::Solder,
         stage: Stage::AfterFold,
         title: "Motor wires",
-        text: "Lead each motor's three wires along its arm, under the hub and in between the bracket's uprights; tape them to the arm. Where they do not reach, lengthen them with the motor wires of the bill. Solder them to the motor controller.",
+        text: "Lead each motor's three wires along its arm to the motor wires that hang out of the bay for it. Shorten both until they lie along the arm with some slack at the plugs, solder them together, each in shrink tube, and tape them to the arm.{extras}",
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Tape],
         caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
         minutes: 20.0,
@@ -393,7 +394,7 @@ pub static MOUNTS: [Mount; 31] = [
         stage: Stage::AfterFold,
         turns: true,
         title: "Magnet into the lid",
-        text: "Glue the second magnet into the lid's tower from the {front}, its mark to the {front}.",
+        text: "Glue the second magnet into the lid's tower from the {front}, its mark to the {front}. Let magnet and connector harden, as the glue's maker says, before the lid comes near the bracket: the magnets would pull this one out.",
         caution: Some("Polarity: hold it before the bracket's magnet first. It has to pull."),
         ..GLUED
     },
@@ -406,7 +407,7 @@ pub static MOUNTS: [Mount; 31] = [
         stage: Stage::AfterFold,
         turns: true,
         title: "Battery into the lid",
-        text: "Slide the battery into the lid from the {front} until its {rear} face is {battery_rear}. Tape both together: they stay together.",
+        text: "Slide the battery into the lid from the {front} until its {rear} face is {battery_rear}. Tape both together: they stay together. The balance lead lies outside, taped to the lid.",
         tools: &[Tool::Tape],
         ..GLUED
     },
@@ -428,7 +429,7 @@ pub static MOUNTS: [Mount; 31] = [
         ],
         stage: Stage::AfterFold,
         title: "Battery in",
-        text: "Slide battery and lid from the {rear} into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over. Tilt the frame by hand: the picture of it in the flight controller's settings has to tilt alike. Then take battery and lid out again.",
+        text: "Slide battery and lid from the {rear} into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over where they join along the arm. Tilt the frame by hand: the picture of it in the flight controller's settings has to tilt alike. Then take battery and lid out again.",
         text_across: "",
         tools: &[Tool::Hands],
         caution: Some("First power without propellers. With the battery in, the motors can start."),

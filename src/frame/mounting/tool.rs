@@ -5,10 +5,14 @@
 pub enum Tool {
     /// Bare hands.
     Hands,
-    /// A screwdriver.
+    /// What turns a screw.
     Screwdriver,
     /// A screwdriver, or hands where the part is pressed on.
     ScrewdriverOrHands,
+    /// A spanner for small nuts, or pliers.
+    Spanner,
+    /// Varnish that keeps a nut from turning.
+    Varnish,
     /// Side cutters.
     SideCutter,
     /// A soldering iron.
@@ -34,8 +38,10 @@ impl Tool {
     pub fn words(self) -> &'static str {
         match self {
             Self::Hands => "hands",
-            Self::Screwdriver => "screwdriver",
+            Self::Screwdriver => "screwdriver or hex key",
             Self::ScrewdriverOrHands => "screwdriver or hands",
+            Self::Spanner => "small spanner or pliers",
+            Self::Varnish => "nail varnish",
             Self::SideCutter => "side cutter",
             Self::SolderingIron => "soldering iron",
             Self::Solder => "solder",

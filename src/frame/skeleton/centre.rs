@@ -84,8 +84,8 @@ impl Centre {
         let (hub, joint, bracket, lid) = (&frame.hub, &frame.hub_joint, &frame.bracket, &frame.lid);
         let plug = joint.hub_joint_diameter_mm;
         let hub_half_height_mm = 0.5 * plug + hub.hub_boss_wall_mm;
-        let flank_mm = 0.5 * (joint.arm_pitch_mm + plug) + hub.hub_tie_wall_mm;
-        let tie_side_mm = flank_mm * SQRT_2;
+        let flank_mm = frame.half_pair_mm() + hub.hub_tie_wall_mm;
+        let tie_side_mm = frame.tie_side_mm();
         let tie_front_mm = tie_side_mm + places.forward_mm;
         let battery_axes = BatteryAxes::new(frame.sleeve_direction);
         let tie_bracket_mm = if battery_axes.are_turned() { tie_side_mm } else { tie_front_mm };
@@ -108,7 +108,7 @@ impl Centre {
             battery_axes,
             tie_bracket_mm,
             plate_edge_mm: behind_bores.max(around_stack),
-            least_mouth_mm: 0.5 * (joint.arm_pitch_mm + plug) + hub.hub_boss_wall_mm + joint.plug_length_mm,
+            least_mouth_mm: frame.least_mouth_mm(),
             magnet_pocket_mm: stack.magnet_mm,
             bracket_width_mm: stack.width_mm,
             bracket_height_mm: stack.height_mm,

@@ -9,6 +9,8 @@ const STEP_DEG: f64 = 15.0;
 const BEYOND_MM: f64 = 0.1;
 /// Corners nearer than this to the line between their neighbours are left out, mm.
 const WITHIN_MM: f64 = 0.01;
+/// Fewest lines in a direction: with fewer, what is loose depends on where they happen to lie, and so on the nozzle.
+const FEWEST_LINES: f64 = 24.0;
 /// Most lines in a direction.
 const MOST_LINES: f64 = 40.0;
 
@@ -43,7 +45,7 @@ fn laid(hanging: &Contours, support: &Contours, direction: Angle, line_mm: f64) 
     let (hanging, support) = (turned(hanging), turned(support));
     let heights = || hanging.iter().flatten().map(|p| p[1]);
     let [low, high] = [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)];
-    let lines = ((high - low) / line_mm).ceil().clamp(4.0, MOST_LINES);
+    let lines = ((high - low) / line_mm).ceil().clamp(FEWEST_LINES, MOST_LINES);
     let spacing = (high - low) / lines;
     let mut laid = Laid { loose_mm2: 0.0, span_mm: 0.0 };
     for line in 0..lines as usize {

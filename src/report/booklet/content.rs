@@ -223,7 +223,7 @@ fn preface(design: &Design, mounting: &Mounting, fold: &FoldSequence, minutes: f
             before + folds + after
         ),
         when_cut(&design.frame),
-        "Glue belongs on rigid parts where a step says so: the sleeve under the bracket, magnets, power connector, camera connectors. A drop of \
+        "Glue belongs on rigid parts in the steps that say so, and hardens as its maker says before anything pulls at it. A drop of \
          cyanoacrylate keeps each of the four motor mounts in its place on the arms, and a rod that is loose in its bore. Never glue a hinge, \
          nor the plugs in the hub: they let go in a crash."
             .into(),

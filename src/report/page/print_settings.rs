@@ -72,6 +72,10 @@ fn heat(text: &mut String, design: &Design, plates: &[Plate]) {
             // Writing to a string does not fail.
             let _ = write!(text, "\n{head}: {}.\n", inert(&sentence(design, material, &heat)));
         }
+        if material.material.wants_enclosure == Some(true) && frame.printer.enclosed.is_none() {
+            let or = if material.name == frame.rigid.name { "; without one, print the rigid parts from PLA (`--rigid pla`)" } else { "" };
+            let _ = write!(text, "\n{} wants an enclosed printer: in open air its parts warp{or}.\n", inert(&material.name));
+        }
         open.extend(unknown(&material.material, &frame.printer).into_iter().map(|of| format!("{} of {}", of.words(), material.name)));
     }
     if !open.is_empty() {
@@ -105,6 +109,9 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the solid parts, 1.75 mm thick.\n"
     );
     price(text, name, material);
+    if name == design.frame.flexible.name {
+        text.push_str("\nDry the spool as its maker says where it lay in open air: flexible filament takes up water, which makes strings and weak layers.\n");
+    }
     let all_g: f64 = own.iter().map(|plate| material.solid_g(plate.volume_mm3(&design.printed))).sum();
     if name == design.frame.flexible.name {
         flow(text, all_g);

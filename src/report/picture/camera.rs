@@ -44,6 +44,11 @@ impl View {
         };
         Matrix3::from_rows(&[right.transpose(), up.transpose(), right.cross(&up).transpose()])
     }
+
+    /// Towards the viewer of a frame.
+    pub fn towards(self) -> Vector3<f64> {
+        self.axes(false).row(2).transpose()
+    }
 }
 
 /// A camera that has everything in the picture.

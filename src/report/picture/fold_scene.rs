@@ -324,7 +324,10 @@ impl Stage<'_> {
 
     /// Arrows of the step's moves, with the angles of its bends.
     fn arrows(&self) -> Vec<(Arrow, String)> {
-        let straight = |member: Member| (along(&self.traced(member, self.middle(member))), String::new());
+        let straight = |member: Member| {
+            let way = along(&self.traced(member, self.middle(member)));
+            (if member.rod().is_some() { beside(&way) } else { way }, String::new())
+        };
         let ways = match self.step().task {
             Task::BendLeg => {
                 let leg = Point3::new(0.0, 0.0, 0.6 * self.rod_mm(Member::Leg));
@@ -391,6 +394,16 @@ impl Stage<'_> {
 
 /// Along both axes of a corner: the end of the socket of its strut (negative) and of its leg, mm.
 const SOCKET_TIP_MM: f64 = 20.0;
+
+/// From the axis of a rod to the arrow beside it, mm.
+const BESIDE_MM: f64 = 8.0;
+
+/// A straight way beside itself as it is seen: along a rod an arrow would cover the rod's end and the ring on it.
+fn beside(way: &[Point3<f64>]) -> Vec<Point3<f64>> {
+    let (Some(first), Some(last)) = (way.first(), way.last()) else { return Vec::new() };
+    let aside = (last - first).cross(&View::Perspective.towards()).try_normalize(1e-9).unwrap_or_default() * BESIDE_MM;
+    way.iter().map(|point| point + aside).collect()
+}
 
 /// A place of a corner that shows how it turns: beyond a cage socket.
 fn cage_tip() -> Point3<f64> {
