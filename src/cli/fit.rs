@@ -157,7 +157,7 @@ fn layout(model: Model, free: &[String]) -> Result<Layout, Failure> {
 /// The fit, and how many numbers were compared where they are independent.
 fn fitted(args: &Args, chosen: &Chosen, layout: &Layout) -> Result<(Fit, Option<usize>), FitError> {
     match args.objective {
-        Aim::Paper => Ok((fit::fit(&PaperObjective::of(chosen), layout, args.bootstrap, args.seed)?, None)),
+        Aim::Paper => Ok((fit::fit(&PaperObjective::of(chosen)?, layout, args.bootstrap, args.seed)?, None)),
         Aim::Ml => {
             let likelihood = Likelihood::of(chosen)?;
             let fit = fit::fit(&likelihood, layout, args.bootstrap, args.seed)?;

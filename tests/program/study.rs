@@ -130,6 +130,10 @@ fn planted_rows_of_another_plan_are_no_rows_of_this_one() {
     desk.good(&["run", "s.toml", "--restart"]);
     let table = desk.table("out");
     assert!(table.len() == 3 && table[1..].iter().all(|row| row[2].is_empty() && !row[3].is_empty()), "{table:?}");
+    fs::write(desk.path().join("s.toml"), "samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 43]\n").expect("can be written");
+    let (code, _, err) = desk.run(&["pick", "s.toml", "1", "-o", "other"]);
+    assert!(code == 0 && err.contains("are of another plan"), "{err}");
+    fs::write(desk.path().join("s.toml"), "samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 42]\n").expect("can be written");
     let (code, _, err) = desk.run(&["pick", "s.toml", "2", "-o", "mine"]);
     assert!(code == 2 && err.contains("rows 0 to 1"), "{err}");
     // A budget that is spent leaves rows for the next run.

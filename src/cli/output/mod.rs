@@ -37,13 +37,23 @@ const TRIES: usize = 8;
 /// [`Failure::Machine`] when the place cannot be written or is read-only. The former folder is then as it was.
 pub(super) fn write_folder(parent: &Path, name: &str, files: &[(String, Vec<u8>)]) -> Result<PathBuf, Failure> {
     let shown = parent.join(name);
-    fs::create_dir_all(parent).map_err(failed("make the folder", parent))?;
+    fs::create_dir_all(parent).map_err(|error| failed("make the folder", parent)(why_no_folder(parent, error)))?;
     let linked = fs::symlink_metadata(&shown).is_ok_and(|found| found.is_symlink());
     let place = if linked { fs::canonicalize(&shown).map_err(failed("replace", &shown))? } else { shown.clone() };
     for note in replace_folder(&place, files)? {
         terminal::tell(&format!("note: {note}"));
     }
     Ok(shown)
+}
+
+/// What stands in the way of a folder: the system says of a file and of a link that leads nowhere that the folder exists.
+fn why_no_folder(folder: &Path, error: io::Error) -> io::Error {
+    let why = match (fs::symlink_metadata(folder), fs::metadata(folder)) {
+        (Ok(_), Ok(found)) if !found.is_dir() => "a file is there; name another folder with -o",
+        (Ok(link), Err(_)) if link.is_symlink() => "it is a link that leads nowhere; name another folder with -o",
+        _ => return error,
+    };
+    io::Error::new(error.kind(), why)
 }
 
 /// What a failure says of a step.

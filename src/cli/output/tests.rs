@@ -7,6 +7,7 @@ use tempfile::TempDir;
 
 use super::record::{RECORD, Record};
 use super::{replace_folder, write_folder};
+use crate::cli::failure::Failure;
 
 fn files(list: &[(&str, &str)]) -> Vec<(String, Vec<u8>)> {
     list.iter().map(|(path, text)| (path.to_string(), text.as_bytes().to_vec())).collect()
@@ -112,6 +113,18 @@ fn planted_names_that_are_taken_by_files_and_folders() {
     put(&bench, "o/r/.written.json", &record.replace("schema_version", "schema_version\" : 1, \"note"));
     notes(&bench, &[("table.csv", "other")]);
     assert!(text(&bench, ".written.json.yours-2").contains("note"), "{:?}", listed(&bench));
+}
+
+#[cfg(unix)]
+#[test]
+fn planted_what_is_no_folder_is_told_as_what_it_is() {
+    let bench = tempfile::tempdir().expect("a folder");
+    put(&bench, "file", "mine");
+    std::os::unix::fs::symlink("nowhere", bench.path().join("dangling")).expect("can be linked");
+    for (parent, why) in [("file", "a file is there"), ("dangling", "a link that leads nowhere")] {
+        let failed = write_folder(&bench.path().join(parent), "r", &files(&[("a", "a")])).expect_err("is no folder");
+        assert!(matches!(&failed, Failure::Machine { error, .. } if error.to_string().contains(why)), "{parent}: {failed:?}");
+    }
 }
 
 #[test]

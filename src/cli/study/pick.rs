@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use super::study_option::load;
+use super::journal_file::outcomes;
+use super::study_option::{journal_of, load};
 use crate::cli::candidates;
 use crate::cli::failure::Failure;
 use crate::cli::frame_text::{self, Line};
@@ -54,10 +55,21 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     } else if !common.quiet {
         terminal::print(&format!("{}: written\n", place.display()))?;
     }
+    if is_of_another(&study) {
+        terminal::tell(
+            "note: the rows in the folder out are of another plan, base or version of the program: this may not be the frame of its row",
+        );
+    }
     if let Some(why) = refused {
         terminal::tell(&format!("note: row {row} is no frame: {why}"));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Whether the usual folder has rows of a study of this name that are not this study's.
+fn is_of_another(study: &Study) -> bool {
+    let journal = journal_of(&Path::new("out").join(format!("study-{}", study.name)));
+    journal.exists() && outcomes(&journal, study).is_err()
 }
 
 fn write_frame(study: &Study, base_name: &str, row: usize, place: &Path) -> Result<(), Failure> {

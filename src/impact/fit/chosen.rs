@@ -56,6 +56,19 @@ pub enum FitError {
     /// A trial covariance that cannot be inverted.
     #[error("the trial covariance is singular: give more drops a height")]
     Singular,
+    /// The paper's objective compares samples before the peak.
+    #[error(
+        "no drop has a sample between its trigger and its peak: the paper's objective compares nothing; use --objective ml, or a faster logger"
+    )]
+    NothingBeforePeaks,
+    /// A parameter that nothing depends on.
+    #[error(
+        "nothing that is compared depends on `{key}`: every value would be as good; leave it out with --free, or use other drops or --objective ml"
+    )]
+    NoInfluence {
+        /// Its name.
+        key: &'static str,
+    },
     /// The simulation diverges at the starting values.
     #[error("the simulation diverges at the starting values: change k and c in the model file")]
     Diverges,

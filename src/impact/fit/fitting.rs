@@ -85,7 +85,7 @@ pub struct Fit {
 /// Fits what a layout leaves free; intervals by so many other sets of drops.
 ///
 /// # Errors
-/// When the simulation diverges at the starting values.
+/// When the simulation diverges at the starting values, or nothing that is compared depends on a free parameter.
 pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u64) -> Result<Fit, FitError> {
     let started = objective.residual(&layout.model).ok_or(FitError::Diverges)?.norm_squared();
     let best = starts(layout)
@@ -93,6 +93,9 @@ pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u
         .filter_map(|start| minimum(objective, layout, start))
         .min_by(|a, b| a.sum.total_cmp(&b.sum))
         .ok_or(FitError::Diverges)?;
+    if let Some(free) = layout.free.iter().enumerate().find_map(|(at, free)| is_idle(objective, layout, &best.at, at).then_some(free)) {
+        return Err(FitError::NoInfluence { key: free.key() });
+    }
     let model = layout.model_at(&best.at);
     let waves = objective.waves(&model);
     let others = others(&objective.around(layout, &best.at), &waves, samples, seed);
@@ -122,6 +125,18 @@ pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u
         resampled: ended.len(),
         p: (is_simulated && !ended.is_empty()).then(|| (as_much + 1) as f64 / (ended.len() + 1) as f64),
     })
+}
+
+/// Whether what is compared stays the same to the last bit where one parameter goes a step to either side.
+fn is_idle<O: Objective>(objective: &O, layout: &Layout, scaled: &[f64], at: usize) -> bool {
+    let at_step = |step: f64| {
+        let mut moved = scaled.to_vec();
+        moved[at] += step;
+        objective.residual(&layout.model_at(&moved))
+    };
+    let step = layout.free[at].step();
+    let there = at_step(0.0);
+    there.is_some() && at_step(step) == there && at_step(-step) == there
 }
 
 /// Objectives of other sets of drops.

@@ -9,7 +9,7 @@ use nalgebra::DVector;
 use rand::RngExt;
 use rand_pcg::Pcg64;
 
-use super::chosen::Chosen;
+use super::chosen::{Chosen, FitError};
 use super::fitting::{Intervals, Objective};
 use super::free::Layout;
 use crate::impact::effects::Model;
@@ -22,33 +22,41 @@ const SHOWN: usize = 31;
 /// Drops up to their peaks.
 #[derive(Clone, Debug)]
 pub struct PaperObjective {
-    /// Time between samples, s.
+    heights: Vec<HeightWindows>,
+}
+
+/// Drops of one height.
+#[derive(Clone, Debug)]
+struct HeightWindows {
+    height_m: f64,
+    /// Time between samples, s: drops of one height have one rate, heights may have different ones.
     step_s: f64,
-    /// Height, m, and the readings of each drop, g, from the trigger up to the peak.
-    heights: Vec<(f64, Vec<Vec<f64>>)>,
+    /// The readings of each drop, g, from the trigger up to the peak.
+    windows: Vec<Vec<f64>>,
 }
 
 impl PaperObjective {
     /// Of chosen drops.
-    pub fn of(chosen: &Chosen) -> Self {
-        let mut heights: Vec<(f64, Vec<Vec<f64>>)> = Vec::new();
-        let mut step_s = 1e-3;
+    ///
+    /// # Errors
+    /// When no drop has a sample between its trigger and its peak.
+    pub fn of(chosen: &Chosen) -> Result<Self, FitError> {
+        let mut heights: Vec<HeightWindows> = Vec::new();
         for drop in &chosen.drops {
-            let Some(impact) = &drop.impact else { continue };
-            step_s = drop.record.step_s().unwrap_or(step_s);
+            let (Some(impact), Some(step_s)) = (&drop.impact, drop.record.step_s()) else { continue };
             let series = chosen.series(drop.record);
             let from = impact.trigger;
             let peak = (from..series.len()).fold(from, |best, at| if series[at] > series[best] { at } else { best });
             if peak == from {
                 continue;
             }
-            let window = series[from..peak].to_vec();
-            match heights.iter_mut().find(|(height_m, _)| *height_m == drop.record.height_m) {
-                Some((_, windows)) => windows.push(window),
-                None => heights.push((drop.record.height_m, vec![window])),
+            let (window, height_m) = (series[from..peak].to_vec(), drop.record.height_m);
+            match heights.iter_mut().find(|height| height.height_m == height_m) {
+                Some(height) => height.windows.push(window),
+                None => heights.push(HeightWindows { height_m, step_s, windows: vec![window] }),
             }
         }
-        Self { step_s, heights }
+        if heights.is_empty() { Err(FitError::NothingBeforePeaks) } else { Ok(Self { heights }) }
     }
 
     /// The objective of a model; `None` where the simulation diverges.
@@ -59,17 +67,17 @@ impl PaperObjective {
 
 impl Objective for PaperObjective {
     fn counts(&self) -> Vec<usize> {
-        self.heights.iter().map(|(_, windows)| windows.len()).collect()
+        self.heights.iter().map(|height| height.windows.len()).collect()
     }
 
     fn residual(&self, model: &Model) -> Option<DVector<f64>> {
         let system = System::new(model);
         let mut all = Vec::new();
-        for (height_m, windows) in &self.heights {
+        for HeightWindows { height_m, step_s, windows } in &self.heights {
             let longest = windows.iter().map(Vec::len).max().unwrap_or(0);
             let mut predicted = vec![0.0; longest + 1];
-            let settings = SolverOptions { duration_s: self.step_s * longest as f64, ..SolverOptions::FIT };
-            if wave(&system, *height_m, self.step_s, &settings, &mut predicted) != Stop::End {
+            let settings = SolverOptions { duration_s: step_s * longest as f64, ..SolverOptions::FIT };
+            if wave(&system, *height_m, *step_s, &settings, &mut predicted) != Stop::End {
                 return None;
             }
             for window in windows {
@@ -82,12 +90,12 @@ impl Objective for PaperObjective {
 
     fn waves(&self, model: &Model) -> Vec<(f64, Vec<f64>)> {
         let system = System::new(model);
-        let one = |height_m: f64| {
+        let one = |height: &HeightWindows| {
             let mut readings = vec![0.0; SHOWN];
-            wave(&system, height_m, self.step_s, &SolverOptions::FIT, &mut readings);
-            (height_m, readings)
+            wave(&system, height.height_m, height.step_s, &SolverOptions::FIT, &mut readings);
+            (height.height_m, readings)
         };
-        self.heights.iter().map(|(height_m, _)| one(*height_m)).collect()
+        self.heights.iter().map(one).collect()
     }
 
     fn value(&self, sum: f64) -> f64 {
@@ -102,9 +110,31 @@ impl Objective for PaperObjective {
 
     /// The drops of each height, drawn with replacement.
     fn another(&self, _: &[(f64, Vec<f64>)], rng: &mut Pcg64) -> Option<Self> {
-        let mut drawn = |(height_m, windows): &(f64, Vec<Vec<f64>>)| {
-            (*height_m, windows.iter().map(|_| windows[rng.random_range(0..windows.len())].clone()).collect())
+        let mut drawn = |height: &HeightWindows| {
+            let windows = &height.windows;
+            let windows = windows.iter().map(|_| windows[rng.random_range(0..windows.len())].clone()).collect();
+            HeightWindows { windows, ..*height }
         };
-        Some(Self { step_s: self.step_s, heights: self.heights.iter().map(&mut drawn).collect() })
+        Some(Self { heights: self.heights.iter().map(&mut drawn).collect() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What heights of different rates leave together is what each leaves alone.
+    #[test]
+    fn analytic_each_height_is_compared_at_its_own_rate() {
+        let model = Model::load("paper").expect("is a model");
+        let of = |heights: &[HeightWindows]| {
+            let all = PaperObjective { heights: heights.to_vec() };
+            all.residual(&model).expect("does not diverge").norm_squared()
+        };
+        let height = |height_m: f64, step_s: f64| HeightWindows { height_m, step_s, windows: vec![vec![0.0, 10.0, 20.0, 30.0]] };
+        let (slow, fast) = (height(0.5, 1e-3), height(1.5, 2.5e-4));
+        let both = of(&[slow.clone(), fast.clone()]);
+        assert!((both - of(&[slow]) - of(&[fast])).abs() < 1e-9 * both, "{both}");
+        assert!((of(&[height(1.5, 1e-3)]) - of(&[height(1.5, 2.5e-4)])).abs() > 0.01 * both, "rates tell");
     }
 }

@@ -103,7 +103,7 @@ impl Study {
         let set = drops();
         let (magnitude, axial) = (waves(&set, Channel::Magnitude), waves(&set, Channel::Axial));
         let model = paper(Channel::Axial);
-        let objective = PaperObjective::of(&Chosen::of(&set, Channel::Magnitude, Keep::Every).expect("there are drops"));
+        let objective = PaperObjective::of(&Chosen::of(&set, Channel::Magnitude, Keep::Every).expect("there are drops")).expect("compares");
         let cutoff = by_id("sensor_low_pass").expect("an effect");
         let damper = |cutoff_hz: f64, keys: &[&str]| {
             let model = paper(Channel::Magnitude).with(cutoff, &[cutoff_hz], 0);

@@ -41,7 +41,7 @@ pub fn with_cutoff(cutoff_hz: f64) -> Model {
 
 /// The paper's objective, minimised over some parameters.
 pub fn minimised(drops: &Drops, model: Model, keys: &[&str], samples: usize) -> Fit {
-    let objective = PaperObjective::of(&drops.every(model.sensor.channel));
+    let objective = PaperObjective::of(&drops.every(model.sensor.channel)).expect("compares");
     fit(&objective, &Layout::named(model, keys).expect("the model has them"), samples, SEED).expect("it holds the body")
 }
 
@@ -51,7 +51,7 @@ fn interval(estimate: &ParameterEstimate) -> String {
 
 pub fn objective(page: &mut String, drops: &Drops) {
     let chosen = drops.every(Channel::Magnitude);
-    let at = PaperObjective::of(&chosen).at(&paper()).expect("it holds the body");
+    let at = PaperObjective::of(&chosen).expect("compares").at(&paper()).expect("it holds the body");
     let one = minimised(drops, paper(), &["c"], SAMPLES);
     let both = minimised(drops, paper(), &["k", "c"], SAMPLES);
     let (c, [k_both, c_both]) = (&one.estimates[0], [&both.estimates[0], &both.estimates[1]]);
