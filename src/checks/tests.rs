@@ -58,7 +58,7 @@ fn analytic_margin_and_verdict_agree() {
 }
 
 /// Keys of a frame file that choose something whole.
-const CHOICES: [&str; 18] = [
+const CHOICES: [&str; 21] = [
     "printer",
     "materials.flexible",
     "materials.rigid",
@@ -76,7 +76,10 @@ const CHOICES: [&str; 18] = [
     "bought.propeller",
     "bought.receiver",
     "bought.rod",
+    "bought.stack_nut",
     "bought.stack_screw",
+    "bought.stack_spacer",
+    "bought.tie",
 ];
 
 fn is_key(key: &str) -> bool {

@@ -53,6 +53,26 @@ fn analytic_every_part_of_the_bill_is_in_one_step() {
     }
 }
 
+/// No hand gets under the computer or into the closed bay: what belongs there comes before. Ties hold something, or there are none.
+#[test]
+fn regress_ties_and_wires_come_before_what_closes_the_way_to_them() {
+    let whoop = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/frames/whoop-aio-fpv.toml");
+    for (frame, count, laid) in [("cognifly", 4.0, true), (whoop, 2.0, false)] {
+        let mounting = mounted(&designed(frame));
+        let ties: f64 = mounting.parts().filter(|line| line.part == "tie").map(|line| line.count).sum();
+        let text = |id: &str| mounting.steps().find(|step| step.mount == id).map_or("", |step| &step.text);
+        assert_eq!((ties, text("ties").contains("the hub's holes left and right")), (count, laid), "{frame}");
+        assert!(
+            text("bracket").contains("Solder the motor wires of the bill") && text("wiring").contains("solder them together"),
+            "{frame}"
+        );
+        assert_eq!(text("computer").contains("one down through the hole in front"), laid, "{frame}");
+        assert_eq!(text("ties").contains("are in it already"), laid, "{frame}");
+        let extras = if laid { "as its maker says: wiring." } else { "as its maker says: video, wiring." };
+        assert!(text("wiring").contains(extras), "{frame}: {}", text("wiring"));
+    }
+}
+
 /// What keeps the motor mounts in their places is told alike where it is bought, on the first page, and where it is done.
 #[test]
 fn regress_the_glue_of_the_motor_mounts_is_told_everywhere() {

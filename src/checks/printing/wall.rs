@@ -208,6 +208,22 @@ mod tests {
         assert_eq!(hub(&thin_boss).levers[0], "hub.hub_boss_wall_mm");
     }
 
+    /// Beside a small battery the tray under the flow sensor is what is thin.
+    #[test]
+    fn planted_what_drives_the_tray_s_wall_is_the_tray_s() {
+        let sleeve = |pad_mm: f64| {
+            let found = Planted::frame(|frame| {
+                let battery = &mut frame.battery;
+                (battery.battery_length_mm, battery.battery_width_mm, battery.battery_height_mm) = (40.0, 14.0, 8.0);
+                frame.sleeve.tray_pad_radius_mm += pad_mm;
+            });
+            found.found(check).into_iter().find(|f| f.rule == RULE.id && f.subject == "battery_sleeve").expect("is looked at")
+        };
+        let usual = sleeve(0.0);
+        assert_eq!(usual.levers[0], "sleeve.tray_pad_radius_mm", "{usual:?}");
+        assert!(sleeve(0.3).value > usual.value, "{usual:?}");
+    }
+
     #[test]
     fn regress_the_lid_keeps_its_walls_around_a_wide_and_high_battery() {
         let found = Planted::frame(|frame| {

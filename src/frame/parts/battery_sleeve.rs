@@ -5,7 +5,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
 use super::outline::{Corner, SINK_MM, along_x, along_y, arc, bore, face, mirrored, sharp, upright};
-use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
+use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, WallPlace, always};
 use crate::frame::skeleton::centre::Centre;
 use crate::params::{Frame, PartName};
 use crate::solid::{Contour, Feature, Profile};
@@ -20,8 +20,16 @@ pub static PART: PrintedPart = PrintedPart {
     fold: Fold::Stands,
     print_turn,
     needed: always,
-    walls: &[Wall::anywhere(&["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"])],
+    walls: &[
+        Wall { keys: &["sleeve.tray_pad_radius_mm", "sleeve.tray_thickness_mm"], is_at: is_on_tray },
+        Wall::anywhere(&["sleeve.sleeve_side_wall_mm", "sleeve.sleeve_top_wall_mm", "sleeve.tray_pad_radius_mm"]),
+    ],
 };
+
+/// Whether a wall is one of the tray, in front of the tube.
+fn is_on_tray(_: &Frame, centre: &Centre, wall: &WallPlace) -> bool {
+    wall.at_mm[1] > centre.sleeve_length_mm
+}
 
 /// Lugs of a side that are nearer to each other are one, mm.
 const LEAST_LUG_GAP_MM: f64 = 1.0;

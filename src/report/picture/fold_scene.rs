@@ -396,7 +396,7 @@ impl Stage<'_> {
 const SOCKET_TIP_MM: f64 = 20.0;
 
 /// From the axis of a rod to the arrow beside it, mm.
-const BESIDE_MM: f64 = 8.0;
+const BESIDE_MM: f64 = 5.0;
 
 /// A straight way beside itself as it is seen: along a rod an arrow would cover the rod's end and the ring on it.
 fn beside(way: &[Point3<f64>]) -> Vec<Point3<f64>> {
