@@ -166,7 +166,7 @@ pub struct BoughtPart {
     pub cells: Option<u32>,
     /// Stated capacity of a battery, mAh.
     pub capacity_mah: Option<f64>,
-    /// Thread of a screw, mm.
+    /// Thread of a screw, or of the screw that a nut, a spacer or a damper goes onto, mm.
     pub thread_mm: Option<f64>,
     /// Length of a screw under its head, mm.
     pub length_mm: Option<f64>,
