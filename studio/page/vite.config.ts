@@ -1,35 +1,32 @@
 import { createHash } from "node:crypto";
-import { existsSync, readFileSync } from "node:fs";
-import { resolve } from "node:path";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import type { Plugin } from "vite";
 import { defineConfig } from "vite";
 
-/** The engine, and the results that were computed ahead for it. */
-const ENGINE = ["engine/engine.wasm", "engine/prepared.bin"];
+/** What is beside the page's own files: the engine, and the results that were computed ahead for it. */
+const BESIDE = ["icon.svg", "manifest.webmanifest", "engine/engine.wasm", "engine/prepared.bin"];
 
-/** Writes sw.js with the list of all files of the build, and a version that changes when one of them does. */
+function sha256(of: string | Uint8Array): string {
+  return createHash("sha256").update(of).digest("hex");
+}
+
+/** Writes sw.js with all files of the build as they were written, and a version that changes when one of them does. */
 function serviceWorker(): Plugin {
   return {
     name: "service-worker",
     apply: "build",
-    enforce: "post",
-    generateBundle(_, bundle) {
-      const own = Object.values(bundle);
-      const hash = createHash("sha256");
-      for (const file of own) hash.update(file.fileName).update(file.type === "asset" ? file.source : file.code);
-      const engine = ENGINE.filter((name) => existsSync(resolve("../dist", name)));
-      for (const name of engine) hash.update(readFileSync(resolve("../dist", name)));
-      const files = [
-        "./",
-        ...own.map(({ fileName }) => fileName).filter((name) => name !== "index.html"),
-        "icon.svg",
-        "manifest.webmanifest",
-        ...engine,
-      ];
+    writeBundle({ dir = "../dist" }, bundle) {
+      const beside = BESIDE.filter((name) => existsSync(join(dir, name)));
+      const files = [...Object.keys(bundle), ...beside].map((name) => [
+        name === "index.html" ? "./" : name,
+        sha256(readFileSync(join(dir, name))),
+      ]);
+      const listed = JSON.stringify(Object.fromEntries(files));
       const source = readFileSync("src/service_worker.js", "utf8")
-        .replace('VERSION"}', `${hash.digest("hex").slice(0, 16)}"}`)
-        .replace('["FILES"]', JSON.stringify(files));
-      this.emitFile({ type: "asset", fileName: "sw.js", source });
+        .replace('VERSION"}', `${sha256(listed).slice(0, 16)}"}`)
+        .replace('{ FILES: "" }', listed);
+      writeFileSync(join(dir, "sw.js"), source);
     },
   };
 }

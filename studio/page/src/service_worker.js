@@ -1,11 +1,27 @@
 // Keeps the page for when there is no network: every file of one build together, so that page and engine always fit.
-// VERSION and FILES are filled in when the page is built.
+// VERSION and FILES, each file with the SHA-256 of its bytes, are filled in when the page is built.
 const NAME = `flexframe-studio-${"VERSION"}`;
-const FILES = ["FILES"];
+const FILES = { FILES: "" };
 
-self.addEventListener("install", (event) => {
-  event.waitUntil(caches.open(NAME).then((cache) => cache.addAll(FILES)));
-});
+/** A file of this build. The browser's own cache, and a host that is being filled, may have one of another. */
+async function fetched(file, sha256) {
+  const answer = await fetch(new Request(file, { cache: "no-cache" }));
+  const bytes = await answer.clone().arrayBuffer();
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  const found = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+  if (!answer.ok || found !== sha256) throw new Error(`${file} is not the file of this version`);
+  return answer;
+}
+
+/** All files or none: where one does not come, the version of before goes on. */
+async function install() {
+  const files = Object.entries(FILES);
+  const answers = await Promise.all(files.map(([file, sha256]) => fetched(file, sha256)));
+  const cache = await caches.open(NAME);
+  await Promise.all(files.map(([file], at) => cache.put(file, answers[at])));
+}
+
+self.addEventListener("install", (event) => event.waitUntil(install()));
 
 self.addEventListener("activate", (event) => {
   const former = (name) => name.startsWith("flexframe-studio-") && name !== NAME;

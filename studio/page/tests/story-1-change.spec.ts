@@ -1,4 +1,5 @@
 // Story 1: choose and change.
+import { readFileSync } from "node:fs";
 import { checked, expect, mass, openField, setNumber, settled, shot, start, test } from "./studio.ts";
 
 test("a preset is chosen, values change the frame, and each can be reset", async ({ page }) => {
@@ -132,6 +133,83 @@ test("what is typed with pauses is kept to the last letter", async ({ page }) =>
   // What is undone takes the place of what was typed.
   await page.getByRole("button", { name: "Undo" }).click();
   await expect(text).not.toHaveValue(whole);
+});
+
+test("what is being typed into a field stays when a result arrives, and is taken with Enter", async ({ page }) => {
+  await start(page);
+  const before = await page.locator("[data-gauge=mass] b").innerText();
+  const arm = await openField(page, "rods.arm_rod_length_mm");
+  const strut = page.locator('[id="p-rods.strut_rod_length_mm"]');
+  await arm.fill("84");
+  await arm.press("Enter");
+  await strut.fill("51.2");
+  await expect(page.locator("[data-gauge=mass] b")).not.toHaveText(before);
+  await settled(page);
+  await expect(strut).toHaveValue("51.2");
+  await strut.press("Enter");
+  await settled(page);
+  await expect(page.getByText("changed (2)")).toBeVisible();
+  // What is no number is taken back when the field is left.
+  await strut.fill("x");
+  await arm.focus();
+  await expect(strut).toHaveValue("51.2");
+});
+
+test("a number that follows from another is the preset's where that was typed, and follows again after a reset", async ({
+  page,
+}) => {
+  await start(page);
+  await setNumber(page, "limits.envelope_width_mm", "250");
+  const depth = page.locator('[data-key="limits.envelope_depth_mm"]');
+  await expect(depth.locator("input[type=text]")).toHaveValue("250");
+  await expect(depth.locator(".doc")).toContainText("follows from the envelope width unless stated");
+  await setNumber(page, "limits.envelope_depth_mm", "210");
+  await expect(depth.locator("input[type=text]")).toHaveValue("210");
+  await expect(page.locator("[data-gauge=size]")).toContainText("of 250 × 210 × 120");
+  await depth.getByRole("button", { name: "to what follows from the envelope width" }).click();
+  await settled(page);
+  await expect(depth.locator("input[type=text]")).toHaveValue("250");
+  await page.getByText("Bought parts, materials, printer, sleeve").click();
+  await page.locator('[id="c-bought.battery"]').selectOption("battery-2s-850");
+  await settled(page);
+  const height = await openField(page, "battery.battery_height_mm");
+  await expect(height).toHaveValue("14");
+  await setNumber(page, "battery.battery_height_mm", "16");
+  await expect(height).toHaveValue("16");
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  await expect(page.locator("#toml")).toHaveValue(/battery_height_mm = 16/);
+});
+
+test("a reset in a frame file without a base writes the preset's number", async ({ page }) => {
+  await start(page);
+  const preset = readFileSync("../../params/frames/cognifly.toml", "utf8");
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  await page.locator("#toml").fill(preset.replace("arm_rod_length_mm = 82.0", "arm_rod_length_mm = 84.0"));
+  await expect(page.locator("#toml-refusal")).toBeEmpty();
+  const arm = await openField(page, "rods.arm_rod_length_mm");
+  await expect(arm).toHaveValue("84");
+  await settled(page);
+  await page.locator('[data-key="rods.arm_rod_length_mm"]').getByRole("button", { name: /Reset/ }).click();
+  await settled(page);
+  await expect(arm).toHaveValue("82");
+  await expect(page.locator(".refusal")).toHaveCount(0);
+});
+
+test("while the frame file is no TOML, no value can be set, and the line to mend is named", async ({ page }) => {
+  await start(page);
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  await page.locator("#toml").fill('base = "cognifly"\n[rods\n');
+  await expect(page.locator("#toml-refusal")).toContainText("line 2");
+  const arm = await openField(page, "rods.arm_rod_length_mm");
+  await expect(page.getByText("Mend line 2 of the frame file first")).toBeVisible();
+  await expect(arm).toBeDisabled();
+  await expect(page.getByText("changed (0)")).toBeVisible();
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  await page.locator("#toml").fill('base = "cognifly"\n[rods]\narm_rod_length_mm = 4000\n');
+  await expect(page.locator("#toml-refusal")).toContainText("out of bounds");
+  // What is TOML and refused is mended in its field.
+  await setNumber(page, "rods.arm_rod_length_mm", "84");
+  await expect(page.locator(".refusal")).toHaveCount(0);
 });
 
 test("an undo while changes are computed takes back the last of them", async ({ page }) => {

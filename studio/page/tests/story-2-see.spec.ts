@@ -1,6 +1,18 @@
 // Story 2: see.
 import type { Page } from "@playwright/test";
-import { differing, expect, openField, pixels, setNumber, settled, shot, start, test, touchesEdge } from "./studio.ts";
+import {
+  checked,
+  differing,
+  expect,
+  openField,
+  pixels,
+  setNumber,
+  settled,
+  shot,
+  start,
+  test,
+  touchesEdge,
+} from "./studio.ts";
 
 /** Clicks the picture in places around its middle until a body is hit. */
 async function clickBody(page: Page, again = 0): Promise<void> {
@@ -134,4 +146,114 @@ test("the picture is not clipped: after the assembly, apart, on the bed, in a na
   await page.setViewportSize({ width: 1050, height: 900 });
   await page.setViewportSize({ width: 1400, height: 900 });
   expect(differing(own, await pixels(page)), "after another width").toBeLessThan(50);
+});
+
+test("bed and assembly end where the other begins, and a changed frame is drawn on the bed", async ({ page }) => {
+  await start(page);
+  const first = await pixels(page);
+  const show = page.getByLabel("Show", { exact: true });
+  const fold = async () => {
+    await page.getByRole("tab", { name: "Fold" }).click();
+    await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+    await page.waitForTimeout(1000);
+  };
+  await fold();
+  await show.selectOption("bed");
+  await expect(page.getByLabel("Plate", { exact: true })).toBeVisible({ timeout: 60_000 });
+  const bed = await pixels(page);
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await expect(show).toHaveValue("bed");
+  expect(differing(bed, await pixels(page)), "the bed without the assembly").toBeLessThan(50);
+  await setNumber(page, "hub.hub_mouth_mm", "30");
+  await expect.poll(async () => differing(bed, await pixels(page)), "a changed hub").toBeGreaterThan(50);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await fold();
+  await expect(show).toHaveValue("assembled");
+  const slider = page.getByLabel("Time of the assembly");
+  await slider.fill("56.2");
+  const early = await pixels(page);
+  await slider.fill("69");
+  expect(differing(early, await pixels(page)), "two steps after the bed").toBeGreaterThan(2000);
+  await page.getByRole("tab", { name: "Checks" }).click();
+  expect(differing(first, await pixels(page)), "the frame after all").toBeLessThan(50);
+});
+
+test("the size is that of the frame in its place, also while it is shown apart", async ({ page }) => {
+  await start(page);
+  const size = page.locator("[data-gauge=size] b");
+  const first = await size.innerText();
+  await page.getByLabel("Show", { exact: true }).selectOption("exploded");
+  await setNumber(page, "limits.mass_budget_g", "245");
+  await expect(page.locator("[data-gauge=mass]")).toContainText("of 245 g");
+  await page.waitForTimeout(1000);
+  await expect(size).toHaveText(first);
+});
+
+test("parts of another flexible material have the colour of flexible parts", async ({ page }) => {
+  await start(page);
+  const orange = async () => {
+    const { rgb } = await pixels(page);
+    let count = 0;
+    for (let at = 0; at < rgb.length; at += 3)
+      if (rgb[at]! > rgb[at + 2]! + 60 && rgb[at]! > rgb[at + 1]! + 20) count += 1;
+    return count;
+  };
+  const before = await orange();
+  expect(before).toBeGreaterThan(300);
+  await page.getByText("Bought parts, materials, printer, sleeve").click();
+  await page.locator('[id="c-materials.flexible"]').selectOption("tpu-85a");
+  await settled(page);
+  expect(await orange()).toBeGreaterThan(before / 2);
+});
+
+test("the picture is there again after the graphics card was lost, and frees what is gone", async ({ page }) => {
+  await page.addInitScript(() => {
+    const held = { buffers: 0, textures: 0 };
+    const gl = WebGL2RenderingContext.prototype;
+    const count = (name: "createBuffer" | "deleteBuffer" | "createTexture" | "deleteTexture") => {
+      const own = gl[name] as (...given: unknown[]) => unknown;
+      const [of, by] = [name.endsWith("Buffer") ? "buffers" : "textures", name.startsWith("create") ? 1 : -1] as const;
+      Object.assign(gl, {
+        [name]: function (this: unknown, ...given: unknown[]) {
+          held[of] += by;
+          return own.apply(this, given);
+        },
+      });
+    };
+    for (const name of ["createBuffer", "deleteBuffer", "createTexture", "deleteTexture"] as const) count(name);
+    Object.assign(window, { held });
+  });
+  await start(page);
+  const held = () => page.evaluate(() => ({ ...(window as unknown as { held: Record<string, number> }).held }));
+  await page.getByRole("button", { name: "Envelope", exact: true }).click();
+  await page.getByRole("button", { name: "Centre of mass", exact: true }).click();
+  await openField(page, "rods.arm_rod_length_mm");
+  const fold = async () => {
+    await page.getByRole("tab", { name: "Fold" }).click();
+    await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+    await page.waitForTimeout(1500);
+    for (let times = 0; times < 5; times++) {
+      await page.locator('[data-key="rods.arm_rod_length_mm"]').hover();
+      await page.waitForTimeout(60);
+      await page.locator("h1").hover();
+      await page.waitForTimeout(60);
+    }
+    await page.getByRole("tab", { name: "Checks" }).click();
+    await page.waitForTimeout(1000);
+  };
+  await fold();
+  const once = await held();
+  for (let times = 0; times < 2; times++) await fold();
+  expect(await held()).toEqual(once);
+  await checked(page);
+  const first = await pixels(page);
+  await page.evaluate(async () => {
+    const lose = document.querySelector("canvas")!.getContext("webgl2")!.getExtension("WEBGL_lose_context")!;
+    lose.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    lose.restoreContext();
+  });
+  await page.waitForTimeout(1000);
+  expect(differing(first, await pixels(page))).toBeLessThan(50);
 });

@@ -88,3 +88,13 @@ test("before and after, against the preset and a pinned variant", async ({ page 
   await page.getByRole("tab", { name: "Compare" }).click();
   await expect(measure).toHaveClass(/better/, { timeout: 60_000 });
 });
+
+test("a lever leads to its field, even where a search left it out", async ({ page }) => {
+  await start(page);
+  await setNumber(page, "limits.mass_budget_g", "200");
+  await checked(page);
+  await page.getByLabel("Search parameters").fill("hinge");
+  await page.locator(".levers .link").first().click();
+  await expect(page.getByLabel("Search parameters")).toHaveValue("");
+  await expect(page.locator(".parameters [data-key] :focus")).toHaveCount(1);
+});

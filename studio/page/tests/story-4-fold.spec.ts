@@ -22,6 +22,11 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   await shot(page, "4-ring");
   await page.getByRole("button", { name: "Play" }).click();
   await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(69.3);
+  // Played at its end, it begins again.
+  await slider.fill("1000");
+  await page.getByRole("button", { name: "Play" }).click();
+  await expect(page.getByRole("button", { name: "Stop" })).toBeVisible();
+  await expect.poll(async () => Number(await slider.inputValue())).toBeLessThan(60);
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: /instructions/ }).click();
   const file = await waiting;
@@ -93,4 +98,21 @@ test("what is in the way of a step stands above the steps, with the reason of th
   await checked(page);
   await page.getByRole("tab", { name: "Fold" }).click();
   await expect(way).toHaveCount(0);
+});
+
+test("a frame that cannot be folded has no steps, and not those of the frame before", async ({ page }) => {
+  await start(page);
+  const first = await pixels(page);
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  await setNumber(page, "hub_joint.plug_length_mm", "5");
+  await expect(page.locator(".fold .progress .fault")).toContainText("cannot be folded", { timeout: 60_000 });
+  await expect(page.getByText("There are no steps to show")).toBeVisible();
+  await expect(page.getByText("Step 1 of")).toHaveCount(0);
+  await expect(page.getByRole("button", { name: "Envelope", exact: true })).toBeEnabled();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByText("There are no steps to show")).toHaveCount(0);
+  await page.getByRole("tab", { name: "Checks" }).click();
+  expect(differing(first, await pixels(page))).toBeLessThan(50);
 });

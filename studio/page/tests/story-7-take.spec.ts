@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import { join, relative } from "node:path";
 import type { Page } from "@playwright/test";
 import { unzipSync } from "fflate";
+import { hasComment } from "../src/state/doc.ts";
 import { drag, expect, mass, program, settled, shot, start, test } from "./studio.ts";
 
 const PRESETS = ["cognifly", "cognifly-v8", "cognifly-1106", "cognifly-bamboo", "cognifly-mini", "cognifly-2s2000"];
@@ -105,6 +106,30 @@ test("a link holds 20 changes in 2 kB and opens the same model; the frame file i
   writeFileSync(join(folder, "my-cognifly.toml"), text.get("my-cognifly.toml")!);
   execFileSync(program, ["build", join(folder, "my-cognifly.toml"), "--no-pictures", "-q", "-o", folder]);
   expect(readFileSync(join(folder, "my-cognifly", "frame.glb")).equals(mine.get("my-cognifly-frame.glb")!)).toBe(true);
+});
+
+test("a link to a frame file with a comment holds its text", async ({ page }) => {
+  for (const [text, has] of [
+    ["a = 1 # one", true],
+    ["# one\na = 1", true],
+    ["a = \"#1\"\nb = '#2'", false],
+    ['a = "\\"# no" # yes', true],
+    ['a = """\n# "no\n"""', false],
+    ["a = \'\'\'\n# \'no\n\'\'\' # it\'s", true],
+  ] as const)
+    expect(hasComment(text), text).toBe(has);
+  await start(page);
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  const text = 'base = "cognifly"\n[rods]\narm_rod_length_mm = 85.0 # eleven of 1 m\n';
+  await page.locator("#toml").fill(text);
+  await settled(page);
+  await expect(page.locator("[data-gauge=size] b")).not.toContainText("NaN");
+  await page.getByRole("tab", { name: "Files" }).click();
+  await expect(page.getByLabel("Name of the frame's file")).toHaveValue("my-cognifly");
+  await settled(page);
+  await page.getByRole("button", { name: "Copy the link" }).click();
+  const link = new URL(await page.getByLabel("Link", { exact: true }).inputValue());
+  expect(new URLSearchParams(link.hash.slice(1)).get("t")).toBe(text);
 });
 
 test("of a refused frame file there are no files, and the link and the frame file hold what was typed", async ({

@@ -3,8 +3,9 @@ import { mkdtempSync, readFileSync, truncateSync, writeFileSync } from "node:fs"
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { runInNewContext } from "node:vm";
 import type { Page } from "@playwright/test";
-import { expect, mass, openField, setNumber, settled, shot, start, test } from "./studio.ts";
+import { checked, expect, mass, openField, setNumber, settled, shot, start, test } from "./studio.ts";
 
 test("works without a network after the first visit", async ({ page, context }) => {
   await start(page);
@@ -18,6 +19,51 @@ test("works without a network after the first visit", async ({ page, context }) 
   await settled(page);
   await setNumber(page, "rods.arm_rod_length_mm", "84");
   await expect(page.getByText("changed (1)")).toBeVisible();
+});
+
+test("what is kept for that is of one version, asked for past the browser's own cache", async ({ page, baseURL }) => {
+  const source = await (await page.request.get("./sw.js")).text();
+  /** Installs with the files as they are served, one of them as another version has it. */
+  const installed = async (other: string | null) => {
+    const [kept, modes]: [string[], Set<string>] = [[], new Set()];
+    let install: ((event: object) => void) | undefined;
+    const listen = (type: string, on: (event: object) => void) => type === "install" && (install = on);
+    const ask = async ({ url, cache }: { url: string; cache: string }) => {
+      modes.add(cache);
+      const body = await (await page.request.get(url)).body();
+      return new Response(url === other ? "another" : new Uint8Array(body));
+    };
+    runInNewContext(source, {
+      self: { addEventListener: listen },
+      caches: { open: () => Promise.resolve({ put: (file: string) => Promise.resolve(void kept.push(file)) }) },
+      Request: class {
+        readonly cache: string;
+        constructor(
+          readonly url: string,
+          init: { cache: string },
+        ) {
+          this.cache = init.cache;
+        }
+      },
+      fetch: ask,
+      crypto,
+      URL,
+    });
+    let done: Promise<void> = Promise.resolve();
+    install?.({ waitUntil: (work: Promise<void>) => (done = work) });
+    const failure = await done.then(
+      () => null,
+      (error: Error) => error.message,
+    );
+    return { kept, failure, modes: [...modes] };
+  };
+  const whole = await installed(null);
+  expect(whole.failure, baseURL).toBeNull();
+  expect(whole.kept).toContain("./");
+  expect(whole.kept).toContain("engine/engine.wasm");
+  expect(whole.modes).toEqual(["no-cache"]);
+  for (const other of ["./", "engine/engine.wasm"])
+    expect(await installed(other)).toMatchObject({ kept: [], failure: `${other} is not the file of this version` });
 });
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
@@ -111,10 +157,63 @@ test("a link in the address of the open page is a step, and a link copied at onc
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await expect(page.getByLabel("Preset")).toHaveValue("cognifly");
+  // With the values in it, it is one step, too.
+  await page.evaluate(() => (location.hash = "#p=cognifly&n=beta&s=rods.arm_rod_length_mm:85"));
+  await settled(page);
+  await expect(page.getByLabel("Name of the frame's file")).toHaveValue("beta");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(page.getByLabel("Name of the frame's file")).toHaveValue("alpha");
+  await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("84");
   await page.getByRole("tab", { name: "Files" }).click();
   await page.getByLabel("Preset").selectOption("cognifly-mini");
   await page.getByRole("button", { name: "Copy the link" }).click();
   await expect(page.getByLabel("Link", { exact: true })).toHaveValue(/#p=cognifly-mini&n=cognifly-mini$/);
+});
+
+test("somebody's link takes no place of one's own frame: undo and new tabs give it back", async ({ page, context }) => {
+  await start(page);
+  await setNumber(page, "rods.arm_rod_length_mm", "84");
+  const link = "#p=cognifly-mini&n=friend&s=rods.strut_rod_length_mm:49";
+  const other = await context.newPage();
+  await start(other, link);
+  await expect(other.getByLabel("Preset")).toHaveValue("cognifly-mini");
+  // Neither opening it nor reloading it keeps it for other tabs.
+  await other.reload();
+  await expect(other.locator("[data-gauge=size]")).toBeVisible({ timeout: 60_000 });
+  await settled(other);
+  await expect(other.getByLabel("Name of the frame's file")).toHaveValue("friend");
+  const third = await context.newPage();
+  await start(third);
+  await expect(await openField(third, "rods.arm_rod_length_mm")).toHaveValue("84");
+  const fourth = await context.newPage();
+  await start(fourth, link);
+  await fourth.getByRole("button", { name: "Undo" }).click();
+  await settled(fourth);
+  await expect(fourth.getByLabel("Preset")).toHaveValue("cognifly");
+  await expect(await openField(fourth, "rods.arm_rod_length_mm")).toHaveValue("84");
+  // Changed, it is one's own.
+  await setNumber(other, "limits.mass_budget_g", "240");
+  const fifth = await context.newPage();
+  await start(fifth);
+  await expect(fifth.getByLabel("Name of the frame's file")).toHaveValue("friend");
+});
+
+test("on paper: the picture, its figures and the checks, on white, without what is to be pressed", async ({ page }) => {
+  await start(page);
+  await page.getByLabel("Colours of the page").selectOption("dark");
+  await checked(page);
+  await page.emulateMedia({ media: "print" });
+  for (const shown of ["canvas", "[data-gauge=mass]", ".rule"]) await expect(page.locator(shown).first()).toBeVisible();
+  for (const hidden of [".toolbar", ".tabs", ".left"]) await expect(page.locator(hidden).first()).toBeHidden();
+  expect(await page.evaluate(() => getComputedStyle(document.querySelector(".right")!).backgroundColor)).toBe(
+    "rgb(255, 255, 255)",
+  );
+  await page.emulateMedia({ media: null });
+  const drawn = () => page.locator("canvas").evaluate((canvas) => Number((canvas as HTMLElement).dataset["drawn"]));
+  const before = await drawn();
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  expect(await drawn()).toBeGreaterThan(before);
 });
 
 test("a corrupt link, hostile text, NaN and a table of 200 MB: a clear message, nothing executed, nothing lost", async ({

@@ -4,7 +4,7 @@ import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
-import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
+import { goTo, hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import type { Curve } from "../ui/plot.tsx";
@@ -216,8 +216,7 @@ export function Drop() {
               type="button"
               onClick={async () => {
                 if (owner.value !== "drop") await showMotion("drop", motion, 5);
-                if (seconds.value >= length.value) seconds.value = 0;
-                playing.value = !playing.value;
+                play();
               }}
             >
               {playing.value ? "Stop" : "Slow motion, 1 : 500"}

@@ -3,7 +3,7 @@ import { computed, signal } from "@preact/signals";
 import type { Setting } from "../state/link.ts";
 import { toFragment } from "../state/link.ts";
 import type { Doc } from "../state/doc.ts";
-import { isUnchanged } from "../state/doc.ts";
+import { hasComment, isUnchanged } from "../state/doc.ts";
 import { openFrame } from "../state/opening.ts";
 import { changedKeys, doc, frame, notice, pending, refused, shownDoc, valueOf } from "../state/studio.ts";
 import { download, made, save, saveText } from "../state/downloads.ts";
@@ -135,8 +135,7 @@ async function share(): Promise<void> {
   // The values are those of the picture: while another frame is computed, only its text is known.
   const known = shownDoc.value === of && Object.keys(pending.value).length === 0;
   const whole =
-    !isUnchanged(of) &&
-    (!known || refused.value !== null || stated.some((key) => !(key in set)) || /^\s*#/m.test(text));
+    !isUnchanged(of) && (!known || refused.value !== null || stated.some((key) => !(key in set)) || hasComment(text));
   const fragment = toFragment(
     whole ? { preset, name, set: {}, text } : { preset, name, set: isUnchanged(of) ? {} : set },
   );

@@ -4,43 +4,64 @@ import type { Fold as Sequence } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
-import { goTo, hideMotion, length, owner, playing, seconds, showMotion } from "../state/player.ts";
+import { goTo, hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, findings, findingsAreOfPicture, refused, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import { download } from "../state/downloads.ts";
 import { Progress } from "../ui/progress.tsx";
 import { label, short } from "../ui/words.ts";
-import { handled } from "../view/scene_state.ts";
+import { handled, stage } from "../view/scene_state.ts";
 
 type Folded = { sequence: Sequence; motion: Uint8Array<ArrayBuffer>; of: string };
 const work = new Work<Folded>();
 const instructions = new Work<null>();
 let timer: ReturnType<typeof setTimeout> | undefined;
 
+let wasOpen = false;
 effect(() => {
   const [of, open] = [shownDoc.value, right.value === "fold"];
   clearTimeout(timer);
+  // A changed frame does not take the picture from the bed; whoever opens the panel means the motion.
+  const onBed = wasOpen && stage.peek() === "bed";
+  wasOpen = open;
   if (!open) hideMotion("fold");
-  else if (of) timer = setTimeout(() => void fold(of), 250);
+  else if (of) timer = setTimeout(() => void fold(of, onBed), 250);
 });
 
-async function fold(of: Doc): Promise<void> {
-  if (work.result.value?.of !== identity(of)) {
-    await work.run(async () => {
-      const { handle } = await current.opened(of);
-      const steps = await checker.ask<Sequence>({ do: "fold-steps", handle });
-      const { files } = await checker.ask({ do: "files", handle, which: ["fold-motion"] });
-      return { sequence: steps.answer, motion: files[0]!.bytes, of: identity(of) };
-    });
-  }
-  if (!work.result.value || right.value !== "fold") return;
+async function fold(of: Doc, onBed: boolean): Promise<void> {
+  const known = work.result.value;
+  await work.run(() => (known?.of === identity(of) ? Promise.resolve(known) : folded(of)));
+  // Another frame or another panel was asked for meanwhile.
+  if (shownDoc.peek() !== of || right.peek() !== "fold") return;
+  if (work.failure.value !== null) hideMotion("fold");
+  else if (!onBed) await showFold();
+}
+
+async function folded(of: Doc): Promise<Folded> {
+  const { handle } = await current.opened(of);
+  const steps = await checker.ask<Sequence>({ do: "fold-steps", handle });
+  const { files } = await checker.ask({ do: "files", handle, which: ["fold-motion"] });
+  return { sequence: steps.answer, motion: files[0]!.bytes, of: identity(of) };
+}
+
+async function showFold(): Promise<void> {
+  if (!work.result.value) return;
   await showMotion("fold", work.result.value.motion);
   // Another panel was opened while the motion was read.
   if (right.peek() !== "fold") hideMotion("fold");
 }
 
+/** Does something with the motion, which the bed may have taken the place of. */
+async function withMotion(act: () => void): Promise<void> {
+  if (owner.value !== "fold") await showFold();
+  act();
+}
+
+/** The steps; none after a refusal, as those of before are another frame's. */
+const folding = computed(() => (work.failure.value === null ? work.result.value : null));
+
 const now = computed(() => {
-  const sequence = work.result.value?.sequence;
+  const sequence = folding.value?.sequence;
   if (!sequence) return null;
   const at = Math.min(sequence.steps.length - 1, Math.floor(seconds.value / sequence.step_shown_s + 1e-6));
   return {
@@ -60,22 +81,27 @@ effect(() => {
 });
 
 export function Fold() {
-  const sequence = work.result.value?.sequence;
+  const sequence = folding.value?.sequence;
+  const old = shownDoc.value === null || folding.value?.of !== identity(shownDoc.value);
+  const goToStep = (at: number) => void withMotion(() => (seconds.value = at * sequence!.step_shown_s));
   return (
     <div class="fold">
-      <InTheWay />
+      {folding.value && <InTheWay />}
       <Progress of={work} words="Folding" />
+      {work.failure.value !== null && (
+        <p class="about">There are no steps to show: the picture is of the frame as it is put together.</p>
+      )}
       {sequence && now.value && (
-        <>
+        <div class={old ? "old" : ""}>
           <div class="row">
-            <button type="button" onClick={() => (playing.value = !playing.value)}>
+            <button type="button" onClick={() => void withMotion(play)}>
               {playing.value ? "Stop" : "Play"}
             </button>
             <button
               type="button"
               aria-label="Step before"
               disabled={now.value.at === 0}
-              onClick={() => (seconds.value = (now.value!.at - 1) * sequence.step_shown_s)}
+              onClick={() => goToStep(now.value!.at - 1)}
             >
               ◀
             </button>
@@ -83,7 +109,7 @@ export function Fold() {
               type="button"
               aria-label="Next step"
               disabled={now.value.at === now.value.of - 1}
-              onClick={() => (seconds.value = (now.value!.at + 1) * sequence.step_shown_s)}
+              onClick={() => goToStep(now.value!.at + 1)}
             >
               ▶
             </button>
@@ -98,7 +124,10 @@ export function Fold() {
             max={length.value}
             step="0.02"
             value={seconds.value}
-            onInput={(event) => goTo(Number(event.currentTarget.value))}
+            onInput={(event) => {
+              const at = Number(event.currentTarget.value);
+              void withMotion(() => goTo(at));
+            }}
           />
           <h3>{now.value.step.title}</h3>
           <p>{now.value.step.text}</p>
@@ -140,14 +169,14 @@ export function Fold() {
                   type="button"
                   class="link"
                   aria-current={at === now.value?.at ? "step" : undefined}
-                  onClick={() => (seconds.value = at * sequence.step_shown_s)}
+                  onClick={() => goToStep(at)}
                 >
                   {step.title}
                 </button>
               </li>
             ))}
           </ol>
-        </>
+        </div>
       )}
       <button
         type="button"

@@ -1,16 +1,13 @@
 // Story 1: every number and choice of the frame, by group, with unit, bounds, meaning, and what differs from the preset.
-import { computed, signal } from "@preact/signals";
+import { computed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import type { Choice, Parameter } from "../engine/answers.ts";
 import type { Setting } from "../state/link.ts";
-import { CHOICES, fieldOf, openGroup, openGroups } from "../state/focus.ts";
-import { baseOf, catalogue, changedKeys, refused, set, valueOf } from "../state/studio.ts";
+import { changedOnly, CHOICES, fieldOf, openGroup, openGroups, search } from "../state/focus.ts";
+import { baseOf, catalogue, changedKeys, followsFrom, refused, set, valueOf } from "../state/studio.ts";
 import { Slider } from "../ui/slider.tsx";
 import { label, short, size } from "../ui/words.ts";
 import { lit } from "../view/scene_state.ts";
-
-export const search = signal("");
-const changedOnly = signal(false);
 
 const fits = computed(() => {
   const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -47,29 +44,44 @@ export function Parameters() {
           changed ({changedKeys.value.size})
         </label>
       </div>
-      {choices.length > 0 && (
-        <Group id={CHOICES} title="Bought parts, materials, printer, sleeve" found={open}>
-          {() => choices.map((choice) => <ChoiceField key={choice.key} choice={choice} />)}
-        </Group>
-      )}
-      {tables.map((table) => {
-        const own = parameters.filter((p) => p.table === table);
-        const changed = own.filter(({ key }) => changedKeys.value.has(key)).length;
-        return (
-          <Group key={table} id={table} title={label(table)} changed={changed} found={open}>
-            {() => (
-              <>
-                <p class="about">{own[0]?.about}</p>
-                {own.map((p) => (
-                  <NumberField key={p.key} parameter={p} />
-                ))}
-              </>
-            )}
+      <Unreadable />
+      <fieldset class="plain" disabled={refused.value?.editable === false}>
+        {choices.length > 0 && (
+          <Group id={CHOICES} title="Bought parts, materials, printer, sleeve" found={open}>
+            {() => choices.map((choice) => <ChoiceField key={choice.key} choice={choice} />)}
           </Group>
-        );
-      })}
+        )}
+        {tables.map((table) => {
+          const own = parameters.filter((p) => p.table === table);
+          const changed = own.filter(({ key }) => changedKeys.value.has(key)).length;
+          return (
+            <Group key={table} id={table} title={label(table)} changed={changed} found={open}>
+              {() => (
+                <>
+                  <p class="about">{own[0]?.about}</p>
+                  {own.map((p) => (
+                    <NumberField key={p.key} parameter={p} />
+                  ))}
+                </>
+              )}
+            </Group>
+          );
+        })}
+      </fieldset>
       {tables.length === 0 && choices.length === 0 && <p class="empty">Nothing fits “{search}”.</p>}
     </div>
+  );
+}
+
+/** Why no value can be set. */
+function Unreadable() {
+  if (refused.value?.editable !== false) return null;
+  const line = refused.value.refusal.place?.line;
+  return (
+    <p class="caution" role="status">
+      Mend {line === undefined ? "the" : `line ${line} of the`} frame file first: while it is no TOML, values cannot be
+      set in it.
+    </p>
   );
 }
 
@@ -99,6 +111,7 @@ function NumberField({ parameter: p }: { parameter: Parameter }) {
   const id = `p-${p.key}`;
   const value = valueOf(p.key);
   const fault = refused.value?.key === p.key ? refused.value.refusal : null;
+  const from = followsFrom(p.key);
   const light = () => (lit.value = new Set(p.drives));
   const dark = () => (lit.value = new Set());
   return (
@@ -133,7 +146,7 @@ function NumberField({ parameter: p }: { parameter: Parameter }) {
       )}
       <p class="doc" id={`${id}-doc`}>
         {p.doc} <span class="bounds">{`${short(p.min)} to ${short(p.max)}${p.unit ? ` ${p.unit}` : ""}`}</span>
-        {p.follows && <span class="bounds"> follows from the {p.follows.replaceAll("_", " ")} unless stated</span>}
+        {from !== null && <span class="bounds"> follows from the {from} unless stated</span>}
       </p>
     </div>
   );
@@ -142,20 +155,22 @@ function NumberField({ parameter: p }: { parameter: Parameter }) {
 function Reset({ keyOf, unit }: { keyOf: string; unit: string }) {
   if (!changedKeys.value.has(keyOf)) return null;
   const former = baseOf(keyOf);
-  const shown = typeof former === "number" ? `${short(former)}${unit ? ` ${unit}` : ""}` : former;
+  const from = followsFrom(keyOf);
+  const number = typeof former === "number" ? `${short(former)}${unit ? ` ${unit}` : ""}` : former;
+  const goal = from === null ? number : `what follows from the ${from}`;
   return (
     <button
       type="button"
       class="reset"
-      title={`Back to ${shown}, the preset's`}
-      aria-label={`Reset ${label(keyOf)} to ${shown}`}
+      title={from === null ? `Back to ${number}, the preset's` : `Back to ${goal}`}
+      aria-label={`Reset ${label(keyOf)} to ${goal}`}
       onClick={() => {
         set({ [keyOf]: null });
         // The button goes with the change: what it was of has the focus.
         fieldOf(keyOf)?.focus();
       }}
     >
-      ↺ {shown}
+      ↺ {from === null ? number : `follows the ${from}`}
     </button>
   );
 }

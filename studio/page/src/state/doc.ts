@@ -22,6 +22,14 @@ export function baseName(text: string): string | undefined {
   return /^\s*base\s*=\s*["']([^"'\n]*)["']/m.exec(head)?.[1];
 }
 
+/** A string of TOML, or the `#` that begins a comment, whichever comes first. */
+const STRING_OR_COMMENT = /"""(?:\\[\s\S]|[^\\])*?"""|'''[\s\S]*?'''|"(?:\\.|[^"\\\n])*"|'[^'\n]*'|#/g;
+
+/** Whether a frame file has a comment, on a line of its own or behind a value. */
+export function hasComment(text: string): boolean {
+  return text.match(STRING_OR_COMMENT)?.includes("#") ?? false;
+}
+
 /** What two documents share when they mean the same frame. */
 export function identity(doc: Doc): string {
   return isUnchanged(doc) ? doc.preset : `${doc.name}\n${doc.text}`;

@@ -7,6 +7,10 @@ export const right = signal<"checks" | "compare" | "fold" | "drop" | "diagnose" 
 /** On a narrow screen one of the three columns is shown. */
 export const column = signal<"left" | "middle" | "right">("middle");
 
+/** What is searched for among the values, and whether only those that differ from the preset are listed. */
+export const search = signal("");
+export const changedOnly = signal(false);
+
 /** The group of the values that are chosen from a list. */
 export const CHOICES = "choices";
 /** The groups of values that are open. What is closed is not drawn. */
@@ -25,15 +29,23 @@ export function fieldOf(key: string): HTMLElement | null {
   return document.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"] :is(input[type="text"], select)`);
 }
 
-/** Opens the field of a value and puts the focus there. */
+/** Opens the field of a value, even where a search left it out, and puts the focus there. */
 export function showParameter(key: string): void {
   left.value = "values";
   column.value = "left";
   const chosen = catalogue.value?.choices.some((choice) => choice.key === key);
   openGroup(chosen ? CHOICES : (key.split(".")[0] ?? ""), true);
   requestAnimationFrame(() => {
-    const field = fieldOf(key);
-    field?.closest("[data-key]")?.scrollIntoView({ block: "center" });
-    field?.focus();
+    if (!fieldOf(key)) {
+      search.value = "";
+      changedOnly.value = false;
+    }
+    requestAnimationFrame(() => focusField(key));
   });
+}
+
+function focusField(key: string): void {
+  const field = fieldOf(key);
+  field?.closest("[data-key]")?.scrollIntoView({ block: "center" });
+  field?.focus();
 }

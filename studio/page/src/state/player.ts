@@ -8,16 +8,29 @@ export const playing = signal(false);
 /** Whose motion is shown. */
 export const owner = signal<"fold" | "drop" | null>(null);
 
+/** Changes what the picture shows: a bed and a motion end where something else begins. */
+export function enter(next: "frame" | "bed" | "motion"): void {
+  if (next !== "bed") viewer.value?.replace(null);
+  if (next !== "motion") {
+    owner.value = null;
+    playing.value = false;
+    void viewer.value?.move(null);
+  }
+  stage.value = next;
+}
+
 /** Seconds of the motion in a second. */
 let rate = 1;
 
 /** Shows a motion; `slower` plays it so many times slower than its file says. */
 export async function showMotion(by: "fold" | "drop", bytes: Uint8Array<ArrayBuffer>, slower = 1): Promise<void> {
   const taken = await viewer.value?.move(bytes.slice(), by === "fold");
+  // Something else was asked for while the motion was read.
+  if (taken === null) return;
   length.value = taken ?? 0;
   rate = 1 / slower;
   owner.value = by;
-  stage.value = "motion";
+  enter("motion");
   seconds.value = 0;
   viewer.value?.moveTo(0);
 }
@@ -29,11 +42,14 @@ export function goTo(at: number): void {
 }
 
 export function hideMotion(by: "fold" | "drop"): void {
-  if (owner.value !== by) return;
-  owner.value = null;
-  playing.value = false;
-  stage.value = "frame";
-  void viewer.value?.move(null);
+  if (owner.value === by) enter("frame");
+}
+
+/** Plays, from the beginning where the end was reached, or stops. */
+export function play(): void {
+  if (!owner.value) return;
+  if (!playing.value && seconds.value >= length.value) seconds.value = 0;
+  playing.value = !playing.value;
 }
 
 effect(() => {

@@ -1,16 +1,30 @@
 // The last state, kept in this browser: a tab has its own, a new tab begins with the last of all.
 import type { Doc } from "./doc.ts";
+import { identity } from "./doc.ts";
 import { plainName } from "./link.ts";
 
 const KEY = "flexframe-studio";
+const BORROWED = "flexframe-studio-borrowed";
+
+/** The frame of a link, until something is changed of it: it does not take the place of one's own in other tabs. */
+export function borrow(doc: Doc): void {
+  put(() => sessionStorage.setItem(BORROWED, identity(doc)));
+}
 
 export function store(doc: Doc): void {
-  for (const storage of [sessionStorage, localStorage]) {
-    try {
-      storage.setItem(KEY, JSON.stringify(doc));
-    } catch {
-      // A browser that keeps nothing has nothing to restore.
-    }
+  const text = JSON.stringify(doc);
+  put(() => sessionStorage.setItem(KEY, text));
+  put(() => {
+    if (sessionStorage.getItem(BORROWED) !== identity(doc)) localStorage.setItem(KEY, text);
+  });
+}
+
+/** A browser that keeps nothing has nothing to restore. */
+function put(into: () => void): void {
+  try {
+    into();
+  } catch {
+    return;
   }
 }
 

@@ -4,12 +4,13 @@ import { EngineClient, Refused, Stopped } from "../engine/client.ts";
 import type { Catalogue, Checked, Finding, Opened, Presets, Read } from "../engine/answers.ts";
 import type { Refusal } from "../engine/messages.ts";
 import type { Doc } from "./doc.ts";
-import { identity, isUnchanged, keyAtLine, ofPreset, source } from "./doc.ts";
+import { baseName, identity, isUnchanged, keyAtLine, ofPreset, source } from "./doc.ts";
+import { followed } from "./follows.ts";
 import { FrameSlot } from "./frame_slot.ts";
 import { History } from "./history.ts";
 import type { Setting } from "./link.ts";
 import { fromFragment } from "./link.ts";
-import { restored, store } from "./storage.ts";
+import { borrow, restored, store } from "./storage.ts";
 
 /** Draws: pictures first, then quick checks. */
 export const shower = new EngineClient("shower");
@@ -27,7 +28,8 @@ export const base = signal<Read | null>(null);
 export const frame = signal<Opened | null>(null);
 export const shownDoc = signal<Doc | null>(null);
 export const picture = signal<Uint8Array<ArrayBuffer> | null>(null);
-export const refused = signal<{ refusal: Refusal; key: string | null } | null>(null);
+/** Why the frame file is refused; `editable`: whether values can be set in it, as it is TOML. */
+export const refused = signal<{ refusal: Refusal; key: string | null; editable: boolean } | null>(null);
 export const computing = signal(false);
 /** Values that were set and are not in the text yet. */
 export const pending = signal<Record<string, Setting | null>>({});
@@ -48,7 +50,8 @@ export const canRedo = history.canRedo;
 export function valueOf(key: string): Setting | null {
   const set = pending.value[key];
   if (set !== undefined && set !== null) return set;
-  const read = set === null ? base.value : frame.value;
+  // What follows from something else is not known before the engine has computed it.
+  const read = set === null && followsFrom(key) === null ? base.value : frame.value;
   return read?.values[key] ?? read?.choices[key] ?? null;
 }
 
@@ -57,15 +60,21 @@ export function baseOf(key: string): Setting | null {
   return base.value?.values[key] ?? base.value?.choices[key] ?? null;
 }
 
+/** What a key follows from in words, if it does where the frame file does not state it; `null` where it is the preset's then. */
+export function followsFrom(key: string): string | null {
+  return base.value?.stated.includes(key) ? null : followed(key, catalogue.value);
+}
+
 export function same(a: Setting | null, b: Setting | null): boolean {
   return typeof a === "number" && typeof b === "number" ? Math.abs(a - b) < 1e-9 : a === b;
 }
 
-/** The keys that the frame file states otherwise than the preset. What follows from them is not among them. */
+/** The keys that the frame file states otherwise than the preset, or instead of letting them follow. What follows from them is not among them. */
 export const changedKeys = computed(() => {
   const set = Object.keys(pending.value).filter((key) => pending.value[key] !== null);
   const keys = [...(frame.value?.stated ?? []).filter((key) => pending.value[key] !== null), ...set];
-  return new Set(keys.filter((key) => baseOf(key) !== null && !same(valueOf(key), baseOf(key))));
+  const differs = (key: string) => followsFrom(key) !== null || !same(valueOf(key), baseOf(key));
+  return new Set(keys.filter((key) => baseOf(key) !== null && differs(key)));
 });
 
 /** Whether the findings are those of the picture. */
@@ -75,7 +84,15 @@ export const findingsAreOfPicture = computed(
 /** Whether they are also those of the frame file: a refused file has none, and the picture is of the last good frame. */
 export const findingsAreCurrent = computed(() => findingsAreOfPicture.value && refused.value === null);
 
-type Wanted = { doc: Doc; set: Record<string, Setting | null>; record: boolean; group: string | null; begun: number };
+type Wanted = {
+  doc: Doc;
+  set: Record<string, Setting | null>;
+  record: boolean;
+  group: string | null;
+  begun: number;
+  /** Whether it is the frame of a link. */
+  linked?: boolean;
+};
 let wanted: Wanted | null = null;
 let running = false;
 /** Whether a change is under way that is no step of the history yet, and who waits for it to become one. */
@@ -84,9 +101,19 @@ const waiting: (() => void)[] = [];
 /** Counts what replaces the text from elsewhere than the text's own field. */
 export const replaced = signal(0);
 
-/** Sets values; `null` gives a key back to the preset. */
+/** What is written of a value into a frame file; `null` takes the key out of it. */
+function written(key: string, value: Setting | null, text: string): Setting | null {
+  // Out of the file it would follow again, whatever was typed.
+  if (followsFrom(key) !== null) return value;
+  // Without a base nothing would be there then.
+  if (baseName(text) === undefined) return value ?? baseOf(key);
+  return same(value, baseOf(key)) ? null : value;
+}
+
+/** Sets values; `null` gives a key back to the preset, or to what it follows from. */
 export function set(values: Record<string, Setting | null>): void {
-  const entries = Object.entries(values).map(([key, value]) => [key, same(value, baseOf(key)) ? null : value] as const);
+  const { text } = wanted?.doc ?? doc.value;
+  const entries = Object.entries(values).map(([key, value]) => [key, written(key, value, text)] as const);
   pending.value = { ...pending.value, ...Object.fromEntries(entries) };
   replaced.value += 1;
   const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
@@ -146,9 +173,7 @@ async function run(): Promise<void> {
       if (error instanceof Stopped) {
         notice.value = `The engine stopped and was started again: ${error.message}`;
       } else if (error instanceof Refused) {
-        const place = error.refused.place;
-        const stated = place && place.file === `${doc.value.name}.toml` ? keyAtLine(doc.value.text, place.line) : null;
-        refused.value = { refusal: error.refused, key: stated ?? now.group };
+        await refuse(error.refused, now.group);
         if (!shownDoc.value)
           await showPreset(doc.value.preset).catch((failure: unknown) => (notice.value = String(failure)));
       } else {
@@ -161,6 +186,27 @@ async function run(): Promise<void> {
   }
   computing.value = false;
   running = false;
+}
+
+/** Keeps why the frame file is refused. */
+async function refuse(refusal: Refusal, group: string | null): Promise<void> {
+  const { name, text } = doc.value;
+  const editable = await isEditable(text);
+  // A value that cannot be written anywhere must not look as if it were set.
+  if (!editable) pending.value = {};
+  const { place } = refusal;
+  // Why it cannot be written was found of the text before, with its line.
+  if (!editable && !place && refused.value) return;
+  const stated = place && place.file === `${name}.toml` ? keyAtLine(text, place.line) : null;
+  refused.value = { refusal, key: stated ?? group, editable };
+}
+
+/** Whether values can be set in a text. */
+async function isEditable(text: string): Promise<boolean> {
+  return shower.ask({ do: "edit", text, set: {} }).then(
+    () => true,
+    (error: unknown) => !(error instanceof Refused),
+  );
 }
 
 /** The preset's picture and values where the first frame file is refused, so that what is typed has something beside it. */
@@ -202,6 +248,7 @@ async function show(now: Wanted): Promise<void> {
   if (wanted && Object.keys(wanted.set).length > 0) wanted.doc = next;
   if (now.record) history.record(next, now.group);
   settled();
+  if (now.linked) borrow(next);
   store(next);
   const opened = await shown.opened(next);
   // A newer wish makes this picture useless.
@@ -272,6 +319,15 @@ async function found(of: Doc, strength: boolean): Promise<boolean> {
   return still;
 }
 
+type Opening = { doc: Doc; values: Record<string, Setting | null> };
+
+/** Takes the frame of a link with its values, as one step. */
+function takeLinked({ doc: of, values }: Opening, begun: number): void {
+  pending.value = values;
+  replaced.value += 1;
+  want({ doc: of, set: values, record: true, group: null, begun, linked: true });
+}
+
 /** Asks for the frame that the page most likely begins with, so that the engine makes it while the page is still drawn. */
 function expect(): { preset: string; read: Promise<Read> } | null {
   if (location.hash) return null;
@@ -284,7 +340,7 @@ function expect(): { preset: string; read: Promise<Read> } | null {
 }
 
 /** The frame of the link in the address, which is taken out of it; `null` where there is none, or it cannot be read. */
-function openedLink(): { doc: Doc; values: Record<string, Setting | null> } | null {
+function openedLink(): Opening | null {
   const [frames, listed] = [presets.value?.frames ?? [], catalogue.value];
   try {
     const keys = new Set([...(listed?.parameters ?? []), ...(listed?.choices ?? [])].map(({ key }) => key));
@@ -302,12 +358,10 @@ function openedLink(): { doc: Doc; values: Record<string, Setting | null> } | nu
 /** A link that is put into the address of the open page is a step like any other. */
 addEventListener("hashchange", () => {
   const linked = catalogue.value && openedLink();
-  if (!linked) return;
-  take(linked.doc);
-  if (Object.keys(linked.values).length > 0) set(linked.values);
+  if (linked) takeLinked(linked, performance.now());
 });
 
-/** Starts: a link's frame, the one of before, or the first preset. */
+/** Starts: a link's frame on top of the one of before, the one of before, or the first preset. */
 export async function begin(): Promise<void> {
   const asked = performance.now();
   const answers = Promise.all([shower.ask<Presets>({ do: "presets" }), shower.ask<Catalogue>({ do: "catalogue" })]);
@@ -317,12 +371,14 @@ export async function begin(): Promise<void> {
   catalogue.value = listed.answer;
   const first = known.answer.frames[0]?.name ?? "cognifly";
   const linked = openedLink();
-  const start = linked?.doc ?? restored(known.answer.frames.map(({ name }) => name)) ?? ofPreset(first);
-  const values = linked?.values ?? {};
+  const own = restored(known.answer.frames.map(({ name }) => name));
+  const start = linked?.doc ?? own ?? ofPreset(first);
   doc.value = start;
-  pending.value = values;
   if (expected?.preset === start.preset) base.value = await expected.read;
-  want({ doc: start, set: values, record: true, group: null, begun: asked });
+  // Undo gives back what the link took the place of.
+  if (linked && own) history.record(own, null);
+  if (linked) takeLinked(linked, asked);
+  else want({ doc: start, set: {}, record: true, group: null, begun: asked });
 }
 
 export { identity, isUnchanged, source };

@@ -1,4 +1,5 @@
 // A number as a slider with a field beside it. The field takes what is typed when it is left or Enter is pressed.
+import { useSignal } from "@preact/signals";
 import { short } from "./words.ts";
 
 type Props = {
@@ -31,11 +32,13 @@ export function Slider({
   invalid,
   onInput,
 }: Props) {
-  const take = (field: HTMLInputElement) => {
-    const number = Number(field.value.replace(",", "."));
-    if (field.value.trim() !== "" && Number.isFinite(number)) onInput(number);
+  // What is being typed is not the value yet, and a result that arrives meanwhile does not take its place.
+  const draft = useSignal<string | null>(null);
+  const take = (typed: string) => {
     // What is no number changes nothing, and must not look as if it did.
-    else field.value = short(value, 4);
+    draft.value = null;
+    const number = Number(typed.replace(",", "."));
+    if (typed.trim() !== "" && Number.isFinite(number)) onInput(number);
   };
   const spoken = unit === "°" ? "degrees" : unit;
   return (
@@ -58,8 +61,10 @@ export function Slider({
         aria-label={`${name} in ${spoken || "numbers"}`}
         aria-describedby={describedBy}
         aria-invalid={invalid}
-        value={short(value, 4)}
-        onChange={(event) => take(event.currentTarget)}
+        value={draft.value ?? short(value, 4)}
+        onInput={(event) => (draft.value = event.currentTarget.value)}
+        onChange={(event) => take(event.currentTarget.value)}
+        onBlur={() => (draft.value = null)}
       />
       <span class="unit" aria-hidden="true">
         {unit}

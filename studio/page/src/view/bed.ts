@@ -15,6 +15,7 @@ import {
 import { effect } from "@preact/signals";
 import { Refused, Stopped } from "../engine/client.ts";
 import type { Beds } from "../engine/answers.ts";
+import { enter } from "../state/player.ts";
 import { checker, current, notice, shownDoc } from "../state/studio.ts";
 import { plate, stage, viewer } from "./scene_state.ts";
 
@@ -23,9 +24,8 @@ let at = 0;
 /** Shows a plate, or the frame again. */
 export async function showBed(shown: boolean, number = 0): Promise<void> {
   at = number;
-  stage.value = shown ? "bed" : "frame";
-  if (!shown) viewer.value?.replace(null);
-  else await lay();
+  enter(shown ? "bed" : "frame");
+  if (shown) await lay();
 }
 
 // Another frame lies otherwise.
@@ -40,7 +40,8 @@ async function lay(): Promise<void> {
     const { handle } = await current.opened(of);
     const beds = (await checker.ask<Beds>({ do: "beds", handle })).answer;
     const { files } = await checker.ask({ do: "files", handle, which: ["stl"] });
-    if (stage.value !== "bed") return;
+    // A newer frame is laid by a call of its own.
+    if (stage.value !== "bed" || shownDoc.peek() !== of) return;
     const meshes = new Map(
       files.map(({ path, bytes }) => [
         path
@@ -55,7 +56,7 @@ async function lay(): Promise<void> {
   } catch (error) {
     if (!(error instanceof Refused || error instanceof Stopped)) throw error;
     notice.value = error.message;
-    await showBed(false);
+    if (stage.value === "bed") enter("frame");
   }
 }
 

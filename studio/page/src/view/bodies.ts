@@ -1,5 +1,5 @@
 // The bodies of a picture: GLB bytes as objects of three.js, each with what the file says of it.
-import { Box3, Mesh, Vector3 } from "three";
+import { Box3, LineSegments, Mesh, SkinnedMesh, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import type { AnimationClip, Group, Object3D } from "three";
 import type { BodyFacts } from "./body_facts.ts";
@@ -36,10 +36,13 @@ export async function readPicture(bytes: Uint8Array<ArrayBuffer>): Promise<Pictu
   return { root: scene, bodies, clips: animations };
 }
 
-/** Frees what a picture holds on the graphics card. */
-export function dispose(root: Object3D): void {
+/** Frees what a picture holds on the graphics card. Materials are those of all pictures, unless they are its `own`. */
+export function dispose(root: Object3D, { own = false } = {}): void {
   root.traverse((object) => {
-    if (object instanceof Mesh) object.geometry.dispose();
+    if (!(object instanceof Mesh || object instanceof LineSegments)) return;
+    object.geometry.dispose();
+    if (object instanceof SkinnedMesh) object.skeleton.dispose();
+    if (own) for (const material of [object.material].flat()) material.dispose();
   });
 }
 

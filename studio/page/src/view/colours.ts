@@ -23,12 +23,16 @@ export class Colours {
   #materials: string[] = [];
   clipping: Plane[] = [];
 
-  /** Forgets the names of a former frame; colours of names that stay do not change. */
+  /** Parts of a motion, which may have others than the frame; colours of parts that stay do not change. */
+  knowParts(facts: BodyFacts[]): void {
+    for (const { part } of facts) if (!this.#parts.includes(part)) this.#parts.push(part);
+  }
+
+  /** A frame's parts, and its materials alone: one that another frame was printed of has no place among them. */
   know(facts: BodyFacts[]): void {
-    for (const { part, kind, material } of facts) {
-      if (!this.#parts.includes(part)) this.#parts.push(part);
-      if (kind === "printed" && !this.#materials.includes(material)) this.#materials.push(material);
-    }
+    this.knowParts(facts);
+    const printed = facts.filter(({ kind }) => kind === "printed").map(({ material }) => material);
+    this.#materials = [...new Set(printed)];
   }
 
   material(

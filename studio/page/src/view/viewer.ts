@@ -84,6 +84,11 @@ export class Viewer {
   #kept: View | null = null;
   #explode = 0;
   #latest = 0;
+  #latestMotion = 0;
+  /** What bounds the frame while its bodies are in their places, without the discs. */
+  #atRest = new Box3();
+  /** What the marks were made of. */
+  #marked = "";
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -112,6 +117,7 @@ export class Viewer {
     if (number !== this.#latest) return dispose(picture.root);
     if (this.#picture) this.#remove(this.#picture);
     this.#picture = picture;
+    this.#atRest = this.#bounds();
     this.scene.add(picture.root);
     this.#colours.know(picture.bodies.map(({ facts }) => facts));
     this.apply(this.#look);
@@ -127,12 +133,20 @@ export class Viewer {
     this.apply(this.#look);
   }
 
-  /** Shows a motion in the place of the frame, `apart` where it begins with modules; gives its length, s. `null` shows the frame again. */
-  async move(bytes: Uint8Array<ArrayBuffer> | null, apart = false): Promise<number> {
+  /**
+   * Shows a motion in the place of the frame, `apart` where it begins with modules; gives its length, s, or `null` where another was asked for
+   * meanwhile. `null` shows the frame again.
+   */
+  async move(bytes: Uint8Array<ArrayBuffer> | null, apart = false): Promise<number | null> {
+    const number = ++this.#latestMotion;
     if (this.#motion) this.#remove(this.#motion.picture);
     this.#motion = null;
     if (bytes) {
       const picture = await readPicture(bytes);
+      if (number !== this.#latestMotion) {
+        dispose(picture.root);
+        return null;
+      }
       const mixer = new AnimationMixer(picture.root);
       // A file may hold the steps one by one, too: played together they would be blended.
       const whole = picture.clips.toSorted((a, b) => b.duration - a.duration)[0];
@@ -141,7 +155,7 @@ export class Viewer {
       picture.root.traverse((object) => (object.frustumCulled = false));
       this.#motion = { picture, mixer, seconds, apart };
       mixer.setTime(0);
-      this.#colours.know(picture.bodies.map(({ facts }) => facts));
+      this.#colours.knowParts(picture.bodies.map(({ facts }) => facts));
       this.scene.add(picture.root);
     }
     this.apply(this.#look);
@@ -158,7 +172,7 @@ export class Viewer {
   /** Objects shown in the place of the frame, such as a bed with parts; none shows the frame again. */
   replace(objects: Group | null): void {
     for (const child of [...this.#extra.children]) {
-      dispose(child);
+      dispose(child, { own: true });
       this.#extra.remove(child);
     }
     if (objects) this.#extra.add(objects);
@@ -187,17 +201,14 @@ export class Viewer {
         picture === this.#motion?.picture ? this.#extra.children.length === 0 : !replaced && (!ghost || look.ghost);
       for (const body of picture.bodies) this.#dress(body, look, ghost, picture === this.#motion?.picture);
     }
-    dispose(this.#marks);
-    this.#marks.clear();
-    if (look.envelopeMm && !replaced) this.#marks.add(marks.box(look.envelopeMm, this.#lowest()));
-    if (look.centreMm && !replaced) this.#marks.add(marks.cross(toScene(look.centreMm)));
+    this.#mark(replaced ? null : look.envelopeMm, replaced ? null : look.centreMm);
     this.#arrange(look.explode);
     this.draw();
   }
 
   /** Points and the line between them. */
   showDistance(points: Vector3[]): void {
-    dispose(this.#measured);
+    dispose(this.#measured, { own: true });
     this.#measured.clear();
     if (points.length > 0) this.#measured.add(marks.distance(points));
     this.draw();
@@ -231,9 +242,9 @@ export class Viewer {
     return this.#picture?.bodies.map(({ facts }) => facts) ?? [];
   }
 
-  /** Width, depth and height of everything but the discs, mm. */
+  /** Width, depth and height of everything but the discs, mm, whether it is shown apart or not. */
   sizeMm(): [number, number, number] {
-    const size = this.#bounds().getSize(new Vector3()).multiplyScalar(1000);
+    const size = this.#atRest.getSize(new Vector3()).multiplyScalar(1000);
     return [size.x, size.z, size.y];
   }
 
@@ -242,10 +253,26 @@ export class Viewer {
     this.#asked = true;
     requestAnimationFrame(() => {
       this.#asked = false;
-      this.renderer.render(this.scene, this.camera);
-      this.drawn += 1;
-      this.canvas.dataset.drawn = String(this.drawn);
+      this.#render();
     });
+  }
+
+  #render(): void {
+    this.renderer.render(this.scene, this.camera);
+    this.drawn += 1;
+    this.canvas.dataset.drawn = String(this.drawn);
+  }
+
+  /** Marks the box of the limits and the centre of mass. */
+  #mark(envelopeMm: Look["envelopeMm"], centreMm: Look["centreMm"]): void {
+    const lowest = this.#atRest.min.y;
+    const wanted = JSON.stringify([envelopeMm, centreMm, envelopeMm && lowest]);
+    if (wanted === this.#marked) return;
+    this.#marked = wanted;
+    dispose(this.#marks, { own: true });
+    this.#marks.clear();
+    if (envelopeMm) this.#marks.add(marks.box(envelopeMm, lowest));
+    if (centreMm) this.#marks.add(marks.cross(toScene(centreMm)));
   }
 
   #dress(body: Body, look: Look, ghost: boolean, moving: boolean): void {
@@ -266,10 +293,6 @@ export class Viewer {
       bodies.find((body) => facts.name.startsWith(`${body.facts.name}_`)) ??
       bodies.find((body) => facts.name.startsWith(body.facts.part));
     return known?.facts ?? facts;
-  }
-
-  #lowest(): number {
-    return this.#bounds().min.y;
   }
 
   /** What bounds everything but the discs. */
@@ -373,6 +396,9 @@ export class Viewer {
   }
 
   #listen(): void {
+    this.canvas.addEventListener("webglcontextrestored", () => this.draw());
+    // Paper takes what was drawn in the same task.
+    addEventListener("beforeprint", () => this.#render());
     let from: Vector2 | null = null;
     this.canvas.addEventListener("pointerdown", (event) => (from = new Vector2(event.clientX, event.clientY)));
     this.canvas.addEventListener("pointerup", (event) => {
