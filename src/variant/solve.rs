@@ -294,13 +294,13 @@ mod tests {
             let mut search = Search::new(problem, rules);
             search.scale_by(frame);
             let shorter = [188.0, 188.2, 188.4, 188.6, TOY_MM + 0.5].map(|mm| vec![mm]);
-            search.look_at(&[own.clone()]);
+            search.look_at(std::slice::from_ref(&own));
             search.look_at(&shorter);
             let answered = answer(&search, &own);
             assert!(is_refused_at_the_end(&search, &answered));
             asking_all_rules(&search, answered.as_ref().ok(), &own, &own).expect("has one")
         });
         let (_, before, after) = went_on.values[0];
-        assert!(after <= TOY_MM + 0.5 && after >= TOY_MM - 0.005, "{before} to {after}");
+        assert!((TOY_MM - 0.005..=TOY_MM + 0.5).contains(&after), "{before} to {after}");
     }
 }
