@@ -2,6 +2,7 @@
 
 mod aim;
 mod approach;
+mod changed;
 mod choose;
 mod create;
 mod descent;
@@ -22,9 +23,10 @@ mod solve;
 mod stated_values;
 
 pub use aim::Aim;
+pub use changed::{Changed, Trend};
 pub use choose::{Chosen, NameChoice, choose};
 pub use create::{CreateError, Creation, Moved, Request, create, movable};
-pub use difference::{Changed, Difference, Side, Trend, why_not_compared};
+pub use difference::{Difference, Side, why_not_compared};
 pub use ended::Ended;
 pub use goal::{Goal, GoalError, Increase, Sense};
 pub use measures::{Better, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, caveats, measure, measure_names};

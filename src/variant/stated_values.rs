@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::difference::Changed;
+use super::changed::Changed;
 use crate::figures::decimals;
 use crate::params::Frame;
 use crate::params::frame::Extra;

@@ -4,7 +4,7 @@ use std::fs::{self, Permissions};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use super::staging::{names, too_many};
+use super::hidden_name::{names, too_many};
 
 /// Writes a file of the program's beside its place and puts it there in one step: a reader sees the former one or the new one, whole.
 /// A link in the place goes, and what it leads to stays.

@@ -8,6 +8,7 @@
 mod file;
 mod folder;
 mod former;
+mod hidden_name;
 mod kept;
 mod record;
 mod staging;

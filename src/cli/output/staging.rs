@@ -14,6 +14,7 @@ use std::time::{Duration, Instant};
 
 use super::folder::{self, identity};
 use super::former::{self, State};
+use super::hidden_name::{names, too_many};
 use super::record::{MANIFEST, RECORD};
 use crate::cli::interrupt;
 
@@ -56,9 +57,6 @@ pub(super) struct Staging {
     pub path: PathBuf,
     _lock: Lock,
 }
-
-/// How many hidden folders of one process number there may be beside a place.
-const MOST: usize = 1000;
 
 impl Staging {
     /// Makes an empty one.
@@ -138,20 +136,9 @@ fn exchange(_: &Path, _: &Path) -> io::Result<bool> {
     Ok(false)
 }
 
-/// Names for the hidden files and folders of this run; another in a container of its own may have the same process number.
-pub(super) fn names(place: &Path, end: &str) -> impl Iterator<Item = PathBuf> {
-    let (name, pid) = (place.file_name().unwrap_or_default().to_string_lossy().into_owned(), std::process::id());
-    let numbers = std::iter::once(pid.to_string()).chain((1..MOST).map(move |number| format!("{pid}-{number}")));
-    numbers.map(move |number| place.with_file_name(format!(".{name}.{number}.{end}")))
-}
-
 /// Moves a folder to a name, unless something is there.
 fn moved(folder: &Path, name: &Path) -> bool {
     name.symlink_metadata().is_err() && fs::rename(folder, name).is_ok()
-}
-
-pub(super) fn too_many() -> io::Error {
-    io::Error::new(io::ErrorKind::AlreadyExists, "there are too many hidden files and folders of other runs")
 }
 
 /// What a hidden folder is by its name, when it is one of a place's.
