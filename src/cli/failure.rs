@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::checks::gate::Refused;
 use crate::export::ExportError;
-use crate::impact::measured::{Fault, Malformed};
+use crate::impact::measured::{Fault, Malformed, SourcePosition};
 use crate::params::{LoadError, is_of_machine};
 use crate::report::frame_folder::FolderError;
 
@@ -68,7 +68,8 @@ impl Failure {
         }
     }
 
-    /// What a program reads: the message, the remedy and the place where there is one, and the exit code.
+    /// What a program reads: the message, the remedy and the place where there is one, and the exit code. A place has the file and,
+    /// where it is known, the `line` with its `column`, or the `sample` of a logger's file, from 1.
     pub fn json(&self) -> serde_json::Value {
         let (message, remedy, place) = match self {
             Self::Input(error) => {
@@ -79,7 +80,7 @@ impl Failure {
                     refused.spot.map(|spot| json!({ "file": spot.file, "line": spot.line, "column": spot.column })),
                 )
             }
-            Self::Records(malformed) => (malformed.to_string(), Some(malformed.fault.remedy().to_string()), None),
+            Self::Records(malformed) => (malformed.to_string(), Some(malformed.fault.remedy().to_string()), Some(place_of(malformed))),
             other => (other.to_string(), None, None),
         };
         json!({ "schema_version": 1, "error": { "message": message, "remedy": remedy, "place": place, "exit_code": self.exit_code() } })
@@ -96,6 +97,15 @@ impl Failure {
     }
 }
 
+/// Where a file is no record.
+fn place_of(Malformed { file, place, .. }: &Malformed) -> serde_json::Value {
+    match place {
+        SourcePosition::Whole => json!({ "file": file }),
+        SourcePosition::Line(line) => json!({ "file": file, "line": line }),
+        SourcePosition::Sample(sample) => json!({ "file": file, "sample": sample }),
+    }
+}
+
 /// A failure of the model, as the user reads it.
 pub(super) fn mechanics_refused(error: impl std::fmt::Display) -> Failure {
     Failure::Usage { message: format!("the frame's mechanics cannot be computed: {error}") }
@@ -106,7 +116,18 @@ mod tests {
     use std::io::ErrorKind;
 
     use super::*;
-    use crate::impact::measured::SourcePosition;
+
+    #[test]
+    fn analytic_a_records_fault_has_its_place() {
+        for (place, expected) in [
+            (SourcePosition::Whole, json!({ "file": "drops.csv" })),
+            (SourcePosition::Line(3), json!({ "file": "drops.csv", "line": 3 })),
+            (SourcePosition::Sample(7), json!({ "file": "drops.csv", "sample": 7 })),
+        ] {
+            let failure = Failure::Records(Malformed { file: "drops.csv".into(), place, fault: Fault::Empty });
+            assert_eq!(failure.json()["error"]["place"], expected);
+        }
+    }
 
     #[test]
     fn analytic_a_wrong_path_is_wrong_input_and_a_refused_read_is_the_machines() {

@@ -25,84 +25,95 @@ fn is_open(estimate: &EffectEstimate) -> bool {
 impl LandingAssessment {
     /// Each test, beside the best set of effects along the vertical.
     pub(super) fn gates(&self, diagnosis: &Diagnosis) -> Vec<Gate> {
-        let (touched, gaps) = (&self.evidence, &self.gaps);
+        vec![self.touches(), self.held_out(diagnosis), self.drops(), self.constant(), self.plausible(), self.enough(), self.spread()]
+    }
+
+    /// Whether the touch times are those of feet in one plane.
+    fn touches(&self) -> Gate {
+        let touched = &self.evidence;
+        let found = format!(
+            "{} of {} drops show the touch of each foot; the first lies along a diagonal in {:.0} % (p = {:.1e}), and the times are those of \
+             feet in one plane within {:.2} ms, permuted {:.2} ms (p = {})",
+            touched.seen,
+            touched.drops,
+            1e2 * touched.along_diagonals,
+            touched.along_diagonals_p,
+            1e3 * touched.deviation_s,
+            1e3 * touched.permuted_deviation_s,
+            p_value(touched.plane_p)
+        );
+        Gate { id: "touches", passed: touched.feet_in_one_plane(), found }
+    }
+
+    /// Whether slopes come nearer to heights that no fit saw than no effect and than the best set along the vertical.
+    fn held_out(&self, diagnosis: &Diagnosis) -> Gate {
+        let gaps = &self.gaps;
         let (base, best) = (diagnosis.before.held_out.net_g, diagnosis.after.held_out.net_g);
+        let found = if gaps.held_out.net_g.is_finite() {
+            let interval = gaps
+                .held_out_ci95_g
+                .map_or(String::new(), |[least, most]| format!(" ({least:.1} to {most:.1} g by how well the fitted heights tell them)"));
+            format!(
+                "the gap to heights that no fit saw is {:.2} g with random slopes{interval}, {base:.2} g without, {best:.2} g with {} instead; \
+                 {:.2} g with the slopes that their own touch times show",
+                gaps.held_out.net_g,
+                joined(&diagnosis.chosen),
+                gaps.own_slopes.net_g
+            )
+        } else {
+            ONE_HEIGHT.into()
+        };
+        Gate { id: "held_out", passed: gaps.held_out.net_g < base.min(best), found }
+    }
+
+    /// Whether single drops are predicted from their touches.
+    fn drops(&self) -> Gate {
+        let gaps = &self.gaps;
+        let found = if gaps.given_touches.records_g.is_finite() {
+            format!(
+                "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g with touches \
+                 of other drops (p = {})",
+                gaps.given_touches.records_g,
+                gaps.held_out.template_g,
+                gaps.dealt_g,
+                p_value(gaps.dealt_p)
+            )
+        } else {
+            ONE_HEIGHT.into()
+        };
+        Gate { id: "drops", passed: self.touches_tell_drops(), found }
+    }
+
+    /// Whether the turning rate, and the numbers of the effects beside it, are the same at all fitted heights.
+    fn constant(&self) -> Gate {
         let steady_p = self.steady_p();
-        let gate = |id: &'static str, passed: bool, found: String| Gate { id, passed, found };
-        vec![
-            gate(
-                "touches",
-                touched.feet_in_one_plane(),
-                format!(
-                    "{} of {} drops show the touch of each foot; the first lies along a diagonal in {:.0} % (p = {:.1e}), and the times are \
-                     those of feet in one plane within {:.2} ms, permuted {:.2} ms (p = {})",
-                    touched.seen,
-                    touched.drops,
-                    1e2 * touched.along_diagonals,
-                    touched.along_diagonals_p,
-                    1e3 * touched.deviation_s,
-                    1e3 * touched.permuted_deviation_s,
-                    p_value(touched.plane_p)
-                ),
-            ),
-            gate(
-                "held_out",
-                gaps.held_out.net_g < base.min(best),
-                if gaps.held_out.net_g.is_finite() {
-                    format!(
-                        "the gap to heights that no fit saw is {:.2} g with random slopes{}, {base:.2} g without, {best:.2} g with {} instead; \
-                         {:.2} g with the slopes that their own touch times show",
-                        gaps.held_out.net_g,
-                        gaps.held_out_ci95_g.map_or(String::new(), |[least, most]| format!(
-                            " ({least:.1} to {most:.1} g by how well the fitted heights tell them)"
-                        )),
-                        joined(&diagnosis.chosen),
-                        gaps.own_slopes.net_g
-                    )
-                } else {
-                    ONE_HEIGHT.into()
-                },
-            ),
-            gate(
-                "drops",
-                self.touches_tell_drops(),
-                if gaps.given_touches.records_g.is_finite() {
-                    format!(
-                        "single drops are predicted from their touches within {:.1} g, {:.1} g by the mean of their own height, {:.1} g \
-                         with touches of other drops (p = {})",
-                        gaps.given_touches.records_g,
-                        gaps.held_out.template_g,
-                        gaps.dealt_g,
-                        p_value(gaps.dealt_p)
-                    )
-                } else {
-                    ONE_HEIGHT.into()
-                },
-            ),
-            gate("constant", steady_p >= UNSTEADY && self.effects_steady_p.is_none_or(|p| p >= UNSTEADY), {
-                let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
-                let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
-                let of_slopes = match self.heights.len() {
-                    0 | 1 => "not tested: one height was fitted".into(),
-                    _ => format!("one turning rate for all fitted heights {left} the touch times within their errors (p = {steady_p:.1e})"),
-                };
-                match self.effects_steady_p {
-                    None => of_slopes,
-                    Some(p) if p < UNSTEADY => format!("{of_slopes}, and {effects} differs from height to height (p = {p:.1e})"),
-                    Some(p) => format!("{of_slopes}, and {effects} is the same at all fitted heights (p = {p:.1e})"),
-                }
-            }),
-            self.plausible(),
-            gate("enough", self.adequacy.p >= RARE && self.given_touches.p >= RARE, self.left_over()),
-            gate(
-                "spread",
-                self.spread_p >= RARE,
-                format!(
-                    "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {}",
-                    p_value(self.spread_p)
-                ),
-            ),
-        ]
+        let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
+        let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
+        let of_slopes = match self.heights.len() {
+            0 | 1 => "not tested: one height was fitted".into(),
+            _ => format!("one turning rate for all fitted heights {left} the touch times within their errors (p = {steady_p:.1e})"),
+        };
+        let found = match self.effects_steady_p {
+            None => of_slopes,
+            Some(p) if p < UNSTEADY => format!("{of_slopes}, and {effects} differs from height to height (p = {p:.1e})"),
+            Some(p) => format!("{of_slopes}, and {effects} is the same at all fitted heights (p = {p:.1e})"),
+        };
+        let passed = steady_p >= UNSTEADY && self.effects_steady_p.is_none_or(|p| p >= UNSTEADY);
+        Gate { id: "constant", passed, found }
+    }
+
+    /// Whether slopes and what is named beside them leave no more than trial variation.
+    fn enough(&self) -> Gate {
+        Gate { id: "enough", passed: self.adequacy.p >= RARE && self.given_touches.p >= RARE, found: self.left_over() }
+    }
+
+    /// Whether single drops spread as those of random slopes do.
+    fn spread(&self) -> Gate {
+        let found = format!(
+            "peaks, impulses and their half times of single drops spread as those of random slopes do with p = {}",
+            p_value(self.spread_p)
+        );
+        Gate { id: "spread", passed: self.spread_p >= RARE, found }
     }
 
     /// Whether the drops tell every parameter within its bounds.

@@ -41,6 +41,22 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   for (const mark of marks) await expect(mark).toBeEnabled();
 });
 
+test("a frame of the screen that began before Play was pressed shows no time before the first step", async ({ page }) => {
+  await page.addInitScript(() => {
+    const real = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => real((now) => draw(now - 500));
+  });
+  await start(page);
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await expect(page.getByText("Step 1 of")).toBeVisible({ timeout: 60_000 });
+  const slider = page.getByLabel("Time of the assembly");
+  await slider.fill("1000");
+  await page.getByRole("button", { name: "Play" }).click();
+  await expect.poll(async () => Number(await slider.inputValue())).toBeLessThan(60);
+  await expect(page.getByText("Step 1 of")).toBeVisible();
+  await page.getByRole("button", { name: "Stop" }).click();
+});
+
 test("the picture follows the steps: it differs between them, and the part that a step names moves", async ({
   page,
 }) => {

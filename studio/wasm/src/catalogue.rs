@@ -27,7 +27,7 @@ fn parameter(p: &Parameter) -> Value {
         "max": p.max,
         "doc": p.doc.trim(),
         "drives": p.drives.iter().map(|part| part.slug()).collect::<Vec<_>>(),
-        "follows": follows::role_of(p.key),
+        "follows": follows::followed(p.key),
     })
 }
 

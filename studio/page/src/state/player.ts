@@ -59,11 +59,12 @@ effect(() => {
 
 effect(() => {
   if (!playing.value) return;
-  let last = performance.now();
+  // A frame's time is that of its beginning, which may lie before this call: the first frame says from when time runs.
+  let last: number | null = null;
   let stopped = false;
   const tick = (now: number) => {
     if (stopped) return;
-    const next = seconds.peek() + ((now - last) / 1000) * rate;
+    const next = seconds.peek() + ((now - (last ?? now)) / 1000) * rate;
     last = now;
     seconds.value = Math.min(next, length.peek());
     if (next >= length.peek()) playing.value = false;
