@@ -41,7 +41,9 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   for (const mark of marks) await expect(mark).toBeEnabled();
 });
 
-test("a frame of the screen that began before Play was pressed shows no time before the first step", async ({ page }) => {
+test("a frame of the screen that began before Play was pressed shows no time before the first step", async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const real = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (draw) => real((now) => draw(now - 500));
