@@ -14,6 +14,9 @@
 //!
 //! A rule, a printed part, an effect, a format and a subcommand are one record each; `docs/extending.md` says how to add one.
 //!
+//! [`workspace`] is where a program begins: a frame that is changed value by value, with its findings, masses and files; [`memo`] keeps what
+//! was computed. `examples/library.rs` and `docs/library.md` show both.
+//!
 //! Units are millimetres, grams and degrees, in the names of the fields; [`impact`] uses SI, [`mechanics`] mm, N, g and ms. Axes: X
 //! right, Y front, Z up, origin where the hub's axis crosses the plane of the arms.
 
@@ -36,3 +39,6 @@ pub mod study;
 pub mod units;
 pub mod variant;
 pub mod workspace;
+
+// Their types are in what is public here; a program takes them from here, and has the same versions.
+pub use {nalgebra, toml};

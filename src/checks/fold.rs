@@ -132,7 +132,12 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     if exists {
         let parts: Vec<_> = design.printed.iter().map(|part| (part.name, part.flat.key(), part.print_pose)).collect();
         let lie = || flat(scene);
-        found.push(Finding::clone(&design.memo.get("flat state", "fold", &(parts, &design.frame.rods, inputs), lie)));
+        found.push(Finding::clone(&design.memo.get(
+            "flat state",
+            "fold",
+            &(parts, &design.frame.rods, design.frame.rod_bore_mm(), inputs),
+            lie,
+        )));
     }
     found
 }

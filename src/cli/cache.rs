@@ -5,7 +5,9 @@
 //! any time. Of the sixteen folders a command looks through one at its end, and drops the oldest beyond the folder's share of the
 //! room. Nothing here can make a command fail: what cannot be read or written is computed.
 
+use std::any::TypeId;
 use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -74,9 +76,17 @@ impl Drop for Cache {
 /// Bytes of a head.
 const HEAD: usize = 32;
 
-/// What a file begins with: this program and the content, hashed.
+/// What a file begins with: this program, its libraries and the content, hashed.
 fn head(content: &[u8]) -> Vec<u8> {
-    format!("{:?}", Key::of_bytes([PROGRAM.as_bytes(), content])).into_bytes()
+    format!("{:?}", Key::of_bytes([PROGRAM.as_bytes(), &libraries(), content])).into_bytes()
+}
+
+/// What tells this program from one of the same sources with other versions of libraries, or other features of them: `cargo install`
+/// without `--locked` takes the newest. Cargo names a crate after all that it depends on, and the compiler the crate's types after that name.
+fn libraries() -> [u8; 8] {
+    let mut hash = DefaultHasher::new();
+    TypeId::of::<Cache>().hash(&mut hash);
+    hash.finish().to_le_bytes()
 }
 
 /// Removes the oldest files until the rest has room.

@@ -36,7 +36,7 @@ pub struct Exported<'a> {
 }
 
 /// A file of the folder.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct File {
     /// Path in the folder, with `/`.
     pub path: String,
@@ -73,7 +73,7 @@ pub enum Made {
 }
 
 /// A part or shape of a STEP file, as the manifest lists it.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SolidEntry {
     /// Its file; several solids share that of the assembly.
     pub file: String,

@@ -5,8 +5,9 @@ use std::fmt::{self, Debug, Write};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-/// What tells this build of the program from another: a hash of its sources, its libraries' versions, the compiler and the target,
-/// made by `build.rs`. Results that outlive the program are those of one build.
+/// What tells this build of the program from another: a hash of its sources, the versions in its own lock file, the compiler and the target,
+/// made by `build.rs`. Results that outlive the program are those of one build. A crate that takes other versions of libraries has to tell
+/// its own results apart: the command line's cache does.
 pub const PROGRAM: &str = env!("FLEXFRAME_BUILD");
 
 /// A hash of a step and its inputs: the first 128 bits of SHA-256 over the step's name and what `Debug` writes of the inputs.

@@ -16,6 +16,8 @@ use super::refusal::{LONGEST_CHAIN, Place, Reason, Refusal, Source, nearest};
 
 /// Largest parameter file read, bytes.
 const LARGEST_FILE: u64 = 1 << 20;
+/// The key that names a frame.
+const NAME: &str = "name";
 /// Longest key with its tables, bytes: each entry has the names of its tables, so a long one would be held as often as it has entries.
 const LONGEST_KEY: usize = 300;
 
@@ -110,6 +112,16 @@ impl Value {
         matches!(self, Self::Other(toml::Value::Table(_)))
     }
 
+    /// Out of TOML's own form.
+    pub fn of_toml(value: toml::Value) -> Self {
+        match value {
+            toml::Value::Integer(number) => Self::Number(number as f64),
+            toml::Value::Float(number) => Self::Number(number),
+            toml::Value::String(text) => Self::Text(text),
+            other => Self::Other(other),
+        }
+    }
+
     /// In TOML's own form.
     pub fn to_toml(&self) -> toml::Value {
         match self {
@@ -196,16 +208,21 @@ impl FrameFile {
 
     /// Takes the name that the file states, else that of the file itself; refuses one that no frame can have.
     fn take_name(&mut self) -> Result<(), Refusal> {
+        if let Some(Value::Text(name)) = self.entries.get(NAME).map(|entry| &entry.value) {
+            self.name = name.clone();
+        }
+        self.hold_name()
+    }
+
+    /// Refuses a name that no frame can have.
+    pub(super) fn hold_name(&self) -> Result<(), Refusal> {
         let rule = frame_name::rule();
-        let remedy = match self.entries.get("name").map(|entry| &entry.value) {
-            Some(Value::Text(name)) => {
-                self.name = name.clone();
-                rule
-            }
+        let remedy = match self.entries.get(NAME).map(|entry| &entry.value) {
+            Some(Value::Text(_)) => rule,
             _ => format!("rename the file, or state another name in it, such as name = \"light\": {rule}"),
         };
         match frame_name::fault(&self.name) {
-            Some(message) => Err(self.refuse("name", Reason::Impossible { message, remedy })),
+            Some(message) => Err(self.refuse(NAME, Reason::Impossible { message, remedy })),
             None => Ok(()),
         }
     }
@@ -250,16 +267,31 @@ impl FrameFile {
         self.stack(source, folder, files, chain)
     }
 
-    /// Sets a value, as if the frame file stated it; a refusal of it still points to where the key was typed.
+    /// Sets a value, as if the frame file stated it; a refusal of it still points to where the key was typed. A table sets each of its
+    /// keys, and `name` names the frame.
     pub fn set(&mut self, key: &str, value: Value) {
         let typed = self.entries.get(key).map(|entry| entry.place.clone());
         let place = typed.unwrap_or_else(|| Place::of_command_line(format!("{key} = {}", value.to_toml())));
-        self.entries.insert(key.into(), Entry { value, place, depth: 0 });
+        self.put(key, value, &place);
     }
 
     /// Sets a value that was asked for on the command line: a refusal points at these words of it.
     pub fn ask(&mut self, key: &str, value: Value, words: String) {
-        self.entries.insert(key.into(), Entry { value, place: Place::of_command_line(words), depth: 0 });
+        self.put(key, value, &Place::of_command_line(words));
+    }
+
+    fn put(&mut self, key: &str, value: Value, place: &Place) {
+        match (key, value) {
+            (_, Value::Other(toml::Value::Table(table))) if !table.is_empty() => {
+                table.into_iter().for_each(|(name, inner)| self.put(&format!("{key}.{name}"), Value::of_toml(inner), place));
+            }
+            (_, value) => {
+                if let (NAME, Value::Text(name)) = (key, &value) {
+                    self.name.clone_from(name);
+                }
+                self.entries.insert(key.into(), Entry { value, place: place.clone(), depth: 0 });
+            }
+        }
     }
 
     /// Sets a number.
@@ -466,6 +498,42 @@ fn typed_value(value: &Spanned<DeValue<'_>>) -> Result<Value, String> {
 mod tests {
     use super::super::files::Memory;
     use super::*;
+    use crate::params::Frame;
+
+    /// A preset with values set; what is said of it.
+    fn set(values: &[(&str, &str)]) -> Result<Frame, String> {
+        let mut file = FrameFile::load("cognifly").expect("a preset");
+        for (key, text) in values {
+            let table: toml::Table = toml::from_str(&format!("value = {text}")).expect("is TOML");
+            file.set(key, Value::of_toml(table["value"].clone()));
+        }
+        Frame::resolve(&file).map_err(|refusal| refusal.to_string())
+    }
+
+    #[test]
+    fn analytic_a_table_that_is_set_sets_its_keys() {
+        let frame = set(&[("rods", "{ cage_rod_length_mm = 181.0 }"), ("limits", "{}")]).expect("is a frame");
+        assert_eq!(frame.rods.cage_rod_length_mm, 181.0);
+        let own =
+            "{ kind = \"battery\", mass_g = 70.0, mass_basis = \"measured\", size_mm = [60.0, 31.0, 18.0], cells = 3, source = \"scale\" }";
+        let frame = set(&[("override.parts", &format!("{{ mine = {own} }}")), ("bought.battery", "\"mine\"")]).expect("is a frame");
+        assert_eq!(frame.bought["battery"].part.mass_g, 70.0);
+        let said = set(&[("rods", "{ cage_rod_length = 181.0 }")]).expect_err("is no key");
+        assert!(said.contains("rods.cage_rod_length"), "{said}");
+    }
+
+    #[test]
+    fn planted_a_name_that_is_set_is_held_to_the_rules_of_names() {
+        assert_eq!(set(&[("name", "\"light\"")]).expect("is a name").name, "light");
+        for (key, text, part) in
+            [("name", "\"../../x\"", "name"), ("name", "3", "a number"), ("base", "\"cognifly-v8\"", "`base` cannot be set")]
+        {
+            let said = set(&[(key, text)]).expect_err("is refused");
+            assert!(said.contains(part), "{said}");
+        }
+        let Ok(file) = FrameFile::parse("mine", "base = \"cognifly\"\nname = 3\n") else { panic!("is TOML") };
+        assert!(Frame::resolve(&file).expect_err("is no text").to_string().contains("`name` is a number"));
+    }
 
     #[test]
     fn planted_a_list_of_tables_is_told_how_it_is_written() {

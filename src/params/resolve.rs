@@ -33,6 +33,8 @@ impl Frame {
     /// The first thing in it that is refused.
     pub fn resolve(file: &FrameFile) -> Result<Self, Refusal> {
         known_keys(file)?;
+        text(file, "name")?;
+        file.hold_name()?;
         let catalogues = Catalogues::read(file)?;
         let bought = catalogues.bought(file)?;
         let number = |p: &Parameter| number(file, &bought, p);
@@ -97,6 +99,7 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
         }
         let inside = known.iter().find(|k| key.strip_prefix(k.as_str()).is_some_and(|rest| rest.starts_with('.')));
         let reason = match inside {
+            _ if key == "base" => base_is_typed(),
             Some(parent) => Reason::TableForValue { key: key.clone(), parent: parent.clone(), expected: expected(parent) },
             None => match renamed::now(key) {
                 Some(now) => Reason::Renamed { key: key.clone(), now: now.into() },
@@ -114,6 +117,12 @@ fn known_keys(file: &FrameFile) -> Result<(), Refusal> {
             Err(file.refuse("schema", Reason::Impossible { message, remedy }))
         }
     }
+}
+
+/// A base is read with the file that names it; it is no value that can be set.
+fn base_is_typed() -> Reason {
+    let message = "`base` cannot be set: it is read with the file that names it".into();
+    Reason::Impossible { message, remedy: "state base in the frame file's text, or begin with another frame".into() }
 }
 
 /// Whether a key is the name of a table.

@@ -9,6 +9,7 @@ use crate::export::{self, ExportError, Exported, File, Format, manifest, step, t
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, DesignError, mass};
+use crate::memo::{Progress, Step, Unwatched};
 use crate::printing::plates;
 use crate::printing::plates::Plate;
 
@@ -49,12 +50,30 @@ pub enum FolderError {
 /// # Errors
 /// [`FolderError`] when a file cannot be made.
 pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: FolderChoice) -> Result<Vec<File>, FolderError> {
+    Ok(followed(design, masses, findings, choice, &Unwatched)?.unwrap_or_default())
+}
+
+/// The same with somebody who follows it, format by format and picture by picture; none when that one ended it.
+///
+/// # Errors
+/// [`FolderError`] when a file cannot be made.
+pub fn followed(
+    design: &Design,
+    masses: &MassTable,
+    findings: &[Finding],
+    choice: FolderChoice,
+    progress: &dyn Progress,
+) -> Result<Option<Vec<File>>, FolderError> {
     let meshes = compensated(design)?;
     // What lies on no bed is a finding of `check`; the parts are written all the same.
     let plates = with_pictures(design, plates::arrange_what_fits(design, &plates::all(design)));
     let of = Exported { design, masses, meshes: &meshes, plates: &plates };
     let mut files = Vec::new();
-    for format in export::CATALOGUE.iter().filter(|format| choice.asks_for(format)) {
+    let formats: Vec<_> = export::CATALOGUE.iter().filter(|format| choice.asks_for(format)).collect();
+    for format in &formats {
+        if progress.begins(Step { name: format.extension, of: formats.len() }).is_break() {
+            return Ok(None);
+        }
         files.extend((format.files)(&of)?);
     }
     if !plates.is_empty() {
@@ -62,13 +81,14 @@ pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: 
     }
     if choice.pictures {
         let bare: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
-        files.extend(scene::pictures(design, &bare).into_iter().map(|(path, bytes)| File::new(path, bytes)));
+        let Some(pictures) = scene::pictures_followed(design, &bare, progress) else { return Ok(None) };
+        files.extend(pictures.into_iter().map(|(path, bytes)| File::new(path, bytes)));
     }
     files.push(File::new("report.md", summary::markdown(design, masses, findings, &plates, choice.pictures).into_bytes()));
     let manifest = manifest::manifest(design, &meshes, masses, &files);
     let text = manifest::signed_text(&manifest).map_err(ExportError::of("manifest.json"))?;
     files.push(File::new("manifest.json", text.into_bytes()));
-    Ok(files)
+    Ok(Some(files))
 }
 
 /// The files of one format alone, with the same bytes as in the folder.

@@ -111,7 +111,7 @@ impl Workspace {
     pub fn files(&mut self, choice: FolderChoice, progress: &dyn Progress) -> Result<Answer<Vec<File>>, Refused> {
         let (design, masses) = self.designed(progress)?;
         let found = checks::followed(&CATALOGUE, Cost::Slow, &design, &masses, progress).ok_or(Refused::Ended)?;
-        let files = frame_folder::files(&design, &masses, &found, choice)?;
+        let files = frame_folder::followed(&design, &masses, &found, choice, progress)?.ok_or(Refused::Ended)?;
         Ok(self.answer(files))
     }
 

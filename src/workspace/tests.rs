@@ -9,6 +9,7 @@ use crate::checks::Cost;
 use crate::memo::{Memo, Step, Unwatched};
 use crate::params::FrameFile;
 use crate::params::frame_file::Value;
+use crate::report::frame_folder::FolderChoice;
 
 fn workspace() -> Workspace {
     Workspace::new(FrameFile::load("cognifly").expect("a preset"), Arc::new(Memo::default())).expect("a preset")
@@ -41,6 +42,14 @@ fn planted_a_refused_value_changes_nothing() {
     let refusal = workspace.set("rods.arm_rod_length_mm", Value::Number(-4.0)).expect_err("is out of bounds");
     assert!(refusal.to_string().contains("arm_rod_length_mm"), "{refusal}");
     assert_eq!(workspace.masses(&Unwatched).expect("is weighed").value, before);
+}
+
+#[test]
+fn analytic_files_end_between_two_pictures() {
+    let mut workspace = workspace();
+    let ended = |step: Step| if step.name.ends_with("assembled_top.png") { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    let choice = FolderChoice { pictures: true, step: false };
+    assert!(matches!(workspace.files(choice, &ended), Err(Refused::Ended)));
 }
 
 #[test]

@@ -7,6 +7,7 @@ use flexframe::checks::{CATALOGUE, Cost, Finding};
 use flexframe::frame::assembly::mass::{self, MassTable};
 use flexframe::frame::assembly::{Design, DesignError};
 use flexframe::memo::{Key, Memo, Storage};
+use flexframe::params::frame_file::Value;
 use flexframe::params::parameter::Parameter;
 use flexframe::params::{Frame, FrameFile, parameters, preset};
 use flexframe::{checks, solid::Mesh};
@@ -26,6 +27,23 @@ const EVERY: usize = 20;
 const FORGOTTEN: usize = 24;
 /// How far from its value towards a bound a parameter is moved at most.
 const REACH: f64 = 0.2;
+
+/// How many of a hundred changes are of a word instead of a number.
+const WORDED: f64 = 25.0;
+/// Words that keys take; one that a frame cannot have is refused there.
+const CHOICES: [(&str, &[&str]); 11] = [
+    ("printer", &["prusa-mini", "ender-3", "generic-0.4"]),
+    ("materials.flexible", &["tpu-85a", "tpu-95a", "tpu-98a"]),
+    ("materials.rigid", &["abs", "petg", "pla"]),
+    ("sleeve.sleeve_direction", &["along", "across"]),
+    ("bought.rod", &["rod-carbon-2", "rod-carbon-3", "rod-bamboo-3"]),
+    ("bought.motor", &["motor-1104", "motor-1106", "motor-1404"]),
+    ("bought.battery", &["battery-3s-450", "battery-3s-650", "battery-2s-850"]),
+    ("bought.propeller", &["propeller-3-inch", "propeller-65mm"]),
+    ("bought.computer", &["none", "pi-zero-w"]),
+    ("bought.gps", &["none", "gps-22x20"]),
+    ("bought.receiver", &["none", "receiver-nano"]),
+];
 
 /// A storage in memory.
 #[derive(Clone, Default)]
@@ -59,6 +77,19 @@ fn whole(frame: Frame, memo: &Arc<Memo>, dearest: Cost) -> Result<Whole, DesignE
     Ok(Whole { findings, masses, printed, placed })
 }
 
+/// A key and another value for it, a word or a number; none where the number has no room.
+fn change(frame: &Frame, drawn: &mut dyn FnMut(f64, f64) -> f64) -> Option<(String, Value)> {
+    let mut among = |count: usize| drawn(0.0, count as f64) as usize;
+    if (among(100) as f64) < WORDED {
+        let (key, words) = CHOICES[among(CHOICES.len())];
+        return Some((key.into(), Value::Text(words[among(words.len())].into())));
+    }
+    let all: Vec<&Parameter> = parameters().collect();
+    let parameter = all[among(all.len())];
+    let value = moved(parameter, frame, drawn(-1.0, 1.0))?;
+    Some((format!("{}.{}", parameter.table, parameter.key), Value::Number(value)))
+}
+
 /// A parameter's new value.
 fn moved(parameter: &Parameter, frame: &Frame, way: f64) -> Option<f64> {
     let value = frame.value(parameter.table, parameter.key)?;
@@ -72,24 +103,21 @@ fn walk(seed: u8, every: usize) -> Vec<String> {
     let mut file = FrameFile::load(names[usize::from(seed) % names.len()]).expect("a preset");
     let mut runner = TestRunner::new_with_rng(Config::default(), TestRng::from_seed(RngAlgorithm::ChaCha, &[seed; 32]));
     let mut drawn = |low: f64, high: f64| (low..high).new_tree(&mut runner).expect("a range").current();
-    let all: Vec<&Parameter> = parameters().collect();
     let storage = InMemory::default();
     let memo = || Arc::new(Memo::on(Box::new(storage.clone())));
     let mut hot = memo();
     let mut wrong = Vec::new();
     for step in 1..=STEPS / WALKS {
         let frame = Frame::resolve(&file).expect("was accepted");
-        let parameter = all[drawn(0.0, all.len() as f64) as usize];
-        let (key, way) = (format!("{}.{}", parameter.table, parameter.key), drawn(-1.0, 1.0));
-        let Some(value) = moved(parameter, &frame, way) else { continue };
+        let Some((key, value)) = change(&frame, &mut drawn) else { continue };
         let mut changed = file.clone();
-        changed.set_number(&key, value);
+        changed.set(&key, value);
         let Ok(frame) = Frame::resolve(&changed) else { continue };
         if step % FORGOTTEN == 0 {
             hot = memo();
         }
-        // The slow rules are part of it now and then.
-        let dearest = if step % (3 * every) == 0 { Cost::Slow } else { Cost::Quick };
+        // The slow rules are part of half of the walks, before what is compared, too.
+        let dearest = if seed % 2 == 0 && step % (every / 2).max(1) == 0 { Cost::Slow } else { Cost::Quick };
         let warm = whole(frame.clone(), &hot, dearest);
         if step % every == 0 {
             match (&warm, &whole(frame, &Arc::default(), dearest)) {

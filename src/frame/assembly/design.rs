@@ -216,7 +216,8 @@ impl<B: Send> Making<'_, B> {
         let centre = Centre::new(&frame);
         let (needed, bent_in) = (self.parts.iter().filter(|part| (part.needed)(&frame)), self.bent_in.unwrap_or(&skeleton));
         let recipes: Vec<(&'static PrintedPart, Recipe)> = needed.map(|part| (*part, Recipe::of(part, &frame, bent_in, &centre))).collect();
-        let of = recipes.len();
+        // A target size may take the parts of two frames.
+        let of = recipes.len() * if frame.target.is_some() { 2 } else { 1 };
         let make = |(part, recipe): (&'static PrintedPart, Recipe)| match (self.begins)(Step { name: part.name.slug(), of }) {
             ControlFlow::Break(ended) => Ok(ControlFlow::Break(ended)),
             ControlFlow::Continue(()) => Printed::by(part, recipe, self.memo)

@@ -10,6 +10,7 @@ use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Printed};
 use crate::frame::fold::Member;
 use crate::frame::skeleton::MODULE_WORDS;
+use crate::memo::{Progress, Step, Unwatched};
 use crate::printing::plates::Plate;
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
@@ -41,13 +42,28 @@ const OFF_CORNER_MM: f64 = 22.0;
 
 /// Every picture, path and PNG bytes; the parts lie on these plates.
 pub fn pictures(design: &Design, plates: &[Plate]) -> Vec<(String, Vec<u8>)> {
+    pictures_followed(design, plates, &Unwatched).unwrap_or_default()
+}
+
+/// The same with somebody who follows it, picture by picture; none when that one ended it.
+pub fn pictures_followed(design: &Design, plates: &[Plate], progress: &dyn Progress) -> Option<Vec<(String, Vec<u8>)>> {
+    let jobs = jobs(design, plates);
+    let draw = |job: &Job| {
+        let path = job.path();
+        let goes_on = progress.begins(Step { name: &path, of: jobs.len() }).is_continue();
+        goes_on.then(|| (path, job.kept(design)))
+    };
+    jobs.par_iter().map(draw).collect()
+}
+
+fn jobs<'a>(design: &'a Design, plates: &'a [Plate]) -> Vec<Job<'a>> {
     let mut jobs: Vec<Job> = [("front", View::Front), ("right", View::Right), ("top", View::Top), ("perspective", View::Perspective)]
         .into_iter()
         .map(|(name, view)| Job::Assembled(name, view))
         .collect();
     jobs.push(Job::Beds(plates));
     jobs.extend(design.printed.iter().map(Job::Part));
-    jobs.par_iter().map(|job| (job.path(), job.kept(design))).collect()
+    jobs
 }
 
 enum Job<'a> {
