@@ -14,7 +14,11 @@
 # Exit code: 0 all limits are kept, 1 a limit is violated or an increase is too large, 2 an input is wrong, 3 a disk or permission error.
 set -uo pipefail
 # The same patterns as in the program: ** is any number of folders, and names that begin with a dot are included.
-shopt -s globstar nullglob dotglob || exit 3
+if ! ((BASH_VERSINFO[0] * 100 + BASH_VERSINFO[1] >= 404)); then
+    echo "${0##*/}: bash 4.4 or later is needed, this is $BASH_VERSION; macOS has 3.2, and a newer one by brew install bash" >&2
+    exit 3
+fi
+shopt -s globstar nullglob dotglob
 flexframe=${FLEXFRAME:-flexframe}
 read -rd '' -a frames <<<"${FRAMES:-frames/*.toml}"
 

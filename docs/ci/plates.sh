@@ -1,8 +1,12 @@
 #!/usr/bin/env bash
-# plates.sh FOLDER: writes the print plates of every frame into a folder of FOLDER, with the settings to print them with.
+# plates.sh FOLDER: writes the print plates of every frame into FOLDER, below the frame's own path, with the settings to print them with.
 # FLEXFRAME and FRAMES as in gate.sh. A frame that cannot be built is left out: the gate has said why.
 set -uo pipefail
-shopt -s globstar nullglob dotglob || exit 3
+if ! ((BASH_VERSINFO[0] * 100 + BASH_VERSINFO[1] >= 404)); then
+    echo "${0##*/}: bash 4.4 or later is needed, this is $BASH_VERSION; macOS has 3.2, and a newer one by brew install bash" >&2
+    exit 3
+fi
+shopt -s globstar nullglob dotglob
 folder=$1
 flexframe=${FLEXFRAME:-flexframe}
 built=$(mktemp -d)
@@ -16,7 +20,8 @@ for pattern in "${patterns[@]}"; do
     ((${#found[@]})) || found=("$pattern")
     for frame in "${found[@]}"; do
         name=${frame%.toml}
-        name=${name//\//-}
+        # A folder for each: frames of other folders have other paths, also where a name has what stands for a slash elsewhere.
+        name=${name#/}
         if "$flexframe" build --no-pictures --quiet --output "$built/$name" -- "$frame"; then
             mkdir -p "$folder/$name"
             cp "$built/$name"/*/plates/*.3mf "$built/$name"/*/print-settings.md "$folder/$name/"
