@@ -94,7 +94,7 @@ fn own_legs(design: &Design, masses: &MassTable, args: &Args) -> Result<LegSprin
     let settings = MechanicsSettings::load(args.mechanics.as_deref())?.for_material(&design.frame.flexible.material);
     let quarter = FrameModel::new(design, masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).map_err(mechanics_refused)?;
-    let reduction = Reduction::of(&quarter, &curve, &settings).map_err(mechanics_refused)?;
+    let reduction = Reduction::of(&quarter, &curve, masses.total_g * 1e-3, &settings).map_err(mechanics_refused)?;
     let doubt = settings.doubt(&design.frame.flexible);
     Ok(LegSpring { from: OWN.into(), stiffness_n_m: reduction.stiffness_n_mm * 1e3, damping_n_s_m: reduction.damping_n_s_m, doubt })
 }

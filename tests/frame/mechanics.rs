@@ -212,3 +212,14 @@ fn measured_the_default_frame_keeps_its_design_drop() {
     // The sleeve comes down to the ground, and that is told.
     assert!(findings.iter().any(|finding| finding.verdict == Verdict::Note && finding.unit == "m/s"), "{findings:?}");
 }
+
+#[test]
+fn analytic_a_leg_buckles_between_its_hinges() {
+    let frame = Frame::load("cognifly").expect("a preset").0;
+    let design = Design::new(frame).expect("closes");
+    let (frame, skeleton) = (&design.frame, &design.skeleton);
+    let ends_mm = frame.hub_joint.hub_leg_pivot_mm + frame.corner.corner_leg_bottom_mm - skeleton.closure.leg_pivot_mm;
+    let between_mm = skeleton.between_hinges_mm(RodRole::Leg).expect("a leg has hinges");
+    assert!((between_mm - skeleton.closure.leg_rod_length_mm - ends_mm).abs() < 1e-9, "{between_mm}");
+    assert_eq!(skeleton.between_hinges_mm(RodRole::Arm), None);
+}

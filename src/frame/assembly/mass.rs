@@ -143,8 +143,7 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
     let covered = covering(design, "rod");
     let weighed = |shape: &Shape| match shape.kind {
         Kind::Rod(role) => {
-            let volume_mm3 = shape.exact_mm3.unwrap_or_else(|| shape.solid.volume_mm3());
-            let each_g = material.material.solid_g(volume_mm3);
+            let each_g = rod_g(design, shape);
             let quantity = design.skeleton.rods_of(role).count() as u32;
             Some(match covered {
                 Some(extra) => line(&shape.name, LineKind::Rod, &material.name, quantity, 0.0, &format!("in {extra}")),
@@ -170,6 +169,24 @@ fn bought_lines(design: &Design) -> Vec<MassLine> {
             }
         })
         .collect()
+}
+
+/// What the parts of a role weigh together without an extra that covers them, g: rods by their volume, others by the catalogue.
+pub fn uncovered_g(design: &Design, role: &str) -> f64 {
+    if role == "rod" {
+        let rods = design.shapes.iter().filter_map(|shape| match shape.kind {
+            Kind::Rod(rod) => Some(rod_g(design, shape) * design.skeleton.rods_of(rod).count() as f64),
+            _ => None,
+        });
+        return rods.sum();
+    }
+    design.frame.bought.get(role).map_or(0.0, |item| item.part.mass_g * f64::from(item.quantity))
+}
+
+/// Mass of one rod, g.
+fn rod_g(design: &Design, shape: &Shape) -> f64 {
+    let volume_mm3 = shape.exact_mm3.unwrap_or_else(|| shape.solid.volume_mm3());
+    design.frame.rod_material.material.solid_g(volume_mm3)
 }
 
 /// The extra in whose mass that of a role is contained.

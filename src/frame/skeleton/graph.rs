@@ -132,6 +132,18 @@ fn on_diagonal(s: f64, left: f64, z: f64) -> Point3<f64> {
 }
 
 impl Skeleton {
+    /// Between the axes about which the ends of a rod turn when it buckles, mm: of a leg between both hinges, of a strut from the knee's node
+    /// to the corner's hinge. `None` of a rod whose ends are held in parts that do not fold there.
+    pub fn between_hinges_mm(&self, role: RodRole) -> Option<f64> {
+        let c = &self.closure;
+        let out = c.ring_half_side_mm * std::f64::consts::SQRT_2;
+        match role {
+            RodRole::Leg => Some(libm::hypot(out - c.leg_pivot_mm - c.hub_leg_pivot_s_mm, c.ring_half_height_mm)),
+            RodRole::Strut => Some(libm::hypot(out + c.strut_pivot_mm - c.knee_s_mm, c.ring_half_height_mm)),
+            RodRole::Arm | RodRole::Cage | RodRole::CageSide => None,
+        }
+    }
+
     /// Builds and closes the skeleton of a frame.
     ///
     /// # Errors

@@ -43,11 +43,12 @@ pub fn reduced_model(
     curve: &StaticCurve,
     settings: &MechanicsSettings,
 ) -> Result<Model, ReductionError> {
-    let reduction = Reduction::of(quarter, curve, settings)?;
+    let body = DropBody::of(design, masses);
+    let reduction = Reduction::of(quarter, curve, body.mass_kg, settings)?;
     let [x_mm, phi_mm] = [0, 1].map(|column| reduction.curve_mm.iter().map(|point| point[column]).collect::<Vec<f64>>());
     let frame_curve = FrameCurve::new(&x_mm, &phi_mm).map_err(ReductionError::Curve)?;
     let sensor = Sensor::new(LOGGER_HZ, 1, LIMIT_G, Channel::Axial);
-    let mut model = Model::base(DropBody::of(design, masses), sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
+    let mut model = Model::base(body, sensor, reduction.stiffness_n_mm * 1e3, reduction.damping_n_s_m);
     model.name = format!("{}-reduced", design.frame.name);
     model.frame_curve = Some(Arc::new(frame_curve));
     model = model.with(&FRAME_FORCE_CURVE, &[1.0], 0);

@@ -42,7 +42,7 @@ pub struct RodLine {
     pub role: RodRole,
     /// Its beams.
     pub beams: Vec<usize>,
-    /// Free length between its sockets' mouths, mm.
+    /// Length that may buckle, mm: between its hinges, or its sockets' mouths where these do not fold.
     pub free_mm: f64,
     /// E I, N mm².
     pub bending_n_mm2: f64,

@@ -43,8 +43,13 @@ pub enum ImpactError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// The motion was lost.
-    #[error(transparent)]
-    Dynamics(#[from] DynamicsError),
+    #[error("from {height_m} m {error}: the frame collapses further than the model follows; lower heights may be followed")]
+    Dynamics {
+        /// Drop height, m.
+        height_m: f64,
+        /// Where.
+        error: DynamicsError,
+    },
 }
 
 /// A moment of the impact.
@@ -75,8 +80,8 @@ pub struct Impact {
     pub centre: Vec<(Vector3<f64>, Matrix3<f64>)>,
     /// When the feet left the ground, ms; `None` when they had not.
     pub contact_ms: Option<f64>,
-    /// Speed of the whole frame's centre of mass upwards at the end over that at the start.
-    pub restitution: f64,
+    /// Speed of the whole frame's centre of mass upwards at the end over that at the start; `None` when the feet had not left the ground.
+    pub restitution: Option<f64>,
     /// Energies when the payload was lowest, and at the end.
     pub energies: [Energies; 2],
     /// Lost in each zone, mJ, the most first.
@@ -114,7 +119,7 @@ impl Impact {
             moments: vec![Moment { t_ms: 0.0, down_mm: 0.0, up_m_s: -speed_m_s, proper_g: 0.0, ground_n: 0.0 }],
             centre: vec![first],
             contact_ms: None,
-            restitution: 0.0,
+            restitution: None,
             energies: [start; 2],
             lost: Vec::new(),
             zones: Vec::new(),
@@ -126,7 +131,7 @@ impl Impact {
         let mut lowest = 0.0;
         let mut left_ms = None;
         while motion.t_ms < run.longest_ms - 1e-9 {
-            motion.advance(run.step_ms)?;
+            motion.advance(run.step_ms).map_err(|error| ImpactError::Dynamics { height_m, error })?;
             let down_mm = rest - motion.state.places[model.hub].z;
             let proper_g = along_axis_g(model, &motion);
             let ground_n = motion.ground_n * copies;
@@ -152,7 +157,7 @@ impl Impact {
             }
         }
         impact.energies[1] = motion.energies();
-        impact.restitution = rising(model, &motion) / speed_m_s;
+        impact.restitution = impact.contact_ms.map(|_| rising(model, &motion) / speed_m_s);
         impact.lost = lost(model, &motion.lost_mj);
         let end = impact.energies[1];
         let held = end.kinetic_mj + end.stored_mj + end.relaxed_mj + end.friction_mj;

@@ -28,7 +28,8 @@ pub struct RodForce {
     pub role: RodRole,
     /// Largest compression, N; negative when it is pulled everywhere.
     pub compression_n: f64,
-    /// Force at which the free length buckles between hinges, N: L. Euler, π² E I / l².
+    /// Force at which it buckles between its hinges, or its sockets where these do not fold, N: L. Euler, π² E I / l². The hinges turn
+    /// freely here; their webs hold a little.
     pub buckling_n: f64,
 }
 

@@ -135,14 +135,14 @@ pub fn table(found: &Impacts) -> String {
         let end = &impact.energies[1];
         let input = 0.5 * found.mass_g * impact.speed_m_s * impact.speed_m_s;
         let contact = impact.contact_ms.map_or("     -".into(), |ms| format!("{ms:>6.1}"));
+        let rebound = impact.restitution.map_or("-".into(), |rebound| format!("{rebound:.2}"));
         text += &format!(
-            "{:>6} {:>7.3} {peak:>7.1} {:>8.1} {:>7.1} {at:>6.1} {:>7.1}   {contact} {:>8.2} {:>5.1} {:>8.1}\n",
+            "{:>6} {:>7.3} {peak:>7.1} {:>8.1} {:>7.1} {at:>6.1} {:>7.1}   {contact} {rebound:>8} {:>5.1} {:>8.1}\n",
             impact.height_m,
             impact.speed_m_s,
             sensor_peak_g(impact),
             logged_peak_g(impact),
             impact.travel_mm(),
-            impact.restitution,
             100.0 * end.relaxed_mj / input,
             100.0 * end.friction_mj / input,
         );
@@ -161,6 +161,13 @@ pub fn table(found: &Impacts) -> String {
                 }
             };
         }
+    }
+    for impact in found.impacts.iter().filter(|impact| impact.contact_ms.is_none()) {
+        let last_ms = impact.moments.last().map_or(0.0, |moment| moment.t_ms);
+        text += &format!(
+            "{} m: the feet are on the ground after {last_ms:.0} ms, where the computation ends: there is no rebound\n",
+            impact.height_m
+        );
     }
     let open = found.impacts.iter().map(|impact| impact.unaccounted.abs()).fold(0.0, f64::max);
     text += &format!("\nthe energies add up to within {:.1} % of that of the impact\n", 100.0 * open);

@@ -147,7 +147,7 @@ fn insides(curve: &StaticCurve) -> String {
         let small = first.zones.iter().find(|other| other.zone == zone.zone).map_or(0.0, |z| z.share);
         text += &format!("{:>8.1} % {:>5.1} % {:>7.1} %  {}\n", 100.0 * small, 100.0 * zone.share, 100.0 * zone.strain, zone.zone);
     }
-    text += &format!("\nrods at {} mm: largest compression, and what buckles the free length between hinges\n", second.displacement_mm);
+    text += &format!("\nrods at {} mm: largest compression, and what buckles it between its hinges\n", second.displacement_mm);
     for rod in &second.rods {
         text += &format!("{:>9.1} N of {:>7.0} N  {}\n", rod.compression_n, rod.buckling_n, rod.rod);
     }

@@ -77,9 +77,10 @@ fn waves(set: &DropSet, channel: Channel) -> Waves {
 fn reduced() -> Reduction {
     let settings = mechanics::settings::MechanicsSettings::load(None).expect("the program's own numbers are sound");
     let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
-    let quarter = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
+    let masses = mass::table(&design);
+    let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).expect("has a model");
     let curve = StaticCurve::new(&quarter, 30.0, &[]).expect("is followed");
-    Reduction::of(&quarter, &curve, &settings).expect("has modes")
+    Reduction::of(&quarter, &curve, masses.total_g * 1e-3, &settings).expect("has modes")
 }
 
 /// Whether the frame lands on one foot first.

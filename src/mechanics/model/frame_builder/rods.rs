@@ -56,7 +56,9 @@ impl Builder<'_> {
         let beams: Vec<usize> = (first..self.structure.beams.len()).collect();
         let bending_n_mm2 = material.young_mpa * section.second_mm4[0];
         let engaged: f64 = rod.sockets.iter().zip([&rod.start, &rod.end]).map(|(socket, end)| socket.engagement_mm(end)).sum();
-        self.rods.push(RodLine { name: rod.name.clone(), role: rod.role, beams, free_mm: length - engaged, bending_n_mm2 });
+        // A socket holds its rod by walls of TPU: what the rod turns about is the hinge behind the socket.
+        let free_mm = self.design.skeleton.between_hinges_mm(rod.role).unwrap_or(length - engaged);
+        self.rods.push(RodLine { name: rod.name.clone(), role: rod.role, beams, free_mm, bending_n_mm2 });
         let foundation = self.settings.socket_foundation * self.settings.young_mpa;
         for (along, node, length_mm) in on_axis {
             let station = stations.iter().position(|t| (t - along).abs() < 1e-6);
