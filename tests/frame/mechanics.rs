@@ -3,6 +3,7 @@
 use crate::common;
 use flexframe::checks::Verdict;
 use flexframe::frame::assembly::{Design, mass};
+use flexframe::frame::skeleton::RodRole;
 use flexframe::impact::frame_fit::Subject;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;

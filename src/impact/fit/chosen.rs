@@ -2,7 +2,7 @@
 
 use super::waves::{Unusable, Waves};
 use crate::impact::effects::Channel;
-use crate::impact::measured::{Drop, DropSet, Flag, Hint, JudgedDrops, Record, Spread, symptoms};
+use crate::impact::measured::{Drop, DropSet, Flag, FreeFallOffset, Hint, JudgedDrops, Record, Spread, symptoms};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -16,6 +16,9 @@ pub enum FitError {
     /// Readings that are not what the model predicts.
     #[error(transparent)]
     Readings(#[from] Hint),
+    /// Readings that gravity was taken off.
+    #[error("{0}")]
+    Gravity(FreeFallOffset),
     /// All left out.
     #[error("none of the {count} drops can be fitted{}", if .symptoms.is_empty() { "; `flexframe measure` says why".into() } else { format!(": {}", .symptoms.join("; ")) })]
     NoDrops {
@@ -129,6 +132,9 @@ impl<'a> Chosen<'a> {
         }
         if let Some(hint) = Hint::of(set) {
             return Err(hint.into());
+        }
+        if let Some(offset) = FreeFallOffset::all(set).into_iter().find(FreeFallOffset::is_gravity) {
+            return Err(FitError::Gravity(offset));
         }
         let judged = JudgedDrops::of(set).groups;
         let impulses_kept = keep != Keep::Clean || judged.iter().any(|(_, drops)| most_impulses_impossible(drops));

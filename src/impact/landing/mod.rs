@@ -76,7 +76,7 @@ pub use shown::{HeightSpread, ShownDrop};
 pub use simulation::{Landing, simulate};
 pub use table::LandingTable;
 pub use touch_adequacy::TouchAdequacy;
-pub use touches::{LegTouches, Touch};
+pub use touches::{LegTouches, SEEN_G, Touch};
 pub use uncertainty::FitUncertainty;
 pub use unjudged_landings::UnjudgedLandings;
 

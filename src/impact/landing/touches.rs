@@ -2,8 +2,8 @@
 
 /// The opposite foot's touch is looked for in so long a time behind the trigger, s.
 pub(super) const LAST_S: f64 = 15e-3;
-/// The least spike of a touch that is believed, g.
-const SEEN_G: f64 = 20.0;
+/// The least spike of a touch that is believed, g. The real frame's have 62 to 91 g in the median; a frame whose feet push less aside shows none.
+pub const SEEN_G: f64 = 20.0;
 /// A spike that is surely that of a touch, g.
 const SURE_G: f64 = 100.0;
 

@@ -31,6 +31,8 @@ const SMOOTH_NOISE: f64 = 3.5;
 /// Least deviation of both.
 const LEAST_VIBRATION: f64 = 0.05;
 const LEAST_NOISE: f64 = 0.05;
+/// Largest share of a height's records that lie where the clock stalls.
+const MOST_INSIDE: f64 = 0.7;
 /// From the trigger on, an impact acts so long, s.
 const ACTS_S: f64 = 0.015;
 
@@ -56,9 +58,18 @@ impl Usual {
 
 /// The signs of a stalled clock in each of the traces of one height; none where the clock is good. `None` is a record without impact.
 pub(super) fn stalls(height_m: f64, traces: &[Option<ClockTrace>], period: Option<&ClockPeriod>) -> Vec<Vec<ClockSign>> {
-    let usual = Usual::of(&traces.iter().flatten().collect::<Vec<_>>());
+    let known: Vec<&ClockTrace> = traces.iter().flatten().collect();
+    let usual = Usual::of(&known);
+    let period = period.filter(|period| tells_apart(period, &known));
     let one = |trace: &Option<ClockTrace>| trace.as_ref().map_or_else(Vec::new, |trace| signs(height_m, trace, &usual, period));
     traces.iter().map(one).collect()
+}
+
+/// Whether a period tells some records of a height from others. Where the impact lies at the same sample of nearly all of them, it says the same
+/// of each, and a period that shows by chance would be held against a whole height.
+fn tells_apart(period: &ClockPeriod, traces: &[&ClockTrace]) -> bool {
+    let inside = traces.iter().filter(|trace| position(trace, period, false).is_some()).count();
+    (inside as f64) <= MOST_INSIDE * traces.len() as f64
 }
 
 fn signs(height_m: f64, trace: &ClockTrace, usual: &Usual, period: Option<&ClockPeriod>) -> Vec<ClockSign> {
@@ -120,6 +131,23 @@ mod tests {
             noise,
             stamps: None,
         })
+    }
+
+    #[test]
+    fn planted_a_period_in_which_all_impacts_lie_alike_is_held_against_none() {
+        let period = ClockPeriod { samples: 200.0, begin: 95.0, stretch: 40.0, rise: 9.0 };
+        let jumping = |trigger: usize, jumps: bool| {
+            let mut one = trace(0.451, 1.33)?;
+            (one.trigger, one.jump) = (trigger, jumps.then_some([11.0, 0.001]));
+            Some(one)
+        };
+        let alike: Vec<_> = (0..30).map(|at| jumping(900, at % 4 == 0)).collect();
+        assert!(stalls(1.0, &alike, Some(&period)).iter().all(Vec::is_empty));
+        let spread: Vec<_> = (0..30).map(|at| jumping(900 + 37 * at, at % 4 == 0)).collect();
+        let found = stalls(1.0, &spread, Some(&period));
+        let inside = |at: usize| position(spread[at].as_ref().expect("a trace"), &period, false).is_some();
+        assert!((0..30).all(|at| found[at].is_empty() != (at % 4 == 0 && inside(at))));
+        assert!((0..30).any(|at| !found[at].is_empty()));
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! How long drops fell, against what their height says.
 
+use std::ops::RangeInclusive;
+
 use serde::Serialize;
 
 use super::DropGroup;
@@ -11,6 +13,12 @@ use crate::units::GRAVITY_M_S2;
 
 /// How far a fall may be from its height's: the hand's release takes a few samples, and weightlessness is detected by a threshold.
 pub const RELEASE_S: f64 = 0.015;
+/// Height that was fallen over the stated one: beyond these it is another unit, not an error of the height.
+const ANOTHER_UNIT: RangeInclusive<f64> = 0.5..=2.0;
+/// Ratios that differ by less than this share are the same.
+const SAME_RATIO: f64 = 0.1;
+/// A foot, m.
+const FOOT_M: f64 = 0.3048;
 /// Fewest falls that say something.
 const FEWEST: usize = 4;
 
@@ -56,6 +64,18 @@ impl Fall {
         0.5 * GRAVITY_M_S2 * self.fall_s * self.fall_s
     }
 
+    /// What falls from all heights say together where these cannot be metres, in a sentence: each lasted as from another height, in one ratio.
+    pub fn of_another_unit(falls: &[Self]) -> Option<String> {
+        let ratios = Spread::of(falls.iter().map(|fall| fall.fallen_m() / fall.height_m))?;
+        let is_far = !ANOTHER_UNIT.contains(&ratios.median) && ratios.q3 - ratios.q1 < SAME_RATIO * ratios.median;
+        let fall = falls.first().filter(|_| is_far)?;
+        let like = if (ratios.median / FOOT_M - 1.0).abs() < SAME_RATIO { ": they look like feet" } else { "" };
+        Some(format!(
+            "drops from a stated {} m fell for {:.3} s, a free fall from there takes {:.3} s: the heights are not in m{like}. State them in m",
+            fall.height_m, fall.fall_s, fall.expected_s
+        ))
+    }
+
     /// Whether it lasted so long, s, within the release and three standard errors.
     pub fn lasted(&self, duration_s: f64) -> bool {
         (self.fall_s - duration_s).abs() <= RELEASE_S + 3.0 * self.error_s
@@ -70,6 +90,21 @@ fn lasting_s(height_m: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn planted_heights_in_feet_are_seen() {
+        let of = |height_m: f64, fallen_m: f64| {
+            let [fall_s, expected_s] = [fallen_m, height_m].map(lasting_s);
+            Fall { height_m, drops: 10, fall_s, error_s: 0.0, expected_s }
+        };
+        let in_feet = [of(1.64, 0.5), of(3.28, 1.0), of(4.92, 1.5)];
+        let said = Fall::of_another_unit(&in_feet).expect("are no metres");
+        assert!(said.contains("1.64 m fell for 0.319 s") && said.contains("feet"), "{said}");
+        // Heights that are wrong by a part are no other unit, nor are falls that contradict each other.
+        assert_eq!(Fall::of_another_unit(&[of(1.0, 0.7), of(1.5, 1.1)]), None);
+        assert_eq!(Fall::of_another_unit(&[of(1.0, 0.3), of(1.5, 1.5)]), None);
+        assert_eq!(Fall::of_another_unit(&[]), None);
+    }
 
     #[test]
     fn analytic_a_fall_agrees_within_release_and_error() {

@@ -9,7 +9,7 @@ use super::record::Record;
 use crate::units::GRAVITY_M_S2;
 
 /// Samples a second with which an impact can be compared with a model.
-const RATES_HZ: RangeInclusive<f64> = 399.0..=201_000.0;
+pub(super) const RATES_HZ: RangeInclusive<f64> = 399.0..=201_000.0;
 /// A gap is longer than so many steps.
 pub(super) const GAP_STEPS: f64 = 1.5;
 /// Fewest samples before the trigger.

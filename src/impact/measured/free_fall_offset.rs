@@ -49,6 +49,12 @@ impl FreeFallOffset {
         sessions.into_iter().filter_map(|(session, records)| Self::of(session, &records)).collect()
     }
 
+    /// Whether gravity was taken off the readings along the axis. A record of such readings has a force law of its own: the ground's force less
+    /// the weight, from before the touch on.
+    pub fn is_gravity(&self) -> bool {
+        self.readings_g[2].is_some_and(|reading_g| (reading_g + 1.0).abs() <= GRAVITY_G)
+    }
+
     fn of(session: String, records: &[&Record]) -> Option<Self> {
         let spread = |axis: usize| {
             let axis_of = |record: &Record| match (&record.axes_g, axis) {
@@ -97,7 +103,7 @@ impl fmt::Display for FreeFallOffset {
         if let (Some(x), Some(y)) = (x, y) {
             write!(f, " along the axis, {x:.2} and {y:.2} g in x and y")?;
         }
-        let why = if (along + 1.0).abs() <= GRAVITY_G { "gravity was taken off" } else { "the sensor's zero is off" };
+        let why = if self.is_gravity() { "gravity was taken off" } else { "the sensor's zero is off" };
         write!(f, " (median of {records} drops), not 0: {why}. Give --zero=")?;
         if let (Some(x), Some(y)) = (x, y) {
             write!(f, "{x:.2},{y:.2},")?;

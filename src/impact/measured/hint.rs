@@ -1,5 +1,6 @@
 //! What the impulse says of unit, sign and axis of the readings, and of the unit of the heights.
 
+use super::flag::RATES_HZ;
 use super::impact_speed_m_s;
 use super::record::{DropSet, Record};
 use super::spread::Spread;
@@ -74,6 +75,14 @@ pub enum Hint {
         /// Median impulse along the axis over the impact speed.
         over_v0: f64,
     },
+    /// Times in another unit.
+    #[error("the times look like {unit}, not s: samples are {step_s} s apart. Give --units {unit}")]
+    Times {
+        /// ms or us.
+        unit: &'static str,
+        /// Median time between samples as it was read, s.
+        step_s: f64,
+    },
     /// Heights in another unit.
     #[error("the heights look like cm, not m: from {height_m} m the impulse is {over_v0:.2} v0. Give --units cm")]
     Centimetres {
@@ -87,6 +96,9 @@ pub enum Hint {
 impl Hint {
     /// Of all records together; `None` where half of them can be drops as they are.
     pub fn of(set: &DropSet) -> Option<Self> {
+        if let Some(times) = Self::times(set) {
+            return Some(times);
+        }
         let along = |record: &Record| over_v0(record, &record.accel_g);
         let impulses = Spread::of(set.records().filter_map(along)).filter(|spread| spread.count >= FEWEST)?;
         let over_v0 = impulses.median;
@@ -107,6 +119,14 @@ impl Hint {
         } else {
             None
         }
+    }
+
+    /// Times that no logger has, and one would have in a smaller unit.
+    fn times(set: &DropSet) -> Option<Self> {
+        let step_s = Spread::of(set.records().filter_map(Record::step_s)).filter(|steps| steps.count >= FEWEST)?.median;
+        let is_rate = |factor: f64| RATES_HZ.contains(&(1.0 / (step_s * factor)));
+        let unit = [("ms", 1e-3), ("us", 1e-6)].into_iter().find(|(_, factor)| is_rate(*factor));
+        unit.filter(|_| !is_rate(1.0)).map(|(unit, _)| Self::Times { unit, step_s })
     }
 
     /// Far less than a drop has along every axis. A sensor that is cut off at its full scale shows little, too: its drops are left alone.
@@ -194,6 +214,12 @@ mod tests {
         assert!(matches!(Hint::of(&set(1.0 / 9.81)), Some(Hint::TooSmall { over_v0 }) if (0.12..0.14).contains(&over_v0)));
         assert_eq!(Hint::of(&set(0.0)), None);
         assert!(matches!(Hint::of(&of(1.0, 100.0, None)), Some(Hint::Centimetres { height_m: 100.0, over_v0 }) if over_v0 < 0.15));
+        for (factor, unit) in [(1e3, "ms"), (1e6, "us")] {
+            let mut late = set(1.0);
+            let records = late.groups.iter_mut().flat_map(|group| &mut group.records);
+            records.for_each(|record| record.t_s.iter_mut().for_each(|t_s| *t_s *= factor));
+            assert!(matches!(Hint::of(&late), Some(Hint::Times { unit: found, .. }) if found == unit));
+        }
         let axes = |along: f64, x: f64, y: f64| Hint::of(&of(along, 1.0, Some([x, y]))).map(|hint| hint.to_string());
         assert_eq!([axes(1.0, 0.0, 0.1), axes(0.0, 0.1, 0.2), axes(0.0, 1.0, 1.0), axes(0.8, 0.8, 0.0)], [None, None, None, None]);
         let said = axes(0.0, 0.1, -1.0).expect("y has the impulse");

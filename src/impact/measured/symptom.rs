@@ -1,6 +1,7 @@
 //! What records show together of how they were measured or written, each with what mends it.
 
 use super::copied_records::CopiedRecords;
+use super::fall::Fall;
 use super::free_fall_offset::FreeFallOffset;
 use super::hint::Hint;
 use super::record::DropSet;
@@ -14,6 +15,10 @@ pub fn symptoms(set: &DropSet) -> Vec<String> {
     let others = jitter.into_iter().chain(CopiedRecords::of(set).map(|copied| copied.to_string()));
     match Hint::of(set) {
         Some(hint) => std::iter::once(hint.to_string()).chain(others).collect(),
-        None => FreeFallOffset::all(set).iter().map(ToString::to_string).chain(others).collect(),
+        None => {
+            let offsets = FreeFallOffset::all(set);
+            let heights = if offsets.is_empty() { Fall::of_another_unit(&Fall::of(set)) } else { None };
+            offsets.iter().map(ToString::to_string).chain(heights).chain(others).collect()
+        }
     }
 }

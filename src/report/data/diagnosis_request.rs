@@ -11,7 +11,7 @@ use crate::impact::diagnose::{
 };
 use crate::impact::effects::{self, AIR_DRAG, Channel, DROP_HEIGHT_ERROR, Model};
 use crate::impact::fit::{FitError, Keep, Waves};
-use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, TouchEvidence, UnjudgedLandings};
+use crate::impact::landing::{LandingAssessment, LandingEvidence, ObservedLandings, SEEN_G, TouchEvidence, UnjudgedLandings};
 use crate::impact::measured::{DropSet, Fall, FreeFallOffset, Session, StaticTest, is_same_m, symptoms};
 
 /// Most effects on top of spring and damper.
@@ -237,7 +237,7 @@ impl DiagnosisRequest<'_> {
                 let TouchEvidence { seen, drops, .. } = TouchEvidence::of(observed, self.seed);
                 Some(format!(
                     "{not_judged} the touch of each foot shows in {seen} of {drops} drops; it does not show where landings are level, \
-                     or where a logger is slower than some 1 kHz"
+                     where a logger is slower than some 1 kHz, or where the lateral readings of a touch stay below {SEEN_G} g"
                 ))
             }
             (ComparedAxes::All, None) => Some(format!("{not_judged} {TOUCHES_NEED}")),
