@@ -1,5 +1,7 @@
 //! The folder of a frame: every file that `build` writes, path and bytes.
 
+use std::ops::ControlFlow;
+
 use rayon::prelude::*;
 
 use super::page::{print_settings, summary};
@@ -9,7 +11,6 @@ use crate::export::{self, ExportError, Exported, File, Format, manifest, step, t
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, DesignError, mass};
-use crate::memo::{Progress, Step, Unwatched};
 use crate::printing::plates;
 use crate::printing::plates::Plate;
 
@@ -50,10 +51,10 @@ pub enum FolderError {
 /// # Errors
 /// [`FolderError`] when a file cannot be made.
 pub fn files(design: &Design, masses: &MassTable, findings: &[Finding], choice: FolderChoice) -> Result<Vec<File>, FolderError> {
-    Ok(followed(design, masses, findings, choice, &Unwatched)?.unwrap_or_default())
+    Ok(followed(design, masses, findings, choice, &|_, _| ControlFlow::Continue(()))?.unwrap_or_default())
 }
 
-/// The same with somebody who follows it, format by format and picture by picture; none when that one ended it.
+/// The same, asking before each format and picture whether it goes on; none when it was ended.
 ///
 /// # Errors
 /// [`FolderError`] when a file cannot be made.
@@ -62,7 +63,7 @@ pub fn followed(
     masses: &MassTable,
     findings: &[Finding],
     choice: FolderChoice,
-    progress: &dyn Progress,
+    begins: &scene::Begins,
 ) -> Result<Option<Vec<File>>, FolderError> {
     let meshes = compensated(design)?;
     // What lies on no bed is a finding of `check`; the parts are written all the same.
@@ -71,7 +72,7 @@ pub fn followed(
     let mut files = Vec::new();
     let formats: Vec<_> = export::CATALOGUE.iter().filter(|format| choice.asks_for(format)).collect();
     for format in &formats {
-        if progress.begins(Step { name: format.extension, of: formats.len() }).is_break() {
+        if begins(format.extension, formats.len()).is_break() {
             return Ok(None);
         }
         files.extend((format.files)(&of)?);
@@ -81,7 +82,7 @@ pub fn followed(
     }
     if choice.pictures {
         let bare: Vec<Plate> = plates.iter().map(|(plate, _)| plate.clone()).collect();
-        let Some(pictures) = scene::pictures_followed(design, &bare, progress) else { return Ok(None) };
+        let Some(pictures) = scene::pictures_followed(design, &bare, begins) else { return Ok(None) };
         files.extend(pictures.into_iter().map(|(path, bytes)| File::new(path, bytes)));
     }
     files.push(File::new("report.md", summary::markdown(design, masses, findings, &plates, choice.pictures).into_bytes()));

@@ -22,7 +22,7 @@ use crate::checks::{self, CATALOGUE, Cost, Finding};
 use crate::export::File;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{self, MassTable};
-use crate::memo::{Memo, Progress};
+use crate::memo::{Memo, Progress, Step};
 use crate::params::frame_file::Value;
 use crate::params::refusal::Refusal;
 use crate::params::{Frame, FrameFile};
@@ -111,7 +111,8 @@ impl Workspace {
     pub fn files(&mut self, choice: FolderChoice, progress: &dyn Progress) -> Result<Answer<Vec<File>>, Refused> {
         let (design, masses) = self.designed(progress)?;
         let found = checks::followed(&CATALOGUE, Cost::Slow, &design, &masses, progress).ok_or(Refused::Ended)?;
-        let files = frame_folder::followed(&design, &masses, &found, choice, progress)?.ok_or(Refused::Ended)?;
+        let begins = |name: &str, of| progress.begins(Step { name, of });
+        let files = frame_folder::followed(&design, &masses, &found, choice, &begins)?.ok_or(Refused::Ended)?;
         Ok(self.answer(files))
     }
 

@@ -1,5 +1,7 @@
 //! The pictures of a frame: assembled, flat on the bed, and each part.
 
+use std::ops::ControlFlow;
+
 use nalgebra::{Isometry3, Point3, Vector3};
 use rayon::prelude::*;
 
@@ -10,7 +12,6 @@ use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Printed};
 use crate::frame::fold::Member;
 use crate::frame::skeleton::MODULE_WORDS;
-use crate::memo::{Progress, Step, Unwatched};
 use crate::printing::plates::Plate;
 use crate::report::picture::image as picture;
 use crate::report::picture::image::{Bed, Item, View};
@@ -40,17 +41,20 @@ const MOST_BESIDE: usize = 3;
 /// How far off a corner there is room for its name, mm.
 const OFF_CORNER_MM: f64 = 22.0;
 
+/// Asked before each of several steps with its name and their number: whether it goes on.
+pub type Begins<'a> = dyn Fn(&str, usize) -> ControlFlow<()> + Sync + 'a;
+
 /// Every picture, path and PNG bytes; the parts lie on these plates.
 pub fn pictures(design: &Design, plates: &[Plate]) -> Vec<(String, Vec<u8>)> {
-    pictures_followed(design, plates, &Unwatched).unwrap_or_default()
+    pictures_followed(design, plates, &|_, _| ControlFlow::Continue(())).unwrap_or_default()
 }
 
-/// The same with somebody who follows it, picture by picture; none when that one ended it.
-pub fn pictures_followed(design: &Design, plates: &[Plate], progress: &dyn Progress) -> Option<Vec<(String, Vec<u8>)>> {
+/// The same, asking before each picture whether it goes on, with the picture's path and the number of all; none when it was ended.
+pub fn pictures_followed(design: &Design, plates: &[Plate], begins: &Begins) -> Option<Vec<(String, Vec<u8>)>> {
     let jobs = jobs(design, plates);
     let draw = |job: &Job| {
         let path = job.path();
-        let goes_on = progress.begins(Step { name: &path, of: jobs.len() }).is_continue();
+        let goes_on = begins(&path, jobs.len()).is_continue();
         goes_on.then(|| (path, job.kept(design)))
     };
     jobs.par_iter().map(draw).collect()
