@@ -315,13 +315,22 @@ fn analytic_kept_findings_are_quick_and_never_another_frames() {
 #[test]
 fn planted_a_cache_that_cannot_be_is_none() {
     let bench = Bench::new(&[("good.toml", GOOD), ("file", "")]);
-    for place in ["off", "", "relative", bench.folder.path().join("file").to_str().expect("UTF-8"), "/proc/nowhere"] {
+    for place in ["off", "", bench.folder.path().join("file").to_str().expect("UTF-8"), "/proc/nowhere"] {
         let mut command = Command::new(cargo_bin("flexframe"));
         command.args(["check", "-q", "good.toml"]).env("FLEXFRAME_CACHE", place).current_dir(bench.folder.path());
         let output = command.output().expect("starts");
         assert_eq!((output.status.code(), output.stderr.is_empty()), (Some(0), true), "{place}");
-        assert!(!bench.folder.path().join("relative").exists());
     }
+    assert_eq!(fs::read_dir(bench.folder.path()).expect("is there").count(), 2);
+}
+
+#[test]
+fn planted_a_relative_folder_of_the_cache_is_in_the_working_directory() {
+    let bench = Bench::new(&[("good.toml", GOOD)]);
+    let mut command = Command::new(cargo_bin("flexframe"));
+    let command = command.args(["check", "-q", "good.toml"]).env("FLEXFRAME_CACHE", "kept").current_dir(bench.folder.path());
+    assert_eq!(command.output().expect("starts").status.code(), Some(0));
+    assert!(fs::read_dir(bench.folder.path().join("kept")).is_ok_and(|listed| listed.count() > 0), "nothing is kept");
 }
 
 #[test]
