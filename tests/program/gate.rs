@@ -196,6 +196,37 @@ fn planted_a_link_that_leads_nowhere_matches_a_pattern() {
     assert!(out.ends_with("2 frames: 1 within their limits, 0 beyond a limit, 1 not read\n"), "{out}");
 }
 
+/// Left out without a word, a frame beyond its limits would pass.
+#[cfg(unix)]
+#[test]
+fn planted_a_name_that_is_not_utf8_is_not_passed_over() {
+    use std::os::unix::ffi::OsStrExt;
+    let odd = |bytes: &[u8]| std::ffi::OsStr::from_bytes(bytes).to_os_string();
+    let bench = Bench::new(&[("frames/good.toml", GOOD)]);
+    let frames = bench.folder.path().join("frames");
+    if fs::write(frames.join(odd(b"sch\xf6n.txt")), WIDE).is_err() {
+        // A file system that takes no such name needs no refusal of it.
+        return;
+    }
+    assert_eq!(bench.check(&["frames/*.toml"]).0, 0, "a file that does not match is none of the frames");
+    fs::write(frames.join(odd(b"sch\xf6n.toml")), WIDE).expect("can be written");
+    let whole = format!("{}/*.toml", frames.display());
+    for pattern in ["frames/*.toml", "**/*.toml", "f*/sch?n.toml", &whole] {
+        let (code, out, err) = bench.check(&[pattern]);
+        assert_eq!((code, out.as_str()), (2, ""), "{pattern}: {err}");
+        assert!(err.contains("frames/sch\u{fffd}n.toml is not UTF-8; rename it"), "{pattern}: {err}");
+    }
+    assert_eq!(bench.check(&["frames/g*.toml"]).0, 0);
+    // Names of folders, too.
+    fs::remove_file(frames.join(odd(b"sch\xf6n.toml"))).expect("is there");
+    fs::create_dir(frames.join(odd(b"\xff"))).expect("can be made");
+    fs::write(frames.join(odd(b"\xff")).join("wide.toml"), WIDE).expect("can be written");
+    for pattern in ["frames/*/wide.toml", "frames/**/*.toml"] {
+        let (code, _, err) = bench.check(&[pattern]);
+        assert!(code == 2 && err.contains("frames/\u{fffd}/wide.toml is not UTF-8"), "{pattern}: {err}");
+    }
+}
+
 #[test]
 fn analytic_a_passing_frame_fits_a_screen_and_its_warnings_come_first() {
     let bench = Bench::new(&[("good.toml", GOOD)]);
