@@ -184,6 +184,26 @@ fn planted_a_report_stays_one_document_while_the_list_is_written() {
     assert_eq!(bench.read("b.json"), before);
 }
 
+#[test]
+fn planted_a_list_that_is_not_there_is_told_as_a_list_and_in_json() {
+    let bench = Bench::new(&[("good.toml", GOOD)]);
+    for form in [&["--format", "json"][..], &["--format=json"], &["--json"]] {
+        let (code, out, err) = bench.check(&[&["good.toml", "--baseline", "nothere.json"][..], form].concat());
+        let report: serde_json::Value = serde_json::from_str(&out).unwrap_or_else(|error| panic!("{form:?}: {error}: {out}"));
+        let message = report["error"]["message"].as_str().expect("a message");
+        assert_eq!((code, report["error"]["exit_code"].as_u64(), &report["error"]["remedy"]), (2, Some(2), &serde_json::Value::Null));
+        assert!(message.contains("cannot read nothere.json") && message.ends_with("write one with --update-baseline"), "{message}");
+        assert!(err.contains(message), "{err}");
+    }
+    // The other forms are those of reports, and there is none.
+    for format in ["junit", "sarif", "github", "markdown", "text"] {
+        let (code, out, _) = bench.check(&["nowhere/*.toml", "--format", format]);
+        assert_eq!((code, out.as_str()), (2, ""), "{format}");
+    }
+    let (code, out, _) = bench.check(&["nowhere/*.toml", "--format", "json"]);
+    assert!(code == 2 && out.contains("no file matches"), "{out}");
+}
+
 /// A link that leads nowhere is a frame that cannot be read, not one that is not there.
 #[cfg(unix)]
 #[test]
