@@ -116,6 +116,60 @@ fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() 
     assert_eq!(report["front"].as_array().map(Vec::len), Some(1), "{report:#}");
 }
 
+/// A study that was asked to end has kept its rows and not done its work.
+#[cfg(unix)]
+#[test]
+fn planted_an_interrupted_study_ends_with_the_code_of_its_signal_and_keeps_its_rows() {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+        let desk = Desk::new(PLAN);
+        let journal = desk.path().join("out/study-s/rows.jsonl");
+        let rows = || fs::read_to_string(&journal).unwrap_or_default().lines().count();
+        let run = desk.command(&["run", "s.toml", "--cores", "1", "--json"]).stdout(Stdio::piped()).spawn().expect("starts");
+        let begun = Instant::now();
+        while rows() < 3 && begun.elapsed() < Duration::from_secs(120) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        Command::new("kill").args([signal, &run.id().to_string()]).status().expect("is there");
+        let done = run.wait_with_output().expect("ends");
+        let told: Value = serde_json::from_slice(&done.stdout).expect("JSON");
+        assert_eq!((done.status.code(), &told["table"]), (Some(code), &Value::Null), "{told}");
+        assert_eq!(told["known"].as_u64(), Some(rows() as u64 - 1), "{told}");
+        let on: Value = serde_json::from_str(&desk.good(&["run", "s.toml", "--json"])).expect("JSON");
+        assert_eq!((on["known"].as_u64(), on["evaluated"].as_u64()), (Some(8), told["known"].as_u64().map(|known| 8 - known)), "{on}");
+    }
+}
+
+/// A table and a report beside a journal are of its rows; what a user wrote into them stays.
+#[test]
+fn planted_results_of_former_rows_go_and_what_was_changed_by_hand_is_kept() {
+    let plan = |most: u32| format!("samples = 9\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, {most}]\n");
+    let desk = Desk::new(&plan(41));
+    let [table, kept] = ["study.csv", "study.csv.yours"].map(|name| desk.path().join("out/study-s").join(name));
+    desk.good(&["run", "s.toml"]);
+    desk.good(&["report", "s.toml"]);
+    let first = fs::read_to_string(&table).expect("is there");
+    let date = fs::metadata(&table).and_then(|is| is.modified()).expect("has one");
+    let (code, _, err) = desk.run(&["run", "s.toml"]);
+    assert!(code == 0 && err.is_empty() && fs::metadata(&table).and_then(|is| is.modified()).is_ok_and(|now| now == date), "{err}");
+    fs::write(&table, "changed by hand").expect("can be written");
+    let (code, _, err) = desk.run(&["run", "s.toml"]);
+    assert!(code == 0 && err.contains("study.csv was changed since it was written: your text is kept as"), "{err}");
+    assert_eq!([&table, &kept].map(|path| fs::read_to_string(path).expect("is there")), [first, "changed by hand".into()]);
+
+    // Begun anew, and not done.
+    fs::write(desk.path().join("s.toml"), plan(42)).expect("can be written");
+    desk.good(&["run", "s.toml", "--restart", "--cores", "1", "--budget", "0s"]);
+    assert!(!table.exists() && !desk.path().join("out/study-s/report").exists(), "they are of the former plan");
+    assert_eq!(fs::read_to_string(&kept).expect("is there"), "changed by hand");
+    desk.good(&["run", "s.toml"]);
+    desk.good(&["report", "s.toml"]);
+    fs::write(desk.path().join("out/study-s/report/notes.txt"), "mine").expect("can be written");
+    fs::write(&table, "again").expect("can be written");
+    let (code, _, err) = desk.run(&["run", "s.toml", "--restart", "--cores", "1", "--budget", "0s"]);
+    assert!(code == 0 && err.contains("study.csv.yours-2"), "{err}");
+    assert_eq!(fs::read_dir(desk.path().join("out/study-s/report")).expect("is there").count(), 1);
+}
+
 #[test]
 fn planted_rows_of_another_plan_are_no_rows_of_this_one() {
     let desk = Desk::new("samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 41]\n");

@@ -11,6 +11,7 @@ mod former;
 mod hidden_name;
 mod kept;
 mod record;
+mod result_files;
 mod staging;
 #[cfg(test)]
 mod tests;
@@ -24,6 +25,7 @@ use super::interrupt::Step;
 use super::terminal;
 pub(super) use file::{replace_file, replace_users_file, write_new};
 use record::{MANIFEST, RECORD, Record};
+pub(super) use result_files::{remove_result, write_result};
 use staging::{Lock, Staging};
 
 /// How often a place is tried in which another run has just put its result.
