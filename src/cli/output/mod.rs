@@ -20,7 +20,7 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use super::failure::Failure;
+use super::failure::{Failure, failed};
 use super::interrupt::Step;
 use super::terminal;
 pub(super) use file::{replace_file, replace_users_file, write_new};
@@ -57,12 +57,6 @@ fn why_no_folder(folder: &Path, error: io::Error) -> io::Error {
         _ => return error,
     };
     io::Error::new(error.kind(), why)
-}
-
-/// What a failure says of a step.
-fn failed(what: &str, path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
-    let what = format!("cannot {what} {}", path.display());
-    move |error: io::Error| Failure::Machine { what, error }
 }
 
 /// Replaces what the program wrote in a folder; says what else has moved.

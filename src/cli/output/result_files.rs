@@ -4,12 +4,11 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use super::failed;
 use super::file::replace_file;
 use super::folder::{self, Entry};
 use super::kept;
 use super::record::{RECORD, Record, content};
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, failed};
 use crate::cli::interrupt::Step;
 use crate::cli::terminal;
 

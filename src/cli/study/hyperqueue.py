@@ -28,7 +28,7 @@ try:
     client.wait_for_jobs([client.submit(job)])
 except FailedJobsException as error:
     sys.exit(str(error))
-except Exception as error:  # As above: the server went away.
-    sys.exit(f"HyperQueue: {error}")
+except Exception as error:  # As above: the server went away. What follows the first line is where in HyperQueue that was seen.
+    sys.exit(f"HyperQueue: {error}".splitlines()[0])
 except KeyboardInterrupt:
     sys.exit(130)
