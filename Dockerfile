@@ -1,4 +1,4 @@
-# The program in an image: docker build --tag flexframe . && docker run --rm --volume "$PWD:/frames" flexframe build light.toml
+# The program in an image: docker build --tag flexframe . && docker run --rm --user "$(id -u):$(id -g)" --volume "$PWD:/frames" flexframe build light.toml
 FROM rust:1.95-slim-bookworm AS build
 WORKDIR /source
 COPY . .

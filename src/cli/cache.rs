@@ -73,8 +73,11 @@ impl Drop for Cache {
     }
 }
 
-/// Bytes of a head.
-const HEAD: usize = 32;
+/// Characters of a key.
+const KEY: usize = 32;
+
+/// Bytes of a head: a key.
+const HEAD: usize = KEY;
 
 /// What a file begins with: this program, its libraries and the content, hashed.
 fn head(content: &[u8]) -> Vec<u8> {
@@ -89,10 +92,11 @@ fn libraries() -> [u8; 8] {
     hash.finish().to_le_bytes()
 }
 
-/// Removes the oldest files until the rest has room.
+/// Removes the oldest results until the rest has room. Other files count for nothing and stay: the folder may be one of the user's.
 fn trim(folder: &Path, room: u64) {
     let Ok(listed) = fs::read_dir(folder) else { return };
     let dated = |entry: fs::DirEntry| {
+        entry.file_name().to_str().filter(|name| is_result(name))?;
         let about = entry.metadata().ok()?;
         Some((about.modified().ok()?, entry.path(), about.len()))
     };
@@ -108,12 +112,21 @@ fn trim(folder: &Path, room: u64) {
     }
 }
 
-/// `FLEXFRAME_CACHE`, or the folder that the system has for such things; `off` and an empty name are none.
+/// Whether a file is named as a result, or as one that was being written when its command was killed: `.KEY.PID.new`.
+fn is_result(name: &str) -> bool {
+    let staged = |name| str::strip_prefix(name, '.')?.strip_suffix(".new")?.split_once('.').map(|(key, _)| key);
+    let key = staged(name).unwrap_or(name);
+    key.len() == KEY && key.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'))
+}
+
+/// `FLEXFRAME_CACHE`, in the working directory where it is a relative path, or the folder that the system has for such things; `off` and
+/// an empty name are none.
 fn folder() -> Option<PathBuf> {
     let named = |variable: &str| std::env::var_os(variable).map(PathBuf::from);
     let folder = match named("FLEXFRAME_CACHE") {
         Some(folder) if folder.as_os_str() == "off" => return None,
-        Some(folder) => folder,
+        // An empty path is none that could be made absolute.
+        Some(folder) => return std::path::absolute(folder).ok(),
         None => match (named("XDG_CACHE_HOME").filter(|path| path.is_absolute()), named("HOME")) {
             (Some(folder), _) => folder.join("flexframe"),
             (None, Some(home)) => home.join(".cache/flexframe"),
@@ -130,14 +143,42 @@ mod tests {
     #[test]
     fn analytic_the_oldest_goes_first() {
         let folder = tempfile::tempdir().expect("a folder");
-        for name in ["c", "a", "b"] {
-            fs::write(folder.path().join(name), [0; 100]).expect("is written");
+        let [a, b, c] = ["a", "b", "c"].map(|digit| digit.repeat(KEY));
+        written(folder.path(), &[&c, &a, &b]);
+        trim(folder.path(), 250);
+        assert_eq!(left(folder.path()), [a, b]);
+    }
+
+    /// A folder of the user's own may be given as that of the results.
+    #[test]
+    fn planted_files_that_are_no_results_stay_and_count_for_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let key = format!("{:?}", Key::of("step", &1));
+        let half = format!(".{key}.4711.new");
+        let foreign = ["notes.txt", "A234567890abcdef1234567890abcdef", "1234567890abcdef1234567890abcde", ".notes.txt.4711.new"];
+        written(folder.path(), &foreign);
+        written(folder.path(), &[&half, &key]);
+        trim(folder.path(), 150);
+        let mut expected = [&foreign[..], &[&key]].concat();
+        expected.sort_unstable();
+        assert_eq!(left(folder.path()), expected);
+        trim(folder.path(), 0);
+        assert_eq!(left(folder.path()).len(), foreign.len());
+    }
+
+    /// Files of 100 bytes, the oldest first.
+    fn written(folder: &Path, names: &[&str]) {
+        for name in names {
+            fs::write(folder.join(name), [0; 100]).expect("is written");
             std::thread::sleep(std::time::Duration::from_millis(20));
         }
-        trim(folder.path(), 250);
-        let mut left: Vec<_> = fs::read_dir(folder.path()).expect("is there").flatten().map(|entry| entry.file_name()).collect();
-        left.sort();
-        assert_eq!(left, ["a", "b"]);
+    }
+
+    fn left(folder: &Path) -> Vec<String> {
+        let listed = fs::read_dir(folder).expect("is there").flatten();
+        let mut names: Vec<String> = listed.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
     }
 
     #[test]

@@ -21,7 +21,7 @@ use crate::mechanics::result::prediction::predict;
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
 use crate::params::frame_file::read_source;
-use crate::params::{Frame, FrameFile};
+use crate::params::{Frame, FrameFile, LoadError, is_of_machine};
 use crate::workspace::advice;
 
 /// Check frames against their limits; exits 1 when one is violated.
@@ -162,12 +162,25 @@ fn refused(failure: &Failure) -> Refused {
 /// The list of accepted findings, when there is one to read.
 fn baseline(args: &Args) -> Result<Option<Baseline>, Failure> {
     let Some(path) = args.baseline.as_ref().filter(|path| !args.update_baseline || path.exists()) else { return Ok(None) };
-    let (_, source) = read_source(path.clone())?;
+    let (_, source) = read_source(path.clone()).map_err(|error| no_list(path, error))?;
     let wrong = |error| Failure::Usage {
         message: format!("{} is no list of accepted findings: {error}; remove it, and --update-baseline writes one", path.display()),
     };
     // A list that is replaced still has to be one: the path may be a slip.
     Baseline::parse(&source.text).map(Some).map_err(wrong)
+}
+
+/// A list that cannot be read, which has remedies of its own.
+fn no_list(path: &Path, error: LoadError) -> Failure {
+    match error {
+        LoadError::Refused(_) => error.into(),
+        LoadError::Unreadable { error, .. } if is_of_machine(error.kind()) => {
+            Failure::Machine { what: format!("cannot read {}", path.display()), error }
+        }
+        _ => Failure::Usage {
+            message: format!("--baseline: {error}; name a list of accepted findings, or write one with --update-baseline"),
+        },
+    }
 }
 
 /// How a list names a frame's file: by the way from the list's folder, wherever the program runs; a preset by its name.

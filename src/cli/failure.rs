@@ -1,6 +1,7 @@
 //! Why a command did not do its work, what a person reads of it, and its exit code.
 
 use std::io;
+use std::path::Path;
 
 use serde_json::json;
 
@@ -104,6 +105,12 @@ fn place_of(Malformed { file, place, .. }: &Malformed) -> serde_json::Value {
         SourcePosition::Line(line) => json!({ "file": file, "line": line }),
         SourcePosition::Sample(sample) => json!({ "file": file, "sample": sample }),
     }
+}
+
+/// A failure of the machine at a step with a file or folder.
+pub(super) fn failed(what: &str, path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
+    let what = format!("cannot {what} {}", path.display());
+    move |error: io::Error| Failure::Machine { what, error }
 }
 
 /// A failure of the model, as the user reads it.

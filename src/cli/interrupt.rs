@@ -1,21 +1,24 @@
-//! Ctrl-C, and being asked to end: a search ends with the best so far; everything else leaves nothing unfinished behind.
+//! Ctrl-C, and being asked to end: a search ends with the best so far, a study between rows; everything else leaves nothing unfinished
+//! behind.
 //!
-//! The second Ctrl-C ends a search at once, too. Results are put in place by a rename, so an interruption leaves the former result
+//! The second Ctrl-C ends those at once, too. Results are put in place by a rename, so an interruption leaves the former result
 //! or the new one.
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicI32, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::iterator::Signals;
 
-/// Whether somebody finishes in order when asked to end, and whether that was asked.
+/// Whether somebody finishes in order when asked to end, and the signal that asked for it.
 static HEARD: AtomicBool = AtomicBool::new(false);
-static ASKED: AtomicBool = AtomicBool::new(false);
+static ASKED: AtomicI32 = AtomicI32::new(NOTHING);
+/// No signal has this number.
+const NOTHING: i32 = 0;
 /// Hidden folders in which results are being made.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
@@ -27,7 +30,7 @@ pub(super) fn listen() {
     let Ok(mut signals) = Signals::new([SIGINT, SIGTERM]) else { return };
     std::thread::spawn(move || {
         for signal in signals.forever() {
-            if HEARD.load(Ordering::SeqCst) && !ASKED.swap(true, Ordering::SeqCst) {
+            if HEARD.load(Ordering::SeqCst) && ASKED.swap(signal, Ordering::SeqCst) == NOTHING {
                 continue;
             }
             end(signal);
@@ -41,14 +44,22 @@ pub(super) struct Finishing;
 impl Finishing {
     /// From now on the first Ctrl-C is a wish.
     pub fn begin() -> Self {
-        ASKED.store(false, Ordering::SeqCst);
+        ASKED.store(NOTHING, Ordering::SeqCst);
         HEARD.store(true, Ordering::SeqCst);
         Self
     }
 
     /// Whether it was asked to end.
     pub fn is_asked(&self) -> bool {
-        ASKED.load(Ordering::SeqCst)
+        self.exit_code().is_some()
+    }
+
+    /// The exit code of a command that was asked to end and has not done its work.
+    pub fn exit_code(&self) -> Option<u8> {
+        match ASKED.load(Ordering::SeqCst) {
+            NOTHING => None,
+            signal => u8::try_from(code_of(signal)).ok(),
+        }
     }
 }
 
@@ -95,6 +106,10 @@ fn end(signal: i32) -> ! {
         // Where one cannot be removed, the next run tries it.
         let _ = fs::remove_dir_all(folder);
     }
-    // What a shell expects of a program that a signal ended.
-    std::process::exit(128 + signal);
+    std::process::exit(code_of(signal));
+}
+
+/// What a shell expects of a program that a signal ended.
+fn code_of(signal: i32) -> i32 {
+    128 + signal
 }

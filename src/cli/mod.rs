@@ -52,6 +52,7 @@ mod varied;
 mod watch;
 mod weigh;
 
+use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -71,6 +72,13 @@ struct Arguments {
     /// Options of every command.
     #[command(flatten)]
     common: Common,
+}
+
+impl Arguments {
+    /// Whether standard output is JSON, of an error, too.
+    fn wants_json(&self) -> bool {
+        self.common.json || matches!(&self.command, Command::Check(args) if args.format == Some(check::CheckFormat::Json))
+    }
 }
 
 const EXAMPLES: &str = "Examples:
@@ -136,7 +144,7 @@ fn groups(command: &clap::Command) -> String {
     GROUPS.iter().map(|(group, names)| format!("{group}:\n{}\n", names.iter().map(line).collect::<String>())).collect::<String>()
 }
 
-/// Prints help, or why the command line does not parse; with --json among its words as a JSON object, too.
+/// Prints help, or why the command line does not parse; where its words ask for JSON as a JSON object, too.
 fn unparsed(error: clap::Error) -> ExitCode {
     let is_wrong = error.use_stderr();
     let printed = error.print().and_then(|()| std::io::stdout().flush());
@@ -150,11 +158,17 @@ fn unparsed(error: clap::Error) -> ExitCode {
         };
     }
     let failure = Failure::Usage { message: cause(&error) };
-    if std::env::args_os().any(|word| word == "--json") {
+    if asks_for_json(&std::env::args_os().collect::<Vec<_>>()) {
         // A closed pipe is nobody's failure; the exit code is.
         let _ = terminal::print_json(&failure.json());
     }
     ExitCode::from(failure.exit_code())
+}
+
+/// Whether the words of a command line that does not parse ask for JSON.
+fn asks_for_json(words: &[OsString]) -> bool {
+    let is_one = |word: &OsString| word == "--json" || word == "--format=json";
+    words.iter().any(is_one) || words.windows(2).any(|pair| pair[0] == "--format" && pair[1] == "json")
 }
 
 /// Why a command line does not parse, in one line.
@@ -184,7 +198,7 @@ pub fn run() -> ExitCode {
         Ok(code) => code,
         Err(failure) => {
             let code = failed(&failure);
-            if arguments.common.json {
+            if arguments.wants_json() {
                 // A closed pipe is nobody's failure; the exit code is.
                 let _ = terminal::print_json(&failure.json());
             }

@@ -12,7 +12,7 @@ use super::terminal;
 use super::varied::varied;
 use crate::params::frame_file::Value;
 use crate::params::{LoadError, amend};
-use crate::variant::{CreateError, Creation, Request, SolveError, create, movable};
+use crate::variant::{CreateError, Creation, Ended, Request, SolveError, create, movable};
 
 /// Write a variant of a frame, with the changes that it needs to keep every limit.
 #[derive(Debug, clap::Args)]
@@ -76,6 +76,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let creation = match created {
         Ok(creation) => creation,
         Err(CreateError::Refused(refusal)) => return Err(LoadError::Refused(refusal).into()),
+        Err(CreateError::Unsolved(error @ SolveError::Infeasible { looked_at: 0, ended: Ended::Stopped, .. })) => {
+            return Err(Failure::Impossible { message: format!("no such variant was found: {error}") });
+        }
         Err(CreateError::Unsolved(error @ SolveError::Infeasible { .. })) => {
             let looked = movable(&request)
                 .iter()

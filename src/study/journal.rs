@@ -71,19 +71,19 @@ impl Journal {
     ///
     /// # Errors
     /// When it is one of another study, or none.
-    pub fn read(study: &Study, text: &str) -> Result<Self, JournalError> {
+    pub fn read(study: &Study, text: &[u8]) -> Result<Self, JournalError> {
         let mut outcomes = Outcomes::none(study.rows());
-        let whole = text.rfind('\n').map_or(0, |at| at + 1);
-        for (at, line) in text[..whole].lines().enumerate() {
+        let whole = text.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+        for (at, line) in text[..whole].split_inclusive(|byte| *byte == b'\n').enumerate() {
             let unreadable = |_| JournalError::Unreadable { line: at + 1 };
             if at == 0 {
-                let first: First = serde_json::from_str(line).map_err(unreadable)?;
+                let first: First = serde_json::from_slice(line).map_err(unreadable)?;
                 if first.study != key(study) {
                     return Err(JournalError::OfAnother);
                 }
                 continue;
             }
-            let Line { row, figures, refused } = serde_json::from_str(line).map_err(unreadable)?;
+            let Line { row, figures, refused } = serde_json::from_slice(line).map_err(unreadable)?;
             let outcome = match (figures, refused) {
                 (Some(figures), None) if figures.len() == study.columns.len() => Outcome::Figures(figures),
                 (None, Some(why)) => Outcome::Refused(why),
@@ -123,9 +123,9 @@ mod tests {
                 std::iter::once(begun(&study)).chain((0..figures.len()).map(|at| line(2 * at, &outcome(at)))).collect();
             let text = lines.concat();
             let end = (cut * text.len() as f64) as usize;
-            let end = (0..=end).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
-            let read = Journal::read(&study, &text[..end]).expect("reads");
-            let whole = text[..end].matches('\n').count();
+            let text = &text.as_bytes()[..end];
+            let read = Journal::read(&study, text).expect("reads");
+            let whole = text.iter().filter(|byte| **byte == b'\n').count();
             prop_assert_eq!(read.whole, lines[..whole].concat().len());
             for at in 0..figures.len() {
                 let expected = (at + 1 < whole).then(|| outcome(at));
@@ -137,10 +137,16 @@ mod tests {
     #[test]
     fn planted_a_journal_of_another_plan_and_one_with_a_foreign_line_are_refused() {
         let own = begun(&study(40));
-        assert!(matches!(Journal::read(&study(41), &own), Err(JournalError::OfAnother)));
-        for wrong in ["{\"row\":1}\n", "{\"row\":1,\"figures\":[1.0]}\n", "nothing\n", "{\"row\":1,\"figures\":[1,2],\"refused\":\"no\"}\n"]
-        {
-            assert!(matches!(Journal::read(&study(40), &format!("{own}{wrong}")), Err(JournalError::Unreadable { line: 2 })), "{wrong}");
+        assert!(matches!(Journal::read(&study(41), own.as_bytes()), Err(JournalError::OfAnother)));
+        for wrong in [
+            &b"{\"row\":1}\n"[..],
+            b"{\"row\":1,\"refused\":\"\xff\"}\n",
+            b"{\"row\":1,\"figures\":[1.0]}\n",
+            b"nothing\n",
+            b"{\"row\":1,\"figures\":[1,2],\"refused\":\"no\"}\n",
+        ] {
+            let text = [own.as_bytes(), wrong].concat();
+            assert!(matches!(Journal::read(&study(40), &text), Err(JournalError::Unreadable { line: 2 })), "{wrong:?}");
         }
     }
 }

@@ -168,6 +168,19 @@ pub struct Solution {
     pub ended: Ended,
 }
 
+/// That no frame keeps all limits, in words; of frames of which none could be designed nothing more is known.
+fn infeasible(looked_at: usize, ended: Ended, nearest: &str, missed: &[String]) -> String {
+    match (missed, looked_at) {
+        ([], 0) => "the search ended before a frame was tried".into(),
+        ([], _) => format!("{} {looked_at} frames, none of which could be designed", ended.words()),
+        _ => format!(
+            "{} {looked_at} frames, none of which keeps every limit; the nearest, {nearest}, misses these: {}",
+            ended.words(),
+            missed.join("; ")
+        ),
+    }
+}
+
 /// Why there is no answer.
 #[derive(Debug, thiserror::Error)]
 pub enum SolveError {
@@ -183,7 +196,7 @@ pub enum SolveError {
         key: String,
     },
     /// No frame that was looked at keeps all limits; there may be one.
-    #[error("{} {looked_at} frames, none of which keeps every limit; the nearest, {nearest}, misses these: {}", .ended.words(), .missed.join("; "))]
+    #[error("{}", infeasible(*looked_at, *ended, nearest, missed))]
     Infeasible {
         /// How many were looked at.
         looked_at: usize,
@@ -194,4 +207,20 @@ pub enum SolveError {
         /// What the nearest one misses.
         missed: Vec<String>,
     },
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_a_search_that_missed_nothing_it_knows_of_says_so() {
+        let said = |looked_at: usize, missed: &[&str]| {
+            let missed = missed.iter().map(|word| word.to_string()).collect();
+            SolveError::Infeasible { looked_at, ended: Ended::Stopped, nearest: "the first".into(), missed }.to_string()
+        };
+        assert_eq!(said(0, &[]), "the search ended before a frame was tried");
+        assert_eq!(said(3, &[]), "was ended after 3 frames, none of which could be designed");
+        assert!(said(3, &["a", "b"]).ends_with("none of which keeps every limit; the nearest, the first, misses these: a; b"));
+    }
 }

@@ -113,6 +113,14 @@ def on_hyperqueue(plan, expected):
     same_table(out, expected)
 
 
+def without_a_server(plan):
+    """What is missing is told in one sentence, and is no failure of the machine."""
+    env = {**os.environ, "HQ_SERVER_DIR": str(FOLDER / "nowhere"), "PATH": f"{pathlib.Path(sys.executable).parent}:{os.environ['PATH']}"}
+    code, said = study("run", plan, "--engine", "hq", "-o", FOLDER / "alone", env=env)
+    good = code == 2 and "no HyperQueue server" in said and len(said.splitlines()) == 1
+    result("study on HyperQueue: without a server one sentence and exit code 2", good, f"{code}: {said}")
+
+
 def same_table(out, expected):
     table = (out / "study-plan/study.csv")
     result("study on HyperQueue: the table of this machine", table.exists() and table.read_bytes() == expected, "the tables differ")
@@ -204,6 +212,7 @@ def main():
     refused = [row for row in rows if row["refused"]]
     result("study: a frame that does not close is a row with its reason", len(rows) == ROWS and 0 < len(refused) < ROWS, f"{len(refused)} refused")
     as_parquet(FOLDER / "local/study-plan/study.csv")
+    without_a_server(plan)
     on_hyperqueue(plan, table)
     hidden_effects()
     sensitivities()

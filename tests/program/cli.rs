@@ -482,7 +482,13 @@ fn planted_options_that_would_say_nothing_are_refused() {
 
 #[test]
 fn regress_a_command_line_that_does_not_parse_is_an_error_in_json_too() {
-    for arguments in [&["check", "--json", "--nosuchopt"][..], &["--json", "biuld"], &["fold", "--step", "x", "--json"]] {
+    for arguments in [
+        &["check", "--json", "--nosuchopt"][..],
+        &["check", "--format", "json", "--nosuchopt"],
+        &["check", "--nosuchopt", "--format=json"],
+        &["--json", "biuld"],
+        &["fold", "--step", "x", "--json"],
+    ] {
         let output = flexframe(arguments);
         let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{arguments:?}: {error}"));
         let message = report["error"]["message"].as_str().expect("a message");
@@ -490,6 +496,7 @@ fn regress_a_command_line_that_does_not_parse_is_an_error_in_json_too() {
         assert_eq!(output.status.code(), Some(2));
     }
     assert_eq!(text(&flexframe(&["check", "--nosuchopt"]).stdout), "");
+    assert_eq!(text(&flexframe(&["check", "--format", "sarif", "--nosuchopt"]).stdout), "");
 }
 
 /// What bash offers for the last of some words, by the script that the program prints.

@@ -184,6 +184,26 @@ fn planted_a_report_stays_one_document_while_the_list_is_written() {
     assert_eq!(bench.read("b.json"), before);
 }
 
+#[test]
+fn planted_a_list_that_is_not_there_is_told_as_a_list_and_in_json() {
+    let bench = Bench::new(&[("good.toml", GOOD)]);
+    for form in [&["--format", "json"][..], &["--format=json"], &["--json"]] {
+        let (code, out, err) = bench.check(&[&["good.toml", "--baseline", "nothere.json"][..], form].concat());
+        let report: serde_json::Value = serde_json::from_str(&out).unwrap_or_else(|error| panic!("{form:?}: {error}: {out}"));
+        let message = report["error"]["message"].as_str().expect("a message");
+        assert_eq!((code, report["error"]["exit_code"].as_u64(), &report["error"]["remedy"]), (2, Some(2), &serde_json::Value::Null));
+        assert!(message.contains("cannot read nothere.json") && message.ends_with("write one with --update-baseline"), "{message}");
+        assert!(err.contains(message), "{err}");
+    }
+    // The other forms are those of reports, and there is none.
+    for format in ["junit", "sarif", "github", "markdown", "text"] {
+        let (code, out, _) = bench.check(&["nowhere/*.toml", "--format", format]);
+        assert_eq!((code, out.as_str()), (2, ""), "{format}");
+    }
+    let (code, out, _) = bench.check(&["nowhere/*.toml", "--format", "json"]);
+    assert!(code == 2 && out.contains("no file matches"), "{out}");
+}
+
 /// A link that leads nowhere is a frame that cannot be read, not one that is not there.
 #[cfg(unix)]
 #[test]
@@ -194,6 +214,37 @@ fn planted_a_link_that_leads_nowhere_matches_a_pattern() {
     let (code, out, err) = bench.check(&["frames/*.toml"]);
     assert!(code == 2 && err.contains("cannot read frames/gone.toml") && !out.contains("folder.toml"), "{out}{err}");
     assert!(out.ends_with("2 frames: 1 within their limits, 0 beyond a limit, 1 not read\n"), "{out}");
+}
+
+/// Left out without a word, a frame beyond its limits would pass.
+#[cfg(unix)]
+#[test]
+fn planted_a_name_that_is_not_utf8_is_not_passed_over() {
+    use std::os::unix::ffi::OsStrExt;
+    let odd = |bytes: &[u8]| std::ffi::OsStr::from_bytes(bytes).to_os_string();
+    let bench = Bench::new(&[("frames/good.toml", GOOD)]);
+    let frames = bench.folder.path().join("frames");
+    if fs::write(frames.join(odd(b"sch\xf6n.txt")), WIDE).is_err() {
+        // A file system that takes no such name needs no refusal of it.
+        return;
+    }
+    assert_eq!(bench.check(&["frames/*.toml"]).0, 0, "a file that does not match is none of the frames");
+    fs::write(frames.join(odd(b"sch\xf6n.toml")), WIDE).expect("can be written");
+    let whole = format!("{}/*.toml", frames.display());
+    for pattern in ["frames/*.toml", "**/*.toml", "f*/sch?n.toml", &whole] {
+        let (code, out, err) = bench.check(&[pattern]);
+        assert_eq!((code, out.as_str()), (2, ""), "{pattern}: {err}");
+        assert!(err.contains("frames/sch\u{fffd}n.toml is not UTF-8; rename it"), "{pattern}: {err}");
+    }
+    assert_eq!(bench.check(&["frames/g*.toml"]).0, 0);
+    // Names of folders, too.
+    fs::remove_file(frames.join(odd(b"sch\xf6n.toml"))).expect("is there");
+    fs::create_dir(frames.join(odd(b"\xff"))).expect("can be made");
+    fs::write(frames.join(odd(b"\xff")).join("wide.toml"), WIDE).expect("can be written");
+    for pattern in ["frames/*/wide.toml", "frames/**/*.toml"] {
+        let (code, _, err) = bench.check(&[pattern]);
+        assert!(code == 2 && err.contains("frames/\u{fffd}/wide.toml is not UTF-8"), "{pattern}: {err}");
+    }
 }
 
 #[test]
@@ -315,13 +366,22 @@ fn analytic_kept_findings_are_quick_and_never_another_frames() {
 #[test]
 fn planted_a_cache_that_cannot_be_is_none() {
     let bench = Bench::new(&[("good.toml", GOOD), ("file", "")]);
-    for place in ["off", "", "relative", bench.folder.path().join("file").to_str().expect("UTF-8"), "/proc/nowhere"] {
+    for place in ["off", "", bench.folder.path().join("file").to_str().expect("UTF-8"), "/proc/nowhere"] {
         let mut command = Command::new(cargo_bin("flexframe"));
         command.args(["check", "-q", "good.toml"]).env("FLEXFRAME_CACHE", place).current_dir(bench.folder.path());
         let output = command.output().expect("starts");
         assert_eq!((output.status.code(), output.stderr.is_empty()), (Some(0), true), "{place}");
-        assert!(!bench.folder.path().join("relative").exists());
     }
+    assert_eq!(fs::read_dir(bench.folder.path()).expect("is there").count(), 2);
+}
+
+#[test]
+fn planted_a_relative_folder_of_the_cache_is_in_the_working_directory() {
+    let bench = Bench::new(&[("good.toml", GOOD)]);
+    let mut command = Command::new(cargo_bin("flexframe"));
+    let command = command.args(["check", "-q", "good.toml"]).env("FLEXFRAME_CACHE", "kept").current_dir(bench.folder.path());
+    assert_eq!(command.output().expect("starts").status.code(), Some(0));
+    assert!(fs::read_dir(bench.folder.path().join("kept")).is_ok_and(|listed| listed.count() > 0), "nothing is kept");
 }
 
 #[test]

@@ -116,6 +116,153 @@ fn planted_a_killed_study_goes_on_and_its_table_is_that_of_an_undisturbed_one() 
     assert_eq!(report["front"].as_array().map(Vec::len), Some(1), "{report:#}");
 }
 
+/// A study that was asked to end has kept its rows and not done its work.
+#[cfg(unix)]
+#[test]
+fn planted_an_interrupted_study_ends_with_the_code_of_its_signal_and_keeps_its_rows() {
+    for (signal, code) in [("-INT", 130), ("-TERM", 143)] {
+        let desk = Desk::new(PLAN);
+        let journal = desk.path().join("out/study-s/rows.jsonl");
+        let rows = || fs::read_to_string(&journal).unwrap_or_default().lines().count();
+        let run = desk.command(&["run", "s.toml", "--cores", "1", "--json"]).stdout(Stdio::piped()).spawn().expect("starts");
+        let begun = Instant::now();
+        while rows() < 3 && begun.elapsed() < Duration::from_secs(120) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        Command::new("kill").args([signal, &run.id().to_string()]).status().expect("is there");
+        let done = run.wait_with_output().expect("ends");
+        let told: Value = serde_json::from_slice(&done.stdout).expect("JSON");
+        assert_eq!((done.status.code(), &told["table"]), (Some(code), &Value::Null), "{told}");
+        assert_eq!(told["known"].as_u64(), Some(rows() as u64 - 1), "{told}");
+        let on: Value = serde_json::from_str(&desk.good(&["run", "s.toml", "--json"])).expect("JSON");
+        assert_eq!((on["known"].as_u64(), on["evaluated"].as_u64()), (Some(8), told["known"].as_u64().map(|known| 8 - known)), "{on}");
+    }
+}
+
+#[test]
+fn planted_a_damaged_line_of_the_rows_can_be_deleted_and_its_row_comes_again() {
+    let desk = Desk::new("samples = 9\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 41]\n");
+    desk.good(&["run", "s.toml", "-q"]);
+    let (journal, table) = (desk.path().join("out/study-s/rows.jsonl"), desk.read("out/study-s/study.csv"));
+    let mut lines: Vec<Vec<u8>> = desk.read("out/study-s/rows.jsonl").lines().map(|line| line.as_bytes().to_vec()).collect();
+    let write = |lines: &[Vec<u8>]| fs::write(&journal, [&lines.join(&b'\n')[..], b"\n"].concat()).expect("can be written");
+    // A byte of a reason that is no text, and half a line.
+    for length in [lines[4].len() - 5, 7] {
+        lines[4].truncate(length);
+        lines[4].extend(if length == 7 { &b""[..] } else { b"\xff..\"}" });
+        write(&lines);
+        for action in ["run", "report"] {
+            let (code, _, err) = desk.run(&[action, "s.toml"]);
+            assert!(code == 2 && err.contains("line 5 is no row of a study; delete that line"), "{action}: {err}");
+        }
+        assert_eq!(fs::read(&journal).expect("is there"), [&lines.join(&b'\n')[..], b"\n"].concat(), "it stays as it is");
+    }
+    lines.remove(4);
+    write(&lines);
+    let out: Value = serde_json::from_str(&desk.good(&["run", "s.toml", "--json"])).expect("JSON");
+    assert_eq!((out["known"].as_u64(), out["evaluated"].as_u64()), (Some(9), Some(1)), "{out}");
+    assert_eq!(desk.read("out/study-s/study.csv"), table);
+    // The first line says of which study the rows are: without it they are none.
+    lines[0] = b"nothing".to_vec();
+    write(&lines);
+    let (code, _, err) = desk.run(&["run", "s.toml"]);
+    assert!(code == 2 && err.contains("line 1 is no row of a study; move it away"), "{err}");
+}
+
+/// What HyperQueue lacks is wrong usage; blocks of another plan do not go without a word.
+#[cfg(unix)]
+#[test]
+fn planted_hyperqueue_that_is_not_there_is_told_and_so_are_foreign_blocks() {
+    use std::os::unix::fs::PermissionsExt;
+    let plan = |most: u32| format!("samples = 3\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, {most}]\n");
+    let desk = Desk::new(&plan(41));
+    let run = |more: &[&str]| {
+        let mut command = desk.command(&[&["run", "s.toml", "--engine", "hq"][..], more].concat());
+        let done = command.env("PATH", desk.path().join("bin")).env("HQ_SERVER_DIR", "servers").output().expect("starts");
+        (done.status.code(), String::from_utf8(done.stderr).expect("UTF-8"))
+    };
+    let stand_in = |name: &str, text: &str| {
+        let place = desk.path().join("bin").join(name);
+        fs::write(&place, format!("#!/bin/sh\n{text}\n")).expect("can be written");
+        fs::set_permissions(&place, fs::Permissions::from_mode(0o755)).expect("is ours");
+    };
+    fs::create_dir(desk.path().join("bin")).expect("can be made");
+    let (none, no_server) = ("(pip install hyperqueue)", "answers at servers; start one with `hq server start`");
+    let is_refused = |said: &str| {
+        let (code, err) = run(&[]);
+        assert!(code == Some(2) && err.contains(said) && err.trim_end().lines().count() == 1, "{code:?} {err}");
+        assert!(!desk.path().join("out/study-s/blocks.txt").exists(), "{said}");
+    };
+    is_refused(none);
+    stand_in("python3", "exit 67");
+    is_refused(none);
+    stand_in("python3", "exit 68");
+    is_refused(no_server);
+    stand_in("hq", "exit 1");
+    is_refused(no_server);
+
+    // A task of a plan that was changed meanwhile, and what a run that was killed leaves.
+    let folder = desk.path().join("out/study-s");
+    fs::create_dir_all(folder.join("blocks")).expect("can be made");
+    fs::write(folder.join("blocks.txt"), "0-3\n").expect("can be written");
+    desk.good(&["block", "s.toml", "--rows", "0-2", "--into", "out/study-s/blocks"]);
+    fs::write(desk.path().join("s.toml"), plan(42)).expect("can be written");
+    let (code, _, err) = desk.run(&["run", "s.toml", "--restart"]);
+    assert!(code == 0 && err.contains("1 block of rows") && err.contains("of another plan"), "{err}");
+    assert!(!folder.join("blocks").exists() && !folder.join("blocks.txt").exists());
+    assert!(run(&[]).0 == Some(0), "nothing is left to do");
+}
+
+/// The frame of a row that the study refuses is told as such, before the study is run and after.
+#[test]
+fn planted_a_picked_row_has_the_reason_for_which_the_study_refuses_it() {
+    let desk = Desk::new(&PLAN.replace("points = 4", "points = 3"));
+    let picked = |name: &str| -> Vec<Value> {
+        let pick = |row: usize| desk.good(&["pick", "s.toml", &row.to_string(), "-o", &format!("{name}-{row}"), "--json"]);
+        (0..6).map(|row| serde_json::from_str::<Value>(&pick(row)).expect("JSON")["refused"].clone()).collect()
+    };
+    let before = picked("before");
+    desk.good(&["run", "s.toml", "-q"]);
+    assert_eq!(picked("after"), before);
+    let table = desk.table("out");
+    let column = table[0].iter().position(|name| name == "refused").expect("is there");
+    let stated: Vec<Value> =
+        table[1..].iter().map(|row| if row[column].is_empty() { Value::Null } else { row[column].clone().into() }).collect();
+    assert_eq!(before, stated);
+    assert!(before.iter().any(Value::is_null) && !before.iter().all(Value::is_null), "{before:?}");
+}
+
+/// A table and a report beside a journal are of its rows; what a user wrote into them stays.
+#[test]
+fn planted_results_of_former_rows_go_and_what_was_changed_by_hand_is_kept() {
+    let plan = |most: u32| format!("samples = 9\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, {most}]\n");
+    let desk = Desk::new(&plan(41));
+    let [table, kept] = ["study.csv", "study.csv.yours"].map(|name| desk.path().join("out/study-s").join(name));
+    desk.good(&["run", "s.toml"]);
+    desk.good(&["report", "s.toml"]);
+    let first = fs::read_to_string(&table).expect("is there");
+    let date = fs::metadata(&table).and_then(|is| is.modified()).expect("has one");
+    let (code, _, err) = desk.run(&["run", "s.toml"]);
+    assert!(code == 0 && err.is_empty() && fs::metadata(&table).and_then(|is| is.modified()).is_ok_and(|now| now == date), "{err}");
+    fs::write(&table, "changed by hand").expect("can be written");
+    let (code, _, err) = desk.run(&["run", "s.toml"]);
+    assert!(code == 0 && err.contains("study.csv was changed since it was written: your text is kept as"), "{err}");
+    assert_eq!([&table, &kept].map(|path| fs::read_to_string(path).expect("is there")), [first, "changed by hand".into()]);
+
+    // Begun anew, and not done.
+    fs::write(desk.path().join("s.toml"), plan(42)).expect("can be written");
+    desk.good(&["run", "s.toml", "--restart", "--cores", "1", "--budget", "0s"]);
+    assert!(!table.exists() && !desk.path().join("out/study-s/report").exists(), "they are of the former plan");
+    assert_eq!(fs::read_to_string(&kept).expect("is there"), "changed by hand");
+    desk.good(&["run", "s.toml"]);
+    desk.good(&["report", "s.toml"]);
+    fs::write(desk.path().join("out/study-s/report/notes.txt"), "mine").expect("can be written");
+    fs::write(&table, "again").expect("can be written");
+    let (code, _, err) = desk.run(&["run", "s.toml", "--restart", "--cores", "1", "--budget", "0s"]);
+    assert!(code == 0 && err.contains("study.csv.yours-2"), "{err}");
+    assert_eq!(fs::read_dir(desk.path().join("out/study-s/report")).expect("is there").count(), 1);
+}
+
 #[test]
 fn planted_rows_of_another_plan_are_no_rows_of_this_one() {
     let desk = Desk::new("samples = 2\nmeasures = [\"mass\"]\n[vary]\narm_rod = [40, 41]\n");

@@ -74,7 +74,8 @@ pub(super) fn keep(former: &Path, staging: &Path, files: &[(String, Vec<u8>)]) -
     Ok(notes)
 }
 
-fn note(former: &Path, path: &Path, to: &Path, was_ours: bool) -> String {
+/// What is said of a file that has got another name, or that stays though the result has none of its name any more.
+pub(super) fn note(former: &Path, path: &Path, to: &Path, was_ours: bool) -> String {
     let shown = former.join(path);
     let shown = shown.display();
     match (was_ours, to == path) {

@@ -11,6 +11,7 @@ mod former;
 mod hidden_name;
 mod kept;
 mod record;
+mod result_files;
 mod staging;
 #[cfg(test)]
 mod tests;
@@ -19,11 +20,12 @@ use std::fs;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
-use super::failure::Failure;
+use super::failure::{Failure, failed};
 use super::interrupt::Step;
 use super::terminal;
 pub(super) use file::{replace_file, replace_users_file, write_new};
 use record::{MANIFEST, RECORD, Record};
+pub(super) use result_files::{remove_result, write_result};
 use staging::{Lock, Staging};
 
 /// How often a place is tried in which another run has just put its result.
@@ -55,12 +57,6 @@ fn why_no_folder(folder: &Path, error: io::Error) -> io::Error {
         _ => return error,
     };
     io::Error::new(error.kind(), why)
-}
-
-/// What a failure says of a step.
-fn failed(what: &str, path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
-    let what = format!("cannot {what} {}", path.display());
-    move |error: io::Error| Failure::Machine { what, error }
 }
 
 /// Replaces what the program wrote in a folder; says what else has moved.

@@ -13,10 +13,19 @@ use super::journal_file::JournalFile;
 use crate::cli::failure::Failure;
 use crate::cli::options::Common;
 use crate::cli::output;
-use crate::study::{Journal, Study};
+use crate::cli::terminal;
+use crate::study::{Journal, Outcomes, Study};
 
 /// Most files of blocks at a time: what a shared file system lists without effort.
 const MOST_BLOCKS: usize = 1000;
+/// Exit code of a client whose work is done.
+const GOOD: i32 = 0;
+/// What counts as the exit code of one that a signal ended.
+const BY_SIGNAL: i32 = -1;
+/// Exit code of the client in Python where its module is not there.
+const NO_MODULE: i32 = 67;
+/// The same where no server is.
+const NO_SERVER: i32 = 68;
 /// The client of HyperQueue for machines that have its Python module instead of its program.
 const CLIENT: &str = include_str!("hyperqueue.py");
 
@@ -34,6 +43,11 @@ pub(super) fn file_of((first, end): (usize, usize)) -> String {
 
 fn blocks_of(folder: &Path) -> PathBuf {
     folder.join("blocks")
+}
+
+/// The blocks of a job, a line each.
+fn list_of(folder: &Path) -> PathBuf {
+    folder.join("blocks.txt")
 }
 
 /// Submits the rows that are missing, waits for them, and gathers them.
@@ -59,14 +73,12 @@ pub(super) fn run(
         .map(|word: &PathBuf| word.display().to_string())
         .collect();
     let entries: String = missing.iter().map(|(first, end)| format!("{first}-{end}\n")).collect();
-    let list = folder.join("blocks.txt");
+    let list = list_of(folder);
     output::replace_file(&list, entries.as_bytes()).map_err(machine(format!("cannot write {}", list.display())))?;
     let name = format!("flexframe-{}", study.name);
     let submitted = submit(&name, &list, &task, common);
-    // The list is of no use any more; that it cannot be removed changes nothing.
-    let _ = fs::remove_file(&list);
-    let ended = submitted?;
     gather(folder, study, journal)?;
+    let ended = submitted?;
     let left = journal.outcomes.missing().len();
     if ended && left == 0 {
         return Ok(());
@@ -77,24 +89,57 @@ pub(super) fn run(
 
 /// Hands the tasks to HyperQueue and waits; whether all ended well.
 fn submit(name: &str, list: &Path, task: &[String], common: &Common) -> Result<bool, Failure> {
-    let mut hq = Command::new("hq");
-    hq.args(["submit", "--wait", "--name", name, "--cpus", "1", "--stdout", "none", "--stderr", "none", "--each-line"]);
-    hq.arg(list).arg("--").args(task);
+    let mut info = Command::new("hq");
+    info.args(["server", "info"]).stdout(Stdio::null()).stderr(Stdio::null());
+    match ended(info)? {
+        Some(GOOD) => {
+            let mut hq = Command::new("hq");
+            hq.args(["submit", "--wait", "--name", name, "--cpus", "1", "--stdout", "none", "--stderr", "none", "--each-line"]);
+            hq.arg(list).arg("--").args(task);
+            return Ok(ended(of_job(hq, common))? == Some(GOOD));
+        }
+        Some(_) => return Err(no_server()),
+        None => {}
+    }
     let mut python = Command::new("python3");
     python.args(["-c", CLIENT, name]).arg(list).args(task);
-    for mut client in [hq, python] {
-        client.env("RAYON_NUM_THREADS", "1").stdin(Stdio::null());
-        if common.quiet || common.json {
-            client.stdout(Stdio::null());
+    match ended(of_job(python, common))? {
+        None | Some(NO_MODULE) => {
+            let message = "--engine hq takes the program `hq`, or Python 3 with the module `hyperqueue` (pip install hyperqueue); \
+                           docs/studies.md says how to get them";
+            Err(Failure::Usage { message: message.into() })
         }
-        match client.status() {
-            Ok(status) => return Ok(status.success()),
-            Err(error) if error.kind() == ErrorKind::NotFound => {}
-            Err(error) => return Err(Failure::Machine { what: "cannot run the client of HyperQueue".into(), error }),
-        }
+        Some(NO_SERVER) => Err(no_server()),
+        Some(code) => Ok(code == GOOD),
     }
-    let message = "--engine hq takes the program `hq`, or Python 3 with the module `hyperqueue`; docs/studies.md says how to get them";
-    Err(Failure::Usage { message: message.into() })
+}
+
+/// A client as a job has it: one core a task, and no output that is not asked for.
+fn of_job(mut client: Command, common: &Common) -> Command {
+    client.env("RAYON_NUM_THREADS", "1");
+    if common.quiet || common.json {
+        client.stdout(Stdio::null());
+    }
+    client
+}
+
+/// Runs a client; its exit code, or none where there is no such program.
+fn ended(mut client: Command) -> Result<Option<i32>, Failure> {
+    match client.stdin(Stdio::null()).status() {
+        Ok(status) => Ok(Some(status.code().unwrap_or(BY_SIGNAL))),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(Failure::Machine { what: "cannot run the client of HyperQueue".into(), error }),
+    }
+}
+
+fn no_server() -> Failure {
+    let place =
+        std::env::var_os("HQ_SERVER_DIR").map_or_else(|| "~/.hq-server".into(), |folder| PathBuf::from(folder).display().to_string());
+    let message = format!(
+        "--engine hq: no HyperQueue server of this client's version answers at {place}; start one with `hq server start`, or name its folder \
+         by HQ_SERVER_DIR"
+    );
+    Failure::Usage { message }
 }
 
 /// Blocks of rows that follow each other: of the wanted size, or larger when there would be too many files.
@@ -110,9 +155,12 @@ fn blocks(rows: &[usize], size: usize) -> Vec<(usize, usize)> {
     blocks
 }
 
-/// Takes the rows of finished blocks into the journal, and removes their files. Files of another plan or program are removed, too.
+/// Takes the rows of finished blocks into the journal, and removes their files, and the list of the job. Files of another plan or program
+/// are of no use, and removed, too: this says how many there were.
 pub(super) fn gather(folder: &Path, study: &Study, journal: &mut JournalFile) -> Result<(), Failure> {
-    let into = blocks_of(folder);
+    // That there is none, or that it cannot be removed, changes nothing.
+    let _ = fs::remove_file(list_of(folder));
+    let (into, mut foreign) = (blocks_of(folder), 0);
     let Ok(listed) = fs::read_dir(&into) else { return Ok(()) };
     let is_block = |path: &PathBuf| {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
@@ -122,18 +170,34 @@ pub(super) fn gather(folder: &Path, study: &Study, journal: &mut JournalFile) ->
     files.sort();
     for path in files {
         let machine = |error| Failure::Machine { what: format!("cannot take in {}", path.display()), error };
-        let text = fs::read_to_string(&path).map_err(machine)?;
-        if let Ok(block) = Journal::read(study, &text) {
-            for row in (0..study.rows()).filter(|row| journal.outcomes.of(*row).is_none()).collect::<Vec<_>>() {
-                if let Some(outcome) = block.outcomes.of(row) {
-                    journal.keep(row, outcome.clone())?;
-                }
-            }
+        let text = fs::read(&path).map_err(machine)?;
+        match Journal::read(study, &text) {
+            Ok(block) => take(&block.outcomes, journal)?,
+            Err(_) => foreign += 1,
         }
         fs::remove_file(&path).map_err(machine)?;
     }
+    if foreign > 0 {
+        let (blocks, are) = if foreign == 1 { ("block", "was") } else { ("blocks", "were") };
+        let message = format!(
+            "note: {foreign} {blocks} of rows in {} {are} removed: of another plan, base or version of the program, or damaged; missing rows are \
+             evaluated again",
+            into.display()
+        );
+        terminal::tell(&message);
+    }
     // A folder in which something else lies stays.
     let _ = fs::remove_dir(&into);
+    Ok(())
+}
+
+/// Takes the rows that a journal lacks.
+fn take(block: &Outcomes, journal: &mut JournalFile) -> Result<(), Failure> {
+    for row in journal.outcomes.missing() {
+        if let Some(outcome) = block.of(row) {
+            journal.keep(row, outcome.clone())?;
+        }
+    }
     Ok(())
 }
 

@@ -34,18 +34,13 @@ impl JournalFile {
         }
         let text = fs::read(place).map_err(failed)?;
         let mut journal = Self { place: place.into(), file, outcomes: Outcomes::none(study.rows()) };
-        let known = journal.known(&text, study)?;
+        let known = read(place, &text, study)?;
         journal.file.set_len(known.whole as u64).map_err(failed)?;
         journal.outcomes = known.outcomes;
         if known.whole == 0 {
             journal.file.write_all(begun(study).as_bytes()).map_err(failed)?;
         }
         Ok(journal)
-    }
-
-    fn known(&self, text: &[u8], study: &Study) -> Result<Journal, Failure> {
-        // Half a character can only stand at the end, in a line that is cut off.
-        read(&self.place, &String::from_utf8_lossy(text), study)
     }
 
     /// Keeps a row. Of one that could not be written whole, nothing stays.
@@ -63,11 +58,12 @@ impl JournalFile {
 }
 
 /// What the text of a journal says of a study.
-fn read(place: &Path, text: &str, study: &Study) -> Result<Journal, Failure> {
+fn read(place: &Path, text: &[u8], study: &Study) -> Result<Journal, Failure> {
     Journal::read(study, text).map_err(|error| {
         let remedy = match error {
             JournalError::OfAnother => "begin again with `study run --restart`, or give another folder with -o",
-            JournalError::Unreadable { .. } => "move it away, or give another folder with -o",
+            JournalError::Unreadable { line: 1 } => "move it away, or give another folder with -o",
+            JournalError::Unreadable { .. } => "delete that line: the next run evaluates its row again, and keeps the others",
         };
         Failure::Usage { message: format!("{}: {error}; {remedy}", place.display()) }
     })
@@ -76,7 +72,7 @@ fn read(place: &Path, text: &str, study: &Study) -> Result<Journal, Failure> {
 /// What is known of a study, without writing.
 pub(super) fn outcomes(place: &Path, study: &Study) -> Result<Outcomes, Failure> {
     match fs::read(place) {
-        Ok(text) => Ok(read(place, &String::from_utf8_lossy(&text), study)?.outcomes),
+        Ok(text) => Ok(read(place, &text, study)?.outcomes),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             Err(Failure::Usage { message: format!("{} is not there: run the study first", place.display()) })
         }

@@ -11,9 +11,8 @@ use crate::cli::frame_text::{self, Line};
 use crate::cli::options::Common;
 use crate::cli::output;
 use crate::cli::terminal;
-use crate::params::Frame;
 use crate::params::frame_file::Value;
-use crate::study::{Axis, Input, Study, Subject};
+use crate::study::{Axis, Evaluator, Input, Outcome, Outcomes, Study, Subject};
 
 /// Write the frame of a row as a frame file, or the drops of a row as a plan for `flexframe synthesize`.
 #[derive(Debug, clap::Args)]
@@ -44,8 +43,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
             output::write_new(&place, drops.to_toml().as_bytes()).map_err(failed)?;
         }
     }
+    let known = known(&study);
     let refused = match study.subject {
-        Subject::Frames(_) => Frame::load(&place.display().to_string()).err().map(|error| error.to_string()),
+        Subject::Frames(_) => refused(&study, row, known.as_ref().and_then(|known| known.as_ref().ok())),
         Subject::Recovery(_) => None,
     };
     if common.json {
@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     } else if !common.quiet {
         terminal::print(&format!("{}: written\n", place.display()))?;
     }
-    if is_of_another(&study) {
+    if known.is_some_and(|known| known.is_err()) {
         terminal::tell(
             "note: the rows in the folder out are of another plan, base or version of the program: this may not be the frame of its row",
         );
@@ -66,10 +66,19 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Whether the usual folder has rows of a study of this name that are not this study's.
-fn is_of_another(study: &Study) -> bool {
+/// What the usual folder says of this study, where it has rows of a study of this name: an error where these are another's.
+fn known(study: &Study) -> Option<Result<Outcomes, Failure>> {
     let journal = journal_of(&Path::new("out").join(format!("study-{}", study.name)));
-    journal.exists() && outcomes(&journal, study).is_err()
+    journal.exists().then(|| outcomes(&journal, study))
+}
+
+/// Why the study refuses a row: as its run has found, or would find.
+fn refused(study: &Study, row: usize, known: Option<&Outcomes>) -> Option<String> {
+    let outcome = known.and_then(|known| known.of(row).cloned()).unwrap_or_else(|| Evaluator::new(study).row(row));
+    match outcome {
+        Outcome::Refused(why) => Some(why),
+        Outcome::Figures(_) => None,
+    }
 }
 
 fn write_frame(study: &Study, base_name: &str, row: usize, place: &Path) -> Result<(), Failure> {

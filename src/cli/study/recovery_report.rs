@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
+use super::study_option::REPORT;
 use crate::cli::failure::Failure;
 use crate::cli::options::Common;
 use crate::cli::output;
@@ -35,7 +36,7 @@ pub(super) fn write(
     if let Some(page) = into {
         write_into(page, &study.name, &document::markdown_part(&blocks))?;
     }
-    let place = output::write_folder(folder, "report", &files)?;
+    let place = output::write_folder(folder, REPORT, &files)?;
     let (known, rows) = (outcomes.known(), study.rows());
     if common.json {
         let facts: Vec<serde_json::Value> = report.facts().iter().map(|row| as_json(row)).collect();

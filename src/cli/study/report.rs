@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use super::journal_file::outcomes;
 use super::recovery_report;
-use super::study_option::{StudyOption, journal_of};
+use super::study_option::{REPORT, StudyOption, journal_of};
 use crate::cli::failure::Failure;
 use crate::cli::options::Common;
 use crate::cli::output;
@@ -61,7 +61,7 @@ fn of_frames(args: &Args, study: &Study, folder: &Path, known: &Outcomes, common
         ("report.json".into(), format!("{json:#}\n").into_bytes()),
     ];
     files.extend(plots);
-    let place = output::write_folder(folder, "report", &files)?;
+    let place = output::write_folder(folder, REPORT, &files)?;
     if common.json {
         terminal::print_json(&json)?;
     } else if !common.quiet {

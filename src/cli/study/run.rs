@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use super::journal_file::JournalFile;
-use super::study_option::{StudyOption, journal_of, table_of};
+use super::study_option::{PARQUET_TABLE, REPORT, StudyOption, TABLE, journal_of};
 use super::{hq, local};
 use crate::cli::bounded;
 use crate::cli::failure::Failure;
@@ -53,38 +53,46 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let failed = |error| Failure::Machine { what: format!("cannot make the folder {}", folder.display()), error };
     std::fs::create_dir_all(&folder).map_err(failed)?;
     let mut journal = JournalFile::open(&journal_of(&folder), &study, args.restart)?;
+    if journal.outcomes.known() == 0 {
+        // Where no row is known, a table and a report are of another plan.
+        output::remove_result(&folder, &[TABLE, PARQUET_TABLE])?;
+        output::remove_result(&folder.join(REPORT), &[])?;
+    }
     hq::gather(&folder, &study, &mut journal)?;
     let before = journal.outcomes.known();
     let begun = Instant::now();
-    match args.engine {
+    let interrupted = match args.engine {
         Engine::Local => on_this_machine(args, &study, &mut journal, common)?,
-        Engine::Hq => hq::run(&args.study.plan, &folder, &study, &mut journal, args.block, common)?,
-    }
+        Engine::Hq => {
+            hq::run(&args.study.plan, &folder, &study, &mut journal, args.block, common)?;
+            None
+        }
+    };
     let spent = begun.elapsed();
     let whole = journal.outcomes.known() == study.rows();
-    let table = table_of(&folder);
     if whole {
-        write(&table, csv(&study, &journal.outcomes)?.as_bytes())?;
-        #[cfg(feature = "parquet")]
-        write_parquet(&table, &study, &journal)?;
+        output::write_result(&folder, &tables(&study, &journal)?)?;
     }
+    let table = folder.join(TABLE);
     tell(&study, &journal, whole.then_some(&*table), before, spent, common)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(interrupted.filter(|_| !whole).map_or(ExitCode::SUCCESS, ExitCode::from))
 }
 
-fn write(place: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let failed = |error| Failure::Machine { what: format!("cannot write {}", place.display()), error };
-    output::replace_file(place, bytes).map_err(failed)
+/// The table as CSV, and, where this program can, as Parquet.
+fn tables(study: &Study, journal: &JournalFile) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let csv = csv(study, &journal.outcomes)?;
+    let tables = vec![(TABLE.to_string(), csv.into_bytes())];
+    #[cfg(feature = "parquet")]
+    let tables = {
+        let failed = |error| Failure::Machine { what: "cannot make the Parquet table".into(), error: std::io::Error::other(error) };
+        let parquet = crate::study::parquet(study, &journal.outcomes).map_err(failed)?;
+        [tables, vec![(PARQUET_TABLE.to_string(), parquet)]].concat()
+    };
+    Ok(tables)
 }
 
-/// The same table beside the CSV.
-#[cfg(feature = "parquet")]
-fn write_parquet(table: &Path, study: &Study, journal: &JournalFile) -> Result<(), Failure> {
-    let failed = |error| Failure::Machine { what: "cannot make the Parquet table".into(), error: std::io::Error::other(error) };
-    write(&table.with_extension("parquet"), &crate::study::parquet(study, &journal.outcomes).map_err(failed)?)
-}
-
-fn on_this_machine(args: &Args, study: &Study, journal: &mut JournalFile, common: &Common) -> Result<(), Failure> {
+/// Evaluates what is missing; the exit code of an interruption where there was one.
+fn on_this_machine(args: &Args, study: &Study, journal: &mut JournalFile, common: &Common) -> Result<Option<u8>, Failure> {
     let missing = journal.outcomes.missing();
     let progress = Progress::staged("rows", study.rows(), common);
     let (finishing, begun) = (Finishing::begin(), Instant::now());
@@ -99,7 +107,8 @@ fn on_this_machine(args: &Args, study: &Study, journal: &mut JournalFile, common
         progress.stage(study.rows() - missing.len() + done, format!("{rate:.1} a second, {left_s:.0} s left, {refused} refused"));
         let too_late = args.budget.is_some_and(|budget| begun.elapsed() >= budget);
         Ok(if too_late || finishing.is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) })
-    })
+    })?;
+    Ok(finishing.exit_code())
 }
 
 fn tell(

@@ -43,7 +43,9 @@ pub(super) fn journal_of(folder: &Path) -> PathBuf {
     folder.join("rows.jsonl")
 }
 
-/// The table of a study in the folder of its results.
-pub(super) fn table_of(folder: &Path) -> PathBuf {
-    folder.join("study.csv")
-}
+/// The table of a study, in the folder of its results.
+pub(super) const TABLE: &str = "study.csv";
+/// The same as Parquet.
+pub(super) const PARQUET_TABLE: &str = "study.parquet";
+/// The folder of its report.
+pub(super) const REPORT: &str = "report";
