@@ -51,7 +51,7 @@ impl From<ExportError> for Failure {
 impl From<FolderError> for Failure {
     fn from(error: FolderError) -> Self {
         match error {
-            FolderError::Compensation { .. } => Self::Usage { message: error.to_string() },
+            FolderError::Compensation { .. } | FolderError::Unsound { .. } => Self::Usage { message: error.to_string() },
             FolderError::File(error) => error.into(),
         }
     }

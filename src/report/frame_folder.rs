@@ -11,8 +11,10 @@ use crate::export::{self, ExportError, Exported, File, Format, manifest, step, t
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, DesignError, mass};
+use crate::params::PartName;
 use crate::printing::plates;
 use crate::printing::plates::Plate;
+use crate::solid::gate::GateError;
 
 /// Which of the files that may be left out are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +40,16 @@ pub enum FolderError {
     Compensation {
         /// What is wrong with which part.
         error: DesignError,
+        /// The printer.
+        printer: String,
+    },
+    /// The facets that are drawn for the printer's compensation do not close, though the figures leave a part.
+    #[error(
+        "no sound mesh of {part} was found for hole_undersize_mm and elephant_foot_mm of the printer {printer}, though the figures may be right: change one of them by 0.01 mm"
+    )]
+    Unsound {
+        /// The part.
+        part: PartName,
         /// The printer.
         printer: String,
     },
@@ -109,7 +121,9 @@ pub fn format_files(design: &Design, masses: &MassTable, format: &Format) -> Res
 /// [`FolderError`] when one cannot be made.
 pub fn plate_files(design: &Design, plates: Vec<Plate>) -> Result<Vec<File>, FolderError> {
     let (masses, plates) = (mass::table(design), with_pictures(design, plates));
-    let of = Exported { design, masses: &masses, meshes: &compensated(design)?, plates: &plates };
+    let lies_on_one = |name| plates.iter().any(|(plate, _)| plate.items.iter().any(|item| item.part == name));
+    let meshes = Compensated::some(design, lies_on_one).map_err(|error| refusal(design, error))?;
+    let of = Exported { design, masses: &masses, meshes: &meshes, plates: &plates };
     let mut files = (three_mf::FORMAT.files)(&of)?;
     files.push(settings_page(design, &plates));
     Ok(files)
@@ -126,7 +140,18 @@ const PLATE_SIZE: [u32; 2] = [480, 360];
 
 /// The meshes for the frame's printer.
 fn compensated(design: &Design) -> Result<Compensated<'_>, FolderError> {
-    Compensated::of(design).map_err(|error| FolderError::Compensation { error, printer: design.frame.printer.name.clone() })
+    Compensated::of(design).map_err(|error| refusal(design, error))
+}
+
+/// Why the meshes for the frame's printer cannot be made: only figures that take a part away are too large.
+fn refusal(design: &Design, error: DesignError) -> FolderError {
+    let printer = design.frame.printer.name.clone();
+    match error {
+        DesignError::Part { part, error: GateError::OpenEdges { .. } | GateError::ZeroArea { .. } | GateError::SelfIntersecting } => {
+            FolderError::Unsound { part, printer }
+        }
+        error => FolderError::Compensation { error, printer },
+    }
 }
 
 /// Plates, each with its picture.

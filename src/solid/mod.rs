@@ -9,6 +9,7 @@ mod brep;
 mod crossing;
 mod facets;
 mod feature;
+mod flat_facets;
 pub mod gate;
 mod half_edges;
 mod mesh;

@@ -6,7 +6,7 @@ use std::io::Cursor;
 use flexframe::export::stl;
 use flexframe::frame::assembly::compensated::{Compensated, mesh};
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::params::{Frame, PartName};
+use flexframe::params::{Frame, PartName, preset};
 use flexframe::solid::gate;
 use flexframe::solid::{Mesh, MeshSolid};
 use nalgebra::Point3;
@@ -141,6 +141,44 @@ fn analytic_every_part_passes_the_gate_with_any_usual_figures() {
             let bodies = printed.as_ref().map(|printed| gate::pass(printed).map(|seen| seen.bodies));
             assert_eq!(bodies, Ok(Ok(1)), "{} with {hole_mm} and {foot_mm}", part.name);
         }
+    }
+}
+
+/// Three corners of an upright wall of the cut were one facet without area, at 0.1 mm in the fork of nearly every frame.
+#[test]
+fn regress_first_layers_are_drawn_in_by_any_hundredth() {
+    let design = design(0.0, 0.0);
+    let mut printer = design.frame.printer.clone();
+    for hundredths in 5..=30 {
+        printer.elephant_foot_mm = Some(0.01 * f64::from(hundredths));
+        for part in &design.printed {
+            let printed = mesh(part, &printer, LAYER_MM);
+            assert!(printed.is_ok(), "{} with {hundredths} hundredths: {:?}", part.name, printed.err());
+        }
+    }
+    // Half of other layers.
+    let fork = design.part(PartName::Fork).expect("is there");
+    for layer_mm in [0.16, 0.24, 0.3] {
+        for thousandths in -5..=5 {
+            printer.elephant_foot_mm = Some(0.5 * layer_mm + 0.001 * f64::from(thousandths));
+            let printed = mesh(fork, &printer, layer_mm);
+            assert!(printed.is_ok(), "{layer_mm} and {thousandths} thousandths: {:?}", printed.err());
+        }
+    }
+}
+
+#[test]
+fn regress_the_usual_foot_is_drawn_in_of_every_preset() {
+    for name in preset::names() {
+        let (mut frame, _) = Frame::load(name).expect("a preset");
+        frame.printer.elephant_foot_mm = Some(0.1);
+        let design = Design::with(frame, common::memo()).expect("is designed");
+        let meshes = Compensated::of(&design);
+        assert!(meshes.is_ok(), "{name}: {:?}", meshes.err());
+        // Of what is asked for alone.
+        let one = Compensated::some(&design, |name| name == PartName::Fork).expect("passes the gate");
+        assert_eq!(one.mesh(PartName::Fork), meshes.expect("is there").mesh(PartName::Fork));
+        assert!(one.mesh(PartName::Knee).is_none());
     }
 }
 

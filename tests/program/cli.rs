@@ -938,21 +938,23 @@ fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
     let written = fs::read_to_string(&frame).expect("is there");
     for line in [
         "base = \"cognifly\" # mine",
-        "slide_clearance_mm = 0.1 # found",
-        "grip_clearance_mm = -0.2 # found",
+        "slide_clearance_mm = 0.15 # found",
+        "grip_clearance_mm = -0.35 # found",
         "corner_hinge_thickness_mm = 2.5",
     ] {
         assert!(written.contains(line), "{written}");
     }
     // The knee grows around wider bores, and the fork's cheeks stand further apart.
-    for held in ["held=2.5", "held=2.8,slides=3.1"] {
+    for held in ["held=3.0,slides=3.3", "held=2.8,slides=3.1"] {
         let fresh = bench.path(&format!("{}.toml", &held[5..8]));
         let output = flexframe(&["coupon", "--read", held, "--into", &fresh]);
         assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()), "{held}");
         assert_eq!(flexframe(&["check", &fresh, "-q"]).status.code(), Some(0), "{held}");
     }
     // The corners grow, too, and what no longer fits is said.
-    let output = flexframe(&["coupon", "--read", "held=3.1", "--into", &bench.path("fresh.toml")]);
+    let narrow = bench.path("narrow.toml");
+    fs::write(&narrow, "base = \"cognifly\"\n[limits]\nenvelope_width_mm = 209.7\n").expect("can be written");
+    let output = flexframe(&["coupon", &narrow, "--read", "held=3.2,slides=3.4", "--into", &bench.path("fresh.toml")]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_says(&text(&output.stderr), &["VIOLATED envelope", "fresh.toml --remedies` looks for what helps"]);
     assert!(!text(&output.stderr).contains("knee"), "{}", text(&output.stderr));
@@ -964,8 +966,8 @@ fn analytic_what_was_found_on_a_coupon_becomes_a_printers_clearances() {
     assert!(page.contains("FOLDER is that of this page."), "{page}");
     // The bores follow.
     let output = flexframe(&["params", &frame, "--filter", "clearance", "--json"]);
-    assert!(text(&output.stdout).contains("-0.2"), "{}", text(&output.stdout));
-    for wrong in ["held=2.85", "held=3.2", "hold=2.8", "held=3.1,slides=3.0"] {
+    assert!(text(&output.stdout).contains("-0.35"), "{}", text(&output.stdout));
+    for wrong in ["held=2.85", "held=2.8", "held=3.3,slides=3.4", "hold=2.8", "held=3.1,slides=3.0"] {
         let output = flexframe(&["coupon", &frame, "--read", wrong, "--into", &frame]);
         assert_eq!(output.status.code(), Some(2), "{wrong}");
         assert_eq!(fs::read_to_string(&frame).expect("is there"), written, "{wrong}");

@@ -1,6 +1,7 @@
 //! Each part stands while it is printed: enough of it lies on the bed, its weight is over that, and it is not too slender.
 //!
-//! What stands under a supported place stands with the part. The brim is not counted.
+//! What stands under a supported place stands with the part. The brim is not counted. The first layer is that of the design, without what a
+//! printer's `elephant_foot_mm` takes off, and with lines that a slicer may leave out as too thin.
 
 use crate::checks::finding::Finding;
 use crate::checks::measure::Measure;

@@ -1,6 +1,7 @@
 //! No wall is thinner than what the nozzle can lay, two lines side by side; no gap is narrower than a line.
 //!
-//! Measured on the mesh that is printed: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
+//! Measured on the mesh of the design, as it lies in print and without what a printer's `hole_undersize_mm` and `elephant_foot_mm` take
+//! off: walls and gaps in its cuts at the middle of layers, as the nozzle follows them
 //! ([`Walls`]). Floors and roofs, which no cut shows, by rays from the middle of facets that lie flatter than 45°; where
 //! the opposite facet faces away from the first it is a floor, and the ray's length its thickness. Facets are taken by
 //! size, [`SAMPLES`] a part: a thin spot smaller than the smallest of these is not seen, nor is the edge of a wedge.

@@ -11,10 +11,10 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::design::{Design, DesignError};
-use super::printed::{Printed, laid, simplified};
+use super::printed::{Printed, first_good, laid};
 use crate::params::PartName;
 use crate::params::catalogue::Printer;
-use crate::solid::gate::GateError;
+use crate::solid::gate::{self, GateError};
 use crate::solid::{Mesh, MeshSolid, Region};
 
 /// The meshes that are printed.
@@ -26,13 +26,22 @@ impl<'a> Compensated<'a> {
     /// # Errors
     /// When a part does not pass the export gate once it is changed.
     pub fn of(design: &'a Design) -> Result<Self, DesignError> {
+        Self::some(design, |_| true)
+    }
+
+    /// Those of the printed parts that are asked for: what is not written need not be made.
+    ///
+    /// # Errors
+    /// When one of them does not pass the export gate once it is changed.
+    pub fn some(design: &'a Design, is_wanted: impl Fn(PartName) -> bool) -> Result<Self, DesignError> {
         let printer = &design.frame.printer;
         let mesh = |part: &'a Printed| {
             let layer_mm = printer.layer_mm(&design.material_of(part.name).material);
             let mesh = mesh(part, printer, layer_mm).map_err(|error| DesignError::Part { part: part.name, error })?;
             Ok((part.name, mesh))
         };
-        let meshes = design.printed.par_iter().map(mesh).collect::<Result<Vec<_>, DesignError>>()?;
+        let wanted: Vec<&Printed> = design.printed.iter().filter(|part| is_wanted(part.name)).collect();
+        let meshes = wanted.into_par_iter().map(mesh).collect::<Result<Vec<_>, DesignError>>()?;
         Ok(Self(meshes.into_iter().collect()))
     }
 
@@ -75,16 +84,32 @@ pub fn mesh<'a>(part: &'a Printed, printer: &Printer, layer_mm: f64) -> Result<C
 /// When it does not pass the export gate.
 pub fn drawn_in_below(solid: &MeshSolid, foot_mm: f64, layer_mm: f64) -> Result<Mesh, GateError> {
     if foot_mm == 0.0 {
-        return Ok(simplified(solid, &DETAILS_MM)?.1);
+        return sound(solid);
     }
     let mut refused = GateError::Empty;
     for [fine_mm, moved_mm] in CUTS_MM {
-        match simplified(&drawn_in(solid, foot_mm, layer_mm + moved_mm, fine_mm), &DETAILS_MM) {
-            Ok((_, mesh)) => return Ok(mesh),
+        match sound(&drawn_in(solid, foot_mm, layer_mm + moved_mm, fine_mm)) {
+            Ok(mesh) => return Ok(mesh),
             Err(error) => refused = error,
         }
     }
     Err(refused)
+}
+
+/// The mesh of a solid without detail. The upright walls of a cut meet slopes of the part in corners that lie on one line: what has no
+/// area there is taken out, as no other amount of detail or place of the cut does that for every figure.
+fn sound(solid: &MeshSolid) -> Result<Mesh, GateError> {
+    first_good(solid, &DETAILS_MM, |solid| {
+        if solid.is_empty() {
+            return Err(GateError::Empty);
+        }
+        let mesh = solid.mesh();
+        let mesh = match gate::pass(&mesh) {
+            Err(GateError::ZeroArea { .. }) => mesh.without_flat_facets(),
+            _ => mesh,
+        };
+        gate::pass(&mesh).map(|_| mesh)
+    })
 }
 
 /// The solid whose first layer has its outline drawn in; what is finer than `fine_mm` is left out of the outline.

@@ -142,7 +142,7 @@ pub(super) fn laid(flat: &MeshSolid, print_turn: &UnitQuaternion<f64>) -> Result
 ///
 /// # Errors
 /// What the gate says to the last attempt.
-pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSolid, Mesh), GateError> {
+fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSolid, Mesh), GateError> {
     first_good(raw, details_mm, |solid| {
         if solid.is_empty() {
             return Err(GateError::Empty);
@@ -155,7 +155,7 @@ pub(super) fn simplified(raw: &MeshSolid, details_mm: &[f64]) -> Result<(MeshSol
 /// What is made of a solid: of the first of its simplifications of which it can be made. Taking away detail can make facets cross or
 /// vanish, in one part of a hundred; then less is taken away. Corners within a few steps of a written mesh's grid are rounded past each
 /// other, in one part of some thousands; then they become one.
-fn first_good<T>(raw: &MeshSolid, details_mm: &[f64], make: impl Fn(MeshSolid) -> Result<T, GateError>) -> Result<T, GateError> {
+pub(super) fn first_good<T>(raw: &MeshSolid, details_mm: &[f64], make: impl Fn(MeshSolid) -> Result<T, GateError>) -> Result<T, GateError> {
     let simpler = details_mm.iter().map(|below_mm| raw.without_detail(*below_mm));
     let welded = WELDS_MM.into_iter().map(|within_mm| raw.without_detail(within_mm).welded(within_mm));
     let mut refused = GateError::Empty;

@@ -1,15 +1,11 @@
-//! The pieces of a coupon on the bed: those of a material behind each other, in its middle.
+//! The pieces of a coupon on the bed: those of a material behind each other, in its middle, as far apart as their brims need.
 
 use nalgebra::{Isometry3, Translation3};
 
 use super::pieces::{Coupon, Piece};
 use crate::params::catalogue::{Bed, Printer};
 use crate::params::frame::NamedMaterial;
-
-/// Between two pieces, mm.
-const GAP_MM: f64 = 8.0;
-/// Kept free at the bed's edge, mm.
-const EDGE_MM: f64 = 3.0;
+use crate::printing::plates::Room;
 
 /// Pieces of one material in their places on the bed, in the printer's coordinates.
 pub struct CouponPlate<'a> {
@@ -36,9 +32,10 @@ impl<'a> Coupon<'a> {
 impl CouponPlate<'_> {
     fn laid_out(mut self, printer: &Printer) -> Option<Self> {
         let sizes: Vec<[f64; 3]> = self.placed.iter().map(|(piece, _)| piece.mesh.size_mm()).collect();
+        let Room { gap_mm, edge_mm, .. } = Room::of(printer, self.material.material.brim_mm.unwrap_or(0.0));
         let wide = sizes.iter().map(|size| size[0]).fold(0.0, f64::max);
-        let deep = sizes.iter().map(|size| size[1] + GAP_MM).sum::<f64>() - GAP_MM;
-        let [bed_x, bed_y] = printer.size_mm.map(|size| size - 2.0 * EDGE_MM);
+        let deep = sizes.iter().map(|size| size[1] + gap_mm).sum::<f64>() - gap_mm;
+        let [bed_x, bed_y] = printer.size_mm.map(|size| size - 2.0 * edge_mm);
         let (fits, middle) = match printer.bed {
             Bed::Rectangular => (wide <= bed_x && deep <= bed_y, printer.size_mm.map(|size| 0.5 * size)),
             Bed::Round => (libm::hypot(wide, deep) <= bed_x.min(bed_y), [0.0; 2]),
@@ -48,7 +45,7 @@ impl CouponPlate<'_> {
             let [low, high] = piece.mesh.bounds_mm();
             let x_mm = middle[0] - 0.5 * (low[0] + high[0]);
             *pose = Isometry3::from(Translation3::new(x_mm, y_mm - low[1], -low[2]));
-            y_mm += size[1] + GAP_MM;
+            y_mm += size[1] + gap_mm;
         }
         fits.then_some(self)
     }

@@ -1,8 +1,18 @@
 //! What a person found on a coupon, and what that makes of a frame's clearances.
+//!
+//! A rod is held in every bore that comes out narrower than it, and slides in every one that comes out wider. So the widest bore that
+//! holds is drawn less than a step too narrow for the printer, the narrowest that slides less than a step too wide, and the bore that would come
+//! out as wide as the rod is taken to be drawn in the middle between the two ([`undersize_mm`]). A bore that just holds a rod is no press
+//! fit: the frame's bores keep the interference that they are designed with, and are drawn wider by as much as holes come out too small.
 
 use super::gauge;
 use crate::params::parameter::Parameter;
 use crate::params::{Frame, parameters};
+
+/// Clearances of rods that the frame is designed with, mm, on a printer whose holes come out as they are drawn: those of the preset
+/// `cognifly`. Those of the frame at hand may hold an earlier reading already, which would count twice.
+const GRIP_MM: f64 = -0.3;
+const SLIDE_MM: f64 = 0.2;
 
 /// What can be found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,14 +55,23 @@ impl Fit {
         }
     }
 
-    /// The keys that it sets, and what is added to the number on the coupon, mm.
-    fn sets(self, frame: &Frame) -> (&'static [&'static str], f64) {
+    /// The keys that it sets.
+    fn sets(self) -> &'static [&'static str] {
         match self {
-            Self::Held => (&["fit.grip_clearance_mm"], -frame.rods.rod_diameter_mm),
-            Self::Slides => (&["fit.slide_clearance_mm"], -frame.rods.rod_diameter_mm),
-            Self::Window => (&["knee.knee_window_clearance_depth_mm", "knee.knee_window_clearance_height_mm"], 0.0),
-            Self::Plug => (&["fit.plug_clearance_mm"], 0.0),
-            Self::Hinge => (&["corner.corner_hinge_thickness_mm"], 0.0),
+            Self::Held => &["fit.grip_clearance_mm"],
+            Self::Slides => &["fit.slide_clearance_mm"],
+            Self::Window => &["knee.knee_window_clearance_depth_mm", "knee.knee_window_clearance_height_mm"],
+            Self::Plug => &["fit.plug_clearance_mm"],
+            Self::Hinge => &["corner.corner_hinge_thickness_mm"],
+        }
+    }
+
+    /// What its keys become, mm: the number on the coupon, or for rods the design's own clearance with what holes are too small by.
+    fn value_mm(self, number_mm: f64, undersize_mm: f64) -> f64 {
+        match self {
+            Self::Held => GRIP_MM + undersize_mm,
+            Self::Slides => SLIDE_MM + undersize_mm,
+            Self::Window | Self::Plug | Self::Hinge => number_mm,
         }
     }
 
@@ -119,6 +138,35 @@ pub enum FindingError {
         /// Most, mm.
         max: f64,
     },
+    /// The other of the two readings of a rod is missing.
+    #[error("{name} says where a rod's diameter lies together with {missing} only: read both")]
+    Alone {
+        /// What was found.
+        name: &'static str,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// Holes are off by more than the clearances of a frame.
+    #[error(
+        "held = {held_mm} and slides = {slides_mm} mm: holes come out {by_mm:.2} mm narrower than drawn, and {key} = {value:.2} is beyond its {min} to {max} mm: {}",
+        if *by_mm > 0.0 { "mend the printer's flow, or state hole_undersize_mm of the printer and print the coupon again" } else { "they are too wide, so mend the printer's flow" }
+    )]
+    Undersize {
+        /// Where a rod is held, mm.
+        held_mm: f64,
+        /// Where it slides, mm.
+        slides_mm: f64,
+        /// By how much holes are too narrow, mm.
+        by_mm: f64,
+        /// The parameter.
+        key: &'static str,
+        /// What it would be, mm.
+        value: f64,
+        /// Least, mm.
+        min: f64,
+        /// Most, mm.
+        max: f64,
+    },
     /// Slides in a bore that holds.
     #[error("a rod that is held in {held_mm} mm does not slide in {slides_mm} mm: try both again")]
     Contrary {
@@ -156,24 +204,54 @@ impl Found {
         {
             return Err(FindingError::Contrary { held_mm, slides_mm });
         }
+        for Self { fit, number_mm } in all {
+            fit.on_coupon(*number_mm, frame)?;
+        }
+        let rods = match (of(Fit::Held), of(Fit::Slides)) {
+            (Some(held_mm), Some(slides_mm)) => Some([held_mm, slides_mm]),
+            (None, None) => None,
+            (held, _) => {
+                let [name, missing] = if held.is_some() { [Fit::Held, Fit::Slides] } else { [Fit::Slides, Fit::Held] }.map(Fit::name);
+                return Err(FindingError::Alone { name, missing });
+            }
+        };
+        let by_mm = rods.map_or(0.0, |rods| undersize_mm(rods, frame.rods.rod_diameter_mm));
         let mut set = Vec::new();
         for Self { fit, number_mm } in all {
-            let (name, number_mm, has) = (fit.name(), *number_mm, fit.numbers(frame));
-            let tenths = gauge::tenths(number_mm);
-            if !has.contains(&tenths) || (0.1 * f64::from(tenths) - number_mm).abs() > 1e-6 {
-                return Err(FindingError::NotThere { name, number_mm, has });
-            }
-            let (keys, added) = fit.sets(frame);
-            for key in keys {
-                let value = (1e3 * (number_mm + added)).round() / 1e3;
+            let value = (1e3 * fit.value_mm(*number_mm, by_mm)).round() / 1e3;
+            for key in fit.sets() {
                 if let Some(Parameter { min, max, .. }) = parameter(key).filter(|p| !(p.min..=p.max).contains(&value)) {
-                    return Err(FindingError::Beyond { name, number_mm, key, value, min: *min, max: *max });
+                    let (min, max) = (*min, *max);
+                    return Err(match (fit, rods) {
+                        (Fit::Held | Fit::Slides, Some([held_mm, slides_mm])) => {
+                            FindingError::Undersize { held_mm, slides_mm, by_mm, key, value, min, max }
+                        }
+                        _ => FindingError::Beyond { name: fit.name(), number_mm: *number_mm, key, value, min, max },
+                    });
                 }
                 set.push((*key, value));
             }
         }
         Ok(set)
     }
+}
+
+impl Fit {
+    /// Lets a number pass that stands on the coupon.
+    fn on_coupon(self, number_mm: f64, frame: &Frame) -> Result<(), FindingError> {
+        let (tenths, has) = (gauge::tenths(number_mm), self.numbers(frame));
+        if has.contains(&tenths) && (0.1 * f64::from(tenths) - number_mm).abs() <= 1e-6 {
+            return Ok(());
+        }
+        Err(FindingError::NotThere { name: self.name(), number_mm, has })
+    }
+}
+
+/// By how much holes come out narrower than they are drawn on this coupon, mm: the middle between the widest bore that holds a rod and
+/// the narrowest in which it slides, less the rod's diameter. Off by half a step of the coupon, 0.05 mm, at the most, if a rod slides as soon as a bore is wider
+/// than it; rods that need some play to slide make it half of that play too much.
+fn undersize_mm([held_mm, slides_mm]: [f64; 2], rod_mm: f64) -> f64 {
+    0.5 * (held_mm + slides_mm) - rod_mm
 }
 
 fn parameter(key: &str) -> Option<&'static Parameter> {
@@ -197,19 +275,52 @@ mod tests {
     #[test]
     fn analytic_findings_become_clearances() {
         assert_eq!(
-            read("held=2.8,slides=3.2,window=0.1,plug=0.2,hinge=2.5").expect("reads"),
+            read("held=2.9,slides=3.2,window=0.1,plug=0.2,hinge=2.5").expect("reads"),
             [
-                ("fit.grip_clearance_mm", -0.2),
-                ("fit.slide_clearance_mm", 0.2),
+                ("fit.grip_clearance_mm", -0.25),
+                ("fit.slide_clearance_mm", 0.25),
                 ("knee.knee_window_clearance_depth_mm", 0.1),
                 ("knee.knee_window_clearance_height_mm", 0.1),
                 ("fit.plug_clearance_mm", 0.2),
                 ("corner.corner_hinge_thickness_mm", 2.5),
             ]
         );
-        for fit in Fit::ALL {
-            for key in fit.sets(&frame()).0 {
-                assert!(parameter(key).is_some(), "{key}");
+        for key in Fit::ALL.iter().flat_map(|fit| fit.sets()) {
+            assert!(parameter(key).is_some(), "{key}");
+        }
+        let fit = frame().fit;
+        assert_eq!((fit.grip_clearance_mm, fit.slide_clearance_mm), (GRIP_MM, SLIDE_MM));
+    }
+
+    /// What a person reads on a coupon of a printer whose holes come out too small, and that draws bores wider by `drawn_mm`: a rod is
+    /// held by what is narrower than it, and slides in what is wider by more than `play_mm`.
+    fn simulated(small_mm: f64, drawn_mm: f64, play_mm: f64) -> Result<Vec<(&'static str, f64)>, FindingError> {
+        let frame = frame();
+        let rod_mm = frame.rods.rod_diameter_mm;
+        let bores = || gauge::bores_tenths(&frame).map(|tenths| 0.1 * f64::from(tenths));
+        let room_mm = |bore_mm: &f64| bore_mm + drawn_mm - small_mm - rod_mm;
+        let held = bores().filter(|bore| room_mm(bore) < -1e-9).last().expect("one holds");
+        let slides = bores().find(|bore| room_mm(bore) > play_mm + 1e-9).expect("one is wide enough");
+        read(&format!("held={held:.1},slides={slides:.1}"))
+    }
+
+    /// Read from the coupon or stated as `hole_undersize_mm`, printed bores have the design's interference, to half a step of the coupon.
+    #[test]
+    fn planted_holes_too_small_leave_the_design_s_interference() {
+        for small_mm in [0.0, 0.1, 0.15, 0.3] {
+            for (play_mm, off_mm) in [(0.0, 0.051), (0.06, 0.1)] {
+                // The second way: the coupon is drawn wider, too, and finds nothing that is left.
+                for drawn_mm in [0.0, small_mm] {
+                    let Ok(set) = simulated(small_mm, drawn_mm, play_mm) else {
+                        // Rods with play ask for more than the most clearance of a sliding bore.
+                        assert!(play_mm > 0.0 && small_mm == 0.3 && drawn_mm == 0.0);
+                        continue;
+                    };
+                    let printed = set.iter().map(|(key, clearance_mm)| (*key, clearance_mm + drawn_mm - small_mm));
+                    for ((key, printed_mm), wanted_mm) in printed.zip([GRIP_MM, SLIDE_MM]) {
+                        assert!((printed_mm - wanted_mm).abs() < off_mm, "{small_mm} {drawn_mm} {play_mm} {key}: {printed_mm}");
+                    }
+                }
             }
         }
     }
@@ -222,8 +333,15 @@ mod tests {
         for words in ["held=2.85", "held=28", "plug=-0.1", "window=0.4", "hinge=1.0"] {
             assert!(matches!(read(words), Err(FindingError::NotThere { .. })), "{words}");
         }
-        assert!(matches!(read("held=3.2"), Err(FindingError::Beyond { key: "fit.grip_clearance_mm", .. })));
-        assert!(matches!(read("slides=2.9"), Err(FindingError::Beyond { .. })));
+        for (words, said) in [("held=2.8", "together with slides only"), ("slides=3.1", "together with held only")] {
+            let error = read(words).expect_err("is half of it");
+            assert!(matches!(error, FindingError::Alone { .. }) && error.to_string().contains(said), "{error}");
+        }
+        let error = read("held=3.3,slides=3.4").expect_err("is beyond");
+        assert!(matches!(error, FindingError::Undersize { key: "fit.slide_clearance_mm", .. }), "{error}");
+        assert!(error.to_string().contains("0.35 mm narrower than drawn") && error.to_string().contains("hole_undersize_mm"), "{error}");
+        let error = read("held=2.5,slides=2.8").expect_err("is beyond");
+        assert!(error.to_string().contains("too wide, so mend"), "{error}");
         assert!(matches!(read("held=3.1,slides=3.0"), Err(FindingError::Contrary { .. })));
     }
 }

@@ -137,6 +137,34 @@ mod tests {
         assert_eq!(coupon.plates(&printer).iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [1]);
     }
 
+    #[test]
+    fn regress_wide_brims_of_pieces_do_not_meet() {
+        let mut frame = Frame::load("cognifly").expect("is a preset").0;
+        for (brim_mm, gap_mm) in [(None, 8.0), (Some(3.0), 8.0), (Some(6.0), 12.0)] {
+            frame.flexible.material.brim_mm = brim_mm;
+            let coupon = Coupon::new(&frame).expect("is made");
+            let plates = coupon.plates(&frame.printer);
+            let sides: Vec<[f64; 2]> = plates[0]
+                .placed
+                .iter()
+                .map(|(piece, pose)| piece.mesh.bounds_mm().map(|corner| (pose * nalgebra::Point3::from(corner)).y))
+                .collect();
+            for pair in sides.windows(2) {
+                assert!((pair[1][0] - pair[0][1] - gap_mm).abs() < 1e-6, "{brim_mm:?}: {sides:?}");
+            }
+        }
+        // Brims that leave no room at the bed's edge.
+        let mut printer = frame.printer.clone();
+        let coupon = Coupon::new(&frame).expect("is made");
+        let deep_mm = |gap_mm: f64| coupon.pieces[..5].iter().map(|piece| piece.mesh.size_mm()[1] + gap_mm).sum::<f64>() - gap_mm;
+        for (more_mm, placed) in [(0.1, 5), (-0.1, 0)] {
+            printer.size_mm = [200.0, deep_mm(12.0) + 12.0 + more_mm];
+            let plates = coupon.plates(&printer);
+            let flexible = plates.iter().find(|plate| plate.material.name == frame.flexible.name);
+            assert_eq!(flexible.map_or(0, |plate| plate.placed.len()), placed, "{more_mm}");
+        }
+    }
+
     /// As the parts are, which the clearances that are read are for.
     #[test]
     fn analytic_first_layers_are_drawn_in_as_those_of_parts() {

@@ -11,4 +11,5 @@ mod settings;
 
 pub use arrange::{NoRoom, Wanted, all, arrange, arrange_what_fits};
 pub use plate::{Item, Plate, short};
+pub(in crate::printing) use room::Room;
 pub use settings::{PrintSetting, PrintSettings, SlicerFamily};

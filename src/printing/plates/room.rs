@@ -10,11 +10,13 @@ const GAP_MM: f64 = 8.0;
 
 /// The rectangle that is filled, in the bed's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Room {
+pub(in crate::printing) struct Room {
     pub low_mm: [f64; 2],
     pub size_mm: [f64; 2],
     /// Kept free between parts.
     pub gap_mm: f64,
+    /// Kept free at the bed's edge.
+    pub edge_mm: f64,
 }
 
 impl Room {
@@ -23,10 +25,12 @@ impl Room {
     pub fn of(printer: &Printer, brim_mm: f64) -> Self {
         let (edge_mm, gap_mm) = (EDGE_MM.max(brim_mm), GAP_MM.max(2.0 * brim_mm));
         match printer.bed {
-            Bed::Rectangular => Self { low_mm: [edge_mm; 2], size_mm: printer.size_mm.map(|size| (size - 2.0 * edge_mm).max(0.0)), gap_mm },
+            Bed::Rectangular => {
+                Self { low_mm: [edge_mm; 2], size_mm: printer.size_mm.map(|size| (size - 2.0 * edge_mm).max(0.0)), gap_mm, edge_mm }
+            }
             Bed::Round => {
                 let side = ((diameter_mm(printer) - 2.0 * edge_mm) / std::f64::consts::SQRT_2).max(0.0);
-                Self { low_mm: [-0.5 * side; 2], size_mm: [side; 2], gap_mm }
+                Self { low_mm: [-0.5 * side; 2], size_mm: [side; 2], gap_mm, edge_mm }
             }
         }
     }

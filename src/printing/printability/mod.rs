@@ -1,6 +1,6 @@
 //! Printability of a part: layers, unsupported regions, walls, and footing on the first layer.
 //!
-//! Everything is measured on the mesh that is printed, in print axes: mm, Z up, resting on z = 0.
+//! Everything is measured on the mesh of the design, before what a printer's compensation changes in the files, in print axes: mm, Z up, resting on z = 0.
 
 mod chords;
 mod fault;

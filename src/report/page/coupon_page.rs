@@ -125,7 +125,8 @@ pub fn markdown(frame: &Frame, coupon: &Coupon, given: &str) -> String {
         text,
         "\nThen, with what you found:\n\n```console\nflexframe coupon {0} --read held={1:.1},slides={2:.1},window=0.2,plug=0.0 --into my-printer.toml\n```\n\n\
          `my-printer.toml` is then this frame with these clearances. Where the frame is a file of your own, name that file behind `--into` instead: it \
-         takes the clearances and keeps all else. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
+         takes the clearances and keeps all else. `held=` and `slides=` are read together: the middle between them is the bore that comes out as wide as \
+         the rod, and the frame keeps the grip of its design. The bores of the coupon lie as those of the joints do, so that they sag alike.\n",
         word(given),
         example_mm(frame, Fit::Held),
         example_mm(frame, Fit::Slides)
