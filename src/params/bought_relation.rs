@@ -18,13 +18,14 @@ pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
 }
 
 /// What a bought part does for others, by its key: what nothing does without it, and the roles of which one is there.
-const SERVED: [(&str, &str, &[&str]); 6] = [
+const SERVED: [(&str, &str, &[&str]); 7] = [
     ("bought.motor_screw", "holds the motors", &["motor"]),
     ("bought.stack_screw", "holds the boards under the hub", &HUNG),
     ("bought.stack_nut", "holds the boards on their screws", &HUNG),
     ("bought.stack_spacer", "keeps the boards where they are along their screws", &HUNG),
     ("bought.tie", "holds the bracket with the battery", &["battery"]),
     ("bought.connector", "connects the battery", &["battery"]),
+    ("bought.magnet", "holds the battery's lid", &["battery"]),
 ];
 
 /// Whether an extra stands for a role.

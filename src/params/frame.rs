@@ -165,6 +165,22 @@ impl Frame {
         (self.half_pair_mm() + self.hub.hub_tie_wall_mm) * SQRT_2
     }
 
+    /// Its extras that are built in: those that cover nothing, and those that stand for a part that is not bought. The others state masses of
+    /// what is bought.
+    pub fn built_in_extras(&self) -> impl Iterator<Item = (&String, &Extra)> {
+        self.extras.iter().filter(|(_, extra)| extra.covers.is_empty() || self.replaced(extra).next().is_some())
+    }
+
+    /// Roles that an extra stands for: of those that it covers the ones of which nothing is bought.
+    pub fn replaced<'a>(&'a self, extra: &'a Extra) -> impl Iterator<Item = &'a str> {
+        extra.covers.iter().map(String::as_str).filter(|role| !self.bought.contains_key(*role))
+    }
+
+    /// The name of the extra that stands for a role of which nothing is bought.
+    pub fn stand_in(&self, role: &str) -> Option<&str> {
+        self.extras.iter().find(|(_, extra)| self.replaced(extra).any(|covered| covered == role)).map(|(name, _)| name.as_str())
+    }
+
     /// Whether one board under the hub is flight controller and motor controllers.
     pub fn is_all_in_one(&self) -> bool {
         let is_both = |item: &BoughtItem| item.part.all_in_one == Some(true);

@@ -12,7 +12,7 @@ use super::groups::*;
 use super::parameter::Parameter;
 use super::read::{bad_entry, in_one_line, text, to_blame};
 use super::refusal::{ROLE, Reason, Refusal, nearest};
-use super::roles::ROLES;
+use super::roles::{NEEDED, ROLES};
 use super::sleeve_direction::SleeveDirection;
 use super::{bought_relation, layer_height, relation, renamed, target};
 
@@ -212,10 +212,20 @@ fn not_stated(file: &FrameFile, bought: &BTreeMap<String, BoughtItem>, p: &Param
     let name = bought.get(role).map_or("", |item| item.name.as_str());
     let fields = fields.iter().map(|field| format!("`{field}`")).collect::<Vec<_>>().join(" and ");
     let message = format!("the bought part `{name}` lacks {fields}, from which `{key}` follows");
-    let remedy = format!("state {fields} in [override.parts.{name}]; `flexframe schema bought` explains the keys");
+    let remedy = format!("state {fields} in [override.parts.{name}]{}; `flexframe schema bought` explains the keys", left_out(role));
     let own = format!("override.parts.{name}.");
     let at = file.entries.keys().find(|key| key.starts_with(&own)).cloned().unwrap_or_else(|| format!("bought.{role}"));
     file.refuse(&at, Reason::Impossible { message, remedy })
+}
+
+/// What to do with a part that lacks what its place needs, such as a board without mounting holes.
+fn left_out(role: &str) -> String {
+    if NEEDED.contains(&role) {
+        return String::new();
+    }
+    format!(
+        "; a part that has none is fastened otherwise: write {role} = \"none\" in [bought], and make it an entry of [extras] with covers = [\"{role}\"]"
+    )
 }
 
 /// How a file says that the sleeve lies; along where it says nothing.
@@ -320,6 +330,7 @@ mod tests {
             ("stack_nut", "holds the boards"),
             ("stack_spacer", "keeps the boards where they are"),
             ("connector", "connects the battery"),
+            ("magnet", "holds the battery's lid"),
             ("flight_controller", "flies the frame: `esc-4in1-20x20` is a motor controller alone"),
             ("motor_controller", "drives the motors beside the flight controller"),
         ] {
@@ -332,6 +343,14 @@ mod tests {
             );
             assert!(resolved(&extra).is_ok(), "{role}");
         }
+    }
+
+    #[test]
+    fn planted_a_board_without_mounting_holes_may_be_an_extra() {
+        let own = "[bought]\nflight_controller = \"own\"\n[override.parts.own]\nkind = \"board\"\nsize_mm = [61, 17.8, 5]\nmass_g = 10\n\
+                   mass_basis = \"datasheet\"\nsource = \"its maker\"\n";
+        let remedy = resolved(own).expect_err("has no holes").remedy();
+        assert!(remedy.contains("state `hole_pattern_mm`") && remedy.contains("covers = [\"flight_controller\"]"), "{remedy}");
     }
 
     #[test]

@@ -85,6 +85,16 @@ mod tests {
         assert!(found.contains(&"fork.fork_cheek_gap_mm".to_string()), "{found:?}");
     }
 
+    /// A camera of 40 mm height meets five bodies, and the plate most of all, until it stands 22 mm above it: the joint that is asked about first
+    /// is clear before.
+    #[test]
+    fn regress_a_key_that_clears_the_worst_of_a_kind_last_is_named() {
+        let board = "base = \"cognifly\"\n[bought]\ncomputer = \"none\"\ncamera = \"none\"\nfpv_camera = \"own\"\n[override.parts.own]\n\
+                     kind = \"fpv_camera\"\nsize_mm = [27, 40.5, 15]\nmass_g = 10\nmass_basis = \"datasheet\"\nsource = \"its maker\"\n";
+        let found = keys(board, "interference");
+        assert!(found.contains(&"accessories.fpv_above_mm".to_string()), "{found:?}");
+    }
+
     /// What a person reads of the remedies of the first violation of a rule.
     fn told(text: &str, rule: &str) -> String {
         let file = FrameFile::parse("own.toml", text).expect("reads");

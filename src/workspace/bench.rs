@@ -120,14 +120,16 @@ impl<'a> Bench<'a> {
     fn margin(&self, finding: &Finding, rule: &Rule, dearest: Cost, key: &str, value: &Value) -> Option<f64> {
         let design = self.design(dearest, key, value)?;
         let found = checks::check_one(rule, dearest, &design, &mass::table(&design));
-        let of_kind =
-            |f: &&Finding| alike(f, finding) || finding.verdict == Verdict::Note && f.rule == finding.rule && f.levers == finding.levers;
-        let counts = |f: &&Finding| f.verdict != Verdict::Note || finding.verdict == Verdict::Note;
-        if matches!(value, Value::Text(_)) && !found.iter().any(|f| of_kind(&f)) {
+        if matches!(value, Value::Text(_)) && !found.iter().any(|f| is_of_kind(f, finding)) {
             return None;
         }
-        let same = found.iter().filter(counts).filter(|f| of_kind(f) || f.subject == finding.subject);
-        Some(same.map(|f| f.margin).fold(f64::INFINITY, f64::min))
+        Some(least_margin(&found, finding))
+    }
+
+    /// The least margin of the findings that are like this one, as they are now: what a change is measured by.
+    fn margin_now(&self, finding: &Finding, dearest: Cost) -> f64 {
+        let found = if dearest == Cost::Sketch { &self.sketched } else { &self.found };
+        least_margin(found, finding).min(finding.margin)
     }
 
     /// The remedies of a violation, the lightest change first; those that break something else only where there are no others.
@@ -183,8 +185,8 @@ impl<'a> Bench<'a> {
             let probed = |way: f64| PROBES.into_iter().find_map(|share| margin(value + way * share * step));
             [1.0, -1.0].into_iter().filter_map(probed).reduce(f64::max).map(|margin| (margin, key.clone()))
         };
-        let mut gains: Vec<(f64, String)> =
-            keys.par_iter().filter_map(gain).filter(|(margin, _)| *margin > finding.margin + 1e-6).collect();
+        let margin_now = self.margin_now(finding, self.first_look(finding));
+        let mut gains: Vec<(f64, String)> = keys.par_iter().filter_map(gain).filter(|(margin, _)| *margin > margin_now + 1e-6).collect();
         gains.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
         gains.into_iter().take(OTHERS).map(|(_, key)| key).collect()
     }
@@ -225,7 +227,7 @@ impl<'a> Bench<'a> {
     fn number(&self, finding: &Finding, rule: &Rule, movable: &Movable, way: f64) -> Option<f64> {
         let margin = |dearest: Cost, to: f64| self.margin(finding, rule, dearest, &movable.key, &Value::Number(to));
         let first = self.first_look(finding);
-        let nearest = |dearest| movable.nearest(&|to| margin(dearest, to), finding.margin, way);
+        let nearest = |dearest| movable.nearest(&|to| margin(dearest, to), self.margin_now(finding, dearest), way);
         let to = nearest(first)?;
         let holds = first == Cost::Slow || margin(Cost::Slow, to).is_some_and(|margin| margin >= 0.0);
         if holds { Some(to) } else { nearest(Cost::Slow) }
@@ -245,6 +247,18 @@ impl<'a> Bench<'a> {
         let breaks = new.map(|f| format!("{} ({})", f.rule, f.subject));
         Some(Remedy { key: key.into(), from, to, heavier_g: masses.total_g - self.mass_g, breaks })
     }
+}
+
+/// Whether one finding counts as another does where a remedy is looked for.
+fn is_of_kind(found: &Finding, finding: &Finding) -> bool {
+    alike(found, finding) || finding.verdict == Verdict::Note && found.rule == finding.rule && found.levers == finding.levers
+}
+
+/// The least margin of the findings of a rule that a change has to clear together with one of them.
+fn least_margin(found: &[Finding], finding: &Finding) -> f64 {
+    let counts = |f: &&Finding| f.verdict != Verdict::Note || finding.verdict == Verdict::Note;
+    let same = |f: &&Finding| is_of_kind(f, finding) || f.rule == finding.rule && f.subject == finding.subject;
+    found.iter().filter(counts).filter(same).map(|f| f.margin).fold(f64::INFINITY, f64::min)
 }
 
 /// The rules that a change is asked by: a search for a fold takes longer than all others together.

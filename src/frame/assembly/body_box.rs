@@ -17,7 +17,7 @@ pub(super) fn bounds_mm(design: &Design, name: &str) -> Option<[Point3<f64>; 2]>
     Some([low.into(), high.into()])
 }
 
-/// The board that the motors' wires end at.
+/// The board that the wires of motors and battery end at; none where an extra drives the motors.
 pub(super) fn controller(design: &Design) -> Option<[Point3<f64>; 2]> {
-    bounds_mm(design, "motor_controller").or_else(|| bounds_mm(design, "flight_controller"))
+    bounds_mm(design, "motor_controller")
 }

@@ -1,14 +1,14 @@
 //! The cables between boards: from camera, sensor, computer and accessories to the board that reads them.
 //!
 //! What sits on the hub leads its cable down between the two bosses of the nearest module, where the plate ends, and under the hub to the
-//! controller. The flow sensor's passes through the upper wire hole of the bracket's front upright.
+//! controller: the flight controller, or the board that is both. Where an extra stands for it, no place is known that a cable would end at, and
+//! none is drawn. The flow sensor's passes through the upper wire hole of the bracket's front upright.
 
 use nalgebra::{Point3, Vector3};
 
 use super::body_box::bounds_mm;
 use super::design::Design;
 use super::wire::{Section, Wire};
-use crate::params::roles::HUNG;
 
 /// A cable that a design may have.
 struct Cable {
@@ -126,6 +126,21 @@ const CABLES: [Cable; 8] = [
 /// A body's lowest and highest corner, frame axes, mm.
 type Bounds = [Point3<f64>; 2];
 
+/// The board that reads sensors and accessories; none where an extra does.
+fn reader(design: &Design) -> Option<&'static str> {
+    let role = if design.frame.is_all_in_one() { "motor_controller" } else { "flight_controller" };
+    bounds_mm(design, role).map(|_| role)
+}
+
+/// Bodies of a design from which a cable would lead to the board that reads them, where it has no such board.
+pub fn unconnected(design: &Design) -> Vec<&'static str> {
+    if reader(design).is_some() {
+        return Vec::new();
+    }
+    let read = CABLES.iter().filter(|cable| matches!(cable.route, Route::Upright | Route::Hub));
+    read.map(|cable| cable.from).filter(|from| bounds_mm(design, from).is_some()).collect()
+}
+
 /// The cables of a design whose both ends it has.
 pub(super) fn cables(design: &Design) -> Vec<Wire> {
     CABLES.iter().filter_map(|cable| cable.wire(design)).collect()
@@ -136,8 +151,7 @@ impl Cable {
         let to = match self.route {
             Route::Ribbon => "computer",
             Route::Stack => "motor_controller",
-            // What reads sensors and accessories: the first board that there is.
-            Route::Upright | Route::Hub => HUNG.into_iter().find(|name| bounds_mm(design, name).is_some())?,
+            Route::Upright | Route::Hub => reader(design)?,
         };
         let (begin, end) = (bounds_mm(design, self.from)?, bounds_mm(design, to)?);
         let way = match self.route {

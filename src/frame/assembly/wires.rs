@@ -18,6 +18,9 @@ const RADII_MM: [f64; 2] = [1.6, 1.5];
 /// Linear colours of the motors' wires and of the battery's two.
 const COLOURS: [[f32; 4]; 3] = [[0.02, 0.02, 0.02, 1.0], [0.6, 0.01, 0.01, 1.0], [0.01, 0.01, 0.01, 1.0]];
 
+/// Roles of those that are of several bodies.
+pub const WIRES: [&str; 2] = ["motor_wire", "battery_wire"];
+
 /// The wires and cables of a design; without what it lacks.
 pub fn wires(design: &Design) -> Vec<Wire> {
     let motors = (0..MODULE_NAMES.len()).filter_map(|module| motor(design, module));
@@ -76,7 +79,7 @@ const LEADS_APART: f64 = 1.2;
 
 fn battery(design: &Design) -> Vec<Wire> {
     let axes = design.centre.battery_axes;
-    let board = own_bounds_mm(design, "motor_controller").or_else(|| own_bounds_mm(design, "flight_controller"));
+    let board = own_bounds_mm(design, "motor_controller");
     let (Some([low, high]), Some([board_low, board_high])) = (own_bounds_mm(design, "connector_bracket"), board) else {
         return Vec::new();
     };

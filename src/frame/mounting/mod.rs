@@ -4,11 +4,15 @@
 //! the steps in an order that follows from both.
 
 mod carrier_screws;
+mod figures;
+mod fragments;
 mod mount;
 mod mounting_plan;
 mod mounts;
 mod part_lines;
 mod pilot_hole;
+#[cfg(test)]
+mod text_tests;
 mod tool;
 mod untold;
 mod way;

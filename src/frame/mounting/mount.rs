@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::tool::Tool;
 use crate::frame::skeleton::{BatteryAxes, MODULE_NAMES};
+use crate::params::Frame;
 
 /// What keeps a part where it was put.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -27,10 +28,33 @@ pub enum Fixing {
     Squeezed,
     /// Magnet and plug.
     MagnetAndPlug,
+    /// Magnet alone.
+    Magnet,
+    /// Plug alone.
+    Plug,
+    /// What the frame file lists as extra in place of what would keep it.
+    Extra,
     /// Solder.
     Solder,
     /// The motor's shaft or its screws, as the motor is sold.
     Shaft,
+}
+
+impl Fixing {
+    /// In a frame, which may have bought none of what keeps it.
+    pub(super) fn in_frame(self, frame: &Frame) -> Self {
+        let has = |role: &str| frame.bought.contains_key(role);
+        match self {
+            Self::Screws(role) | Self::Ties(role) if !has(role) => Self::Extra,
+            Self::MagnetAndPlug => match (has("magnet"), has("connector")) {
+                (true, true) => Self::MagnetAndPlug,
+                (true, false) => Self::Magnet,
+                (false, true) => Self::Plug,
+                (false, false) => Self::Extra,
+            },
+            kept => kept,
+        }
+    }
 }
 
 /// Whether something is mounted before the fold or after it.
@@ -72,7 +96,8 @@ pub struct Mount {
     /// In a few words.
     pub title: &'static str,
     /// What a person does. Sides between braces are those of a sleeve that lies along the frame; `{cables}` stands for the sentences of
-    /// the cables whose ends the step brings together, other names between braces for figures of the frame.
+    /// the cables whose ends the step brings together, other names between braces for words that depend on what is bought and for figures of
+    /// the frame.
     pub text: &'static str,
     /// A sentence more where the sleeve lies across.
     pub text_across: &'static str,
@@ -96,7 +121,10 @@ pub(super) const BATTERY_REAR: &str = "{battery_rear}";
 /// In a mount's text: the sentences about the holes that ties go through.
 pub(super) const TIES: &str = "{ties}";
 
-/// In a mount's text: the sentence about what a frame file lists as extra.
+/// In a mount's text: the sentence about the key of the screws that hold the boards.
+pub(super) const HEX_KEY: &str = "{hex_key}";
+
+/// In a mount's text: the sentences about what a frame file lists as extra.
 pub(super) const EXTRAS: &str = "{extras}";
 
 /// In a mount's text: the sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.

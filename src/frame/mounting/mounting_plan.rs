@@ -7,15 +7,17 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::carrier_screws::CarrierScrews;
-use super::mount::{ALL_IN_ONE, BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, Fixing, Mount, PLUGGED, Stage, TIES};
+use super::figures::figures;
+use super::fragments::filled;
+use super::mount::{ALL_IN_ONE, Fixing, Mount, PLUGGED, Stage};
 use super::mounts::MOUNTS;
 use super::part_lines::{PartLine, PartsSeen, fold_bodies};
 use super::way::{Compared, Ways};
 use crate::frame::assembly::wire::Wire;
-use crate::frame::assembly::wires::wires;
+use crate::frame::assembly::wires::{WIRES, wires};
 use crate::frame::assembly::{Body, Design};
 use crate::frame::fold::{FoldSequence, Meeting, Sweep};
+use crate::params::Frame;
 
 /// A mount that has to come first, or later.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -178,88 +180,29 @@ pub fn mounts_of(design: &Design) -> Vec<&'static Mount> {
     found
 }
 
-/// How far the battery's rear may be off the lid's where both count as flush, mm.
-const FLUSH_MM: f64 = 0.05;
-
-/// Names between braces in the texts of mounts, each with what stands for it in a design.
-fn figures(design: &Design) -> [(&'static str, String); 5] {
-    let [computer, feet] = screws_told(design);
-    [
-        (BATTERY_REAR, battery_rear(design)),
-        (COMPUTER_SCREWS, computer),
-        (FOOT_SCREWS, feet),
-        (TIES, ties_told(design)),
-        (EXTRAS, extras_told(design)),
-    ]
-}
-
-/// The sentences about the holes that ties go through.
-fn ties_told(design: &Design) -> String {
-    let of_bracket = "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots";
-    let laid = ["pi_carrier", "accessory_plate"].into_iter().find(|name| design.bodies.iter().any(|body| body.name == *name));
-    let told = match laid {
-        None => format!("{of_bracket}. "),
-        Some("pi_carrier") => format!(
-            "{of_bracket}; two through the hub's holes {{left and right}}. All four go through the carrier, too: the two in front and at the rear \
-             are in it already. "
-        ),
-        Some(_) => format!("{of_bracket}; two through the hub's holes {{left and right}}. All four go through the plate, too. "),
-    };
-    design.centre.battery_axes.words(&told)
-}
-
-/// The sentence about what a frame file lists as extra, and no step is about.
-fn extras_told(design: &Design) -> String {
-    let extras = design.frame.extras.iter().filter(|(_, extra)| extra.covers.is_empty());
-    let names: Vec<String> = extras.map(|(name, _)| name.replace('_', " ")).collect();
-    match names.is_empty() {
-        true => String::new(),
-        false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),
-    }
-}
-
-/// Where the battery's rear face is in its lid.
-fn battery_rear(design: &Design) -> String {
-    let centre = &design.centre;
-    let inside_mm = (centre.front_y_mm - design.frame.battery.battery_length_mm) - (centre.rim_y_mm - centre.lid_cover_mm);
-    match inside_mm {
-        _ if inside_mm.abs() < FLUSH_MM => "flush with the edge of the lid's floor".into(),
-        _ if inside_mm > 0.0 => format!("{inside_mm:.1} mm inside of the edge of the lid's floor"),
-        _ => format!("{:.1} mm outside of the edge of the lid's floor", -inside_mm),
-    }
-}
-
-/// The sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
-fn screws_told(design: &Design) -> [String; 2] {
-    let Some(screws) = CarrierScrews::new(&design.frame) else {
-        return ["Fix it with small screws.", "Fix each with a small screw through its foot."].map(String::from);
-    };
-    let cut = "They cut their thread in the carrier. Longer ones would meet the hub below it.";
-    let on_board = screws.words(screws.on_board);
-    match screws.on_feet {
-        None => [format!("Fix it with four screws {on_board} through its holes. {cut}"), String::new()],
-        Some(on_feet) => [
-            format!(
-                "Fix it with two screws {on_board} through its rear holes. {cut} The front holes stay free: the camera's connectors go onto them."
-            ),
-            format!("Turn a screw {} from above through each foot and the board into the carrier.", screws.words(on_feet)),
-        ],
-    }
+/// The texts of a design's mounts, without those of cables, by their names.
+#[cfg(test)]
+pub(super) fn texts(design: &Design) -> std::collections::BTreeMap<&'static str, String> {
+    let planning = Planning::new(design);
+    planning.mounts.iter().map(|mount| (mount.id, planning.text(mount, &[]))).collect()
 }
 
 struct Planning<'a> {
     ways: Ways<'a>,
+    frame: &'a Frame,
     mounts: Vec<&'static Mount>,
+    /// Those that are of several bodies.
+    wires: Vec<Wire>,
     /// Those that join two bodies.
     cables: Vec<Wire>,
     /// What stands for names between braces in texts.
-    figures: [(&'static str, String); 5],
+    figures: Vec<(&'static str, String)>,
 }
 
 impl<'a> Planning<'a> {
     fn new(design: &'a Design) -> Self {
-        let cables = wires(design).into_iter().filter(|wire| wire.joins.is_some()).collect();
-        Self { ways: Ways::new(design), mounts: mounts_of(design), cables, figures: figures(design) }
+        let (cables, wires) = wires(design).into_iter().partition(|wire| wire.joins.is_some());
+        Self { ways: Ways::new(design), frame: &design.frame, mounts: mounts_of(design), wires, cables, figures: figures(design) }
     }
 
     fn mount(&self, id: &str) -> Option<&'static Mount> {
@@ -349,7 +292,8 @@ impl<'a> Planning<'a> {
     /// What a person does, with the cables that are plugged in.
     fn text(&self, mount: &Mount, cables: &[&Wire]) -> String {
         let axes = self.ways.battery_axes();
-        let text = self.figures.iter().fold(mount.text_in(axes), |text, (name, words)| text.replace(name, words));
+        let text = axes.words(&filled(&mount.text_in(axes), self.frame));
+        let text = self.figures.iter().fold(text, |text, (name, words)| text.replace(name, words));
         let told = cables.iter().map(|cable| axes.words(&cable.plugged())).collect::<Vec<_>>().join(" ");
         match (text.contains(PLUGGED), told.is_empty()) {
             (true, true) => text.replace(PLUGGED, ""),
@@ -357,6 +301,12 @@ impl<'a> Planning<'a> {
             (false, true) => text,
             (false, false) => format!("{text} {told}"),
         }
+    }
+
+    /// What its text tells of beside cables; no wires that the design lacks.
+    fn supplies(&self, mount: &Mount) -> impl Iterator<Item = &'static str> {
+        let is_there = |role: &&'static str| !WIRES.contains(role) || self.wires.iter().any(|wire| wire.role == *role);
+        mount.supplies.iter().copied().filter(is_there)
     }
 
     /// What meets what on a mount's way, after those that come before it in an order.
@@ -393,7 +343,7 @@ impl<'a> Planning<'a> {
             caution: mount.caution,
             repeats,
             minutes: mount.minutes * repeats as f64,
-            fixing: mount.fixing,
+            fixing: mount.fixing.in_frame(self.frame),
             brings: names(&self.ways.bodies(mount.brings.iter().copied())),
             moves,
             onto: mount.onto,
@@ -401,7 +351,7 @@ impl<'a> Planning<'a> {
             from,
             travel_mm: from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
             parts: seen.of_mount(mount),
-            supplies: mount.supplies.iter().copied().chain(cables.iter().map(|cable| cable.role)).collect(),
+            supplies: self.supplies(mount).chain(cables.iter().map(|cable| cable.role)).collect(),
             after,
             before,
             sweep,

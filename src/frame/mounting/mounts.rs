@@ -35,13 +35,13 @@ const GLUED: Mount = Mount {
 };
 
 /// All of them, in the order in which they are tried.
-pub static MOUNTS: [Mount; 31] = [
+pub static MOUNTS: [Mount; 33] = [
     Mount {
         id: "magnet_in_bracket",
         brings: &["magnet_bracket"],
         turns: true,
         title: "Magnet into the bracket",
-        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the {rear}, its mark to the {rear}. The other one and the lid's power connector may be glued into the lid now, too, as later steps show: then they harden while the frame is folded.",
+        text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the {rear}, its mark to the {rear}. {lid_now}",
         caution: Some("Polarity: a magnet that is glued in the wrong way round pushes the battery out. Marked face looks at marked face."),
         ..GLUED
     },
@@ -62,7 +62,7 @@ pub static MOUNTS: [Mount; 31] = [
         brings: &["battery_sleeve"],
         from: BELOW,
         title: "Sleeve under the bracket",
-        text: "Glue the bracket's base between the two ribs of the sleeve. The rim that is chamfered inside is at the {rear}, where the magnet is: the battery goes in there. A sleeve with a tray has it at the {front}.",
+        text: "Glue the bracket's base between the two ribs of the sleeve. The rim that is chamfered inside is at the {rear}, where the {rim}: the battery goes in there. A sleeve with a tray has it at the {front}.",
         caution: Some("Let the glue harden, as its maker says, before the bracket is tied under the hub."),
         ..GLUED
     },
@@ -85,7 +85,7 @@ pub static MOUNTS: [Mount; 31] = [
         from: ABOVE,
         fixing: Fixing::Thread,
         title: "Screws into the hub",
-        text: "Turn the four long screws from above through the hub until their heads lie in their hollows. They cut their own thread. Socket heads of M2 take a hex key of 1.5 mm.",
+        text: "Turn the four long screws from above through the hub until their heads lie in their hollows. They cut their own thread.{hex_key}",
         tools: &[Tool::Screwdriver],
         ..GLUED
     },
@@ -135,7 +135,7 @@ pub static MOUNTS: [Mount; 31] = [
             ("dampers", "the dampers sit between board and screws"),
         ],
         title: "Flight controller onto the screws",
-        text: "Solder to the board now what it has no socket for, such as the leads for a receiver: in the stack no iron gets there. With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board with its dampers onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
+        text: "Solder to the board now what it has no socket for, such as the leads for a receiver: in the stack no iron gets there. With the hub's underside up, hold the flight controller so that the face with its arrow is towards the hub, and the arrow points to the front: in flight that face looks up. Push the board{with_dampers} onto the four screws. Where its plugs leave no room for that, turn the board's other face to the hub, the arrow to the front: in flight the arrow then faces the ground. Such a board needs another alignment in the flight controller's settings: roll 180 degrees.",
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::Hands],
         caution: Some(ALIGNMENT),
         ..GLUED
@@ -148,7 +148,7 @@ pub static MOUNTS: [Mount; 31] = [
         fixing: Fixing::Screws("stack_screw"),
         needs: &[("flight_controller", "the spacers lie under the flight controller")],
         title: "Spacers under the flight controller",
-        text: "Put the spacers of this step onto the four screws, as many onto each, up to the dampers or the board. Nuts as spacers are turned on finger tight: no damper is squeezed flat, and no board is bent.",
+        text: "Put the spacers of this step onto the four screws, as many onto each, up to {to_dampers}. Nuts as spacers are turned on finger tight: {nothing_bent}.",
         tools: &[Tool::Hands],
         ..GLUED
     },
@@ -166,7 +166,7 @@ pub static MOUNTS: [Mount; 31] = [
             ("dampers_in_motor_controller", "the dampers sit between board and screws"),
         ],
         title: "Motor controller onto the screws",
-        text: "{cables}Push the motor controller onto the screws, its battery pads to the {rear}.",
+        text: "{cables}{signal_cable}Push the motor controller onto the screws, its battery pads to the {rear}.",
         text_across: " With its pads its four outputs are turned a quarter: state that in the flight controller's order of motors.",
         tools: &[Tool::Hands],
         ..GLUED
@@ -203,7 +203,7 @@ pub static MOUNTS: [Mount; 31] = [
             ("both_controllers", "the nuts hold the board"),
         ],
         title: "Nuts onto the screws",
-        text: "Turn one nut onto each of the four screws, up to the lowest board or to its dampers, finger tight. No damper is squeezed flat by it, and no board is bent. A drop of varnish on the thread behind each nut keeps it from coming off in flight.",
+        text: "Turn one nut onto each of the four screws, up to the lowest board{or_dampers}, finger tight. {not_bent_by_it} A drop of varnish on the thread behind each nut keeps it from coming off in flight.",
         tools: &[Tool::Hands, Tool::Varnish],
         ..GLUED
     },
@@ -221,7 +221,7 @@ pub static MOUNTS: [Mount; 31] = [
             ("both_controllers", "its wires end at the board"),
         ],
         title: "Radio receiver onto the hub",
-        text: "Where the frame is flown by radio: stick the receiver flat onto the middle of the hub's plate, between the bosses, with double-sided tape. It is no higher than the bosses. Lead its wires down beside the hub, between two bosses, and join them to the leads of a serial port and of 5 V of the board under the hub, or plug them in. Its antenna goes out between the bosses, away from the rods.",
+        text: "Where the frame is flown by radio: stick the receiver flat onto the middle of the hub's plate, between the bosses, with double-sided tape. It is no higher than the bosses. {radio_leads} Its antenna goes out between the bosses, away from the rods.",
         tools: &[Tool::DoubleSidedTape, Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube],
         minutes: 5.0,
         ..GLUED
@@ -233,7 +233,7 @@ pub static MOUNTS: [Mount; 31] = [
         from: ABOVE,
         fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
-        text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded. Lay the computer on the washers, hole over hole, its camera socket to the front. {computer_screws}",
+        text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded. Lay the computer on the washers, hole over hole{camera_socket}. {computer_screws}",
         tools: &[Tool::Glue, Tool::Screwdriver],
         ..GLUED
     },
@@ -268,7 +268,7 @@ pub static MOUNTS: [Mount; 31] = [
         fixing: Fixing::Ties("tie"),
         needs: &[("radio", "the receiver lies under the carrier")],
         title: "Carrier onto the hub",
-        text: "Lay the carrier on the hub, its four tie holes over the hub's, the camera to the front.",
+        text: "Lay the carrier on the hub, its four tie holes over the hub's{camera_side}.",
         tools: &[Tool::Hands],
         ..GLUED
     },
@@ -280,7 +280,7 @@ pub static MOUNTS: [Mount; 31] = [
         fixing: Fixing::Ties("tie"),
         needs: &[("radio", "the receiver lies under the plate")],
         title: "Accessory plate onto the hub",
-        text: "Lay the plate on the hub, its four tie holes over the hub's, the mast to the rear, the cheeks to the front.",
+        text: "Lay the plate on the hub, its four tie holes over the hub's{plate_sides}.",
         tools: &[Tool::Hands],
         ..GLUED
     },
@@ -331,15 +331,30 @@ pub static MOUNTS: [Mount; 31] = [
     Mount {
         id: "bracket",
         brings: &["battery_bracket"],
+        with: &["motor_controller"],
         onto: "hub",
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "Solder the connector's leads to the motor controller's battery pads at its {rear}, red to plus, black to minus, as the picture shows: they are the battery wires of the bill. Solder the motor wires of the bill to its outputs, too, three for each motor, mark them with its number, and let them hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. {cables}Set the bracket under the hub, its magnet and its power connector to the {rear}. The bay stays open to the {left} and to the {right}, where the motor wires come out.",
+        text: "{power_leads} Solder the motor wires of the bill to its outputs, too, three for each motor, mark them with its number, and let them hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. {cables}Set the bracket under the hub, {bracket_sides}.{tied} The bay stays open to the {left} and to the {right}, where the motor wires come out.",
         supplies: &["battery_wire"],
         tools: &[Tool::SolderingIron, Tool::Solder],
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 20.0,
+        ..GLUED
+    },
+    Mount {
+        id: "bracket_alone",
+        brings: &["battery_bracket"],
+        without: &["motor_controller"],
+        onto: "hub",
+        from: BELOW,
+        fixing: Fixing::Ties("tie"),
+        title: "Bracket under the hub",
+        text: "{power_lengthened}{signal_wires}{hang_out}{cables}Set the bracket under the hub, {bracket_sides}.{tied} The bay stays open to the {left} and to the {right}.",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube],
+        caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
+        minutes: 15.0,
         ..GLUED
     },
     Mount {
@@ -352,6 +367,7 @@ pub static MOUNTS: [Mount; 31] = [
             ("carrier", "the ties pass through the carrier"),
             ("accessory_plate", "the ties pass through the accessory plate"),
             ("bracket", "the ties pass through the bracket"),
+            ("bracket_alone", "the ties pass through the bracket"),
         ],
         title: "Ties",
         text: "{ties}Pull them tight and cut what is over.",
@@ -371,6 +387,20 @@ pub static MOUNTS: [Mount; 31] = [
         tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Tape],
         caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
         minutes: 20.0,
+        ..GLUED
+    },
+    Mount {
+        id: "wiring_of_extra",
+        without: &["motor_controller"],
+        onto: "hub",
+        from: None,
+        fixing: Fixing::Solder,
+        stage: Stage::AfterFold,
+        title: "Motor wires",
+        text: "Fasten {instead motor_controller} as its maker says, where no propeller reaches it. Solder each motor's three wires to it, those that are too short with wires as thick between, each in shrink tube. {controller_wires} Tape all along the arms.{extras}",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Tape],
+        caution: Some("Leave each bundle slack at the plugs: they must be free to slip out in a crash."),
+        minutes: 30.0,
         ..GLUED
     },
     Mount {
@@ -394,7 +424,7 @@ pub static MOUNTS: [Mount; 31] = [
         stage: Stage::AfterFold,
         turns: true,
         title: "Magnet into the lid",
-        text: "Glue the second magnet into the lid's tower from the {front}, its mark to the {front}. Let magnet and connector harden, as the glue's maker says, before the lid comes near the bracket: the magnets would pull this one out.",
+        text: "Glue the second magnet into the lid's tower from the {front}, its mark to the {front}. Let {hardening} harden, as the glue's maker says, before the lid comes near the bracket: the magnets would pull this one out.",
         caution: Some("Polarity: hold it before the bracket's magnet first. It has to pull."),
         ..GLUED
     },
@@ -426,10 +456,11 @@ pub static MOUNTS: [Mount; 31] = [
             ("magnet_in_lid", "the lid is held by its magnet"),
             ("battery", "the battery is in the lid"),
             ("wiring", "the first power tries the motors"),
+            ("wiring_of_extra", "the first power tries the motors"),
         ],
         stage: Stage::AfterFold,
         title: "Battery in",
-        text: "Slide battery and lid from the {rear} into the sleeve until the magnets pull the lid home and the plug is in: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over where they join along the arm. Tilt the frame by hand: the picture of it in the flight controller's settings has to tilt alike. Then take battery and lid out again.",
+        text: "Slide battery and lid from the {rear} into the sleeve {lid_home}: this is the first power, without propellers. Try each motor: does it answer to its number, and turn the way that the last step shows? One that turns the wrong way has two of its wires changed over{where_joined}. Tilt the frame by hand: the picture of it in the flight controller's settings has to tilt alike. Then take battery and lid out again.",
         text_across: "",
         tools: &[Tool::Hands],
         caution: Some("First power without propellers. With the battery in, the motors can start."),
@@ -447,6 +478,7 @@ pub static MOUNTS: [Mount; 31] = [
         fixing: Fixing::Shaft,
         needs: &[
             ("wiring", "the directions of the motors are tried without propellers"),
+            ("wiring_of_extra", "the directions of the motors are tried without propellers"),
             ("cartridge", "the first power is without propellers"),
         ],
         stage: Stage::AfterFold,

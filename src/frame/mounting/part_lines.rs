@@ -77,7 +77,7 @@ impl<'a> PartsSeen<'a> {
     pub(super) fn of_mount(&mut self, mount: &Mount) -> Vec<PartLine> {
         let mut lines = self.of(mount.brings.iter().copied().chain([mount.onto]).map(String::from));
         if mount.fixing == Fixing::Solder {
-            let extras = self.design.frame.extras.iter().filter(|(_, extra)| extra.covers.is_empty());
+            let extras = self.design.frame.built_in_extras();
             lines.extend(extras.map(|(name, _)| PartLine { part: name.clone(), count: 1.0, screw_mm: None, head_mm: None, body: None }));
         }
         lines

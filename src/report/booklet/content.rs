@@ -251,8 +251,9 @@ fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<St
     let bill = bill(design, masses, None);
     let print = bill.print.iter().map(|line| (line.part.to_string(), f64::from(line.quantity)));
     let rods = bill.rods.iter().map(|line| (line.rod.clone(), f64::from(line.quantity)));
-    let covers = |role: &str| design.frame.extras.get(role).is_some_and(|extra| !extra.covers.is_empty());
-    let buy = bill.buy.iter().filter(|line| line.role != "rod" && line.kind != "supply" && !covers(&line.role));
+    let is_built_in = |name: &str| design.frame.built_in_extras().any(|(extra, _)| extra == name);
+    let weighs_others = |role: &str| design.frame.extras.contains_key(role) && !is_built_in(role);
+    let buy = bill.buy.iter().filter(|line| line.role != "rod" && line.kind != "supply" && !weighs_others(&line.role));
     let mut forgotten =
         without_a_step(print.chain(rods).chain(buy.map(|line| (line.role.clone(), f64::from(line.quantity)))), mounting.parts());
     let connected = bill.buy.iter().filter(|line| line.kind == "supply" && (line.length_mm.is_some() || line.role == "receiver"));
@@ -329,6 +330,9 @@ fn fixed(fixing: Fixing) -> String {
         Fixing::SmallTies => "held by small ties".into(),
         Fixing::Squeezed => "squeezed in".into(),
         Fixing::MagnetAndPlug => "held by magnet and plug".into(),
+        Fixing::Magnet => "held by the magnet".into(),
+        Fixing::Plug => "held by the plug".into(),
+        Fixing::Extra => "held by what the file lists as extra".into(),
         Fixing::Solder => "soldered".into(),
         Fixing::Shaft => "on the motor's shaft".into(),
     }

@@ -89,10 +89,21 @@ fn cartridge(design: &Design, fold: &FoldSequence, mounting: &Mounting) -> SubAs
     SubAssembly {
         name: "cartridge",
         heading: "The battery cartridge, once a battery".into(),
-        text: format!("Battery, lid, plug and magnet stay together. It slides into the sleeve from the {side}, as one piece."),
+        text: format!("{} stay together. It slides into the sleeve from the {side}, as one piece.", kept_together(design)),
         steps: own().map(|(at, step)| numbered(first + at, step.title)).collect(),
         parts: in_words(added(own().flat_map(|(_, step)| &step.parts))),
         picture: picture(design, |body| moves.contains(&body.name)),
+    }
+}
+
+/// What of the cartridge is not taken apart again.
+fn kept_together(design: &Design) -> &'static str {
+    let has = |role: &str| design.frame.bought.contains_key(role);
+    match (has("connector"), has("magnet")) {
+        (true, true) => "Battery, lid, plug and magnet",
+        (true, false) => "Battery, lid and plug",
+        (false, true) => "Battery, lid and magnet",
+        (false, false) => "Battery and lid",
     }
 }
 

@@ -104,7 +104,7 @@ fn laid(design: &Design, step: &MountStep, off: Vector3<f64>) -> Vec<Wire> {
             of("motor_wire").into_iter().map(shown).collect()
         }
         "bracket" => of("battery_wire"),
-        "connector_in_bracket" => lead_ends(design, "connector_bracket"),
+        "bracket_alone" | "connector_in_bracket" => lead_ends(design, "connector_bracket"),
         "connector_in_lid" => lead_ends(design, "connector_lid"),
         _ => Vec::new(),
     };

@@ -1,0 +1,119 @@
+//! Figures of a design, and sentences about them, in the texts of its mounts.
+
+use super::carrier_screws::CarrierScrews;
+use super::fragments::instead;
+use super::mount::{BATTERY_REAR, COMPUTER_SCREWS, EXTRAS, FOOT_SCREWS, HEX_KEY, TIES};
+use crate::frame::assembly::Design;
+use crate::frame::assembly::cables::unconnected;
+use crate::params::Frame;
+use crate::params::frame::Extra;
+
+/// How far the battery's rear may be off the lid's where both count as flush, mm.
+const FLUSH_MM: f64 = 0.05;
+
+/// Names between braces in the texts of mounts, each with what stands for it in a design.
+pub(super) fn figures(design: &Design) -> Vec<(&'static str, String)> {
+    let [computer, feet] = screws_told(design);
+    vec![
+        (BATTERY_REAR, battery_rear(design)),
+        (COMPUTER_SCREWS, computer),
+        (FOOT_SCREWS, feet),
+        (HEX_KEY, hex_key(&design.frame)),
+        (TIES, ties_told(design)),
+        (EXTRAS, extras_told(design)),
+    ]
+}
+
+/// Threads with the keys of their socket heads (ISO 4762), mm.
+const HEX_KEYS_MM: [[f64; 2]; 5] = [[1.6, 1.5], [2.0, 1.5], [2.5, 2.0], [3.0, 2.5], [4.0, 3.0]];
+
+/// The sentence about the key of the screws that hold the boards; none for a thread without one.
+fn hex_key(frame: &Frame) -> String {
+    let thread_mm = frame.bought.get("stack_screw").and_then(|screw| screw.part.thread_mm);
+    let key = thread_mm.and_then(|thread| HEX_KEYS_MM.into_iter().find(|[of, _]| *of == thread));
+    key.map_or_else(String::new, |[thread, key]| format!(" Socket heads of M{thread} take a hex key of {key} mm."))
+}
+
+/// The sentences about the holes that ties go through.
+fn ties_told(design: &Design) -> String {
+    let of_bracket = "Put two ties through the holes of hub and bracket, {in front and at the rear}, and out by the bracket's slots";
+    let laid = ["pi_carrier", "accessory_plate"].into_iter().find(|name| design.bodies.iter().any(|body| body.name == *name));
+    let told = match laid {
+        None => format!("{of_bracket}. "),
+        Some("pi_carrier") => format!(
+            "{of_bracket}; two through the hub's holes {{left and right}}. All four go through the carrier, too: the two in front and at the rear \
+             are in it already. "
+        ),
+        Some(_) => format!("{of_bracket}; two through the hub's holes {{left and right}}. All four go through the plate, too. "),
+    };
+    design.centre.battery_axes.words(&told)
+}
+
+/// The sentences about what a frame file lists as extra, and no step brings, and about what such an extra is connected to.
+fn extras_told(design: &Design) -> String {
+    let frame = &design.frame;
+    let named = |(name, extra): (&String, &Extra)| {
+        let replaced = frame.replaced(extra).map(spaced).collect::<Vec<_>>().join(" and the ");
+        let name = spaced(name);
+        if replaced.is_empty() { name } else { format!("{name} (for the {replaced})") }
+    };
+    let names: Vec<String> = frame.built_in_extras().map(named).collect();
+    let listed = match names.is_empty() {
+        true => String::new(),
+        false => format!(" Fasten and connect what the frame's file lists as extra, as its maker says: {}.", names.join(", ")),
+    };
+    format!("{listed}{}", unconnected_told(design))
+}
+
+/// The sentence about what would be connected to a board under the hub that flies the frame, where an extra does.
+fn unconnected_told(design: &Design) -> String {
+    let from: Vec<&str> = unconnected(design).into_iter().map(called).collect();
+    match &from[..] {
+        [] => String::new(),
+        [one] => format!(" Connect the {one} to {}: the bill has no cable for it.", instead(&design.frame, "flight_controller")),
+        all => format!(" Connect to {}: {}. The bill has no cables for them.", instead(&design.frame, "flight_controller"), all.join(", ")),
+    }
+}
+
+fn spaced(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+/// What is connected, by its role, in a sentence.
+fn called(role: &str) -> &str {
+    match role {
+        "flow_sensor" => "flow sensor",
+        "fpv_camera" => "camera for goggles",
+        "gps" => "GPS",
+        other => other,
+    }
+}
+
+/// Where the battery's rear face is in its lid.
+fn battery_rear(design: &Design) -> String {
+    let centre = &design.centre;
+    let inside_mm = (centre.front_y_mm - design.frame.battery.battery_length_mm) - (centre.rim_y_mm - centre.lid_cover_mm);
+    match inside_mm {
+        _ if inside_mm.abs() < FLUSH_MM => "flush with the edge of the lid's floor".into(),
+        _ if inside_mm > 0.0 => format!("{inside_mm:.1} mm inside of the edge of the lid's floor"),
+        _ => format!("{:.1} mm outside of the edge of the lid's floor", -inside_mm),
+    }
+}
+
+/// The sentences about the screws that hold the computer, and about those through the feet of the camera's connectors.
+fn screws_told(design: &Design) -> [String; 2] {
+    let Some(screws) = CarrierScrews::new(&design.frame) else {
+        return ["Fix it with small screws.", "Fix each with a small screw through its foot."].map(String::from);
+    };
+    let cut = "They cut their thread in the carrier. Longer ones would meet the hub below it.";
+    let on_board = screws.words(screws.on_board);
+    match screws.on_feet {
+        None => [format!("Fix it with four screws {on_board} through its holes. {cut}"), String::new()],
+        Some(on_feet) => [
+            format!(
+                "Fix it with two screws {on_board} through its rear holes. {cut} The front holes stay free: the camera's connectors go onto them."
+            ),
+            format!("Turn a screw {} from above through each foot and the board into the carrier.", screws.words(on_feet)),
+        ],
+    }
+}
