@@ -59,6 +59,13 @@ pub(super) struct Args {
     pub mechanics: MechanicsOption,
 }
 
+impl Args {
+    /// Whether standard output is JSON.
+    pub fn wants_json(&self) -> bool {
+        self.format == Some(CheckFormat::Json)
+    }
+}
+
 /// Format of the report of `check`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(super) enum CheckFormat {

@@ -77,7 +77,7 @@ struct Arguments {
 impl Arguments {
     /// Whether standard output is JSON, of an error, too.
     fn wants_json(&self) -> bool {
-        self.common.json || matches!(&self.command, Command::Check(args) if args.format == Some(check::CheckFormat::Json))
+        self.common.json || matches!(&self.command, Command::Check(args) if args.wants_json())
     }
 }
 

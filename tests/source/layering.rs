@@ -27,7 +27,7 @@ const WINGS: [&str; 18] = [
 ];
 
 /// Each layer, a wing or a room of one, and the layers that it may import: all of them stand before it.
-const LAYERS: [(&str, &[&str]); 38] = [
+const LAYERS: [(&str, &[&str]); 39] = [
     ("units", &[]),
     ("figures", &[]),
     ("markdown", &[]),
@@ -43,9 +43,10 @@ const LAYERS: [(&str, &[&str]); 38] = [
     ("printing/print_time", &["params", "solid", "frame/assembly"]),
     ("printing/filament", &[]),
     ("printing/heat", &["params", "frame/assembly"]),
-    ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time"]),
+    ("printing/room", &["params", "frame/assembly"]),
+    ("printing/plates", &["params", "frame/assembly", "printing/printability", "printing/print_time", "printing/room"]),
     ("printing/weighing", &["params", "frame/assembly"]),
-    ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold"]),
+    ("printing/coupon", &["units", "params", "solid", "frame/skeleton", "frame/assembly", "frame/fold", "printing/room"]),
     ("mechanics", &["units", "params", "solid", "frame/skeleton", "frame/parts", "frame/assembly"]),
     (
         "checks",

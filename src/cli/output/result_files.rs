@@ -104,22 +104,4 @@ mod tests {
         left.sort();
         assert_eq!(left, ["rows.jsonl", "study.csv.yours", "study.csv.yours-2", "study.parquet.yours"]);
     }
-
-    #[test]
-    fn planted_a_result_that_is_removed_leaves_what_is_the_users() {
-        let parent = tempfile::tempdir().expect("a folder");
-        let files = [("report.md".to_string(), b"page".to_vec()), ("plots/a.svg".into(), b"plot".to_vec())];
-        let place = super::super::write_folder(parent.path(), "report", &files).expect("can be written");
-        fs::write(place.join("notes.txt"), "mine").expect("can be written");
-        fs::write(place.join("report.md"), "changed").expect("can be written");
-        remove_result(&place, &[]).expect("can be removed");
-        let mut left: Vec<_> = fs::read_dir(&place).expect("is there").map(|entry| entry.expect("is there").file_name()).collect();
-        left.sort();
-        assert_eq!(left, ["notes.txt", "report.md.yours"]);
-        fs::remove_dir_all(&place).expect("can be removed");
-        super::super::write_folder(parent.path(), "report", &files).expect("can be written");
-        remove_result(&place, &[]).expect("can be removed");
-        assert!(!place.exists());
-        remove_result(&place, &[]).expect("nothing is there");
-    }
 }

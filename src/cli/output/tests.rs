@@ -6,7 +6,7 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use super::record::{RECORD, Record};
-use super::{replace_folder, write_folder};
+use super::{remove_result, replace_folder, write_folder};
 use crate::cli::failure::Failure;
 
 fn files(list: &[(&str, &str)]) -> Vec<(String, Vec<u8>)> {
@@ -230,4 +230,22 @@ fn planted_writers_of_one_folder_all_succeed() {
     });
     assert_eq!(listed(&bench), ["b/", "b/c", "mine.txt", "report.md"]);
     assert_eq!(hidden(&bench), [""; 0]);
+}
+
+#[test]
+fn planted_a_result_that_is_removed_leaves_what_is_the_users() {
+    let parent = tempfile::tempdir().expect("a folder");
+    let files = [("report.md".to_string(), b"page".to_vec()), ("plots/a.svg".into(), b"plot".to_vec())];
+    let place = write_folder(parent.path(), "report", &files).expect("can be written");
+    fs::write(place.join("notes.txt"), "mine").expect("can be written");
+    fs::write(place.join("report.md"), "changed").expect("can be written");
+    remove_result(&place, &[]).expect("can be removed");
+    let mut left: Vec<_> = fs::read_dir(&place).expect("is there").map(|entry| entry.expect("is there").file_name()).collect();
+    left.sort();
+    assert_eq!(left, ["notes.txt", "report.md.yours"]);
+    fs::remove_dir_all(&place).expect("can be removed");
+    write_folder(parent.path(), "report", &files).expect("can be written");
+    remove_result(&place, &[]).expect("can be removed");
+    assert!(!place.exists());
+    remove_result(&place, &[]).expect("nothing is there");
 }

@@ -1,16 +1,12 @@
 //! The steps' texts for frames that lack a part, and for those in which an extra stands for one.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, LazyLock};
 
 use super::mounting_plan::texts;
 use super::{Fixing, MOUNTS};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::wires::wires;
-use crate::memo::Memo;
 use crate::params::{Frame, FrameFile};
-
-static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(Arc::default);
 
 const NO_COMPUTER: &str = "computer = \"none\"\ncamera = \"none\"\nflow_sensor = \"none\"\n";
 
@@ -23,7 +19,7 @@ fn design(bought: &str, extras: &[(&str, &str)]) -> Design {
     let extras: String = extras.iter().map(extra).collect();
     let text = format!("base = \"cognifly\"\n[bought]\n{bought}{extras}");
     let frame = Frame::resolve(&FrameFile::parse("own.toml", &text).expect("reads")).expect("resolves");
-    Design::with(frame, &MEMO).expect("designs")
+    Design::new(frame).expect("designs")
 }
 
 fn told(bought: &str, extras: &[(&str, &str)]) -> BTreeMap<&'static str, String> {

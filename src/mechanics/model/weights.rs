@@ -38,7 +38,8 @@ impl Weights {
 /// Lines that ride on the motors.
 const ON_MOTORS: [&str; 3] = ["motor", "propeller", "motor_screw"];
 
-/// The rods and what rides on the motors, as far as extras cover them: mass of each, g, that an extra's line holds.
+/// The rods, motors and propellers, as far as extras cover them: mass of each, g, that an extra's line holds. Screws of motors in an extra
+/// stay with it: they are too light to matter.
 #[derive(Default)]
 struct Covered {
     rods_g: f64,
@@ -53,7 +54,7 @@ impl Covered {
         let of = |wanted: &dyn Fn(&str) -> bool| -> f64 {
             extra.covers.iter().filter(|role| wanted(role)).map(|role| uncovered_g(design, role)).sum()
         };
-        let (rods_g, on_motors_g) = (of(&|role| role == "rod"), of(&|role| ON_MOTORS.contains(&role)));
+        let (rods_g, on_motors_g) = (of(&|role| role == "rod"), of(&|role| role == "motor" || role == "propeller"));
         let uncovered_g = rods_g + on_motors_g;
         if uncovered_g <= 0.0 {
             return Self::default();

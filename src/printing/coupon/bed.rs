@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Translation3};
 use super::pieces::{Coupon, Piece};
 use crate::params::catalogue::{Bed, Printer};
 use crate::params::frame::NamedMaterial;
-use crate::printing::plates::Room;
+use crate::printing::room::Room;
 
 /// Pieces of one material in their places on the bed, in the printer's coordinates.
 pub struct CouponPlate<'a> {

@@ -4,13 +4,13 @@ use crunch::{Item as Box, PackedItem, Rect, Rotation};
 use rayon::prelude::*;
 
 use super::plate::{Item, Plate, short};
-use super::room::{Room, alone};
 use crate::frame::assembly::{Design, Printed};
 use crate::params::PartName;
 use crate::params::catalogue::Printer;
 use crate::params::frame::NamedMaterial;
 use crate::printing::printability;
 use crate::printing::printability::Process;
+use crate::printing::room::{Room, alone};
 
 /// Steps a millimetre in which the library counts.
 const STEPS: f64 = 100.0;

@@ -6,10 +6,8 @@
 mod arrange;
 mod known;
 mod plate;
-mod room;
 mod settings;
 
 pub use arrange::{NoRoom, Wanted, all, arrange, arrange_what_fits};
 pub use plate::{Item, Plate, short};
-pub(in crate::printing) use room::Room;
 pub use settings::{PrintSetting, PrintSettings, SlicerFamily};
