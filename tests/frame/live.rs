@@ -117,7 +117,7 @@ fn walk(seed: u8, every: usize) -> Vec<String> {
             hot = memo();
         }
         // The slow rules are part of half of the walks, before what is compared, too.
-        let dearest = if seed % 2 == 0 && step % (every / 2).max(1) == 0 { Cost::Slow } else { Cost::Quick };
+        let dearest = if seed.is_multiple_of(2) && step.is_multiple_of((every / 2).max(1)) { Cost::Slow } else { Cost::Quick };
         let warm = whole(frame.clone(), &hot, dearest);
         if step % every == 0 {
             match (&warm, &whole(frame, &Arc::default(), dearest)) {

@@ -133,8 +133,9 @@ fn ended(mut client: Command) -> Result<Option<i32>, Failure> {
 }
 
 fn no_server() -> Failure {
-    let place =
-        std::env::var_os("HQ_SERVER_DIR").map_or_else(|| "~/.hq-server".into(), |folder| PathBuf::from(folder).display().to_string());
+    let place = std::env::var_os("HQ_SERVER_DIR")
+        .filter(|name| !name.is_empty())
+        .map_or_else(|| "~/.hq-server".into(), |folder| PathBuf::from(folder).display().to_string());
     let message = format!(
         "--engine hq: no HyperQueue server of this client's version answers at {place}; start one with `hq server start`, or name its folder \
          by HQ_SERVER_DIR"
