@@ -22,6 +22,7 @@ for pattern in "${patterns[@]}"; do
         name=${frame%.toml}
         # A folder for each: frames of other folders have other paths, also where a name has what stands for a slash elsewhere.
         name=${name#/}
+        name=${name//..\//up/}
         if "$flexframe" build --no-pictures --quiet --output "$built/$name" -- "$frame"; then
             mkdir -p "$folder/$name"
             cp "$built/$name"/*/plates/*.3mf "$built/$name"/*/print-settings.md "$folder/$name/"

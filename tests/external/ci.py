@@ -142,6 +142,8 @@ def gitlab(folder, base, url, revision):
     frames = job["frames"]
     told = {"FLEXFRAME_URL": str(url), "FLEXFRAME_REVISION": revision, "CI_MERGE_REQUEST_DIFF_BASE_SHA": base}
     assert {"FLEXFRAME_URL", "FLEXFRAME_REVISION"} <= job["variables"].keys()
+    # A job without rules is in no pipeline of a merge request, where alone there is something to compare with.
+    assert any("merge_request_event" in rule["if"] for rule in frames["rules"]), frames.get("rules")
     env = {**job["variables"], **frames["variables"], **told}
     done = run("set -eo pipefail\n" + "\n".join(frames["script"]), folder, env, shell=True)
     return done.returncode, done.stdout + done.stderr
@@ -276,7 +278,7 @@ def pull_request(repository, kept):
         comment = (temp / "11.md").read_text()
         right = comment.startswith("<!-- flexframe") and table_rows(comment) == documented
         result(f"action.yml: the comment, run {1 + edited}, is the one of docs/gate.md", right and (temp / "edited").exists() == edited, comment)
-    plates = sorted(path.name for path in (temp / "plates/frames-light").iterdir())
+    plates = sorted(path.name for path in (temp / "plates/frames/light").iterdir())
     result("action.yml: the plates of a frame that fails", plates == ["abs_1.3mf", "print-settings.md", "tpu_1.3mf"], str(plates))
 
 
