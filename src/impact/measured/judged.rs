@@ -80,31 +80,9 @@ impl<'a> JudgedDrops<'a> {
             });
             (group, drops.collect())
         };
-        let mut groups: Vec<(&DropGroup, Vec<Drop>)> = set.groups.iter().zip(&impacts).map(judged).collect();
-        let largest = largest_by_session(set);
-        let judged = groups.iter_mut().flat_map(|(_, drops)| drops);
-        judged.for_each(|drop| drop.flags.retain(|flag| !is_exceeded(flag, drop.record, &largest)));
+        let groups = set.groups.iter().zip(&impacts).map(judged).collect();
         Self { groups, sessions, periods }
     }
-}
-
-/// A sensor does not end where another record of its session reads so many times more; zeros taken off record by record move an end by less.
-const EXCEEDED: f64 = 1.05;
-
-/// The largest reading along the axis of every session, g.
-fn largest_by_session(set: &DropSet) -> BTreeMap<String, f64> {
-    let mut largest = BTreeMap::new();
-    for record in set.records() {
-        let most = largest.entry(Session::name_of(record)).or_insert(f64::NEG_INFINITY);
-        *most = record.accel_g.iter().copied().fold(*most, f64::max);
-    }
-    largest
-}
-
-/// Whether equal readings at the top of a record are no end of its sensor, as others of the session lie beyond.
-fn is_exceeded(flag: &Flag, record: &Record, largest: &BTreeMap<String, f64>) -> bool {
-    let Flag::Saturated { level_g, .. } = flag else { return false };
-    record.at_full_scale == 0 && largest.get(&Session::name_of(record)).is_some_and(|most_g| *most_g > EXCEEDED * level_g)
 }
 
 /// The period of a frame's records: one logger, one memory.
