@@ -1,7 +1,6 @@
 //! The frame as typed: a TOML file on its chain of bases, every value with the place it was typed at.
 
 use std::collections::BTreeMap;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,81 +10,14 @@ use toml::de::{DeTable, DeValue};
 use super::files::{Disk, Files};
 use super::follows;
 use super::frame_name;
+use super::load_error::{LARGEST_FILE, LoadError};
 use super::preset;
 use super::refusal::{LONGEST_CHAIN, Place, Reason, Refusal, Source, nearest};
 
-/// Largest parameter file read, bytes.
-const LARGEST_FILE: u64 = 1 << 20;
 /// The key that names a frame.
 const NAME: &str = "name";
 /// Longest key with its tables, bytes: each entry has the names of its tables, so a long one would be held as often as it has entries.
 const LONGEST_KEY: usize = 300;
-
-/// A frame file or a model file could not be read at all.
-#[derive(Debug, thiserror::Error)]
-pub enum LoadError {
-    /// What it says is refused.
-    #[error(transparent)]
-    Refused(#[from] Refusal),
-    /// No file, no preset.
-    #[error("there is no frame `{name}`: neither a file nor a preset ({presets})")]
-    NoSuchFrame {
-        /// What was asked for.
-        name: String,
-        /// The presets there are.
-        presets: String,
-    },
-    /// No file, no model that comes with the program.
-    #[error("there is no model `{name}`: neither a file nor one of those that come with the program ({models})")]
-    NoSuchModel {
-        /// What was asked for.
-        name: String,
-        /// The models there are.
-        models: String,
-    },
-    /// No file; no plan comes with the program.
-    #[error("there is no plan `{name}`: give a TOML file, such as params/synthetic/bottoming.toml of flexframe's sources")]
-    NoSuchPlan {
-        /// What was asked for.
-        name: String,
-    },
-    /// The file cannot be read.
-    #[error("cannot read {path}: {error}")]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// Why.
-        error: std::io::Error,
-    },
-    /// The file is too large to be one of parameters.
-    #[error("{path} is too large; a file of parameters has at most {LARGEST_FILE} bytes")]
-    TooLarge {
-        /// The file.
-        path: PathBuf,
-    },
-}
-
-/// What the system says of a path that is wrong, not of a machine that fails.
-const WRONG_PATH: [ErrorKind; 6] = [
-    ErrorKind::NotFound,
-    ErrorKind::NotADirectory,
-    ErrorKind::IsADirectory,
-    ErrorKind::InvalidData,
-    ErrorKind::InvalidInput,
-    ErrorKind::InvalidFilename,
-];
-
-impl LoadError {
-    /// Whether the machine failed, a disk or a permission, and the input may be good.
-    pub fn is_of_machine(&self) -> bool {
-        matches!(self, Self::Unreadable { error, .. } if is_of_machine(error.kind()))
-    }
-}
-
-/// Whether what the system says of a file tells that the machine failed, a disk or a permission, and not that the path is wrong.
-pub fn is_of_machine(kind: ErrorKind) -> bool {
-    !WRONG_PATH.contains(&kind)
-}
 
 /// A value as typed.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::files::{Disk, Files};
-use super::frame_file::{Entry, LoadError, Value, read_from, read_source, typed_entries};
+use super::frame_file::{Entry, Value, read_from, read_source, typed_entries};
+use super::load_error::LoadError;
 use super::preset::{IMPACTS, MECHANICS};
 use super::refusal::{Place, Reason, Refusal, Source, nearest, unit_after};
 

@@ -18,6 +18,7 @@ pub mod hung_boards;
 pub mod impact_file;
 mod kind_fields;
 mod layer_height;
+mod load_error;
 pub mod lookup;
 pub mod parameter;
 pub mod part_name;
@@ -34,7 +35,8 @@ pub mod sleeve_direction;
 pub mod target;
 
 pub use frame::{Frame, catalogue as parameters};
-pub use frame_file::{FrameFile, LoadError, is_of_machine};
+pub use frame_file::FrameFile;
 pub use impact_file::ImpactFile;
+pub use load_error::{LoadError, is_of_machine};
 pub use part_name::PartName;
 pub use relation::{Broken, lengths_hold};
