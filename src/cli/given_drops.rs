@@ -53,9 +53,9 @@ pub(super) fn with_body_of(frame: Option<String>, mut model: Model, common: &Com
 
 /// How files of drops are written: the paper's logger and this program's tables, with the command line's changes.
 pub(super) fn file_format(args: &FormatOptions) -> Result<FileFormat, Failure> {
-    let table = TableFormat::new(&args.columns, &args.units, args.rate);
+    let table = TableFormat::new(&args.columns, &args.units, args.rate).and_then(|table| table.zeroed(&args.zero));
     let table = table.map_err(|error| Failure::Usage { message: error.to_string() })?;
-    Ok(FileFormat { calibration: calibration(args)?, table: TableFormat { zero_g: zero_g(args)?, ..table } })
+    Ok(FileFormat { calibration: calibration(args)?, table })
 }
 
 /// Reads drops whose files are written so.
@@ -74,15 +74,6 @@ pub(super) fn read_drops(paths: &[PathBuf], args: &FormatOptions, format: &FileF
             Err(Failure::Usage { message: format!("{option} is about the logger's .bin files, and none of the drops is in one") })
         }
         _ => Ok(set),
-    }
-}
-
-fn zero_g(args: &FormatOptions) -> Result<[f64; 3], Failure> {
-    match args.zero[..] {
-        [] => Ok([0.0; 3]),
-        [along] => Ok([0.0, 0.0, along]),
-        [x, y, z] => Ok([x, y, z]),
-        _ => Err(Failure::Usage { message: "--zero takes one number, along the axis, or three, for x, y and z: as in 0.4,-0.3,2".into() }),
     }
 }
 

@@ -245,6 +245,9 @@ pub struct Printer {
     pub size_mm: [f64; 2],
     /// Highest part, mm.
     pub height_mm: f64,
+    /// Rectangles of the bed on which nothing may lie: low x, low y, high x, high y, from the front left corner, or from the middle of a round
+    /// bed, mm; none without.
+    pub kept_clear_mm: Option<Vec<[f64; 4]>>,
     /// Nozzle diameter, mm.
     pub nozzle_mm: f64,
     /// Thinnest printable wall, in nozzles.

@@ -82,9 +82,10 @@ impl BoughtPart {
 
 impl Printer {
     /// Its figures. A hole that is off by more than a millimetre is no matter of compensation.
-    pub const FIGURES: [Figure; 11] = [
+    pub const FIGURES: [Figure; 12] = [
         figure("size_mm", [20.0, 2000.0], "mm"),
         figure("height_mm", [10.0, 2000.0], "mm"),
+        figure("kept_clear_mm", [-1000.0, 2000.0], "mm"),
         figure("nozzle_mm", [0.1, 2.0], "mm"),
         figure("min_wall_nozzles", [0.5, 10.0], ""),
         figure("hole_undersize_mm", [0.0, 1.0], "mm"),
@@ -107,7 +108,7 @@ pub(super) fn within_bounds(figures: &[Figure], field: &str, file: &FrameFile, k
     let Some(figure) = figures.iter().find(|figure| figure.key == field) else { return Ok(()) };
     let numbers: Vec<f64> = match value {
         Value::Number(number) => vec![*number],
-        Value::Other(toml::Value::Array(list)) => list.iter().filter_map(number).collect(),
+        Value::Other(other) => numbers(other),
         _ => Vec::new(),
     };
     let Figure { min, max, unit, .. } = *figure;
@@ -115,6 +116,11 @@ pub(super) fn within_bounds(figures: &[Figure], field: &str, file: &FrameFile, k
         Some(value) => Err(file.refuse(key, Reason::OutOfBounds { key: key.into(), value, min, max, unit: unit.into() })),
         None => Ok(()),
     }
+}
+
+/// The numbers of a list, and of the lists in it.
+fn numbers(value: &toml::Value) -> Vec<f64> {
+    value.as_array().into_iter().flatten().flat_map(|one| number(one).map_or_else(|| numbers(one), |number| vec![number])).collect()
 }
 
 fn number(value: &toml::Value) -> Option<f64> {
@@ -170,7 +176,7 @@ mod tests {
         for (name, entry, figures) in entries {
             for figure in figures {
                 let numbers: Vec<f64> = match entry.get(figure.key) {
-                    Some(toml::Value::Array(list)) => list.iter().filter_map(number).collect(),
+                    Some(list @ toml::Value::Array(_)) => numbers(list),
                     value => value.and_then(number).into_iter().collect(),
                 };
                 assert!(numbers.iter().all(|value| (figure.min..=figure.max).contains(value)), "{name}: {}", figure.key);

@@ -46,19 +46,51 @@ impl Room {
     }
 }
 
-/// Whether a part alone in the middle of the bed lies on it, without its brim; turned by a right angle or not.
-pub(super) fn alone(part: &Printed, printer: &Printer) -> Option<bool> {
+/// Where a part lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::printing) struct Place {
+    /// Whether it is turned by a right angle.
+    pub turned: bool,
+    /// Middle of its box on the bed, mm.
+    pub middle_mm: [f64; 2],
+}
+
+/// Where a part lies on the bed alone, without its brim: in the middle, or at an edge where the middle would take what is kept clear; turned by a
+/// right angle or not.
+pub(super) fn alone(part: &Printed, printer: &Printer) -> Option<Place> {
     let [x, y, z] = part.mesh.size_mm();
     if z > printer.height_mm {
         return None;
     }
-    match printer.bed {
+    let places = match printer.bed {
         Bed::Rectangular => {
-            let fits = |x: f64, y: f64| x <= printer.size_mm[0] && y <= printer.size_mm[1];
-            [false, true].into_iter().find(|turned| if *turned { fits(y, x) } else { fits(x, y) })
+            let bed_mm = printer.size_mm;
+            let turns = [(false, [x, y]), (true, [y, x])].into_iter().filter(|(_, side)| side[0] <= bed_mm[0] && side[1] <= bed_mm[1]);
+            turns.flat_map(|(turned, side)| along(bed_mm, side).map(move |middle_mm| Place { turned, middle_mm })).collect()
         }
-        Bed::Round => (reach_mm(part) <= 0.5 * diameter_mm(printer)).then_some(false),
-    }
+        Bed::Round if reach_mm(part) <= 0.5 * diameter_mm(printer) => vec![Place { turned: false, middle_mm: [0.0; 2] }],
+        Bed::Round => Vec::new(),
+    };
+    places.into_iter().find(|place| lies_clear(place, part, printer, 0.0))
+}
+
+/// The middle of a box in the middle of a bed, and at its edges and corners, mm.
+fn along(bed_mm: [f64; 2], side_mm: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let at = move |axis: usize, share: f64| 0.5 * side_mm[axis] + share * (bed_mm[axis] - side_mm[axis]);
+    [0.5, 0.0, 1.0].into_iter().flat_map(move |along_x| [0.5, 0.0, 1.0].map(|along_y| [at(0, along_x), at(1, along_y)]))
+}
+
+/// Whether nothing of a part, and of a rim around it, lies where the printer's bed is kept clear.
+pub(in crate::printing) fn lies_clear(place: &Place, part: &Printed, printer: &Printer, rim_mm: f64) -> bool {
+    let [x, y, _] = part.mesh.size_mm();
+    let side = if place.turned { [y, x] } else { [x, y] };
+    let apart = |kept: &[f64; 4]| {
+        (0..2).any(|axis| {
+            let [low, high] = [kept[axis].min(kept[axis + 2]), kept[axis].max(kept[axis + 2])];
+            (place.middle_mm[axis] - 0.5 * (low + high)).abs() >= 0.5 * (side[axis] + high - low) + rim_mm
+        })
+    };
+    printer.kept_clear_mm.iter().flatten().all(apart)
 }
 
 fn diameter_mm(printer: &Printer) -> f64 {

@@ -67,6 +67,11 @@ fn faults(design: &Design, plates: &[Plate], wanted: &[(PartName, usize)]) -> Ve
             if !on {
                 faults.push(format!("{} of {} is off the bed", plate.items[at].part, plate.name()));
             }
+            for kept in printer.kept_clear_mm.iter().flatten() {
+                if (0..2).all(|axis| low[axis] < kept[axis + 2] - 1e-6 && kept[axis] + 1e-6 < high[axis]) {
+                    faults.push(format!("{} of {} lies where the bed is kept clear", plate.items[at].part, plate.name()));
+                }
+            }
             for [other_low, other_high] in &boxes[at + 1..] {
                 if (0..2).all(|axis| low[axis] < other_high[axis] + APART_MM && other_low[axis] < high[axis] + APART_MM) {
                     faults.push(format!("{} is too near to another on {}", plate.items[at].part, plate.name()));
@@ -93,6 +98,33 @@ fn analytic_every_printer_takes_the_frame() {
         assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new(), "{name}");
         assert!(plates.iter().all(|plate| plate.items.iter().all(|item| design.material_of(item.part).name == plate.material.name)));
     }
+}
+
+/// Three frames on one printer fill its bed.
+#[test]
+fn planted_full_plates_leave_free_what_a_printer_keeps_clear() {
+    let mut design = design();
+    let wanted: Vec<(PartName, usize)> = all(&design).into_iter().map(|(name, count)| (name, 3 * count)).collect();
+    for (name, printer) in printers().into_iter().filter(|(_, printer)| printer.kept_clear_mm.is_some()) {
+        design.frame.printer = Printer { kept_clear_mm: None, ..printer.clone() };
+        let blind = arrange(&design, &wanted).expect("has room");
+        design.frame.printer = printer;
+        assert!(!faults(&design, &blind, &wanted).is_empty(), "{name}: no plate is full");
+        let plates = arrange(&design, &wanted).expect("has room");
+        assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new(), "{name}");
+        assert!(plates.len() <= blind.len() + 1, "{name}: {} plates instead of {}", plates.len(), blind.len());
+    }
+}
+
+#[test]
+fn planted_a_part_whose_middle_is_kept_clear_lies_at_the_edge_or_nowhere() {
+    let mut design = design();
+    design.frame.printer.kept_clear_mm = Some(vec![[80.0, 80.0, 100.0, 100.0]]);
+    let wanted = all(&design);
+    let plates = arrange(&design, &wanted).expect("has room");
+    assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new());
+    design.frame.printer.kept_clear_mm = Some(vec![[-1000.0, -1000.0, 2000.0, 2000.0]]);
+    assert!(arrange(&design, &wanted).is_err() && arrange_what_fits(&design, &wanted).is_empty());
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Each part stands while it is printed: enough of it lies on the bed, its weight is over that, and it is not too slender.
 //!
 //! What stands under a supported place stands with the part. The brim is not counted. The first layer is that of the design, without what a
-//! printer's `elephant_foot_mm` takes off, and with lines that a slicer may leave out as too thin.
+//! printer's `elephant_foot_mm` takes off. What of it is narrower than half of a line is not counted, as a slicer leaves it out.
 
 use crate::checks::finding::Finding;
 use crate::checks::measure::Measure;
@@ -38,7 +38,7 @@ pub fn standing(design: &Design, part: &Printed) -> [Finding; 3] {
 
 pub(in crate::checks) fn findings(hung: &Hung, design: &Design, part: &Printed) -> [Finding; 3] {
     let (name, printer) = (part.name, &design.frame.printer);
-    let footing = Footing::of(part, hung.process.layer_mm, &hung.supported());
+    let footing = Footing::of(part, &hung.process, &hung.supported());
     let Footing { contact_mm2, tip, slender } = &footing;
     let measure = |value: f64, limit: f64, unit| Measure { rule: RULE.id, value, limit, unit, levers: LEVERS };
     let contact = measure(*contact_mm2, printer.least_contact_mm2.unwrap_or(CONTACT_MM2), "mm2");

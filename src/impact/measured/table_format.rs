@@ -79,6 +79,9 @@ pub enum FormatError {
         /// The other.
         second: String,
     },
+    /// Not one number, nor three.
+    #[error("--zero takes one number, along the axis, or three, for x, y and z: as in 0.4,-0.3,2")]
+    Zero,
     /// No rate.
     #[error("--rate {given}: give samples a second, 1 to 1000000")]
     Rate {
@@ -172,6 +175,20 @@ impl TableFormat {
         Ok(format)
     }
 
+    /// The same with what the sensor reads in free fall, g: along the axis, or x, y and z; nothing changes it.
+    ///
+    /// # Errors
+    /// [`FormatError::Zero`] with another count of numbers.
+    pub fn zeroed(self, zero_g: &[f64]) -> Result<Self, FormatError> {
+        let zero_g = match *zero_g {
+            [] => [0.0; 3],
+            [along] => [0.0, 0.0, along],
+            [x, y, z] => [x, y, z],
+            _ => return Err(FormatError::Zero),
+        };
+        Ok(Self { zero_g, ..self })
+    }
+
     /// The name of a quantity's column, and whether its sign is to be changed.
     pub(super) fn name(&self, quantity: Quantity) -> (&str, bool) {
         let other = self.columns.iter().find(|column| column.quantity == quantity);
@@ -198,6 +215,8 @@ mod tests {
         assert_eq!((format.name(Quantity::Time), format.name(Quantity::Z)), (("Time", false), ("Acc Z", true)));
         assert_eq!((format.name(Quantity::Trial), format.time_s, format.rate_hz), (("trial", false), 1e-3, Some(3200.0)));
         assert!((format.accel_g * 9.806_65 - 1.0).abs() < 1e-15);
+        assert_eq!(format.clone().zeroed(&[2.0]).expect("is one").zero_g, [0.0, 0.0, 2.0]);
+        assert_eq!(format.zeroed(&[1.0, 2.0]), Err(FormatError::Zero));
         for (columns, units, rate) in
             [(&["q=Time"][..], &[][..], None), (&["t="], &[], None), (&["t"], &[], None), (&[], &["ft"], None), (&[], &[], Some(0.0))]
         {

@@ -10,7 +10,7 @@ use crate::params::catalogue::Printer;
 use crate::params::frame::NamedMaterial;
 use crate::printing::printability;
 use crate::printing::printability::Process;
-use crate::printing::room::{Room, alone};
+use crate::printing::room::{Place, Room, alone, lies_clear};
 
 /// Steps a millimetre in which the library counts.
 const STEPS: f64 = 100.0;
@@ -107,16 +107,16 @@ fn filled(parts: &[&Printed], printer: &Printer, brim_mm: f64, no_room: &mut Vec
     let mut plates = Vec::new();
     while let Some(&first) = open.first() {
         let low: Vec<usize> = open.iter().copied().filter(low_enough).collect();
-        let packed = packed(parts, &low, &room);
-        open.retain(|at| packed.iter().all(|item| item.data != *at));
-        if !packed.is_empty() {
-            plates.push(centred(packed.iter().map(|item| placed(item, parts[item.data], &room)).collect(), parts, &packed, &room));
+        let clear = clear(&packed(parts, &low, &room), parts, &room, printer);
+        open.retain(|at| clear.iter().all(|(taken, _)| taken != at));
+        if !clear.is_empty() {
+            plates.push(clear.into_iter().map(|(_, item)| item).collect());
             continue;
         }
         // The rectangles of none of those left go into the room; a bed is larger than it.
         let part = parts[first];
         match alone(part, printer) {
-            Some(turned) => plates.push(vec![Item { part: part.name, turned, middle_mm: room.middle_mm() }]),
+            Some(Place { turned, middle_mm }) => plates.push(vec![Item { part: part.name, turned, middle_mm }]),
             None => no_room.push(NoRoom { part: part.name, size_mm: part.mesh.size_mm(), printer: printer.name.clone() }),
         }
         open.retain(|at| *at != first);
@@ -175,6 +175,24 @@ fn all_into(parts: &[&Printed], open: &[usize], room: &Room) -> Option<Vec<Packe
 /// A part's side with the gap behind it.
 fn steps(side_mm: f64, room: &Room) -> usize {
     ((side_mm + room.gap_mm) * STEPS).ceil() as usize
+}
+
+/// What was packed, in the middle of the bed, by the place among the parts: mirrored so that as little as possible lies where the printer is kept
+/// clear, and without what does.
+fn clear(packed: &[PackedItem<usize>], parts: &[&Printed], room: &Room, printer: &Printer) -> Vec<(usize, Item)> {
+    let items = centred(packed.iter().map(|item| placed(item, parts[item.data], room)).collect(), parts, packed, room);
+    let middle = room.middle_mm();
+    let mirrored = |axes: [bool; 2]| -> Vec<(usize, Item)> {
+        let places = packed.iter().zip(&items).map(|(packed, item)| {
+            let middle_mm = [0, 1].map(|axis| if axes[axis] { 2.0 * middle[axis] - item.middle_mm[axis] } else { item.middle_mm[axis] });
+            (packed.data, Item { middle_mm, ..*item })
+        });
+        places
+            .filter(|(at, item)| lies_clear(&Place { turned: item.turned, middle_mm: item.middle_mm }, parts[*at], printer, room.edge_mm))
+            .collect()
+    };
+    let mirrors = [[false, false], [true, false], [false, true], [true, true]];
+    mirrors.map(mirrored).into_iter().min_by_key(|clear| packed.len() - clear.len()).unwrap_or_default()
 }
 
 fn placed(item: &PackedItem<usize>, part: &Printed, room: &Room) -> Item {

@@ -144,15 +144,29 @@ fn analytic_the_crown_of_a_lying_tube_is_no_wall() {
 #[test]
 fn analytic_a_block_tips_over_its_nearer_edge() {
     let (solid, mesh) = made(&block([0.0; 3], [10.0, 20.0, 30.0]));
-    let Footing { contact_mm2, tip, slender } = Footing::measured(&solid, &mesh, 0.2, &[]);
+    let Footing { contact_mm2, tip, slender } = Footing::measured(&solid, &mesh, &PROCESS, &[]);
     assert!((contact_mm2 - 200.0).abs() < 1e-6 && (slender - 3.0).abs() < 1e-6);
     assert!((tip.tan() - 5.0 / 15.0).abs() < 1e-6, "{tip:?}");
     // An upside-down L: its centre lies outside what it stands on.
     let (solid, mesh) = made(&Feature::union([block([0.0; 3], [4.0, 4.0, 20.0]), block([3.0, 0.0, 18.0], [40.0, 4.0, 22.0])]));
-    assert!(Footing::measured(&solid, &mesh, 0.2, &[]).tip.to_deg() < 0.0);
+    assert!(Footing::measured(&solid, &mesh, &PROCESS, &[]).tip.to_deg() < 0.0);
     let held = unsupported::of(&solid, &mesh, &PROCESS);
     let plans: Vec<&crate::solid::Region> = held.iter().map(|place| &place.plan).collect();
-    assert!(Footing::measured(&solid, &mesh, 0.2, &plans).tip.to_deg() > 0.0);
+    assert!(Footing::measured(&solid, &mesh, &PROCESS, &plans).tip.to_deg() > 0.0);
+}
+
+/// A frame of walls, and two blocks that it holds: the slicer lays what is at least half of a line wide.
+#[test]
+fn analytic_walls_thinner_than_half_a_line_are_no_first_layer() {
+    let walls = |wide: f64| {
+        let inner = block([wide, wide, -1.0], [20.0 - wide, 20.0 - wide, 6.0]);
+        let (solid, mesh) = made(&Feature::union([block([0.0; 3], [20.0, 20.0, 5.0]).minus([inner]), block([0.0; 3], [3.0, 4.0, 5.0])]));
+        Footing::measured(&solid, &mesh, &PROCESS, &[]).contact_mm2
+    };
+    let [thin, wide] = [0.48, 0.52].map(|share| share * PROCESS.line_mm);
+    assert!((walls(thin) - 12.0).abs() < 0.1, "{}", walls(thin));
+    let whole = 400.0 - (20.0 - 2.0 * wide).powi(2) + 12.0 - 7.0 * wide + wide * wide;
+    assert!((walls(wide) - whole).abs() < 0.1, "{} {whole}", walls(wide));
 }
 
 /// Crumbs of 0.002 mm beside a strut's bore made the top of that bore an island.

@@ -37,3 +37,33 @@ test("a diagnosis can be cancelled, and files that are no drops are refused in w
   await expect(page.locator(".diagnose .fault").first()).toContainText("<script>", { timeout: 30_000 });
   await shot(page, "6-refused");
 });
+
+test("a table of another logger is read by what is said of its columns and units", async ({ page }) => {
+  const lines = ["name,h,Time,Acc_Z"];
+  for (const [height, name] of [0.5, 1].flatMap((h) => [0, 1, 2].map((i) => [h, `${h}m ${i}`] as const))) {
+    const peak = 900 * Math.sqrt(height);
+    for (let ms = 0; ms < 700; ms += 1) {
+      const at = ms - 500;
+      const read = at >= 0 && at < 12 ? peak * Math.sin((Math.PI * at) / 12) : 0.2 * Math.sin(7 * ms + height);
+      lines.push(`${name},${height},${ms},${(-read).toFixed(3)}`);
+    }
+  }
+  await start(page);
+  await page.getByRole("tab", { name: "Diagnose" }).click();
+  await page.getByLabel(/Open measured drops/).setInputFiles({
+    name: "logger.csv",
+    mimeType: "text/csv",
+    buffer: Buffer.from(lines.join("\n")),
+  });
+  await expect(page.locator(".diagnose .fault").first()).toContainText("--columns", { timeout: 30_000 });
+  await page.getByLabel("Columns").fill("trial=name,h=h,t=Time,a=-Acc_Z");
+  await page.getByLabel("Units").fill("ms,m/s2");
+  await page.getByLabel("Samples a second").fill("fast");
+  await page.getByLabel("Samples a second").press("Enter");
+  await expect(page.locator(".diagnose .fault").first()).toContainText("fast is no list of numbers");
+  await page.getByLabel("Samples a second").fill("");
+  await page.getByLabel("Samples a second").press("Enter");
+  await expect(page.getByRole("row", { name: /0.5 m/ })).toContainText("3", { timeout: 30_000 });
+  await expect(page.getByRole("row", { name: /0.5 m/ })).toContainText(/6[0-9](\.\d)? g/);
+  await shot(page, "6-another-logger");
+});

@@ -41,6 +41,8 @@ pub fn dropped(model: &Model, heights_m: &[f64], trace: bool) -> Result<Answer, 
 
 /// How a diagnosis is to be done.
 pub struct Course<'a> {
+    /// How the drops are written.
+    pub format: &'a FileFormat,
     /// Heights that no fit sees, m.
     pub hold_out_heights_m: &'a [f64],
     /// Most effects.
@@ -54,9 +56,9 @@ pub struct Course<'a> {
 /// # Errors
 /// What the command line refuses.
 pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Answer, Refused> {
-    let Course { hold_out_heights_m, max_effects, seed } = *course;
+    let Course { format, hold_out_heights_m, max_effects, seed } = *course;
     DiagnosisRequest::bounds(max_effects).map_err(Refused::plain)?;
-    let drops = read_bytes(&tables(request), &FileFormat::default())?;
+    let drops = read_bytes(&tables(request), format)?;
     let asked =
         DiagnosisRequest { model, drops: &drops, axes: None, hold_out_heights_m, static_test: None, covariates: &[], max_effects, seed };
     let stage = |stage: Stage| tell_stage(stage.before(max_effects), Stage::count(max_effects), &stage.words());
@@ -70,8 +72,8 @@ pub fn diagnosed(model: Model, request: &Request, course: &Course) -> Result<Ans
 ///
 /// # Errors
 /// What the command line refuses.
-pub fn measured(request: &Request) -> Result<Answer, Refused> {
-    let set = read_bytes(&tables(request), &FileFormat::default())?;
+pub fn measured(format: &FileFormat, request: &Request) -> Result<Answer, Refused> {
+    let set = read_bytes(&tables(request), format)?;
     Ok(with_file("measure.json", measure_data::json(&set, &JudgedDrops::of(&set))))
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use flexframe::impact::measured::{FileFormat, TableFormat};
 use flexframe::params::files::Memory;
 use serde::Deserialize;
 
@@ -123,7 +124,11 @@ pub enum Wanted {
         motion: bool,
     },
     /// The attached drops, judged, as of `measure --json`.
-    Measure,
+    Measure {
+        /// How the tables are written.
+        #[serde(default)]
+        written: Written,
+    },
     /// Drops with a known truth.
     Synthesize {
         /// The attached plan.
@@ -135,6 +140,9 @@ pub enum Wanted {
         model: String,
         /// The frame whose mass and gap hold instead of the model's.
         handle: Option<Handle>,
+        /// How the tables are written.
+        #[serde(default)]
+        written: Written,
         /// Heights that no fit sees, m.
         #[serde(default)]
         hold_out_heights_m: Vec<f64>,
@@ -145,6 +153,31 @@ pub enum Wanted {
         #[serde(default = "one")]
         seed: u64,
     },
+}
+
+/// How tables of drops are written where they are not as this program writes them: what `--columns`, `--units`, `--zero` and `--rate` take.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Written {
+    /// `t=Time`, `z=-Acc_Z`.
+    columns: Vec<String>,
+    /// `m/s2`, `ms`.
+    units: Vec<String>,
+    /// Readings in free fall, g: along the axis, or x, y and z.
+    zero_g: Vec<f64>,
+    /// Samples a second.
+    rate_hz: Option<f64>,
+}
+
+impl Written {
+    /// As the readers of files take it.
+    ///
+    /// # Errors
+    /// What the command line refuses.
+    pub fn format(&self) -> Result<FileFormat, Refused> {
+        let table = TableFormat::new(&self.columns, &self.units, self.rate_hz).and_then(|table| table.zeroed(&self.zero_g));
+        Ok(FileFormat { table: table.map_err(Refused::plain)?, ..FileFormat::default() })
+    }
 }
 
 /// A value of a frame file.

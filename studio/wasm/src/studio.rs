@@ -76,10 +76,10 @@ impl Studio {
             Wanted::Drop { model, handle, heights_m, trace } => {
                 drops::dropped(&drops::model(model, &request, self.maybe(*handle)?)?, heights_m, *trace)
             }
-            Wanted::Measure => drops::measured(&request),
+            Wanted::Measure { written } => drops::measured(&written.format()?, &request),
             Wanted::Synthesize { plan } => drops::synthesized(plan, &request),
-            Wanted::Diagnose { model, handle, hold_out_heights_m, max_effects, seed } => {
-                let course = Course { hold_out_heights_m, max_effects: *max_effects, seed: *seed };
+            Wanted::Diagnose { model, handle, written, hold_out_heights_m, max_effects, seed } => {
+                let course = Course { format: &written.format()?, hold_out_heights_m, max_effects: *max_effects, seed: *seed };
                 drops::diagnosed(drops::model(model, &request, self.maybe(*handle)?)?, &request, &course)
             }
         }

@@ -1,7 +1,7 @@
 // Story 6: measured drops, judged; what a model lacks to explain them. An engine of its own, which can be ended at any time.
 import { signal } from "@preact/signals";
 import plan from "../../../../params/synthetic/bottoming.toml?raw";
-import { EngineClient } from "../engine/client.ts";
+import { EngineClient, Refused } from "../engine/client.ts";
 import type { Diagnosed, Measured } from "../engine/outcomes.ts";
 import type { Attached, EngineFile } from "../engine/messages.ts";
 import { save } from "../state/downloads.ts";
@@ -17,7 +17,17 @@ const LARGEST_BYTES = 64 << 20;
 /** Names of files of drops. */
 const RECORDS = /\.(csv|bin|bhn)$/i;
 
+/** What is said of a table that another logger wrote, and what is done with its drops: what the command line's options take, as text. */
+const OPTIONS = [
+  { key: "columns", option: "--columns", label: "Columns", example: "t=Time,z=-Acc_Z" },
+  { key: "units", option: "--units", label: "Units", example: "m/s2,ms" },
+  { key: "zero_g", option: "--zero", label: "Readings in free fall, g", example: "0.4,-0.3,2" },
+  { key: "rate_hz", option: "--rate", label: "Samples a second", example: "3200" },
+] as const;
+
 const diagnoser = new EngineClient("diagnoser");
+const written = { columns: signal(""), units: signal(""), zero_g: signal(""), rate_hz: signal("") };
+const heldOut = signal("");
 const drops = signal<Attached>({});
 const model = signal("paper");
 const most = signal(2);
@@ -63,7 +73,37 @@ async function read(taken: Attached): Promise<void> {
   diagnosing.clear();
   reading.result.value = null;
   drops.value = taken;
-  await reading.run(async () => (await diagnoser.ask<Measured>({ do: "measure" }, taken)).answer);
+  await reading.run(async () => (await diagnoser.ask<Measured>({ do: "measure", written: asWritten() }, taken)).answer);
+}
+
+/** What stands between commas. */
+function list(text: string): string[] {
+  return text
+    .split(",")
+    .map((one) => one.trim())
+    .filter(Boolean);
+}
+
+function refused(message: string, remedy: string): Refused {
+  return new Refused({ message, place: null, remedy });
+}
+
+/** The numbers between commas. */
+function numbers(text: string, what: string): number[] {
+  const found = list(text).map(Number);
+  if (!found.every(Number.isFinite)) throw refused(`${what}: ${text} is no list of numbers`, "write 0.4,-0.3,2");
+  return found;
+}
+
+function asWritten() {
+  const [rate, ...more] = numbers(written.rate_hz.value, "Samples a second");
+  if (more.length > 0) throw refused("Samples a second: this is one number", "write 3200");
+  return {
+    columns: list(written.columns.value),
+    units: list(written.units.value),
+    zero_g: numbers(written.zero_g.value, "Readings in free fall"),
+    rate_hz: rate ?? null,
+  };
 }
 
 async function example(): Promise<void> {
@@ -75,8 +115,16 @@ async function example(): Promise<void> {
 
 function diagnose(): Promise<void> {
   return diagnosing.run(async (onStage) => {
-    const request = { do: "diagnose", model: model.value, max_effects: most.value };
-    const of = `Of the model ${model.value}, with at most ${most.value} ${most.value === 1 ? "effect" : "effects"}`;
+    const held = numbers(heldOut.value, "Heights held out");
+    const request = {
+      do: "diagnose",
+      model: model.value,
+      max_effects: most.value,
+      hold_out_heights_m: held,
+      written: asWritten(),
+    };
+    const without = held.length > 0 ? `; no fit sees the drops from ${held.join(", ")} m` : "";
+    const of = `Of the model ${model.value}, with at most ${most.value} ${most.value === 1 ? "effect" : "effects"}${without}`;
     const { answer, files } = await diagnoser.ask<Diagnosed>(request, drops.value, onStage);
     return { found: answer, files, of };
   });
@@ -113,6 +161,7 @@ export function Diagnose() {
           or try synthetic ones
         </button>
       </div>
+      {names.length > 0 && <HowWritten />}
       <Progress of={making} words="Making drops" />
       <Progress of={reading} words="Reading" />
       {measured && <Records measured={measured} names={names} />}
@@ -133,6 +182,16 @@ export function Diagnose() {
               ))}
             </select>
           </label>
+          <label>
+            Heights held out, m{" "}
+            <input
+              type="text"
+              size={8}
+              placeholder="1.5"
+              value={heldOut}
+              onInput={(event) => (heldOut.value = event.currentTarget.value)}
+            />
+          </label>
           <button type="button" disabled={diagnosing.running.value} onClick={() => void diagnose()}>
             Diagnose
           </button>
@@ -146,6 +205,32 @@ export function Diagnose() {
       <Progress of={diagnosing} words="Diagnosing" />
       {diagnosing.result.value && <Verdict {...diagnosing.result.value} />}
     </div>
+  );
+}
+
+/** What another logger's table needs to be read. A change reads the drops again. */
+function HowWritten() {
+  return (
+    <details open={reading.failure.value !== null || OPTIONS.some(({ key }) => written[key].value !== "")}>
+      <summary>Another logger's table</summary>
+      <div class="row">
+        {OPTIONS.map(({ key, option, label, example }) => (
+          <label key={key}>
+            {label} (<code>{option}</code>){" "}
+            <input
+              type="text"
+              size={16}
+              placeholder={example}
+              value={written[key]}
+              onChange={(event) => {
+                written[key].value = event.currentTarget.value;
+                void read(drops.value);
+              }}
+            />
+          </label>
+        ))}
+      </div>
+    </details>
   );
 }
 
