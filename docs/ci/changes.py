@@ -39,10 +39,10 @@ def checked(folder):
     options = ["--baseline", str(BASELINE)] if BASELINE else []
     for pattern in FRAMES:
         done = subprocess.run([FLEXFRAME, "check", "--json", *options, "--", pattern], cwd=folder, capture_output=True, text=True)
-        if done.stdout:
-            frames.update((frame["asked"], frame) for frame in json.loads(done.stdout)["frames"])
-        elif folder == Path():
-            print(f"changes.py: {pattern}: {done.stderr.strip()}", file=sys.stderr)
+        report = json.loads(done.stdout) if done.stdout else {}
+        frames.update((frame["asked"], frame) for frame in report.get("frames", []))
+        if "frames" not in report and folder == Path():
+            print(f"changes.py: {pattern}: {report.get('error', {}).get('message') or done.stderr.strip()}", file=sys.stderr)
     return frames
 
 

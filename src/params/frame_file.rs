@@ -303,7 +303,11 @@ fn open(frame: &str, here: Option<Here>, files: &dyn Files) -> Result<(String, A
             let source = Source { name: format!("params/frames/{frame}.toml"), text: text.to_string() };
             Ok((frame.to_string(), Arc::new(source), None))
         }
-        None => Err(LoadError::NoSuchFrame { name: frame.into(), presets: preset::names().collect::<Vec<_>>().join(", ") }),
+        None => Err(LoadError::NoSuchFrame {
+            name: frame.into(),
+            presets: preset::names().collect::<Vec<_>>().join(", "),
+            nearest: nearest(frame, preset::names()).into_iter().next(),
+        }),
     }
 }
 

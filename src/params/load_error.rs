@@ -15,12 +15,18 @@ pub enum LoadError {
     #[error(transparent)]
     Refused(#[from] Refusal),
     /// No file, no preset.
-    #[error("there is no frame `{name}`: neither a file nor a preset ({presets})")]
+    #[error(
+        "there is no frame `{name}`: neither a file nor a preset ({presets}){}; the name of a frame's file ends in .toml, and in `check` \
+         'FOLDER/*.toml' names those of a folder",
+        nearest.as_ref().map_or(String::new(), |nearest| format!("; did you mean `{nearest}`?"))
+    )]
     NoSuchFrame {
         /// What was asked for.
         name: String,
         /// The presets there are.
         presets: String,
+        /// The preset that is nearest to it.
+        nearest: Option<String>,
     },
     /// No file, no model that comes with the program.
     #[error("there is no model `{name}`: neither a file nor one of those that come with the program ({models})")]

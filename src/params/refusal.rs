@@ -313,13 +313,15 @@ impl Refusal {
 /// Longest name that is compared with known ones, bytes.
 const LONGEST_NAME: usize = 200;
 
-/// The known names nearest to a mistyped one, best first, two at the most.
+/// The known names nearest to a mistyped one, best first, two at the most; capitals, spaces and underscores make no difference.
 pub fn nearest<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<String> {
     // Comparing takes time with the length, and nothing known is that long.
     if wrong.len() > LONGEST_NAME {
         return Vec::new();
     }
-    let mut scored: Vec<(f64, &str)> = known.into_iter().map(|name| (strsim::jaro_winkler(wrong, name), name)).collect();
+    let plain = |name: &str| name.to_lowercase().replace([' ', '_'], "-");
+    let wrong = plain(wrong);
+    let mut scored: Vec<(f64, &str)> = known.into_iter().map(|name| (strsim::jaro_winkler(&wrong, &plain(name)), name)).collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
     scored.into_iter().take(2).filter(|(score, _)| *score > 0.8).map(|(_, name)| name.to_string()).collect()
 }
@@ -332,6 +334,13 @@ mod tests {
     fn analytic_numbers_are_as_long_as_a_person_writes_them() {
         let shown = [0.0, -1.5, 0.001, 250_000.0, 5e-324, -1e308, f64::INFINITY, f64::NAN].map(|value| written(&value));
         assert_eq!(shown, ["0", "-1.5", "0.001", "250000", "5e-324", "-1e308", "inf", "NaN"]);
+    }
+
+    #[test]
+    fn analytic_capitals_and_spaces_are_no_other_name() {
+        assert_eq!(nearest("PLA", ["abs", "pla", "tpu-95a"]), ["pla"]);
+        assert_eq!(nearest("Prusa MK4", ["prusa-mini", "prusa-mk4"])[0], "prusa-mk4");
+        assert_eq!(nearest("knee-bend_deg", ["arm_pitch_deg", "knee_bend_deg"])[0], "knee_bend_deg");
     }
 
     #[test]

@@ -199,6 +199,15 @@ def reports(kept):
     result("gate.sh: reports of a frame that passes", code == 0 and all(file.stat().st_size for file in files), f"exit code {code}: {said}")
 
 
+def adopted(kept):
+    """The first frame of a repository: the base revision has none, and a pattern matches nothing."""
+    repository = WORK / "ci/adopted"
+    sample(repository, {"main": {"README.md": "frames to come\n"}, "first": {"frames/light.toml": LIGHT}})
+    code, said = script("changes.py", repository, kept, "main", FRAMES="frame/*.toml frames/*.toml")
+    told = "frames/light.toml" in said and "new; limits violated: 0" in said and "frame/*.toml: no file matches" in said
+    result("changes.py: the first frame is new, and a pattern that matches nothing is told", code == 0 and told, f"exit code {code}: {said}")
+
+
 def warnings(kept):
     """A warning is compared with itself, and the other bridges with each other."""
     repository = WORK / "ci/warnings"
@@ -323,6 +332,7 @@ def main():
     grown(kept)
     mended(kept)
     reports(kept)
+    adopted(kept)
     warnings(kept)
     accepted(kept)
 

@@ -6,7 +6,9 @@ use crate::cli::searching::SearchOptions;
 
 /// Search for the frame that keeps every limit and minimises a measure.
 #[derive(Debug, clap::Args)]
+#[group(skip)]
 #[command(
+    group(clap::ArgGroup::new("goal").args(["minimise", "aim", "pareto"]).required(true)),
     after_help = "Examples:\n  flexframe solve --minimise mass --vary arm_rod,cage_rod,strut_rod,motor_position -o light\n  flexframe solve cognifly --minimise envelope.volume --subject-to 'clearance.propeller>=3mm' --vary arm_rod=70..90,cage_rod\n  flexframe solve --aim stiffness=9.2 --vary strut_rod\n  flexframe solve --minimise mass --choose bought.battery,materials.rigid --vary cage_rod,arm_rod,strut_rod\n  flexframe solve --pareto mass,envelope.width --vary cage_rod,arm_rod,strut_rod,motor_position -o out\n\nMeasures: mass, mass.printed, mass.rods, centre_of_mass, envelope.width, envelope.depth, envelope.height, envelope.volume,\nclearance.propeller, clearance.part, clearance.ground, engagement, hinge.strain, wall, printed.volume, peak; and of the frame's own\nmechanics, which take a second or two a frame: stiffness, design_drop.peak, design_drop.travel, design_drop.strain. The search is local: another start may\ngive another result. Ctrl-C ends it with the best frame so far. Exit code 1 when no frame keeps every limit."
 )]
 pub(in crate::cli) struct Args {
@@ -14,10 +16,10 @@ pub(in crate::cli) struct Args {
     #[command(flatten)]
     pub frame: FrameOption,
     /// Measure to minimise.
-    #[arg(long, value_name = "MEASURE", required_unless_present_any = ["aim", "pareto"], conflicts_with_all = ["aim", "pareto"], add = candidates::measures())]
+    #[arg(long, value_name = "MEASURE", add = candidates::measures())]
     pub minimise: Option<String>,
     /// Target value of a measure, such as stiffness=9.2.
-    #[arg(long, value_name = "MEASURE=VALUE", conflicts_with = "pareto", add = candidates::measures_with_values())]
+    #[arg(long, value_name = "MEASURE=VALUE", add = candidates::measures_with_values())]
     pub aim: Option<String>,
     /// Pareto front: frames of which none is better than another in all of two or three measures.
     #[arg(long, value_delimiter = ',', value_name = "MEASURE,…", conflicts_with = "choose", add = candidates::measures())]

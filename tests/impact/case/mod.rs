@@ -149,8 +149,9 @@ impl Study {
              FLEXFRAME_DATA=../shared/data cargo run --release --example case_study\n\
              ```\n\n\
              and checked by `tests/impact/case_study.rs`. To repeat it by hand, run `flexframe diagnose --model paper --max-effects 3\n\
-             ../shared/data/crash_landing/soft_*`, the same with `--hold-out-heights 1.5`, and with `--model paper-corrected --max-effects 2` for what\n\
-             is said of landings. [diagnosis.md](diagnosis.md) explains the terms.\n\n",
+             ../shared/data/crash_landing/soft_*`, the same with `--hold-out-heights 1.5`, and for what is said of landings\n\
+             `--model paper-corrected --max-effects 2 --hold-out-heights 1.5`; without the held-out height it is the fit to all three.\n\
+             [diagnosis.md](diagnosis.md) explains the terms.\n\n",
         );
         self.channel(&mut page);
         self.cutoff(&mut page);
