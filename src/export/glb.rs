@@ -1,4 +1,4 @@
-//! The assembly as binary glTF 2.0: metres, Y up, one node a body.
+//! The assembly as binary glTF 2.0: metres, Y up, Z front, one node a body.
 
 use std::collections::BTreeMap;
 
@@ -31,8 +31,12 @@ pub enum GlbError {
 }
 
 /// The assembled frame.
-pub const FORMAT: Format =
-    Format { extension: "glb", sentence: "The assembled frame for any viewer: binary glTF 2.0, metres, Y up.", always: true, files };
+pub const FORMAT: Format = Format {
+    extension: "glb",
+    sentence: "The assembled frame for any viewer: binary glTF 2.0, metres, Y up, Z front.",
+    always: true,
+    files,
+};
 
 fn files(of: &Exported) -> Result<Vec<File>, ExportError> {
     let bytes = frame(of.design, of.masses).map_err(ExportError::of("frame.glb"))?;
@@ -185,13 +189,13 @@ impl GlbFile {
         }))
     }
 
-    /// The node that turns the frame's Z up to glTF's Y up.
+    /// The node that turns the frame's Z up and Y front to glTF's Y up and Z front (glTF 2.0, 3.4): (x, y, z) becomes (-x, z, y).
     pub(super) fn add_frame_node(&mut self, name: &str, children: Vec<Index<Node>>) {
         let half = std::f32::consts::FRAC_1_SQRT_2;
         let node = Node {
             children: Some(children),
             name: Some("frame".into()),
-            rotation: Some(UnitQuaternion([-half, 0.0, 0.0, half])),
+            rotation: Some(UnitQuaternion([0.0, half, half, 0.0])),
             ..Node::default()
         };
         let node = self.root.push(node);

@@ -269,6 +269,14 @@ fn analytic_the_glb_is_in_metres_and_y_is_up() {
             let found = 1000.0 * (high - low);
             assert!((found - stated).abs() < 0.01, "{}: {subject} {found} {stated}", built.preset);
         }
+        // A glTF's front faces Z, and its right side -X; motor 2 of the usual order is that of the front right.
+        let middle = |name: &str, axis: usize| {
+            let node = nodes.iter().find(|node| node.name == name).unwrap_or_else(|| panic!("{name} of {}", built.preset));
+            0.5 * (node.low[axis] + node.high[axis])
+        };
+        let front = design.bodies.iter().max_by(|a, b| a.pose.translation.y.total_cmp(&b.pose.translation.y)).expect("has bodies");
+        let right = design.bodies.iter().max_by(|a, b| a.pose.translation.x.total_cmp(&b.pose.translation.x)).expect("has bodies");
+        assert!(middle(&front.name, 2) > 0.02 && middle(&right.name, 0) < -0.02, "{} {}", front.name, right.name);
     };
     built().par_iter().for_each(one);
 }

@@ -55,7 +55,7 @@ export type Picked = { body: Body; at: Vector3; sizeMm: [number, number, number]
 
 /** From the frame's axes (X right, Y front, Z up, mm) to the scene's. */
 export function toScene([x, y, z]: readonly number[]): Vector3 {
-  return new Vector3((x ?? 0) / 1000, (z ?? 0) / 1000, -(y ?? 0) / 1000);
+  return new Vector3(-(x ?? 0) / 1000, (z ?? 0) / 1000, (y ?? 0) / 1000);
 }
 
 export class Viewer {
@@ -93,7 +93,7 @@ export class Viewer {
   constructor(readonly canvas: HTMLCanvasElement) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.renderer.localClippingEnabled = true;
-    this.camera.position.set(0.25, 0.22, -0.36);
+    this.camera.position.set(-0.25, 0.22, 0.36);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("start", () => (this.#held = true));
     this.controls.addEventListener("end", () => (this.#held = false));
