@@ -55,7 +55,9 @@ pub struct PartEntry {
     pub material: String,
     /// Volume of the mesh as it is written for the printer, mm³.
     pub volume_mm3: f64,
-    /// Mass of one as it is designed, g.
+    /// Volume as it is designed, mm³: another one where the printer's figures change what is written.
+    pub design_volume_mm3: f64,
+    /// Mass of one as it is designed, g: that volume times density and print factor.
     pub mass_g: f64,
     /// Edge lengths of the bounding box as printed, mm.
     pub bbox_mm: [f64; 3],
@@ -208,6 +210,7 @@ fn part_entries(design: &Design, meshes: &Compensated, masses: &MassTable, files
             quantity: part.part.quantity(),
             material: design.material_of(part.name).name.clone(),
             volume_mm3: rounded(mesh.volume_mm3()),
+            design_volume_mm3: rounded(part.volume_mm3),
             mass_g: rounded(mass_of(masses, part.name.slug())),
             bbox_mm: mesh.size_mm().map(rounded),
             triangles: mesh.triangles.len(),

@@ -67,7 +67,7 @@ fn filaments(design: &Design) -> Vec<Supply> {
     let line = |(at, material): (usize, &NamedMaterial)| {
         let of = design.printed.iter().filter(|part| design.material_of(part.name).name == material.name);
         let mm3: f64 = of.map(|part| part.volume_mm3 * f64::from(part.part.quantity())).sum();
-        let (mass_g, metres) = (material.material.solid_g(mm3), filament_m(mm3));
+        let (mass_g, metres) = (material.material.printed_g(mm3), filament_m(material.material.printed_mm3(mm3)));
         let role = ["filament_flexible", "filament_rigid"][at];
         Supply::one(
             role,
@@ -212,6 +212,8 @@ fn with_slack(way_mm: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::frame::assembly::mass;
+    use crate::frame::assembly::mass::{LineKind, MassLine};
     use crate::params::{Frame, FrameFile};
 
     fn frame(preset: &str) -> Frame {
@@ -236,6 +238,17 @@ mod tests {
         assert!(length > 1.15 * position + 30.0 && length < 1.15 * (position + 60.0) + 35.0, "{short:?}");
         assert_eq!(short.quantity, 12);
         assert!((length - long.length_mm.expect("a length") - 1.15 * 6.0).abs() <= ROUNDED_MM, "{short:?} {long:?}");
+    }
+
+    #[test]
+    fn analytic_filament_is_what_the_printed_parts_weigh() {
+        let mut frame = frame("cognifly");
+        frame.flexible.material.print_factor = 0.9;
+        let design = Design::new(frame).expect("can be made");
+        let own = |line: &&MassLine| line.kind == LineKind::Printed && line.material == design.frame.flexible.name;
+        let printed_g: f64 = mass::table(&design).lines.iter().filter(own).map(|line| line.total_g).sum();
+        let note = line(&supplies(&design), "filament_flexible").note;
+        assert!(note.starts_with(&format!("{printed_g:.0} g or ")), "{printed_g} {note}");
     }
 
     /// The accessories of docs/frame-files.md: a receiver on foam tape under a small tie, a buzzer under another, a GPS on foam tape.

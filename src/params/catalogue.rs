@@ -103,6 +103,16 @@ impl Material {
         Density::g_cm3(self.density_g_cm3).mass_g(volume_mm3)
     }
 
+    /// Volume of it that is laid into a printed solid, mm³: prints weigh less or more than a solid by the print factor.
+    pub fn printed_mm3(&self, volume_mm3: f64) -> f64 {
+        self.print_factor * volume_mm3
+    }
+
+    /// Mass of a solid as it is printed, g.
+    pub fn printed_g(&self, volume_mm3: f64) -> f64 {
+        self.solid_g(self.printed_mm3(volume_mm3))
+    }
+
     /// What a mass of it costs, with the currency; nothing where no price is stated.
     pub fn cost(&self, mass_g: f64) -> Option<(f64, &str)> {
         Some((1e-3 * mass_g * self.price_per_kg?, self.currency.as_deref()?))

@@ -4,7 +4,8 @@ use crate::common;
 use flexframe::checks::Verdict;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::skeleton::RodRole;
-use flexframe::impact::frame_fit::Subject;
+use flexframe::impact::frame_fit::{CURVE_MM, Subject, reduced_model};
+use flexframe::impact::sim::{SolverOptions, System, simulate};
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
 use flexframe::mechanics::parts::parts_plan::part_models;
 use flexframe::mechanics::result::calibration::calibrate;
@@ -200,6 +201,22 @@ fn measured_peaks_of_all_heights_are_met_by_the_programs_own_numbers() {
     for (height_m, measured_g) in [(0.5, 81.1), (1.0, 98.6), (1.5, 127.7)] {
         let peak_g = libm::exp(subject.run(numbers, height_m).expect("is followed").ln_peak);
         assert!((peak_g / measured_g - 1.0).abs() < 0.1, "{height_m} m: {peak_g} g, measured {measured_g} g");
+    }
+}
+
+/// A payload of half of the mass left the damper a light rest to brake: the peak was four times that of the beam model.
+#[test]
+fn regress_one_coordinate_has_the_peaks_of_the_beam_model() {
+    for name in ["cognifly", "cognifly-v8", "cognifly-bamboo"] {
+        let design = Design::with(Frame::load(name).expect("the preset is valid").0, common::memo()).expect("closes");
+        let (masses, settings) = (mass::table(&design), settings().for_material(&design.frame.flexible.material));
+        let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).expect("has a model");
+        let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).expect("is followed");
+        let one = reduced_model(&design, &masses, &quarter, &curve, &settings).expect("has modes");
+        let reduced_g = simulate(&System::new(&one), 1.0, &SolverOptions::REPORT).peak_proper_g;
+        let impact = Impact::new(&quarter, &settings, 1.0, &Run::default()).expect("is followed");
+        let [beams_g, _] = impact.peak();
+        assert!((0.75..1.25).contains(&(reduced_g / beams_g)), "{name}: {reduced_g} g, {beams_g} g");
     }
 }
 

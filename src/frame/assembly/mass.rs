@@ -130,8 +130,7 @@ fn printed_lines(design: &Design) -> Vec<MassLine> {
         .iter()
         .map(|part| {
             let material = design.material_of(part.name);
-            let solid_g = material.material.solid_g(part.volume_mm3);
-            let each_g = solid_g * material.material.print_factor;
+            let each_g = material.material.printed_g(part.volume_mm3);
             let quantity = part.part.quantity();
             line(part.name.slug(), LineKind::Printed, &material.name, quantity, each_g, "computed")
         })

@@ -8,7 +8,8 @@
 //! moves; only the shape of the curve is taken from it.
 //!
 //! *When it is wrong:* the curve is that of slow pressing, the modes are those about rest; more than two modes take part in
-//! an impact, and both change with the compression. From 1 m the peak of the default frame is 15 % below that of the beam model.
+//! an impact, and both change with the compression. From 1 m the peaks of eight frames lie from 24 % below to 13 % above those of the beam model,
+//! that of the default frame 15 % below.
 
 use super::static_curve::StaticCurve;
 use crate::mechanics::model::frame_model::FrameModel;
@@ -33,8 +34,9 @@ pub struct Reduction {
 const IMPACT_MS: f64 = 4.0;
 /// Symmetric modes that are looked at.
 const MODES: usize = 6;
-/// Largest share of a rider.
-const MOST_RIDES: f64 = 0.6;
+/// Largest share of a rider. The damper acts on what the rider rides on, from first touch on, and brakes that alone: with riders of half of the
+/// mass the peaks from 1 m were three to four times those of the beam model. Such a frame is one mass.
+const MOST_RIDES: f64 = 0.2;
 
 impl Reduction {
     /// Of a quarter of a frame, its curve and the mass of the whole frame, kg.
@@ -115,7 +117,7 @@ mod tests {
     #[test]
     fn analytic_two_masses_are_found_again() {
         // Base 1 - μ on K, rider μ: frequencies of [[K + μ w, -μ w], [-w, w]] by its characteristic polynomial.
-        for (share, base, own) in [(0.1, 1800.0, 14_000.0), (0.3, 1700.0, 20_000.0), (0.02, 1500.0, 90_000.0)] {
+        for (share, base, own) in [(0.1, 1800.0, 14_000.0), (0.18, 1700.0, 20_000.0), (0.02, 1500.0, 90_000.0)] {
             let left = 1.0 - share;
             let (sum, product) = (base / left + own / left, base / left * own);
             let root = f64::sqrt(sum * sum - 4.0 * product);
@@ -128,7 +130,7 @@ mod tests {
             assert!((found.share / share - 1.0).abs() < 1e-6 && (f / own - 1.0).abs() < 1e-6, "{share}: {found:?}");
             assert!((on_spring / base - 1.0).abs() < 1e-6, "{share}: {found:?}");
         }
-        // No rider of less than six tenths of the mass takes half of it into the upper mode.
+        // No rider of less than a fifth of the mass takes half of it into the upper mode.
         assert_eq!(two_masses([40.0, 120.0], 0.5), None);
     }
 }

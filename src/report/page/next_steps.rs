@@ -55,7 +55,8 @@ fn print(design: &Design, bill: &Bill, plates: &[(Plate, Vec<u8>)]) -> Row {
     let missing = if no_room > 0 { format!("; **{} no room on the printer's bed**", have(no_room)) } else { String::new() };
     let what = format!("print {pieces} parts on {}, {:.0} g{missing}", counted(plates.len(), "plate"), bill.printed_g);
     let sums: Vec<String> = bill.filament_prices.iter().map(|(currency, sum)| price(*sum, *sum, currency)).collect();
-    let cost = if sums.is_empty() { unknown() } else { sums.join(" and ") };
+    let without = if bill.print.iter().any(|line| line.price.is_none()) { ", without what has no price" } else { "" };
+    let cost = if sums.is_empty() { unknown() } else { format!("{}{without}", sums.join(" and ")) };
     [what, time, cost, format!("{}; [settings](print-settings.md)", files.join(", "))]
 }
 

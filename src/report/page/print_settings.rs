@@ -95,7 +95,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         let parts: Vec<String> = plate.quantities().iter().map(|(part, count)| format!("{count} {part}")).collect();
         let time = plate.print_s(design).map_or("-".into(), formatted);
         let volume_mm3: f64 = plate.volume_mm3(&design.printed);
-        let (mass_g, metres) = (material.solid_g(volume_mm3), filament_m(volume_mm3));
+        let (mass_g, metres) = (material.printed_g(volume_mm3), filament_m(material.printed_mm3(volume_mm3)));
         let cost = material.cost(mass_g).map_or("-".into(), |(cost, currency)| inert(&format!("{cost:.2} {currency}")));
         let _ = writeln!(
             text,
@@ -106,13 +106,13 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
     }
     let _ = write!(
         text,
-        "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the solid parts, 1.75 mm thick.\n"
+        "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the parts as they weigh, 1.75 mm thick.\n"
     );
     price(text, name, material);
     if name == design.frame.flexible.name {
         text.push_str("\nDry the spool as its maker says where it lay in open air: flexible filament takes up water, which makes strings and weak layers.\n");
     }
-    let all_g: f64 = own.iter().map(|plate| material.solid_g(plate.volume_mm3(&design.printed))).sum();
+    let all_g: f64 = own.iter().map(|plate| material.printed_g(plate.volume_mm3(&design.printed))).sum();
     if name == design.frame.flexible.name {
         flow(text, all_g);
     }
