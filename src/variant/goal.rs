@@ -1,6 +1,7 @@
 //! What is asked of a measure: `clearance.propeller>=3mm`, `mass=2g`.
 
-use super::measures::{Measure, measure, measure_names};
+use super::measures::{Evaluation, Measure, measure, measure_names};
+use crate::checks::Verdict;
 use crate::params::refusal::nearest;
 
 /// Why a goal does not read.
@@ -136,6 +137,13 @@ fn amount(text: &str, rest: &str, measure: &'static Measure, form: &'static str)
         return Err(GoalError::Unit { text: text.into(), unit: unit.into(), name: measure.name, right: measure.unit });
     }
     if number.is_finite() { Ok(number) } else { Err(GoalError::Form { text: text.into(), form }) }
+}
+
+/// What a frame misses.
+pub(super) fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
+    let findings = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone());
+    let goals = goals.iter().filter(|goal| goal.measure.of(evaluation).is_none_or(|value| goal.margin(value) < 0.0));
+    findings.chain(goals.map(|goal| format!("{} is {}", goal.reported(), goal.measure.reported(goal.measure.of(evaluation))))).collect()
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ mod pareto;
 mod peak;
 mod planes;
 mod problem;
+mod retreat;
 mod search;
 mod sensitivity;
 mod sketch;

@@ -8,10 +8,11 @@ use super::aim::{Aim, direction};
 use super::descent::{REGION, descend};
 use super::ended::Ended;
 use super::feasible::find;
+use super::goal::broken;
 use super::measures::{Evaluation, Measure};
 use super::problem::{SearchProblem, SolveError, Vary};
 use super::search::{Search, ranked};
-use super::solve::{broken, ended, start_values};
+use super::solve::{ended, start_values};
 use crate::checks::{CATALOGUE, Cost};
 use crate::params::Frame;
 

@@ -300,6 +300,12 @@ impl<'a> Search<'a> {
         self.look.evaluated(self.look.frame(values)?, dearest)
     }
 
+    /// The same of several, side by side.
+    pub fn evaluated_each(&self, all: &[Vec<f64>], dearest: Cost) -> Vec<Result<Evaluation, String>> {
+        let look = &self.look;
+        all.par_iter().map(|values| look.evaluated(look.frame(values)?, dearest)).collect()
+    }
+
     /// Whether a point keeps everything.
     pub fn found(&self) -> bool {
         self.points.borrow().values().any(|point| point.violated == 0.0)

@@ -7,18 +7,19 @@
 //! ([`super::sketch`]), and on frames where these do not end with one that keeps everything. Every point that was looked at is a frame
 //! file's numbers as they are written, to a thousandth; the best ones that keep everything are then checked against every rule,
 //! the slow one included, and only one that keeps them all is an answer. Where the slow rules refuse the best, the search goes on with the frames
-//! that are left, and asks each by every rule.
+//! that are left, and asks each by every rule. What they still refuse is taken back toward the frame that it began with ([`super::retreat`]).
 
 use super::aim::Aim;
 use super::approach::approach;
 use super::ended::Ended;
 use super::feasible::find;
-use super::goal::Goal;
+use super::goal::broken;
 use super::improve::{improve, settle};
 use super::measures::Evaluation;
 use super::problem::{Binding, SearchProblem, SearchProgress, Solution, SolveError, Vary};
+use super::retreat::retreated;
 use super::search::{Point, Search, ranked, scale, worst_of};
-use crate::checks::{CATALOGUE, Cost, Finding, Rule, Verdict};
+use crate::checks::{CATALOGUE, Cost, Finding, Rule};
 use crate::params::Frame;
 
 /// How near its limit a scaled margin binds.
@@ -65,10 +66,22 @@ pub(super) fn solve_by(problem: &SearchProblem, rules: &[&'static Rule]) -> Resu
         }
         answered => answered,
     };
-    if is_refused_at_the_end(&search, &answered) && search.left() > 0 {
-        asking_all_rules(&search, answered.as_ref().ok(), &own, &start).or(answered)
-    } else {
-        answered
+    let refused = is_refused_at_the_end(&search, &answered);
+    let answered =
+        if refused && search.left() > 0 { asking_all_rules(&search, answered.as_ref().ok(), &own, &start).or(answered) } else { answered };
+    if refused && !matches!(search.aim(), Aim::Near(_)) { retreating(&search, answered, &own, &start) } else { answered }
+}
+
+/// The answer, or a better one between the frame that the search began with and its best.
+fn retreating(search: &Search, answered: Result<Solution, SolveError>, own: &[f64], start: &[f64]) -> Result<Solution, SolveError> {
+    let Some(best) = ranked(search).into_iter().next() else { return answered };
+    let (retreated, more) = retreated(search, start, &best);
+    let Some(solution) = retreated.and_then(|values| solution(search, own, &values)) else { return answered };
+    let looked_at = answered.as_ref().map_or(search.looked_at(), |answered| answered.looked_at) + more;
+    let value = |solution: &Solution| search.problem().value(&solution.evaluation);
+    match answered {
+        Ok(answered) if value(&answered) <= value(&solution) => Ok(Solution { looked_at, ..answered }),
+        _ => Ok(Solution { looked_at, ..solution }),
     }
 }
 
@@ -130,18 +143,13 @@ pub(super) fn ended(search: &Search) -> Ended {
 
 /// The best point that keeps every rule, the slow one included.
 fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
-    let (ranked, ended) = (ranked(search), ended(search));
-    let looked_at = ranked.len();
+    let ranked = ranked(search);
     let (mut missed, mut nearest) = (Vec::new(), String::from("which could not be designed"));
     for best in ranked.iter().take(VERIFIED) {
         let Ok(evaluation) = search.evaluated(best, Cost::Slow) else { continue };
         let broken = broken(&evaluation, &search.problem().goals);
         if broken.is_empty() {
-            let values: Vec<(Vary, f64, f64)> =
-                search.problem().vary.iter().zip(own.iter().zip(best)).map(|(vary, (a, b))| (*vary, *a, *b)).collect();
-            let binding = binding(&evaluation, search, &values);
-            let refused = refused(search, best);
-            return Ok(Solution { evaluation, values, binding, refused, looked_at, ended });
+            return Ok(solution_of(search, own, best, evaluation));
         }
         if missed.is_empty() {
             missed = broken;
@@ -151,7 +159,19 @@ fn answer(search: &Search, own: &[f64]) -> Result<Solution, SolveError> {
     if missed.is_empty() {
         missed.extend(not_designed(search, own));
     }
-    Err(SolveError::Infeasible { looked_at, ended, nearest, missed })
+    Err(SolveError::Infeasible { looked_at: ranked.len(), ended: ended(search), nearest, missed })
+}
+
+/// A point that keeps everything, as the answer; none where there is no such frame.
+fn solution(search: &Search, own: &[f64], values: &[f64]) -> Option<Solution> {
+    Some(solution_of(search, own, values, search.evaluated(values, Cost::Slow).ok()?))
+}
+
+fn solution_of(search: &Search, own: &[f64], best: &[f64], evaluation: Evaluation) -> Solution {
+    let values: Vec<(Vary, f64, f64)> =
+        search.problem().vary.iter().zip(own.iter().zip(best)).map(|(vary, (a, b))| (*vary, *a, *b)).collect();
+    let (binding, refused) = (binding(&evaluation, search, &values), refused(search, best));
+    Solution { evaluation, values, binding, refused, looked_at: search.looked_at(), ended: ended(search) }
 }
 
 /// Why the point nearest to another is no frame, where something is known of such points.
@@ -169,11 +189,12 @@ fn moved_words(search: &Search, own: &[f64], point: &[f64]) -> String {
 
 /// What is wrong with the nearest frames that would be better, or of which nothing is known but that there is none.
 fn refused(search: &Search, best: &[f64]) -> Vec<String> {
-    let Some(own) = search.known(best) else { return Vec::new() };
+    // What lies between points that were looked at is not one of them: then all are better.
+    let own_aim = search.known(best).map_or(f64::INFINITY, |own| own.aim);
     let reason = |values: Vec<f64>| {
         let point = search.known(&values)?;
         let breaks =
-            |margins: &Vec<f64>| if point.aim < own.aim { worst_of(margins, search).map(|what| format!("misses {what}")) } else { None };
+            |margins: &Vec<f64>| if point.aim < own_aim { worst_of(margins, search).map(|what| format!("misses {what}")) } else { None };
         let why = point.margins.as_ref().map_or_else(|| point.why.clone(), breaks)?;
         Some((search.problem().distance(&values, best), why))
     };
@@ -187,13 +208,6 @@ fn refused(search: &Search, best: &[f64]) -> Vec<String> {
         }
     }
     reported
-}
-
-/// What a frame misses.
-pub(super) fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
-    let findings = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone());
-    let goals = goals.iter().filter(|goal| goal.measure.of(evaluation).is_none_or(|value| goal.margin(value) < 0.0));
-    findings.chain(goals.map(|goal| format!("{} is {}", goal.reported(), goal.measure.reported(goal.measure.of(evaluation))))).collect()
 }
 
 /// Limits with hardly any room, and bounds that are reached.
@@ -283,6 +297,25 @@ mod tests {
         let (_, before, after) = solution.values[0];
         assert!(after < before && (TOY_MM - 0.005..TOY_MM + 0.5).contains(&after), "{before} to {after}, {} frames", solution.looked_at);
         assert!(solution.looked_at <= 24 && solution.refused.iter().any(|why| why.contains("slow_toy")), "{:?}", solution.refused);
+    }
+
+    /// The best dozen are refused by what is asked at the end, and no frame is left to try others.
+    #[test]
+    fn planted_a_search_that_began_with_a_sound_frame_has_an_answer() {
+        narrowest(&SLOW_TOY, 14, |problem, rules| {
+            let frame = Frame::resolve(problem.file).expect("is one");
+            let own = own_values(&problem.vary, &frame);
+            let mut search = Search::new(problem, rules);
+            search.scale_by(frame);
+            search.look_at(std::slice::from_ref(&own));
+            search.look_at(&(0..13).map(|at| vec![186.0 + 0.2 * f64::from(at)]).collect::<Vec<_>>());
+            let answered = answer(&search, &own);
+            assert!(matches!(answered, Err(SolveError::Infeasible { .. })) && search.left() == 0);
+            let solution = retreating(&search, answered, &own, &own).unwrap_or_else(|error| panic!("{error}"));
+            let (_, before, after) = solution.values[0];
+            assert!(after < before && after > TOY_MM - 0.005, "{before} to {after}");
+            assert_eq!(solution.looked_at, 14 + 4);
+        });
     }
 
     /// The best frames are refused by what is asked at the end, and the frames that are left are too few to reach the answered one again.
