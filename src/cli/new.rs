@@ -11,8 +11,8 @@ use super::session;
 use super::terminal;
 use super::varied::varied;
 use crate::params::frame_file::Value;
-use crate::params::{LoadError, amend};
-use crate::variant::{CreateError, Creation, Ended, Request, SolveError, create, movable};
+use crate::params::{Frame, LoadError, amend};
+use crate::variant::{CreateError, Creation, Ended, Request, SolveError, create, fitting_motor_screw, movable};
 
 /// Write a variant of a frame, with the changes that it needs to keep every limit.
 #[derive(Debug, clap::Args)]
@@ -65,6 +65,11 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     }
     for Line { key, value, .. } in &lines {
         file.ask(key, value.clone(), asked_by(key, value));
+    }
+    if let Some(screw) = args.motor.as_ref().and_then(|_| fitting_motor_screw(&Frame::resolve(&file).ok()?)) {
+        let line = Line { key: "bought.motor_screw".into(), value: Value::Text(screw), why: "has the thread of the motor's holes".into() };
+        file.ask(&line.key, line.value.clone(), format!("--motor, with {}", amend::formatted(&line.value)));
+        lines.push(line);
     }
     file.name = place.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let following = Following::begin(&args.search, "away in squared shares of the bounds", common);
