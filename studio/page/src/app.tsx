@@ -14,10 +14,11 @@ import { Header } from "./panels/header.tsx";
 import { Parameters } from "./panels/parameters.tsx";
 import { Source } from "./panels/source.tsx";
 import { Selection, Toolbar } from "./panels/toolbar.tsx";
-import { column, left, right } from "./state/focus.ts";
+import { column, left, right, showLine } from "./state/focus.ts";
 import { dropped } from "./state/dropped.ts";
+import { complain, notice, quiet } from "./state/notice.ts";
 import { openFrame } from "./state/opening.ts";
-import { computing, findings, frame, notice, pending, refused } from "./state/studio.ts";
+import { computing, findings, frame, refused } from "./state/studio.ts";
 import { LastGood } from "./ui/last_good.tsx";
 import { Tabs } from "./ui/tabs.tsx";
 import { join } from "./view/scene_state.ts";
@@ -32,8 +33,8 @@ const PANELS: { id: typeof right.value; words: string; of: ComponentType; result
   { id: "files", words: "Files", of: Files },
 ];
 
-/** Whether what is refused was typed into the frame file: the fields show what they were set to otherwise. */
-const isTyped = computed(() => Object.keys(pending.value).length === 0);
+/** Whether the fields cannot show what the frame file states, as it is no TOML. */
+const isUnread = computed(() => refused.value?.editable === false);
 
 const violations = computed(() => findings.value?.of.filter(({ verdict }) => verdict === "violated").length ?? 0);
 
@@ -77,17 +78,21 @@ export function App() {
           </button>
         ))}
       </nav>
-      <section class="left" aria-label="Change the frame">
+      <section class="left" aria-labelledby="head-left">
+        <h2 class="hidden" id="head-left">
+          Change the frame
+        </h2>
         <Tabs
           name="How it is changed"
+          panel="panel-left"
           tabs={[
             { id: "values", words: "Values" },
             { id: "text", words: "Frame file" },
           ]}
           at={left}
         />
-        <div class="scroll" id="panel-values" role="tabpanel" aria-labelledby={`tab-${left.value}`} tabIndex={-1}>
-          {left.value === "values" && isTyped.value && <LastGood />}
+        <div class="scroll" id="panel-left" role="tabpanel" aria-labelledby={`tab-${left.value}`} tabIndex={-1}>
+          {left.value === "values" && isUnread.value && <LastGood />}
           {left.value === "values" ? <Parameters /> : <Source />}
         </div>
       </section>
@@ -96,9 +101,12 @@ export function App() {
         <Picture />
         <Gauges />
       </main>
-      <section class="right" aria-label="Know the frame">
-        <Tabs name="What is known" tabs={PANELS} at={right} />
-        <div class="scroll" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={-1}>
+      <section class="right" aria-labelledby="head-right">
+        <h2 class="hidden" id="head-right">
+          Know the frame
+        </h2>
+        <Tabs name="What is known" panel="panel-right" tabs={PANELS} at={right} />
+        <div class="scroll" id="panel-right" role="tabpanel" aria-labelledby={`tab-${right.value}`} tabIndex={-1}>
           {results && <LastGood />}
           <Panel />
         </div>
@@ -106,12 +114,6 @@ export function App() {
       <Notice />
     </div>
   );
-}
-
-/** To the text of the frame file. */
-function showLine(): void {
-  left.value = "text";
-  column.value = "left";
 }
 
 function Picture() {
@@ -123,7 +125,9 @@ function Picture() {
     void import("./view/viewer.ts")
       .then(({ Viewer }) => join(new Viewer(on)))
       .catch((error: unknown) => {
-        notice.value = `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}); everything else works.`;
+        complain(
+          `This browser cannot draw in three dimensions (${error instanceof Error ? error.message : String(error)}); everything else works.`,
+        );
       });
   }, []);
   const refusal = refused.value?.refusal;
@@ -147,14 +151,15 @@ function Picture() {
 /** One line at the foot of the picture, which leaves the picture to see; the reason in full opens above it. */
 function RefusalNote({ of }: { of: Refusal }) {
   const open = useSignal(false);
+  const { place } = of;
   return (
     <div class={`refusal ${open.value ? "open" : ""}`} role="alert">
       <p>
         <b>The picture is of the last good frame.</b>{" "}
-        {of.place && (
+        {place && (
           <>
-            <button type="button" class="link" onClick={() => showLine()}>
-              {of.place.file}, line {of.place.line}
+            <button type="button" class="link" onClick={() => showLine(place.line)}>
+              {place.file}, line {place.line}
             </button>
             :{" "}
           </>
@@ -170,13 +175,20 @@ function RefusalNote({ of }: { of: Refusal }) {
 }
 
 function Notice() {
-  if (!notice.value) return null;
-  return (
-    <div class="notice" role="alert">
-      {notice.value}
-      <button type="button" onClick={() => (notice.value = null)}>
+  const said = notice.value;
+  const line = said && (
+    <div class={`notice ${said.good ? "good" : ""}`} role={said.good ? undefined : "alert"}>
+      {said.words}
+      <button type="button" onClick={quiet}>
         Close
       </button>
     </div>
+  );
+  // A status is read out where it stood before it had words; an alert is read out as it comes.
+  return (
+    <>
+      <div role="status">{said?.good && line}</div>
+      {!said?.good && line}
+    </>
   );
 }

@@ -1,13 +1,14 @@
 // Starts the engine, then the page: the first model is being made while the page is read and drawn.
 import { effect } from "@preact/signals";
-import { begin, notice, picture } from "./state/studio.ts";
+import { complain } from "./state/notice.ts";
+import { begin, picture } from "./state/studio.ts";
 import "./style.css";
 
 // Asked for first, so that it does not wait behind the engine.
 const page = import("./page.tsx");
 
 begin().catch((error: unknown) => {
-  notice.value = `The engine cannot be started: ${error instanceof Error ? error.message : String(error)}`;
+  complain(`The engine cannot be started: ${error instanceof Error ? error.message : String(error)}`);
 });
 
 // The page is kept for when there is no network, once the first picture does not have to wait for that.

@@ -99,9 +99,9 @@ test("the frame file is edited as text, both ways, with the words of the command
   await expect(page.locator("#toml-refusal")).toContainText("did you mean");
   await expect(page.locator("#toml-refusal")).toContainText("line 6");
   await shot(page, "1-refused-text");
-  // The values are not those of the text, and say so.
-  await page.getByRole("tab", { name: "Values" }).click();
-  await expect(page.locator(".left .last-good")).toContainText("of the last good frame");
+  // The values are those of the text, as far as it states them.
+  await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("85");
+  await expect(page.locator(".left .last-good")).toHaveCount(0);
   await page.getByRole("tab", { name: "Frame file" }).click();
   await text.fill('base = "cognifly"\n\n[rods]\n# shorter\narm_rod_length_mm = 85.0\n');
   await expect(page.locator("#toml-refusal")).toBeEmpty();
@@ -149,10 +149,31 @@ test("what is being typed into a field stays when a result arrives, and is taken
   await strut.press("Enter");
   await settled(page);
   await expect(page.getByText("changed (2)")).toBeVisible();
-  // What is no number is taken back when the field is left.
-  await strut.fill("x");
-  await arm.focus();
-  await expect(strut).toHaveValue("51.2");
+  // What is no number is taken back when the field is left, with the reason.
+  const field = page.locator('[data-key="rods.strut_rod_length_mm"]');
+  for (const typed of ["0x50", "51 mm", "1.234,5", "x"]) {
+    await strut.fill(typed);
+    await arm.focus();
+    await expect(strut).toHaveValue("51.2");
+    await expect(field.locator(".fault")).toContainText(`“${typed}” is no number`);
+  }
+  // A letter that is typed is the field's to take back, a value that was taken is the frame's.
+  await strut.focus();
+  await strut.press("Control+z");
+  await settled(page);
+  await expect(page.getByText("changed (1)")).toBeVisible();
+  await expect(strut).not.toHaveValue("51.2");
+  // A name that is none is taken back, too.
+  const name = page.getByLabel("Name of the frame's file");
+  await name.fill("Mein Rahmen");
+  await name.press("Enter");
+  await expect(page.locator(".notice")).toContainText("“Mein Rahmen” is no name of a file");
+  await expect(name).toHaveValue("my-cognifly");
+  await name.fill("mine");
+  await name.press("Enter");
+  await settled(page);
+  await expect(page.locator(".notice")).toHaveCount(0);
+  await expect(page).toHaveTitle("mine – flexframe studio");
 });
 
 test("a number that follows from another is the preset's where that was typed, and follows again after a reset", async ({
@@ -259,10 +280,30 @@ test("a refusal stands beside its field, and the last good picture stays", async
   }
   await expect(page.locator("[data-state]")).toContainText("Every checked limit of the last good frame holds.");
   await expect(page.locator("[data-state]")).toHaveAttribute("data-state", "some");
+  // It stays in its field under another name, and after a reload.
+  const name = page.getByLabel("Name of the frame's file");
+  await name.fill("other");
+  await name.press("Enter");
+  await settled(page);
+  const value = await openField(page, "rods.arm_rod_length_mm");
+  await expect(value).toHaveValue("4000");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await settled(page);
+  await expect(value).toHaveValue("4000");
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await expect(page.locator(".refusal")).toHaveCount(0);
   await checked(page);
   await expect(page.locator(".last-good")).toHaveCount(0);
   await expect(page.locator("[data-state]")).toContainText("Every checked limit holds.");
+  await page.getByRole("button", { name: "Redo" }).click();
+  await settled(page);
+  await page.reload();
+  await expect(page.locator("[data-gauge=size]")).toBeVisible({ timeout: 60_000 });
+  await settled(page);
+  await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("4000");
+  await expect(page.getByText("changed (1)")).toBeVisible();
+  await field.getByRole("button", { name: /Reset/ }).click();
+  await expect(page.locator(".refusal")).toHaveCount(0);
+  await expect(value).toHaveValue("82");
 });

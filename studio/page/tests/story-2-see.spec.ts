@@ -3,6 +3,7 @@ import type { Page } from "@playwright/test";
 import {
   checked,
   differing,
+  drawnShare,
   expect,
   openField,
   pixels,
@@ -39,6 +40,8 @@ test("assembled, apart and on the bed, in three colourings", async ({ page }) =>
   await expect(page.getByLabel("Plate", { exact: true })).toBeVisible({ timeout: 60_000 });
   await page.waitForTimeout(1500);
   await shot(page, "2-bed");
+  await expect(page.getByLabel("Section", { exact: true })).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Distance" })).toBeDisabled();
   await page.getByLabel("Show", { exact: true }).selectOption("assembled");
   await page.getByLabel("Preset").selectOption("cognifly-v8");
   await settled(page);
@@ -62,6 +65,11 @@ test("a click names a part and what drives it; a parameter lights its parts; dis
   await (await openField(page, "motor_mount.motor_skirt_wall_mm")).focus();
   await page.waitForTimeout(500);
   await shot(page, "2-lit");
+  await page.getByLabel("Section", { exact: true }).selectOption("z");
+  // What is cut shows its inner faces: the rods of the arms lie halfway below the level.
+  const cut = await pixels(page);
+  expect(drawnShare(cut)).toBeGreaterThan(0.03);
+  await shot(page, "2-section-level");
   await page.getByLabel("Section", { exact: true }).selectOption("y");
   await page.waitForTimeout(500);
   await shot(page, "2-section");
@@ -93,9 +101,14 @@ test("the camera stays where it is when something changes", async ({ page }) => 
   await setNumber(page, "rods.strut_rod_length_mm", "52");
   const changed = differing(turned, await pixels(page));
   await shot(page, "2-turned-changed");
-  await page.getByRole("button", { name: "Fit", exact: true }).click();
+  // At the pole the picture stays as it is, and does not turn over.
+  for (let turns = 0; turns < 30; turns++) await page.keyboard.press("ArrowUp");
+  const above = await pixels(page);
+  for (let turns = 0; turns < 3; turns++) await page.keyboard.press("ArrowUp");
+  expect(differing(above, await pixels(page))).toBeLessThan(50);
+  await page.reload();
+  await start(page);
   await canvas.focus();
-  for (let turns = 0; turns < 6; turns++) await page.keyboard.press("ArrowRight");
   const back = differing(turned, await pixels(page));
   expect(changed).toBeGreaterThan(500);
   // Another direction differs more than another frame.

@@ -1,5 +1,17 @@
 // Story 3: know.
-import { checked, differing, expect, nativeFindings, pixels, setNumber, settled, shot, start, test } from "./studio.ts";
+import {
+  checked,
+  differing,
+  expect,
+  litMiddle,
+  nativeFindings,
+  pixels,
+  setNumber,
+  settled,
+  shot,
+  start,
+  test,
+} from "./studio.ts";
 
 test("every rule, violated first, with margins; a click goes to the place and to the parameters", async ({ page }) => {
   await start(page);
@@ -12,6 +24,8 @@ test("every rule, violated first, with margins; a click goes to the place and to
   await expect(page.locator("[data-state]")).toContainText("violated");
   await shot(page, "3-checks");
   const place = page.locator('[data-rule="propeller_clearance"] .place.violated').first();
+  await expect(page.locator("[data-gauge=size]")).toHaveClass(/over/);
+  await expect(page.locator("[data-gauge=size] svg")).toHaveAttribute("aria-label", /width \d.* mm of 210 mm/);
   await place.getByRole("button").first().click();
   await page.waitForTimeout(600);
   await shot(page, "3-place");
@@ -32,6 +46,16 @@ test("notes are warnings beyond their figure only, as on the command line", asyn
     .evaluateAll((shown) => shown.map((one) => one.getAttribute("data-rule")!));
   expect(marked.sort()).toEqual(rules);
   await expect(page.locator('[data-rule="envelope"]')).toHaveClass(/holds/);
+  // What no body is named after leads to the box of the limits, or to what its values drive.
+  const envelope = page.locator('[data-rule="envelope"]');
+  await envelope.locator(".head").click();
+  await envelope.getByRole("button", { name: "height without propellers" }).click();
+  await expect(page.getByRole("button", { name: "Envelope", exact: true })).toHaveAttribute("aria-pressed", "true");
+  await page.getByRole("button", { name: "Envelope", exact: true }).click();
+  const strain = page.locator('[data-rule="hinge_strain"]');
+  await strain.locator(".head").click();
+  await strain.getByRole("button", { name: "corner notch" }).first().click();
+  await expect.poll(async () => litMiddle(await pixels(page)).count).toBeGreaterThan(60);
 });
 
 test("strength is computed on demand, with the findings of the command line, and again after a change", async ({

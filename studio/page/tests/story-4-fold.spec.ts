@@ -1,6 +1,18 @@
 // Story 4: fold.
 import { readFileSync } from "node:fs";
-import { checked, differing, expect, litMiddle, pixels, setNumber, shot, start, test } from "./studio.ts";
+import {
+  checked,
+  differing,
+  drawnShare,
+  expect,
+  litMiddle,
+  pixels,
+  setNumber,
+  shot,
+  start,
+  test,
+  touchesEdge,
+} from "./studio.ts";
 
 test("the assembly as a motion, with steps, captions and angles; the instructions", async ({ page }) => {
   await start(page);
@@ -10,6 +22,11 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   const marks = ["Envelope", "Centre of mass"].map((name) => page.getByRole("button", { name, exact: true }));
   for (const mark of marks) await expect(mark).toBeDisabled();
   await expect(page.locator(".fold h3")).toHaveText("Magnet into the bracket");
+  // The camera looks at what the step shows.
+  const small = await pixels(page);
+  expect(touchesEdge(small)).toBe(false);
+  expect(drawnShare(small)).toBeGreaterThan(0.1);
+  await shot(page, "4-first");
   await page.getByRole("button", { name: "Bend the foot and close the triangle" }).click();
   await expect(page.locator(".fold table")).toContainText("113.2°");
   const slider = page.getByLabel("Time of the assembly");
@@ -39,6 +56,18 @@ test("the assembly as a motion, with steps, captions and angles; the instruction
   await page.getByRole("tab", { name: "Checks" }).click();
   await expect(page.locator(".picked")).toHaveCount(0);
   for (const mark of marks) await expect(mark).toBeEnabled();
+  // The assembly goes on where it was, in another frame, too; what is chosen at once is shown.
+  await page.getByRole("tab", { name: "Fold" }).click();
+  const step = page.locator(".fold .steps button");
+  await step.nth(20).click();
+  await expect(page.getByText("Step 21 of")).toBeVisible();
+  await setNumber(page, "rods.arm_rod_length_mm", "83");
+  await expect(page.locator(".fold > .old")).toHaveCount(0, { timeout: 60_000 });
+  await expect(page.getByText("Step 21 of")).toBeVisible();
+  await page.getByRole("tab", { name: "Checks" }).click();
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await expect(page.getByText("Step 21 of")).toBeVisible();
+  await expect.poll(async () => litMiddle(await pixels(page)).count).toBeGreaterThan(60);
 });
 
 test("a frame of the screen that began before Play was pressed shows no time before the first step", async ({
@@ -97,6 +126,13 @@ test("the picture follows the steps: it differs between them, and the part that 
     const way = Math.hypot(to.x - from.x, to.y - from.y);
     expect(way, `${title}: pixels that the middle of what it names goes`).toBeGreaterThan(4);
   }
+  // The last step shows the propellers that it puts on.
+  const bare = await at(38 * perStep - 0.1);
+  const whole = await at(39 * perStep - 0.1);
+  await expect(page.locator(".fold h3")).toHaveText("Propellers");
+  expect(touchesEdge(whole)).toBe(false);
+  expect(drawnShare(whole)).toBeGreaterThan(1.3 * drawnShare(bare));
+  await shot(page, "4-propellers");
   // The same time gives the same picture again, and nothing stays lit when the assembly is left.
   expect(differing(pictures[2]!, await at(26.5 * perStep))).toBeLessThan(50);
   await page.getByRole("tab", { name: "Checks" }).click();

@@ -1,5 +1,5 @@
 // Story 5: drop.
-import type { Locator } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { dropped, expect, peakOfDrop, setNumber, shot, start, test } from "./studio.ts";
 
 /** Waits for a peak that is the expected one but for the last digits of another machine's arithmetic. */
@@ -8,8 +8,29 @@ async function expectPeak(shown: Locator, expected: number, timeout: number): Pr
   await expect.poll(async () => Math.abs((await peak()) / expected - 1), { timeout }).toBeLessThan(1e-9);
 }
 
+// Numbers are written alike in every language.
+test.use({ locale: "de-DE" });
+
+type Written = { text: string; ink: string };
+
+/** Keeps what is written into drawings, and how. */
+async function keepWriting(page: Page): Promise<() => Promise<Written[]>> {
+  await page.addInitScript(() => {
+    const written: Written[] = [];
+    const own = CanvasRenderingContext2D.prototype.fillText;
+    CanvasRenderingContext2D.prototype.fillText = function (text, ...place) {
+      written.push({ text, ink: String(this.fillStyle) });
+      own.call(this, text, ...place);
+    };
+    Object.assign(window, { written });
+  });
+  return () => page.evaluate(() => (window as unknown as { written: Written[] }).written.splice(0));
+}
+
 test("a drop by a model, a higher one, and beside the preset", async ({ page }) => {
+  const written = await keepWriting(page);
   await start(page);
+  await page.getByLabel("Colours of the page").selectOption("dark");
   await setNumber(page, "limits.mass_budget_g", "245");
   await page.getByRole("tab", { name: "Drop" }).click();
   const peak = page.locator("[data-peak]").first();
@@ -49,6 +70,23 @@ test("a drop by a model, a higher one, and beside the preset", async ({ page }) 
   await expect.poll(async () => Number(await peak.getAttribute("data-peak")), { timeout: 60_000 }).not.toBe(before);
   await page.locator(".plot").last().scrollIntoViewIfNeeded();
   await shot(page, "5-model");
+  const axes = await written();
+  expect(axes.filter(({ text }) => /\d,\d/.test(text))).toEqual([]);
+  expect(axes.some(({ text }) => /\d\.\d/.test(text))).toBe(true);
+  // On paper they are dark, though the page is not.
+  const paper = "#1b222b";
+  expect(axes.some(({ ink }) => ink === paper)).toBe(false);
+  await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+  const printed = await written();
+  expect(printed.length).toBeGreaterThan(4);
+  expect(printed.every(({ ink }) => ink === paper)).toBe(true);
+  await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+  await page.getByLabel("Colours of the page").selectOption("system");
+  // A height that cannot be has no peak.
+  await page.locator("#drop-height").fill("0");
+  await page.locator("#drop-height").press("Enter");
+  await expect(page.locator(".drop .progress .fault")).toContainText("A height of 0 m is out of bounds");
+  await expect(page.locator("[data-peak]")).toHaveCount(0);
 });
 
 test("the frame's own mechanics, with the motion slowed down", async ({ page }) => {

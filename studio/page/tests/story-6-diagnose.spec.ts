@@ -1,12 +1,15 @@
 // Story 6: diagnose.
-import { readFileSync } from "node:fs";
-import { expect, shot, start, test } from "./studio.ts";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { drag, expect, shot, start, test } from "./studio.ts";
 
 test("synthetic drops at one click, a diagnosis with stages, its verdict and its files", async ({ page }) => {
   await start(page);
   await page.getByRole("tab", { name: "Diagnose" }).click();
   await page.getByRole("button", { name: "or try synthetic ones" }).click();
   await expect(page.locator(".diagnose table")).toContainText("20", { timeout: 60_000 });
+  await expect(page.getByLabel("Effects at most")).toHaveValue("3");
   await page.getByLabel("Effects at most").selectOption("1");
   await page.getByRole("button", { name: "Diagnose" }).click();
   await expect(page.locator(".diagnose .progress").last()).toContainText(" of 4)");
@@ -18,7 +21,12 @@ test("synthetic drops at one click, a diagnosis with stages, its verdict and its
   await shot(page, "6-verdict");
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "Download model.toml" }).click();
-  expect(readFileSync(await (await waiting).path(), "utf8")).toContain("bottoming");
+  const model = readFileSync(await (await waiting).path(), "utf8");
+  expect(model).toContain("bottoming");
+  // It is no frame.
+  await drag(page, "canvas", [{ name: "model.toml", text: model }]);
+  await expect(page.locator(".notice")).toContainText("model.toml is an impact model and no frame file");
+  await expect(page.locator(".refusal")).toHaveCount(0);
 });
 
 test("a diagnosis can be cancelled, and files that are no drops are refused in words", async ({ page }) => {
@@ -66,4 +74,12 @@ test("a table of another logger is read by what is said of its columns and units
   await expect(page.getByRole("row", { name: /0.5 m/ })).toContainText("3", { timeout: 30_000 });
   await expect(page.getByRole("row", { name: /0.5 m/ })).toContainText(/6[0-9](\.\d)? g/);
   await shot(page, "6-another-logger");
+  // Many files are told by their folders.
+  const folder = mkdtempSync(join(tmpdir(), "studio-"));
+  for (let file = 0; file < 12; file++) {
+    mkdirSync(join(folder, `${file % 2} m`), { recursive: true });
+    writeFileSync(join(folder, `${file % 2} m`, `${file}.csv`), lines.join("\n"));
+  }
+  await page.getByLabel("or a folder of them").setInputFiles(folder);
+  await expect(page.getByText(/^12 files in .*\/0 m, .*\/1 m$/)).toBeVisible({ timeout: 60_000 });
 });

@@ -62,10 +62,15 @@ test("the whole folder, the STEP files and a single STL have the bytes of the co
   const steps = await downloaded(page, /^STEP/);
   expect([...steps.keys()].sort()).toEqual(built.filter((path) => path.endsWith(".step")));
   for (const [path, bytes] of steps) expect(readFileSync(join(root, path)).equals(bytes), path).toBe(true);
+  await expect(page.locator(".files > .about").first()).toContainText(
+    "flexframe build cognifly --step writes, the assembly's those of flexframe fold cognifly",
+  );
   await page.getByText("One part as STL").click();
   const [[name, bytes]] = [...(await downloaded(page, "knee.stl"))] as [[string, Uint8Array]];
   expect(name).toBe("knee.stl");
   expect(readFileSync(join(root, "parts/knee.stl")).equals(bytes)).toBe(true);
+  const listed = await page.locator(".files details button").allInnerTexts();
+  expect(listed.map((name) => `parts/${name}`)).toEqual(built.filter((path) => path.endsWith(".stl")).sort());
 });
 
 test("a link holds 20 changes in 2 kB and opens the same model; the frame file is that of the command line", async ({
@@ -94,6 +99,7 @@ test("a link holds 20 changes in 2 kB and opens the same model; the frame file i
   await page.getByRole("button", { name: "Copy the link" }).click();
   const link = await page.getByLabel("Link", { exact: true }).inputValue();
   expect(link.length).toBeLessThan(2000);
+  await expect(page.locator(".notice")).toHaveText(/link/);
   const mine = await downloaded(page, /^GLB/);
   const text = await downloaded(page, /^Frame file/);
   const other = await context.newPage();
@@ -130,6 +136,13 @@ test("a link to a frame file with a comment holds its text", async ({ page }) =>
   await page.getByRole("button", { name: "Copy the link" }).click();
   const link = new URL(await page.getByLabel("Link", { exact: true }).inputValue());
   expect(new URLSearchParams(link.hash.slice(1)).get("t")).toBe(text);
+  // A link that nobody could open is not made.
+  await page.getByRole("tab", { name: "Frame file" }).click();
+  await page.locator("#toml").fill(`${text}# ${"ä".repeat(40_000)}\n`);
+  await settled(page);
+  await page.getByRole("button", { name: "Copy the link" }).click();
+  await expect(page.locator(".notice")).toContainText("A link to this frame would have");
+  await expect(page.getByLabel("Link", { exact: true })).toHaveCount(0);
 });
 
 test("of a refused frame file there are no files, and the link and the frame file hold what was typed", async ({

@@ -73,7 +73,7 @@ async function seriousFaults(page: Page): Promise<string[]> {
   await page.evaluate(axe);
   const { violations } = (await page.evaluate("axe.run()")) as Violations;
   return violations
-    .filter(({ impact }) => impact === "serious" || impact === "critical")
+    .filter(({ id, impact }) => impact === "serious" || impact === "critical" || id.includes("heading"))
     .map(({ id, nodes }) => `${id}: ${nodes[0]?.html.slice(0, 200)}`);
 }
 
@@ -93,6 +93,10 @@ test("a screen reader's names, contrast and structure have no serious fault, lig
   }
   await page.getByRole("tab", { name: "Checks" }).click();
   await shot(page, "8-dark");
+  // So it is while a value is refused, and in a narrow window.
+  await setNumber(page, "rods.arm_rod_length_mm", "4000");
+  await page.setViewportSize({ width: 900, height: 900 });
+  expect(await seriousFaults(page), "refused, narrow").toEqual([]);
 });
 
 test("on a phone's width", async ({ page }) => {
@@ -109,7 +113,59 @@ test("on a phone's width", async ({ page }) => {
   await page.locator(".rule .head").first().click();
   await page.locator(".place .link").first().click();
   await expect(page.getByRole("button", { name: "Model" })).toHaveAttribute("aria-pressed", "true");
+  await expect(page.locator("canvas")).toBeFocused();
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  // All switches are there, and the header is of two rows.
+  const fit = (await page.getByRole("button", { name: "Fit", exact: true }).boundingBox())!;
+  expect(fit.x + fit.width).toBeLessThanOrEqual(390);
+  expect((await page.locator(".header").boundingBox())!.height).toBeLessThan(90);
+  // A refusal leads to its line.
+  await page.getByRole("button", { name: "Change", exact: true }).click();
+  await setNumber(page, "rods.arm_rod_length_mm", "4000");
+  await page.getByRole("button", { name: "Model" }).click();
+  await shot(page, "8-phone-refused");
+  const line = page.locator(".refusal .link").first();
+  await line.focus();
+  await line.press("Enter");
+  await expect(page.locator("#toml")).toBeFocused();
+  expect(await page.evaluate(() => getSelection()!.toString())).toContain("arm_rod_length_mm");
+  // A long name makes nothing wider.
+  const name = page.getByLabel("Name of the frame's file");
+  await name.fill("a".repeat(64));
+  await name.press("Enter");
+  await settled(page);
+  await page.getByRole("button", { name: /^Know/ }).click();
+  await page.getByRole("tab", { name: "Files" }).click();
+  expect(await page.locator(".right .scroll").evaluate((panel) => panel.scrollWidth - panel.clientWidth)).toBe(0);
+  await shot(page, "8-phone-files");
+  await page.setViewportSize({ width: 844, height: 390 });
+  await page.getByRole("button", { name: "Model" }).click();
+  expect((await page.locator(".picture").boundingBox())!.height).toBeGreaterThan(200);
+  await shot(page, "8-phone-side");
+});
+
+test("in the system's colours it is seen what is chosen and what was changed", async ({ page }) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await start(page);
+  await setNumber(page, "rods.arm_rod_length_mm", "84");
+  await page.getByRole("button", { name: "Envelope", exact: true }).click();
+  const style = (selector: string, name: string) =>
+    page
+      .locator(selector)
+      .first()
+      .evaluate((element, name) => getComputedStyle(element).getPropertyValue(name), name);
+  expect(await style('.toolbar [aria-pressed="true"]', "background-color")).not.toBe(
+    await style('.toolbar [aria-pressed="false"]', "background-color"),
+  );
+  for (const [one, other] of [
+    ['.right [aria-selected="true"]', '.right [aria-selected="false"]'],
+    [".field.changed", ".field:not(.changed)"],
+  ] as const) {
+    const side = one.startsWith(".right") ? "border-bottom-color" : "border-left-color";
+    expect(await style(one, side)).not.toBe(await style(other, side));
+  }
+  expect(await style(".key.kind-printed", "background-color")).toBe("rgb(232, 134, 46)");
+  await shot(page, "8-forced");
 });
 
 test("by keyboard alone", async ({ page }) => {
@@ -131,6 +187,10 @@ test("by keyboard alone", async ({ page }) => {
   await page.getByRole("tab", { name: "Checks" }).focus();
   await page.keyboard.press("ArrowRight");
   await expect(page.getByRole("tab", { name: "Compare" })).toHaveAttribute("aria-selected", "true");
+  await page.keyboard.press("End");
+  await expect(page.getByRole("tab", { name: "Files" })).toBeFocused();
+  await page.keyboard.press("Home");
+  await expect(page.getByRole("tab", { name: "Checks" })).toBeFocused();
 });
 
 test("a reload restores the last state, and two tabs do not disturb each other", async ({ page, context }) => {

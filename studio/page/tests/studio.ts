@@ -136,6 +136,15 @@ export function touchesEdge({ width, height, rgb }: Pixels): boolean {
   return false;
 }
 
+/** The share of a picture that is not its ground. */
+export function drawnShare({ width, rgb }: Pixels): number {
+  const ground = 3 * (width + 1);
+  let count = 0;
+  for (let at = 0; at < rgb.length / 3; at++)
+    if ([0, 1, 2].some((of) => Math.abs(rgb[3 * at + of]! - rgb[3 * ground + of]!) > 12)) count += 1;
+  return (3 * count) / rgb.length;
+}
+
 /** How many pixels of two pictures differ. */
 export function differing(a: Pixels, b: Pixels): number {
   let count = 0;

@@ -14,9 +14,10 @@ import {
 import { touched } from "../state/places.ts";
 import { standing } from "../state/standing.ts";
 import { label, short } from "../ui/words.ts";
+import type { BodyFacts } from "../view/body_facts.ts";
 import { isDisc } from "../view/body_facts.ts";
-import { colourBy, discs, lit, viewer } from "../view/scene_state.ts";
-import { column, showParameter } from "../state/focus.ts";
+import { colourBy, discs, envelope, lit, viewer } from "../view/scene_state.ts";
+import { showParameter, showPicture } from "../state/focus.ts";
 
 const opened = signal<Set<string>>(new Set());
 const RANK = { violated: 0, warns: 1, holds: 2 };
@@ -122,16 +123,26 @@ function Rule({ group }: { group: Group }) {
   );
 }
 
+/** The bodies and parts that a finding names, or else those that its values drive. */
+function bodiesOf({ subject, message, levers }: Finding, facts: BodyFacts[]): Set<string> {
+  for (const words of [subject, message]) {
+    const named = touched(words, facts);
+    if (named.length > 0) return new Set(named);
+  }
+  const drivers = catalogue.value?.parameters.filter(({ key }) => levers.includes(key)) ?? [];
+  return new Set(drivers.flatMap(({ drives }) => drives));
+}
+
 function Place({ finding }: { finding: Finding }) {
   const go = () => {
     const facts = viewer.value?.facts() ?? [];
-    const named = touched(finding.subject, facts);
-    const names = new Set(named.length > 0 ? named : touched(finding.message, facts));
+    const names = bodiesOf(finding, facts);
     lit.value = names;
-    // On a narrow screen the picture is in another column.
-    column.value = "middle";
+    showPicture();
     if (facts.some((body) => isDisc(body) && names.has(body.name))) discs.value = true;
-    if (names.size > 0) viewer.value?.fly(names);
+    const ofAll = finding.rule === "envelope";
+    if (ofAll) envelope.value = true;
+    if (names.size > 0 && !ofAll) viewer.value?.fly(names);
     else viewer.value?.fit();
     if (standing(finding) !== "holds" && colourBy.value === "part") colourBy.value = "finding";
   };

@@ -5,7 +5,7 @@ import { EngineClient, Refused } from "../engine/client.ts";
 import type { Diagnosed, Measured } from "../engine/outcomes.ts";
 import type { Attached, EngineFile } from "../engine/messages.ts";
 import { save } from "../state/downloads.ts";
-import { notice } from "../state/studio.ts";
+import { complain, quiet } from "../state/notice.ts";
 import { Work } from "../state/work.ts";
 import { ModelSelect } from "../ui/model_select.tsx";
 import { Progress } from "../ui/progress.tsx";
@@ -13,6 +13,9 @@ import { short } from "../ui/words.ts";
 
 /** Larger tables are no drops of a frame; a browser would run out of memory on them. */
 const LARGEST_BYTES = 64 << 20;
+
+/** As many names are told one by one. */
+const FEW = 6;
 
 /** Names of files of drops. */
 const RECORDS = /\.(csv|bin|bhn)$/i;
@@ -30,7 +33,7 @@ const written = { columns: signal(""), units: signal(""), zero_g: signal(""), ra
 const heldOut = signal("");
 const drops = signal<Attached>({});
 const model = signal("paper");
-const most = signal(2);
+const most = signal(3);
 const making = new Work<void>();
 const reading = new Work<Measured>();
 const diagnosing = new Work<{ found: Diagnosed; files: EngineFile[]; of: string }>();
@@ -44,6 +47,7 @@ function takeChosen(input: HTMLInputElement): void {
 
 /** Takes measured drops: files, each with its path, whose folder says the height of a logger's file. */
 export async function takeDrops(given: { path: string; file: File }[]): Promise<void> {
+  quiet();
   const taken: Attached = {};
   let sum = 0;
   // A folder holds other things, too.
@@ -51,18 +55,20 @@ export async function takeDrops(given: { path: string; file: File }[]): Promise<
   for (const { file } of files) {
     sum += file.size;
     if (sum > LARGEST_BYTES) {
-      notice.value = `${file.name} has ${Math.round(file.size / 1e6)} MB; all files together may have ${LARGEST_BYTES >> 20} MB. Nothing was read: give fewer drops at a time.`;
+      complain(
+        `${file.name} has ${Math.round(file.size / 1e6)} MB; all files together may have ${LARGEST_BYTES >> 20} MB. Nothing was read: give fewer drops at a time.`,
+      );
       return;
     }
   }
   if (files.length === 0) {
-    notice.value = "There are no drops among these files: tables end in .csv, a logger's files in .bin or .bhn.";
+    complain("There are no drops among these files: tables end in .csv, a logger's files in .bin or .bhn.");
     return;
   }
   try {
     for (const { path, file } of files) taken[path] = new Uint8Array(await file.arrayBuffer());
   } catch (error) {
-    notice.value = `This cannot be read: ${error instanceof Error ? error.message : String(error)}`;
+    complain(`This cannot be read: ${error instanceof Error ? error.message : String(error)}`);
     return;
   }
   await read(taken);
@@ -234,11 +240,20 @@ function HowWritten() {
   );
 }
 
+/** Files in words: their names, or how many there are in which folders. */
+function inShort(names: string[]): string {
+  if (names.length <= FEW) return names.join(", ");
+  const folders = [...new Set(names.map((name) => name.split("/").slice(0, -1).join("/")))].filter(Boolean).sort();
+  const more = folders.length > FEW ? ` and ${folders.length - FEW} more` : "";
+  const where = folders.length > 0 ? ` in ${folders.slice(0, FEW).join(", ")}${more}` : "";
+  return `${names.length} files${where}`;
+}
+
 function Records({ measured, names }: { measured: Measured; names: string[] }) {
   const flagged = measured.drops.filter(({ flags }) => flags.length > 0);
   return (
     <>
-      <p class="about">{names.join(", ")}</p>
+      <p class="about">{inShort(names)}</p>
       <table>
         <caption>Records</caption>
         <thead>

@@ -1,6 +1,7 @@
 // Story 5: the frame dropped, by a model or by its own mechanics; curves, peak, energies, and the motion slowed down.
 import { computed, effect, signal } from "@preact/signals";
 import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
+import { Refused } from "../engine/client.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
@@ -48,12 +49,19 @@ effect(() => {
     timer = setTimeout(() => {
       last = asked ?? "";
       hideMotion("drop");
-      void work.run((onStage) => dropBoth(of, against, onStage));
+      void work.run((onStage) => dropBoth(of, against, onStage).catch(inWords));
     }, 250);
   }
 });
 
 type OnStage = Parameters<Parameters<typeof work.run>[0]>[0];
+
+/** The engine names the command line's option. */
+function inWords(error: unknown): never {
+  if (!(error instanceof Refused)) throw error;
+  const message = error.message.replace(/^--height (\S+)/, "A height of $1 m");
+  throw new Refused({ ...error.refused, message });
+}
 
 async function dropBoth(of: Doc, against: Doc | null, onStage: OnStage): Promise<Dropped[]> {
   const first = await dropOne((await current.opened(of)).handle, of.name, true, onStage);
@@ -151,7 +159,8 @@ const forces = computed<Curve[]>(() =>
 );
 
 export function Drop() {
-  const results = work.result.value ?? [];
+  // After a failure, what was dropped before is of another height, model or frame.
+  const results = work.failure.value === null ? (work.result.value ?? []) : [];
   const motion = results[0]?.motion;
   return (
     <div class="drop">
@@ -174,8 +183,8 @@ export function Drop() {
         {pinned.value ? pinned.value.name : `the preset ${before.value.preset}`} beside it
       </label>
       <Progress of={work} words="Dropping" />
-      <div class={work.running.value || work.failure.value ? "old" : ""}>
-        <div class="row">
+      <div class={work.running.value ? "old" : ""}>
+        <div class="row" role="status">
           {results.map(({ name, peakG, contactMs, travelMm, hitMm }) => (
             <p key={name} class={`peak ${hitMm === null ? "" : "invalid"}`} data-peak={peakG}>
               <b>{short(peakG, 1)} g</b>
@@ -215,7 +224,7 @@ export function Drop() {
             <button
               type="button"
               onClick={async () => {
-                if (owner.value !== "drop") await showMotion("drop", motion, 5);
+                if (owner.value !== "drop") await showMotion("drop", motion, { slower: 5 });
                 play();
               }}
             >

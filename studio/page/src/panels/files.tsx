@@ -1,11 +1,12 @@
 // Story 7: what is taken away, with the bytes of the command line, and a link.
 import { computed, signal } from "@preact/signals";
 import type { Setting } from "../state/link.ts";
-import { toFragment } from "../state/link.ts";
+import { LONGEST_LINK, toFragment } from "../state/link.ts";
 import type { Doc } from "../state/doc.ts";
 import { hasComment, isUnchanged } from "../state/doc.ts";
+import { complain, quiet, tell } from "../state/notice.ts";
 import { openFrame } from "../state/opening.ts";
-import { changedKeys, doc, frame, notice, pending, refused, shownDoc, valueOf } from "../state/studio.ts";
+import { changedKeys, doc, frame, pending, refused, shownDoc, valueOf } from "../state/studio.ts";
 import { download, made, save, saveText } from "../state/downloads.ts";
 import { Work } from "../state/work.ts";
 import { Progress } from "../ui/progress.tsx";
@@ -23,11 +24,20 @@ const KINDS: { which: string; words: string }[] = [
 ];
 
 const work = new Work<string>();
-const parts = signal<string[] | null>(null);
+/** Every printed part is a file. */
+const parts = computed(() =>
+  (frame.value?.masses.lines ?? [])
+    .filter(({ kind }) => kind === "printed")
+    .map(({ name }) => name)
+    .sort(),
+);
 /** The link that was made last, and of what: it is not that of a frame that was changed since. */
 const link = signal<{ of: Doc; url: string } | null>(null);
 /** Files are made of a good frame only; a frame of before would not belong to the frame file. */
 const held = computed(() => refused.value !== null || frame.value === null);
+
+/** The frame as the command line is given it. */
+const given = computed(() => (isUnchanged(doc.value) ? doc.value.preset : `${doc.value.name}.toml`));
 
 export function Files() {
   const get = (which: string) => void work.run(() => download([which]).then(() => which));
@@ -40,9 +50,8 @@ export function Files() {
         </p>
       ) : (
         <p class="about">
-          The files have the bytes that{" "}
-          <code>flexframe build{isUnchanged(doc.value) ? ` ${doc.value.preset}` : ` ${doc.value.name}.toml`}</code>{" "}
-          writes.
+          The files have the bytes that <code>flexframe build {given.value} --step</code> writes, the assembly's those
+          of <code>flexframe fold {given.value}</code>.
         </p>
       )}
       <div class="stack">
@@ -56,23 +65,18 @@ export function Files() {
         ))}
       </div>
       <Progress of={work} words="Making the files" />
-      <details
-        onToggle={(event) => {
-          if (event.currentTarget.open && !held.value)
-            void work.run(async () => ((parts.value = (await made(["stl"])).map(({ path }) => path)), "stl"));
-        }}
-      >
+      <details>
         <summary>One part as STL</summary>
         <ul>
-          {parts.value?.map((path) => (
-            <li key={path}>
+          {parts.value.map((part) => (
+            <li key={part}>
               <button
                 type="button"
                 class="link"
                 disabled={held.value}
-                onClick={() => void work.run(async () => (await one(path), path))}
+                onClick={() => void work.run(async () => (await one(part), part))}
               >
-                {path.split("/").at(-1)}
+                {part}.stl
               </button>
             </li>
           ))}
@@ -117,12 +121,15 @@ export function Files() {
   );
 }
 
-async function one(path: string): Promise<void> {
-  const file = (await made(["stl"])).find((made) => made.path === path);
-  if (file) save(path.split("/").at(-1) ?? path, file.bytes);
+async function one(part: string): Promise<void> {
+  const of = doc.value;
+  const file = (await made(["stl"], of)).find(({ path }) => path.endsWith(`/${part}.stl`));
+  if (file) save(`${part}.stl`, file.bytes);
+  else complain(`${of.name} has no part ${part}: it was changed meanwhile.`);
 }
 
 async function share(): Promise<void> {
+  quiet();
   const of = doc.value;
   const { preset, name, text } = of;
   const set: Record<string, Setting> = {};
@@ -139,12 +146,19 @@ async function share(): Promise<void> {
   const fragment = toFragment(
     whole ? { preset, name, set: {}, text } : { preset, name, set: isUnchanged(of) ? {} : set },
   );
+  if (fragment.length > LONGEST_LINK) {
+    const kb = (length: number) => Math.ceil(length / 1000);
+    complain(
+      `A link to this frame would have ${kb(fragment.length)} kB, and may have ${kb(LONGEST_LINK)} kB: give away the frame file instead.`,
+    );
+    return;
+  }
   const url = `${location.origin}${location.pathname}#${fragment}`;
   link.value = { of, url };
   try {
     await navigator.clipboard.writeText(url);
-    notice.value = "The link is on the clipboard.";
+    tell("The link is on the clipboard.");
   } catch {
-    notice.value = "The link stands below; this browser does not let the page copy it.";
+    complain("The link stands below; this browser does not let the page copy it.");
   }
 }

@@ -1,10 +1,10 @@
 // Story 4: the assembly as a motion, step by step, with captions and angles.
-import { computed, effect } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import type { Fold as Sequence } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right } from "../state/focus.ts";
-import { goTo, hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
+import { hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, findings, findingsAreOfPicture, refused, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import { download } from "../state/downloads.ts";
@@ -16,6 +16,14 @@ type Folded = { sequence: Sequence; motion: Uint8Array<ArrayBuffer>; of: string 
 const work = new Work<Folded>();
 const instructions = new Work<null>();
 let timer: ReturnType<typeof setTimeout> | undefined;
+
+/** Where the assembly stands, s: it stays there while something else is shown, and when the frame changes. */
+const place = signal(0);
+effect(() => {
+  if (owner.value === "fold") place.value = seconds.value;
+});
+/** What is in the picture, or being put there. */
+let shown: Folded["motion"] | null = null;
 
 let wasOpen = false;
 effect(() => {
@@ -45,16 +53,24 @@ async function folded(of: Doc): Promise<Folded> {
 }
 
 async function showFold(): Promise<void> {
-  if (!work.result.value) return;
-  await showMotion("fold", work.result.value.motion);
+  const folded = work.result.value;
+  if (!folded || (owner.value === "fold" && shown === folded.motion)) return;
+  shown = folded.motion;
+  await showMotion("fold", folded.motion, { stepSeconds: folded.sequence.step_shown_s, at: () => place.value });
   // Another panel was opened while the motion was read.
   if (right.peek() !== "fold") hideMotion("fold");
 }
 
-/** Does something with the motion, which the bed may have taken the place of. */
-async function withMotion(act: () => void): Promise<void> {
-  if (owner.value !== "fold") await showFold();
-  act();
+/** Puts the assembly at a time, s, whether it is in the picture already or the bed took its place. */
+async function putAt(time: number): Promise<void> {
+  place.value = time;
+  if (owner.value === "fold") seconds.value = time;
+  else await showFold();
+}
+
+async function playOrStop(): Promise<void> {
+  await showFold();
+  play();
 }
 
 /** The steps; none after a refusal, as those of before are another frame's. */
@@ -63,12 +79,12 @@ const folding = computed(() => (work.failure.value === null ? work.result.value 
 const now = computed(() => {
   const sequence = folding.value?.sequence;
   if (!sequence) return null;
-  const at = Math.min(sequence.steps.length - 1, Math.floor(seconds.value / sequence.step_shown_s + 1e-6));
+  const at = Math.min(sequence.steps.length - 1, Math.floor(place.value / sequence.step_shown_s + 1e-6));
   return {
     step: sequence.steps[at]!,
     at,
     of: sequence.steps.length,
-    share: seconds.value / sequence.step_shown_s - at,
+    share: place.value / sequence.step_shown_s - at,
   };
 });
 
@@ -83,7 +99,7 @@ effect(() => {
 export function Fold() {
   const sequence = folding.value?.sequence;
   const old = shownDoc.value === null || folding.value?.of !== identity(shownDoc.value);
-  const goToStep = (at: number) => void withMotion(() => (seconds.value = at * sequence!.step_shown_s));
+  const goToStep = (at: number) => void putAt(at * sequence!.step_shown_s);
   return (
     <div class="fold">
       {folding.value && <InTheWay />}
@@ -94,7 +110,7 @@ export function Fold() {
       {sequence && now.value && (
         <div class={old ? "old" : ""}>
           <div class="row">
-            <button type="button" onClick={() => void withMotion(play)}>
+            <button type="button" onClick={() => void playOrStop()}>
               {playing.value ? "Stop" : "Play"}
             </button>
             <button
@@ -113,8 +129,9 @@ export function Fold() {
             >
               ▶
             </button>
-            <span>
+            <span role="status">
               Step {now.value.step.number} of {now.value.of}
+              <span class="hidden">: {now.value.step.title}</span>
             </span>
           </div>
           <input
@@ -123,10 +140,10 @@ export function Fold() {
             min="0"
             max={length.value}
             step="0.02"
-            value={seconds.value}
+            value={place.value}
             onInput={(event) => {
-              const at = Number(event.currentTarget.value);
-              void withMotion(() => goTo(at));
+              playing.value = false;
+              void putAt(Number(event.currentTarget.value));
             }}
           />
           <h3>{now.value.step.title}</h3>

@@ -11,6 +11,10 @@ const GROUPS: [string, string][] = [
   ["extra", "extra"],
 ];
 
+const SIDES = ["width", "depth", "height"];
+/** What is over its limit by less than this is rounded. */
+const FULL = 1.0005;
+
 const size = computed(() => {
   void shownPictures.value;
   return viewer.value?.sizeMm() ?? null;
@@ -29,6 +33,7 @@ export function Gauges() {
   const width = of.values["limits.envelope_width_mm"] ?? 0;
   const limits = [width, of.values["limits.envelope_depth_mm"] ?? width, of.values["limits.envelope_height_mm"] ?? 0];
   const full = Math.max(budget, total);
+  const shares = (size.value ?? []).map((side, at) => side / (limits[at] || 1));
   return (
     <section class="gauges" aria-label="Mass and size">
       <figure class={total > budget ? "over" : ""} data-gauge="mass">
@@ -66,7 +71,7 @@ export function Gauges() {
         </p>
       </figure>
       {size.value && (
-        <figure data-gauge="size">
+        <figure class={shares.some((share) => share > FULL) ? "over" : ""} data-gauge="size">
           <figcaption>
             <b>{size.value.map((side) => short(side, 1)).join(" × ")} mm</b> of{" "}
             {limits.map((side) => short(side, 0)).join(" × ")}
@@ -75,21 +80,20 @@ export function Gauges() {
             viewBox="0 0 200 12"
             preserveAspectRatio="none"
             role="img"
-            aria-label="width, depth and height as shares of their limits"
+            aria-label={size.value
+              .map((side, at) => `${SIDES[at]} ${short(side, 1)} mm of ${short(limits[at], 0)} mm`)
+              .join(", ")}
           >
-            {size.value.map((side, at) => {
-              const share = side / (limits[at] || 1);
-              return (
-                <rect
-                  key={at}
-                  class={share > 1.0005 ? "bad" : "good"}
-                  x="0"
-                  y={at * 4}
-                  width={Math.min(200, 190 * share)}
-                  height="3"
-                />
-              );
-            })}
+            {shares.map((share, at) => (
+              <rect
+                key={at}
+                class={share > FULL ? "bad" : "good"}
+                x="0"
+                y={at * 4}
+                width={Math.min(200, 190 * share)}
+                height="3"
+              />
+            ))}
             <rect class="limit" x="189" y="0" width="2" height="12" />
           </svg>
         </figure>

@@ -1,18 +1,29 @@
 // Which frame: the preset, the name of its file, undo and redo.
+import { effect } from "@preact/signals";
 import { useEffect } from "preact/hooks";
-import { canRedo, canUndo, doc, notice, presets, redo, take, undo } from "../state/studio.ts";
+import { canRedo, canUndo, doc, presets, redo, take, undo } from "../state/studio.ts";
+import { complain } from "../state/notice.ts";
 import { ofPreset } from "../state/doc.ts";
 import type { Theme } from "../state/theme.ts";
 import { theme } from "../state/theme.ts";
 import { plainName } from "../state/link.ts";
 
+/** Whether a field has typed text that its own undo takes back; what was taken of a field is a step of the frame's. */
+function isTyping(field: EventTarget | null): boolean {
+  if (field instanceof HTMLTextAreaElement) return true;
+  const isText = field instanceof HTMLInputElement && ["text", "search"].includes(field.type);
+  return isText && field.dataset["typed"] !== "false";
+}
+
+// Tabs of the browser are told apart by their frames.
+effect(() => {
+  document.title = `${doc.value.name} – flexframe studio`;
+});
+
 export function Header() {
   useEffect(() => {
     const key = (event: KeyboardEvent) => {
-      const typing =
-        event.target instanceof HTMLTextAreaElement ||
-        (event.target instanceof HTMLInputElement && event.target.type !== "range");
-      if (typing || !(event.ctrlKey || event.metaKey)) return;
+      if (!(event.ctrlKey || event.metaKey) || isTyping(event.target)) return;
       const name = event.key.toLowerCase();
       if (name === "z" && !event.shiftKey) undo();
       else if (name === "y" || (name === "z" && event.shiftKey)) redo();
@@ -22,9 +33,14 @@ export function Header() {
     document.addEventListener("keydown", key);
     return () => document.removeEventListener("keydown", key);
   }, []);
-  const rename = (name: string) => {
-    if (plainName(name)) take({ ...doc.value, name });
-    else notice.value = "A name has letters, digits, “-”, “_” and “.”, and does not begin with “.”.";
+  const rename = (field: HTMLInputElement) => {
+    const name = field.value;
+    if (plainName(name)) return take({ ...doc.value, name });
+    // The name stays, and the field shows it.
+    field.value = doc.value.name;
+    complain(
+      `“${name.slice(0, 80)}” is no name of a file: it has letters, digits, “-”, “_” and “.”, 64 at the most, and does not begin with “.”.`,
+    );
   };
   return (
     <header class="header">
@@ -49,7 +65,7 @@ export function Header() {
           type="text"
           aria-label="Name of the frame's file"
           value={doc.value.name}
-          onChange={(event) => rename(event.currentTarget.value)}
+          onChange={(event) => rename(event.currentTarget)}
         />
       </label>
       <button type="button" disabled={!canUndo.value} onClick={undo} title="Ctrl+Z">

@@ -1,6 +1,7 @@
 // Story 1: the frame file as text, editable; refusals stand at their lines.
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import { baseName } from "../state/doc.ts";
+import { showLine } from "../state/focus.ts";
 import { presetNamed } from "../state/opening.ts";
 import { doc, refused, replaced, take } from "../state/studio.ts";
 
@@ -10,7 +11,6 @@ const REST_MS = 350;
 export function Source() {
   const [typed, setTyped] = useState<string | null>(null);
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  const area = useRef<HTMLTextAreaElement>(null);
   const text = typed ?? doc.value.text;
   // What was typed stays until the page has all of it: what comes back of it earlier is older. At once: an effect after the first picture would
   // take back what was typed meanwhile.
@@ -41,16 +41,6 @@ export function Source() {
     };
     take(edited, { group: "text" });
   };
-  const goTo = () => {
-    if (!area.current || line === null) return;
-    const start =
-      text
-        .split("\n")
-        .slice(0, line - 1)
-        .join("\n").length + (line > 1 ? 1 : 0);
-    area.current.focus();
-    area.current.setSelectionRange(start, start + (text.split("\n")[line - 1]?.length ?? 0));
-  };
   return (
     <div class="source">
       <label for="toml">
@@ -64,7 +54,6 @@ export function Source() {
         </pre>
         <textarea
           id="toml"
-          ref={area}
           spellcheck={false}
           autocomplete="off"
           wrap="off"
@@ -80,7 +69,7 @@ export function Source() {
         {refusal && (
           <p class="fault">
             {line !== null && (
-              <button type="button" class="link" onClick={goTo}>
+              <button type="button" class="link" onClick={() => showLine(line)}>
                 line {line}
               </button>
             )}{" "}

@@ -114,6 +114,8 @@ export function Toolbar() {
         Section{" "}
         <select
           aria-label="Section"
+          disabled={onBed}
+          title={onBed ? OF_FRAME : undefined}
           value={section.value?.axis ?? ""}
           onChange={(event) => {
             const axis = event.currentTarget.value;
@@ -126,7 +128,7 @@ export function Toolbar() {
           <option value="z">level (Z)</option>
         </select>
       </label>
-      {section.value && (
+      {section.value && !onBed && (
         <label>
           <input
             type="range"
@@ -145,6 +147,8 @@ export function Toolbar() {
       <button
         type="button"
         aria-pressed={measuring}
+        disabled={onBed || moving}
+        title={onBed || moving ? OF_FRAME : undefined}
         onClick={() => {
           measuring.value = !measuring.value;
           points.value = [];
@@ -181,7 +185,7 @@ export function Selection() {
   const drivers = catalogue.value?.parameters.filter(({ drives }) => body && drives.includes(body.facts.part)) ?? [];
   return (
     <div class="selection" aria-live="polite">
-      {measuring.value && (
+      {measuring.value && stage.value === "frame" && (
         <p class="distance">
           {a && b
             ? `Distance ${short(1000 * a.distanceTo(b), 2)} mm`

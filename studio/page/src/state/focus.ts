@@ -29,6 +29,29 @@ export function fieldOf(key: string): HTMLElement | null {
   return document.querySelector<HTMLElement>(`[data-key="${CSS.escape(key)}"] :is(input[type="text"], select)`);
 }
 
+/** Shows the picture. Where it takes the place of what was pressed, on a narrow screen, the focus goes with it. */
+export function showPicture(): void {
+  column.value = "middle";
+  requestAnimationFrame(() => {
+    const held = document.activeElement?.checkVisibility({ visibilityProperty: true });
+    if (!held || document.activeElement === document.body)
+      document.querySelector<HTMLElement>(".picture canvas")?.focus();
+  });
+}
+
+/** Opens the text of the frame file at a line, which is selected. */
+export function showLine(line: number): void {
+  left.value = "text";
+  column.value = "left";
+  requestAnimationFrame(() => {
+    const area = document.querySelector<HTMLTextAreaElement>("#toml");
+    const lines = area?.value.split("\n") ?? [];
+    const start = lines.slice(0, line - 1).reduce((sum, { length }) => sum + length + 1, 0);
+    area?.focus();
+    area?.setSelectionRange(start, start + (lines[line - 1]?.length ?? 0));
+  });
+}
+
 /** Opens the field of a value, even where a search left it out, and puts the focus there. */
 export function showParameter(key: string): void {
   left.value = "values";

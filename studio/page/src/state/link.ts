@@ -5,6 +5,9 @@
 export type Setting = number | string;
 export type Linked = { preset: string; name: string; set: Record<string, Setting>; text?: string };
 
+/** What a link may say at the most, letters: programs that hand it on cut longer ones. */
+export const LONGEST_LINK = 100_000;
+
 const NUMBER = /^-?\d+(\.\d+)?(e-?\d+)?$/i;
 
 export function toFragment({ preset, name, set, text }: Linked): string {
@@ -20,7 +23,7 @@ export function toFragment({ preset, name, set, text }: Linked): string {
 export function fromFragment(fragment: string, known: { presets: string[]; keys: Set<string> }): Linked | null {
   const plain = fragment.replace(/^#/, "");
   if (!/(^|&)p=/.test(plain)) return null;
-  if (plain.length > 100_000) throw new Error("the link is too long");
+  if (plain.length > LONGEST_LINK) throw new Error("the link is too long");
   const parts = new URLSearchParams(plain);
   const preset = parts.get("p") ?? "";
   if (!known.presets.includes(preset)) throw new Error(`there is no preset “${preset}”`);

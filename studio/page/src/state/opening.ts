@@ -2,7 +2,8 @@
 import { baseName } from "./doc.ts";
 import { left } from "./focus.ts";
 import { plainName } from "./link.ts";
-import { doc, notice, presets, take } from "./studio.ts";
+import { complain } from "./notice.ts";
+import { doc, presets, take } from "./studio.ts";
 
 /** More than any frame file has, bytes. */
 const LARGEST_BYTES = 1 << 20;
@@ -17,22 +18,31 @@ export async function openFrame(files: File[]): Promise<void> {
   const file = files[0];
   if (!file) return;
   if (files.length > 1) {
-    notice.value = `${files.length} frame files were given. The studio takes one, whose base is a preset; put what the others state into it. flexframe build takes a frame on several files.`;
+    complain(
+      `${files.length} frame files were given. The studio takes one, whose base is a preset; put what the others state into it. flexframe build takes a frame on several files.`,
+    );
     return;
   }
   if (file.size > LARGEST_BYTES) {
-    notice.value = `${file.name} has ${(file.size / 1e6).toFixed(1)} MB; a frame file may have 1 MB.`;
+    complain(`${file.name} has ${(file.size / 1e6).toFixed(1)} MB; a frame file may have 1 MB.`);
     return;
   }
   const text = await file.text();
+  if (/^\s*\[(sensor|effects)[\].]/m.test(text)) {
+    complain(
+      `${file.name} is an impact model and no frame file. flexframe drop --model ${file.name} drops a frame by it; the page has ${presets.value?.models.join(" and ")}.`,
+    );
+    return;
+  }
   const base = baseName(text);
   const preset = presetNamed(base);
   if (base !== undefined && !preset) {
     const names = presets.value?.frames.map(({ name }) => name).join(", ");
-    notice.value = `${file.name} has the base “${base.slice(0, 80)}”, which is no preset. The studio takes one file whose base is one of ${names}; flexframe build takes a frame on several files.`;
+    complain(
+      `${file.name} has the base “${base.slice(0, 80)}”, which is no preset. The studio takes one file whose base is one of ${names}; flexframe build takes a frame on several files.`,
+    );
     return;
   }
-  notice.value = null;
   left.value = "text";
   take({
     preset: preset ?? doc.value.preset,

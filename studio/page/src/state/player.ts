@@ -1,5 +1,5 @@
 // A motion in the picture: its time, playing and stopped.
-import { effect, signal } from "@preact/signals";
+import { batch, effect, signal } from "@preact/signals";
 import { stage, viewer } from "../view/scene_state.ts";
 
 export const seconds = signal(0);
@@ -22,17 +22,32 @@ export function enter(next: "frame" | "bed" | "motion"): void {
 /** Seconds of the motion in a second. */
 let rate = 1;
 
-/** Shows a motion; `slower` plays it so many times slower than its file says. */
-export async function showMotion(by: "fold" | "drop", bytes: Uint8Array<ArrayBuffer>, slower = 1): Promise<void> {
-  const taken = await viewer.value?.move(bytes.slice(), by === "fold");
+type Shown = {
+  /** It plays so many times slower than its file says. */
+  slower?: number;
+  /** How long each step of an assembly is, s. */
+  stepSeconds?: number;
+  /** Where it begins, s, when it has been read. */
+  at?: () => number;
+};
+
+/** Shows a motion. */
+export async function showMotion(
+  by: "fold" | "drop",
+  bytes: Uint8Array<ArrayBuffer>,
+  shown: Shown = {},
+): Promise<void> {
+  const { slower = 1, stepSeconds = null, at = () => 0 } = shown;
+  const taken = await viewer.value?.move(bytes.slice(), { stepSeconds, at: at() });
   // Something else was asked for while the motion was read.
   if (taken === null) return;
-  length.value = taken ?? 0;
-  rate = 1 / slower;
-  owner.value = by;
-  enter("motion");
-  seconds.value = 0;
-  viewer.value?.moveTo(0);
+  batch(() => {
+    length.value = taken ?? 0;
+    rate = 1 / slower;
+    seconds.value = Math.min(at(), length.value);
+    owner.value = by;
+    enter("motion");
+  });
 }
 
 /** Puts the motion at a time, by hand. */

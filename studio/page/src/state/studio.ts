@@ -4,12 +4,13 @@ import { EngineClient, Refused, Stopped } from "../engine/client.ts";
 import type { Catalogue, Checked, Finding, Opened, Presets, Read } from "../engine/answers.ts";
 import type { Refusal } from "../engine/messages.ts";
 import type { Doc } from "./doc.ts";
-import { baseName, identity, isUnchanged, keyAtLine, ofPreset, source } from "./doc.ts";
+import { baseName, identity, isUnchanged, keyAtLine, ofPreset, source, statedSettings } from "./doc.ts";
 import { followed } from "./follows.ts";
 import { FrameSlot } from "./frame_slot.ts";
 import { History } from "./history.ts";
 import type { Setting } from "./link.ts";
 import { fromFragment } from "./link.ts";
+import { complain, quiet } from "./notice.ts";
 import { borrow, restored, store } from "./storage.ts";
 
 /** Draws: pictures first, then quick checks. */
@@ -31,7 +32,7 @@ export const picture = signal<Uint8Array<ArrayBuffer> | null>(null);
 /** Why the frame file is refused; `editable`: whether values can be set in it, as it is TOML. */
 export const refused = signal<{ refusal: Refusal; key: string | null; editable: boolean } | null>(null);
 export const computing = signal(false);
-/** Values that were set and are not in the text yet. */
+/** Values that are not those of the picture: set and not in the text yet, or of a file that is refused. */
 export const pending = signal<Record<string, Setting | null>>({});
 /** What the checks found; `strength`: with the drop by the frame's own mechanics. */
 export const findings = signal<{ of: Finding[]; all: boolean; strength: boolean; identity: string } | null>(null);
@@ -40,7 +41,6 @@ export const withStrength = signal(false);
 /** Why it could not be computed. */
 export const strengthFailure = signal<string | null>(null);
 export const checking = signal<{ done: number; of: number; name: string } | null>(null);
-export const notice = signal<string | null>(null);
 
 const history = new History();
 export const canUndo = history.canUndo;
@@ -114,6 +114,7 @@ function written(key: string, value: Setting | null, text: string): Setting | nu
 export function set(values: Record<string, Setting | null>): void {
   const { text } = wanted?.doc ?? doc.value;
   const entries = Object.entries(values).map(([key, value]) => [key, written(key, value, text)] as const);
+  quiet();
   pending.value = { ...pending.value, ...Object.fromEntries(entries) };
   replaced.value += 1;
   const group = entries.length === 1 ? (entries[0]?.[0] ?? null) : null;
@@ -128,6 +129,7 @@ export function set(values: Record<string, Setting | null>): void {
 
 /** Takes another document: an edited text, another preset. Quick changes of one `group` are one step of undo. */
 export function take(next: Doc, { record = true, group = null as string | null } = {}): void {
+  quiet();
   pending.value = {};
   if (group !== "text") replaced.value += 1;
   want({ doc: next, set: {}, record, group, begun: performance.now() });
@@ -171,13 +173,12 @@ async function run(): Promise<void> {
       await show(now);
     } catch (error) {
       if (error instanceof Stopped) {
-        notice.value = `The engine stopped and was started again: ${error.message}`;
+        complain(`The engine stopped and was started again: ${error.message}`);
       } else if (error instanceof Refused) {
         await refuse(error.refused, now.group);
-        if (!shownDoc.value)
-          await showPreset(doc.value.preset).catch((failure: unknown) => (notice.value = String(failure)));
+        if (!shownDoc.value) await showPreset(doc.value.preset).catch((failure: unknown) => complain(String(failure)));
       } else {
-        notice.value = `This went wrong in the page: ${error instanceof Error ? error.message : String(error)}`;
+        complain(`This went wrong in the page: ${error instanceof Error ? error.message : String(error)}`);
         console.error(error);
       }
     }
@@ -192,13 +193,20 @@ async function run(): Promise<void> {
 async function refuse(refusal: Refusal, group: string | null): Promise<void> {
   const { name, text } = doc.value;
   const editable = await isEditable(text);
-  // A value that cannot be written anywhere must not look as if it were set.
-  if (!editable) pending.value = {};
+  // The fields show what the file states. A value that cannot be written anywhere must not look as if it were set.
+  pending.value = editable ? { ...ofFile(text), ...wanted?.set } : {};
   const { place } = refusal;
   // Why it cannot be written was found of the text before, with its line.
   if (!editable && !place && refused.value) return;
   const stated = place && place.file === `${name}.toml` ? keyAtLine(text, place.line) : null;
   refused.value = { refusal, key: stated ?? group, editable };
+}
+
+/** What a refused file states, and `null` for what only the frame of the picture states. */
+function ofFile(text: string): Record<string, Setting | null> {
+  const stated = statedSettings(text);
+  const gone = (frame.value?.stated ?? []).filter((key) => !(key in stated)).map((key) => [key, null] as const);
+  return { ...Object.fromEntries(gone), ...stated };
 }
 
 /** Whether values can be set in a text. */
@@ -290,7 +298,7 @@ async function checkAll(of: Doc): Promise<void> {
     }
     if (withStrength.peek() && !findings.peek()?.strength) await checkStrength(of);
   } catch (error) {
-    if (error instanceof Stopped) notice.value = `The second engine stopped and was started again: ${error.message}`;
+    if (error instanceof Stopped) complain(`The second engine stopped and was started again: ${error.message}`);
     else if (!(error instanceof Refused)) throw error;
   } finally {
     checking.value = null;
@@ -348,7 +356,9 @@ function openedLink(): Opening | null {
     const of = linked && ofPreset(linked.preset);
     return of && { doc: { ...of, name: linked.name, text: linked.text ?? of.text }, values: linked.set };
   } catch (error) {
-    notice.value = `The link cannot be read: ${error instanceof Error ? error.message : String(error)}. The frame of before is shown.`;
+    complain(
+      `The link cannot be read: ${error instanceof Error ? error.message : String(error)}. The frame of before is shown.`,
+    );
     return null;
   } finally {
     if (location.hash) window.history.replaceState(null, "", location.pathname + location.search);

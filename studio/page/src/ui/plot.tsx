@@ -2,12 +2,14 @@
 import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { short } from "./words.ts";
 import { theme } from "../state/theme.ts";
 
 /** `colour`: which of the colours; without it, one after the other. */
 export type Curve = { name: string; points: [number, number][]; dashed?: boolean; colour?: number };
 type Props = { title: string; x: string; y: string; curves: Curve[]; height?: number };
 
+const PAPER_INK = "#1b222b";
 const COLOURS = ["#e8862e", "#3f7fd1", "#2f9e62", "#b3547a", "#8a8f2b", "#7c6bd6"];
 
 /** All curves over one axis: every point of any, `undefined` where a curve has none. */
@@ -22,10 +24,13 @@ export function Plot({ title, x, y, curves, height = 190 }: Props) {
   useEffect(() => {
     const box = place.current;
     if (!box) return;
-    const ink = getComputedStyle(box).color;
-    const axis = (label: string, size: number) => ({
+    const own = getComputedStyle(box).color;
+    let ink = own;
+    const axis = (label: string, size: number): uPlot.Axis => ({
       label,
-      stroke: ink,
+      stroke: () => ink,
+      // As all numbers of the page, and not as the browser's language has them.
+      values: (_, splits) => splits.map((value) => short(value)),
       size,
       labelSize: 18,
       font: "12px system-ui",
@@ -57,7 +62,18 @@ export function Plot({ title, x, y, curves, height = 190 }: Props) {
     );
     const resized = new ResizeObserver(() => plot.setSize({ width: box.clientWidth, height }));
     resized.observe(box);
+    // Paper is white, whatever the page is.
+    const inkOnPaper = () => redraw(PAPER_INK);
+    const inkOnPage = () => redraw(own);
+    const redraw = (next: string) => {
+      ink = next;
+      plot.redraw();
+    };
+    addEventListener("beforeprint", inkOnPaper);
+    addEventListener("afterprint", inkOnPage);
     return () => {
+      removeEventListener("beforeprint", inkOnPaper);
+      removeEventListener("afterprint", inkOnPage);
       resized.disconnect();
       plot.destroy();
     };

@@ -2,6 +2,15 @@
 import { useSignal } from "@preact/signals";
 import { short } from "./words.ts";
 
+const NUMBER = /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i;
+
+/** What is typed as a number, with a point or a comma. */
+function numberOf(typed: string): number | null {
+  const plain = typed.trim();
+  const number = NUMBER.test(plain) ? Number(plain.replace(",", ".")) : NaN;
+  return Number.isFinite(number) ? number : null;
+}
+
 type Props = {
   id: string;
   name: string;
@@ -34,41 +43,57 @@ export function Slider({
 }: Props) {
   // What is being typed is not the value yet, and a result that arrives meanwhile does not take its place.
   const draft = useSignal<string | null>(null);
+  const untaken = useSignal<string | null>(null);
   const take = (typed: string) => {
     // What is no number changes nothing, and must not look as if it did.
     draft.value = null;
-    const number = Number(typed.replace(",", "."));
-    if (typed.trim() !== "" && Number.isFinite(number)) onInput(number);
+    const number = numberOf(typed);
+    untaken.value = number === null && typed.trim() !== "" ? typed.trim().slice(0, 40) : null;
+    if (number !== null) onInput(number);
   };
   const spoken = unit === "°" ? "degrees" : unit;
   return (
-    <span class="slider">
-      <input
-        type="range"
-        id={`${id}-range`}
-        aria-label={`${name}, ${spoken}`}
-        aria-describedby={describedBy}
-        min={min}
-        max={max}
-        step={step}
-        value={value ?? min}
-        onInput={(event) => onInput(Number(event.currentTarget.value))}
-      />
-      <input
-        type="text"
-        inputMode="decimal"
-        id={id}
-        aria-label={`${name} in ${spoken || "numbers"}`}
-        aria-describedby={describedBy}
-        aria-invalid={invalid}
-        value={draft.value ?? short(value, 4)}
-        onInput={(event) => (draft.value = event.currentTarget.value)}
-        onChange={(event) => take(event.currentTarget.value)}
-        onBlur={() => (draft.value = null)}
-      />
-      <span class="unit" aria-hidden="true">
-        {unit}
+    <>
+      <span class="slider">
+        <input
+          type="range"
+          id={`${id}-range`}
+          aria-label={`${name}, ${spoken}`}
+          aria-describedby={describedBy}
+          min={min}
+          max={max}
+          step={step}
+          value={value ?? min}
+          onInput={(event) => {
+            untaken.value = null;
+            onInput(Number(event.currentTarget.value));
+          }}
+        />
+        <input
+          type="text"
+          inputMode="decimal"
+          id={id}
+          aria-label={`${name} in ${spoken || "numbers"}`}
+          aria-describedby={describedBy}
+          aria-invalid={invalid || untaken.value !== null}
+          data-typed={draft.value !== null}
+          value={draft.value ?? short(value, 4)}
+          onInput={(event) => {
+            draft.value = event.currentTarget.value;
+            untaken.value = null;
+          }}
+          onChange={(event) => take(event.currentTarget.value)}
+          onBlur={() => (draft.value = null)}
+        />
+        <span class="unit" aria-hidden="true">
+          {unit}
+        </span>
       </span>
-    </span>
+      {untaken.value !== null && (
+        <p class="fault" role="alert">
+          “{untaken.value}” is no number, so nothing was changed. A number has digits and one point or comma: 1234.5
+        </p>
+      )}
+    </>
   );
 }

@@ -16,7 +16,8 @@ import { effect } from "@preact/signals";
 import { Refused, Stopped } from "../engine/client.ts";
 import type { Beds } from "../engine/answers.ts";
 import { enter } from "../state/player.ts";
-import { checker, current, notice, shownDoc } from "../state/studio.ts";
+import { complain } from "../state/notice.ts";
+import { checker, current, shownDoc } from "../state/studio.ts";
 import { plate, stage, viewer } from "./scene_state.ts";
 
 let at = 0;
@@ -55,7 +56,7 @@ async function lay(): Promise<void> {
     viewer.value?.replace(drawn(beds, plate.value.at, meshes));
   } catch (error) {
     if (!(error instanceof Refused || error instanceof Stopped)) throw error;
-    notice.value = error.message;
+    complain(error.message);
     if (stage.value === "bed") enter("frame");
   }
 }

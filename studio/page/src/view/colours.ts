@@ -1,5 +1,5 @@
 // Colours of bodies: by material, by part, or by what the checks found. Shapes and words say the same, so nobody has to tell colours apart.
-import { MeshLambertMaterial } from "three";
+import { DoubleSide, MeshLambertMaterial } from "three";
 import type { Plane } from "three";
 import type { Standing } from "../state/standing.ts";
 import type { BodyFacts } from "./body_facts.ts";
@@ -16,6 +16,17 @@ const PALETTE = [
 const MATERIALS: Record<string, number> = { printed: 0xe8862e, rod: 0x3b3f45, bought: 0x8fa3b5 };
 
 const STANDINGS: Record<Standing, number> = { violated: 0xd1344b, warns: 0xd9a520, holds: 0x4c9f70 };
+
+/** Where a section opens a body, its inner faces are seen, all in one colour without light, so that it looks solid. */
+function fillCut(material: MeshLambertMaterial): void {
+  material.side = DoubleSide;
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(
+      "#include <opaque_fragment>",
+      "if (!gl_FrontFacing) outgoingLight = 0.75 * diffuse + 0.08;\n#include <opaque_fragment>",
+    );
+  };
+}
 
 export class Colours {
   #cache = new Map<string, MeshLambertMaterial>();
@@ -43,7 +54,8 @@ export class Colours {
     ghost: boolean,
   ): MeshLambertMaterial {
     const colour = ghost ? 0x5566ff : lit ? 0x2f7bff : this.#colour(facts, by, standing);
-    const key = `${colour} ${ghost} ${isDisc(facts)}`;
+    const cut = this.clipping.length > 0;
+    const key = `${colour} ${ghost} ${isDisc(facts)} ${cut}`;
     const known = this.#cache.get(key);
     if (known) return known;
     const seeThrough = ghost || isDisc(facts);
@@ -55,6 +67,7 @@ export class Colours {
       depthWrite: !seeThrough,
       clippingPlanes: this.clipping,
     });
+    if (cut && !seeThrough) fillCut(made);
     this.#cache.set(key, made);
     return made;
   }

@@ -10,6 +10,7 @@ import {
   Plane,
   Raycaster,
   Scene,
+  Spherical,
   Vector2,
   Vector3,
   WebGLRenderer,
@@ -24,6 +25,7 @@ import type { ColourBy } from "./colours.ts";
 import { Colours } from "./colours.ts";
 import type { Standing } from "../state/standing.ts";
 import * as marks from "./marks.ts";
+import { StepBoxes } from "./step_boxes.ts";
 
 export type Look = {
   colourBy: ColourBy;
@@ -47,6 +49,9 @@ type View = { target: Vector3; way: Vector3; share: number };
 /** What is shown: modules that are apart and the bed take other room than the frame. */
 type Place = "frame" | "apart" | "bed";
 
+/** A motion in the place of the frame; `steps` of an assembly, whose camera follows them, and what bounds the step that is shown. */
+type Motion = { picture: Picture; mixer: AnimationMixer; seconds: number; steps: StepBoxes | null; box: Box3 };
+
 /** What is shown is this much smaller than the picture at least when the camera is placed. */
 const MARGIN = 1.06;
 
@@ -57,6 +62,16 @@ export type Picked = { body: Body; at: Vector3; sizeMm: [number, number, number]
 export function toScene([x, y, z]: readonly number[]): Vector3 {
   return new Vector3(-(x ?? 0) / 1000, (z ?? 0) / 1000, (y ?? 0) / 1000);
 }
+
+/** At its very end a motion would be at its beginning again. */
+function lastMoment(seconds: number): number {
+  return seconds - 1e-4;
+}
+
+/** The camera is no nearer and no farther than this, m, and no nearer to the axis through the poles, rad: there it would turn over. */
+const NEAREST_M = 0.02;
+const FARTHEST_M = 5;
+const POLE = 0.02;
 
 export class Viewer {
   readonly renderer: WebGLRenderer;
@@ -70,7 +85,7 @@ export class Viewer {
   #plane = new Plane();
   #picture: Picture | null = null;
   #ghost: Picture | null = null;
-  #motion: { picture: Picture; mixer: AnimationMixer; seconds: number; apart: boolean } | null = null;
+  #motion: Motion | null = null;
   #extra = new Group();
   #marks = new Group();
   #measured = new Group();
@@ -95,6 +110,8 @@ export class Viewer {
     this.renderer.localClippingEnabled = true;
     this.camera.position.set(-0.25, 0.22, 0.36);
     this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.minDistance = NEAREST_M;
+    this.controls.maxDistance = FARTHEST_M;
     this.controls.addEventListener("start", () => (this.#held = true));
     this.controls.addEventListener("end", () => (this.#held = false));
     this.controls.addEventListener("change", () => {
@@ -134,10 +151,13 @@ export class Viewer {
   }
 
   /**
-   * Shows a motion in the place of the frame, `apart` where it begins with modules; gives its length, s, or `null` where another was asked for
-   * meanwhile. `null` shows the frame again.
+   * Shows a motion in the place of the frame; gives its length, s, or `null` where another was asked for meanwhile. `null` shows the frame
+   * again. `stepSeconds`: how long each step of an assembly is; `at`: where it begins.
    */
-  async move(bytes: Uint8Array<ArrayBuffer> | null, apart = false): Promise<number | null> {
+  async move(
+    bytes: Uint8Array<ArrayBuffer> | null,
+    { stepSeconds = null as number | null, at = 0 } = {},
+  ): Promise<number | null> {
     const number = ++this.#latestMotion;
     if (this.#motion) this.#remove(this.#motion.picture);
     this.#motion = null;
@@ -153,10 +173,11 @@ export class Viewer {
       if (whole) mixer.clipAction(whole).play();
       const seconds = whole?.duration ?? 0;
       picture.root.traverse((object) => (object.frustumCulled = false));
-      this.#motion = { picture, mixer, seconds, apart };
-      mixer.setTime(0);
+      const steps = stepSeconds === null ? null : new StepBoxes(picture, mixer, stepSeconds, lastMoment(seconds));
+      this.#motion = { picture, mixer, seconds, steps, box: new Box3().setFromObject(picture.root) };
       this.#colours.knowParts(picture.bodies.map(({ facts }) => facts));
       this.scene.add(picture.root);
+      this.moveTo(at);
     }
     this.apply(this.#look);
     return this.#motion?.seconds ?? 0;
@@ -164,8 +185,16 @@ export class Viewer {
 
   /** Puts the motion at a time, s. */
   moveTo(seconds: number): void {
-    if (!this.#motion) return;
-    this.#motion.mixer.setTime(Math.min(seconds, this.#motion.seconds - 1e-4));
+    const motion = this.#motion;
+    if (!motion) return;
+    const at = Math.min(seconds, lastMoment(motion.seconds));
+    const box = motion.steps?.box(motion.steps.stepAt(at)) ?? motion.box;
+    motion.mixer.setTime(at);
+    // The camera follows from step to step, unless the view is a person's own.
+    if (box !== motion.box) {
+      motion.box = box;
+      if (!this.#own && this.#place === "apart") this.fit();
+    }
     this.draw();
   }
 
@@ -281,7 +310,8 @@ export class Viewer {
     const standing = look.standings.get(facts.name) ?? look.standings.get(facts.part);
     const lit = look.lit.has(facts.part) || look.lit.has(facts.name);
     mesh.material = this.#colours.material(facts, look.colourBy, standing, lit && !ghost, ghost);
-    mesh.visible = look.discs || !isDisc(facts);
+    // The step that puts the propellers on shows them.
+    mesh.visible = look.discs || !isDisc(facts) || (moving && lit);
     if (!moving) mesh.position.copy(body.rest).addScaledVector(body.middle, look.explode);
   }
 
@@ -309,13 +339,13 @@ export class Viewer {
   /** What bounds everything that is shown. */
   #shown(): Box3 {
     if (this.#extra.children.length > 0) return new Box3().setFromObject(this.#extra);
-    return this.#motion ? new Box3().setFromObject(this.#motion.picture.root) : this.#bounds();
+    return this.#motion?.box ?? this.#bounds();
   }
 
   /** Places the camera where something else is shown than before, or bodies were moved apart. */
   #arrange(explode: number): void {
     if (!this.#picture) return;
-    const place = this.#extra.children.length > 0 ? "bed" : this.#motion?.apart ? "apart" : "frame";
+    const place = this.#extra.children.length > 0 ? "bed" : this.#motion?.steps ? "apart" : "frame";
     if (place !== this.#place) {
       if (this.#place === "frame") this.#kept = this.#own ? this.#view() : null;
       this.#place = place;
@@ -418,9 +448,10 @@ export class Viewer {
       event.preventDefault();
       const way = this.camera.position.clone().sub(this.controls.target);
       if (turn) {
-        way.applyAxisAngle(this.camera.up, turn[0]);
-        const side = new Vector3().crossVectors(this.camera.up, way).normalize();
-        way.applyAxisAngle(side, turn[1]);
+        const from = new Spherical().setFromVector3(way);
+        from.theta += turn[0];
+        from.phi = Math.min(Math.PI - POLE, Math.max(POLE, from.phi + turn[1]));
+        way.setFromSpherical(from);
       }
       this.camera.position.copy(this.controls.target).addScaledVector(way, zoom ?? 1);
       this.#own = true;
