@@ -426,6 +426,29 @@ TOML
     fi
 }
 
+# The page for a browser takes as many sheets as the PDF: two mounts, or a step of the fold, on each.
+chromium_prints_instructions() {
+    heading "Chromium prints the instructions"
+    if ! from_debian chromium chromium || ! from_debian qpdf qpdf; then
+        skipped "the instructions in Chromium" "no chromium or no qpdf"
+        return
+    fi
+    local page name wanted pages
+    for page in "$built"/*/instructions.html; do
+        name=${page#"$built/"}
+        wanted=$(qpdf --show-npages "${page%.html}.pdf")
+        timeout 300 chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --print-to-pdf="$work/printed.pdf" \
+            "file://$(realpath "$page")" >"$work/printed.log" 2>&1 || true
+        pages=$(qpdf --show-npages "$work/printed.pdf" 2>>"$work/printed.log" || true)
+        if [[ $pages == "$wanted" ]]; then
+            ok "Chromium $name"
+        else
+            failed "Chromium $name" "${pages:-no} pages, not $wanted; $(tail -1 "$work/printed.log")"
+        fi
+        rm -f "$work/printed.pdf"
+    done
+}
+
 python_agrees_with_manifests() {
     heading "trimesh and manifold3d agree with every manifest"
     if from_pypi; then
@@ -634,6 +657,7 @@ by_other_programs() {
     admesh_reads_stls
     khronos_validates_glbs
     qpdf_reads_instructions
+    chromium_prints_instructions
     python_agrees_with_manifests
     lib3mf_reads_plates
     orca_settings_of_plates

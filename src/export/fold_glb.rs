@@ -255,7 +255,7 @@ impl GlbFile {
         }
     }
 
-    /// The motion of what is mounted from one step to another; what no step has taken in hand yet is hidden.
+    /// The motion of what is mounted from one step to another; what no step has taken in hand yet is hidden, and what is out of the frame.
     fn add_stage(&mut self, animation: &mut Animation, design: &Design, stage: &Stage, [first, last]: [usize; 2]) {
         let steps: Vec<usize> = (first..=last).collect();
         let times: Vec<f64> = steps.iter().map(|step| STEP_S * (step - first) as f64).collect();
@@ -266,19 +266,26 @@ impl GlbFile {
                 let places: Vec<Vec<f32>> = steps.iter().map(at).collect();
                 self.add_track(animation, input, *node, Property::Translation, &places);
             }
-            self.add_appearing(animation, input, (*node, stage.motion.first[index]), &steps);
+            self.add_hidden(animation, input, *node, &steps, |step| stage.motion.is_hidden(&body.name, stage.motion.first[index], step));
         }
-        for wire in &stage.wires {
-            self.add_appearing(animation, input, *wire, &steps);
+        for (node, appears) in &stage.wires {
+            self.add_hidden(animation, input, *node, &steps, |step| step < *appears);
         }
     }
 
-    /// What is hidden before the step in which it appears.
-    fn add_appearing(&mut self, animation: &mut Animation, input: Index<Accessor>, (node, appears): (Index<Node>, usize), steps: &[usize]) {
-        if appears > steps[0] {
-            let last = steps.len() - 1;
-            let size = |(at, step): (usize, &usize)| vec![if at == last && last == 1 || *step < appears { 0.0 } else { 1.0 }; 3];
-            let sizes: Vec<Vec<f32>> = steps.iter().enumerate().map(size).collect();
+    /// What is hidden in some of the steps. A step's own animation ends as it is in that step.
+    fn add_hidden(
+        &mut self,
+        animation: &mut Animation,
+        input: Index<Accessor>,
+        node: Index<Node>,
+        steps: &[usize],
+        is_hidden: impl Fn(usize) -> bool,
+    ) {
+        let shown = |step: &usize| if steps.len() == 2 { steps[0] } else { *step };
+        let hidden: Vec<bool> = steps.iter().map(|step| is_hidden(shown(step))).collect();
+        if hidden.contains(&true) {
+            let sizes: Vec<Vec<f32>> = hidden.iter().map(|hidden| vec![if *hidden { 0.0 } else { 1.0 }; 3]).collect();
             self.add_track(animation, input, node, Property::Scale, &sizes);
         }
     }

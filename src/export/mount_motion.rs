@@ -46,6 +46,15 @@ impl MountMotion {
         }
     }
 
+    /// Whether a body is not seen in a step, from 0: no step has taken it in hand yet, or it is out of the frame again.
+    pub(super) fn is_hidden(&self, body: &str, first: usize, step: usize) -> bool {
+        let mount = match step.checked_sub(self.before) {
+            None => self.mounting.before.get(step),
+            Some(at) => at.checked_sub(self.folds).and_then(|at| self.mounting.after.get(at)),
+        };
+        step < first || mount.is_some_and(|mount| mount.taken_out.iter().any(|name| name == body))
+    }
+
     /// How far a mounted body is off its place when so many steps are done, mm.
     pub(super) fn off_mm(&self, body: &str, done: usize) -> Vector3<f64> {
         let mounts = self.mounting.before.iter().enumerate();

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use flexframe::export::{fold_glb, glb, stl};
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::{Broken, FlatError, FlatState, FoldError, FoldSequence, Member, STEP_S, TABLE_MM, Task, sweeps};
-use flexframe::frame::mounting::Mounting;
+use flexframe::frame::mounting::{Mounting, PartLine};
 use flexframe::frame::skeleton::Skeleton;
 use flexframe::params::{Frame, PartName};
 use flexframe::report::booklet::content::Booklet;
@@ -370,28 +370,42 @@ fn planted_flat_states() {
     }
 }
 
+/// When a body changes between hidden and seen in an animation, s: empty for one that is seen throughout.
+fn sizes(moving: &gltf::Gltf, animation: &str, body: &str) -> Vec<(f32, f32)> {
+    let animation = moving.animations().find(|other| other.name() == Some(animation)).expect("the animation");
+    let found = animation.channels().find_map(|channel| {
+        let reader = channel.reader(|_| moving.blob.as_deref());
+        let of = channel.target().node().name() == Some(body);
+        match reader.read_outputs().filter(|_| of)? {
+            ReadOutputs::Scales(sizes) => Some(reader.read_inputs()?.zip(sizes.map(|size| size[0])).collect::<Vec<_>>()),
+            _ => None,
+        }
+    });
+    found.unwrap_or_default()
+}
+
+/// Nothing is seen before its step; from then on it is, unless a step has it out of the frame; in the end all is.
 #[test]
-fn analytic_nothing_is_seen_before_its_step() {
+fn analytic_things_are_seen_from_their_step_on_unless_they_are_out() {
     let design = Design::with(Frame::load("cognifly").expect("a preset").0, common::memo()).expect("designs");
     let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
     let mounting = Mounting::new(&design, &sequence);
     let moving = gltf::Gltf::from_slice(&fold_glb::fold(&design, &sequence).expect("a file")).expect("reads");
-    let blob = moving.blob.as_deref().expect("a chunk");
-    let all = moving.animations().find(|animation| animation.name() == Some("all")).expect("the animation");
+    let last = mounting.before.len() + sequence.steps.len() + mounting.after.len() - 1;
+    let out = &mounting.after.last().expect("a step").taken_out;
+    assert!(out.iter().any(|body| body == "battery"), "{out:?}");
     for body in &design.bodies {
         let first = mounting.first_step(&sequence, &body.name).expect("a step is about it");
-        let sizes = all.channels().find_map(|channel| {
-            let reader = channel.reader(|_| Some(blob));
-            let of = channel.target().node().name() == Some(&body.name);
-            match reader.read_outputs().filter(|_| of)? {
-                ReadOutputs::Scales(sizes) => Some(reader.read_inputs()?.zip(sizes).collect::<Vec<_>>()),
-                _ => None,
-            }
-        });
-        let hidden = sizes.iter().flatten().filter(|(_, size)| size[0] == 0.0).map(|(at, _)| *at).fold(-1.0, f32::max);
-        let seen = sizes.iter().flatten().filter(|(_, size)| size[0] == 1.0).map(|(at, _)| *at).fold(f32::INFINITY, f32::min);
-        let begins = first as f32 * STEP_S as f32;
-        assert!(hidden < begins.max(1e-6) && (first == 0 || (seen - begins).abs() < 1e-4), "{}: {hidden} {seen} {begins}", body.name);
+        let is_out = out.contains(&body.name);
+        let seen_in = |step: usize| step >= first && !(is_out && step == last);
+        for (at_s, size) in sizes(&moving, "all", &body.name) {
+            let step = (f64::from(at_s) / STEP_S).round() as usize;
+            assert_eq!(size == 1.0, seen_in(step), "{} in step {step}", body.name);
+        }
+        assert_eq!(sizes(&moving, "all", &body.name).is_empty(), first == 0 && !is_out, "{}", body.name);
+        let of_last: Vec<f32> =
+            sizes(&moving, &format!("{:02} Propellers", last + 1), &body.name).into_iter().map(|(_, size)| size).collect();
+        assert_eq!(of_last, if is_out { vec![0.0; 2] } else { Vec::new() }, "{}", body.name);
     }
 }
 
@@ -399,13 +413,14 @@ fn analytic_nothing_is_seen_before_its_step() {
 fn regress_instructions_have_every_step_and_need_nothing_else() {
     let design = designed("cognifly-mini");
     let sequence = FoldSequence::new(&design.frame, &design.skeleton).expect("can be folded");
+    let mounting = Mounting::new(&design, &sequence);
     let booklet = Booklet::new(&design, &mass::table(&design), &sequence);
     let page = booklet_html::html(&booklet);
     assert!(!page.contains("http") && !page.contains("<script"), "fetches something");
     assert_eq!(page.matches("<section>").count(), sequence.steps.len());
     assert_eq!(page.matches("<section class=\"parts-and-rods\">").count(), 1);
     assert_eq!(page.matches("<section class=\"assembly\">").count(), 3);
-    assert_eq!(page.matches("<section class=\"half\">").count(), Mounting::new(&design, &sequence).steps().count());
+    assert_eq!(page.matches("<section class=\"half\">").count(), mounting.steps().count());
     // No step of the wires stands below the heading of the cartridge.
     let heading = page.find("The battery cartridge").expect("has a heading");
     assert!(page.find(". Motor wires</h2>").is_some_and(|wires| wires < heading), "the wires come after the heading");
@@ -416,6 +431,12 @@ fn regress_instructions_have_every_step_and_need_nothing_else() {
         assert!(page.contains(&format!("to {:.0}°", bend.to_deg)), "{bend:?}");
     }
     assert!(page.contains("of carbon. Its dust harms lungs") && page.contains("Never glue"));
+    // A screw is drawn beside the step that takes it, and on the page of its sub-assembly.
+    let is_screw = |line: &&PartLine| line.screw_mm.is_some();
+    let in_steps = mounting.parts().filter(is_screw).count();
+    let in_assemblies = booklet.assemblies.iter().flat_map(|of| &of.parts).map(|(_, line)| line).filter(is_screw).count();
+    assert!(in_steps > 1, "{in_steps}");
+    assert_eq!(page.matches("<svg class=\"screw\"").count(), in_steps + in_assemblies);
     let (once, again) = (booklet_pdf::pdf(&booklet).expect("a file"), booklet_pdf::pdf(&booklet).expect("a file"));
     assert!(once.starts_with(b"%PDF-") && once == again);
 }

@@ -1,5 +1,6 @@
 //! The frame from its parameters: parts, kernels, fold, files, mechanics, against arithmetic and the real frame.
 
+mod booklet;
 mod common;
 mod compensation;
 mod drives;

@@ -151,16 +151,6 @@ fn analytic_texts_name_no_cable_of_what_the_design_lacks() {
     assert_eq!(told(&all_in_one(&["flow_sensor", "damper"])), [false; 2]);
 }
 
-/// Every preset, and every frame of the gallery.
-fn all_frames() -> Vec<String> {
-    let gallery = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/frames");
-    let files = std::fs::read_dir(gallery).expect("is a folder").map(|entry| entry.expect("reads").path());
-    let mut all: Vec<String> = files.map(|path| path.to_str().expect("is text").to_owned()).collect();
-    all.sort();
-    all.extend(flexframe::params::preset::names().map(String::from));
-    all
-}
-
 /// Cables, wires and the receiver that a bill lists as used up.
 fn connected(design: &Design) -> Vec<String> {
     let bill = bill(design, &mass::table(design), None);
@@ -174,7 +164,7 @@ fn connected(design: &Design) -> Vec<String> {
 /// No cable and no receiver is bought that no step connects, and no step connects one that is not bought.
 #[test]
 fn regress_every_cable_of_the_bill_is_connected_in_a_step() {
-    for name in all_frames() {
+    for name in common::all_frames() {
         let design = designed(&name);
         let (mounting, roles) = (mounted(&design), connected(&design));
         let steps: Vec<&MountStep> = mounting.steps().collect();
@@ -210,7 +200,7 @@ fn planted_a_cable_that_no_step_plugs_in_is_found() {
 /// Nuts hold the boards on the screws: four of them after the last board, before the bracket closes the bay, with spares in the bill.
 #[test]
 fn regress_nuts_hold_the_boards_of_every_frame_with_a_stack() {
-    for name in all_frames() {
+    for name in common::all_frames() {
         let design = designed(&name);
         let mounting = mounted(&design);
         let at = |id: &str| mounting.before.iter().position(|step| step.mount == id);
@@ -246,7 +236,7 @@ fn measured_the_real_frames_total_contains_its_nuts() {
 /// Which face of the board goes up, and what to set where it faces the ground, in every frame.
 #[test]
 fn regress_the_board_with_the_arrow_has_a_side_and_an_alignment() {
-    for name in all_frames() {
+    for name in common::all_frames() {
         let mounting = mounted(&designed(&name));
         let board = mounting.before.iter().find(|step| ["flight_controller", "both_controllers"].contains(&step.mount)).expect("has one");
         for words in ["face with its arrow is towards the hub", "faces the ground", "roll 180 degrees"] {
@@ -339,6 +329,21 @@ fn analytic_propellers_come_last_and_the_first_power_is_without_them() {
         let turning = |body: &&flexframe::frame::assembly::Body| body.name.starts_with("propeller_");
         let all = mounting.before.len() + fold.steps.len() + mounting.after.len();
         assert!(design.bodies.iter().filter(turning).all(|body| mounting.first_step(&fold, &body.name) == Some(all - 1)));
+    }
+}
+
+/// As the steps say: battery and lid are taken out after the first power, and are out while hands are at the propellers.
+#[test]
+fn regress_battery_and_lid_are_out_of_the_frame_at_the_propellers() {
+    for name in common::all_frames() {
+        let mounting = mounted(&designed(&name));
+        let [.., power, last] = &mounting.after[..] else { panic!("{name}: {:?}", mounting.after) };
+        assert!(power.text.contains("take battery and lid out again") && last.caution.is_some_and(|text| text.contains("battery is out")));
+        assert_eq!(last.taken_out, power.moves, "{name}");
+        assert!(["battery", "battery_lid"].iter().all(|body| last.taken_out.iter().any(|out| out == body)), "{name}: {last:?}");
+        assert!(last.there.iter().all(|body| !last.taken_out.contains(body)), "{name}: {last:?}");
+        let others = || mounting.steps().filter(|step| step.mount != "propellers");
+        assert!(others().all(|step| step.taken_out.is_empty()), "{name}");
     }
 }
 

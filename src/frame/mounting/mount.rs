@@ -91,6 +91,8 @@ pub struct Mount {
     pub fixing: Fixing,
     /// What has to be mounted before, and why.
     pub needs: &'static [(&'static str, &'static str)],
+    /// Mounts that are done before and whose parts are out of the frame again meanwhile.
+    pub taken_out: &'static [&'static str],
     /// When.
     pub stage: Stage,
     /// In a few words.

@@ -57,6 +57,8 @@ pub struct MountStep {
     pub onto: &'static str,
     /// What is joined to that already.
     pub there: Vec<String>,
+    /// What was mounted before and is out of the frame again meanwhile.
+    pub taken_out: Vec<String>,
     /// Where they come from, in frame axes.
     pub from: Option<[f64; 3]>,
     /// How far away they are clear of all that is there, mm.
@@ -244,8 +246,17 @@ impl<'a> Planning<'a> {
         }
     }
 
+    /// What is out of the frame again while something is mounted.
+    fn taken_out(&self, done: &Done, mount: &Mount) -> Vec<&Body> {
+        let left = left_in(done, mount);
+        let out = self.mounts.iter().filter(|other| mount.taken_out.contains(&other.id)).flat_map(|other| other.brings);
+        let bodies: BTreeSet<&'static str> = out.flat_map(|name| self.component(name, &left)).collect();
+        self.ways.bodies(bodies.into_iter())
+    }
+
     /// What moves in a mount, and what stays.
     fn sides(&self, done: &Done, mount: &'static Mount) -> [Vec<&Body>; 2] {
+        let done = &left_in(done, mount);
         let moving: BTreeSet<&'static str> = mount.brings.iter().flat_map(|name| self.component(name, done)).collect();
         let onto = if mount.is_in_each_module() { "hub" } else { mount.onto };
         let still: BTreeSet<&'static str> = self.component(onto, done).difference(&moving).copied().collect();
@@ -328,7 +339,8 @@ impl<'a> Planning<'a> {
     fn step(&self, order: &[&'static Mount], at: usize, found: OnTheWay, seen: &mut PartsSeen) -> MountStep {
         let mount = order[at];
         let OnTheWay { after, before, sweep } = found;
-        let [moving, still] = self.sides(&names_of(&order[..at]), mount);
+        let done = names_of(&order[..at]);
+        let [moving, still] = self.sides(&done, mount);
         let names = |bodies: &[&Body]| bodies.iter().map(|body| body.name.clone()).collect::<Vec<_>>();
         let (moves, there) = (names(&moving), names(&still));
         let cables: Vec<&Wire> =
@@ -348,6 +360,7 @@ impl<'a> Planning<'a> {
             moves,
             onto: mount.onto,
             there,
+            taken_out: names(&self.taken_out(&done, mount)),
             from,
             travel_mm: from.map_or(0.0, |from| self.ways.travel_mm(&Vector3::from(from), &moving, &still)),
             parts: seen.of_mount(mount),
@@ -367,6 +380,11 @@ struct OnTheWay {
     before: Vec<Precedence>,
     /// What its motion meets.
     sweep: Sweep,
+}
+
+/// What is done and not out again while something is mounted.
+fn left_in(done: &Done, mount: &Mount) -> Done {
+    done.iter().copied().filter(|id| !mount.taken_out.contains(id)).collect()
 }
 
 fn names_of(mounts: &[&'static Mount]) -> Done {

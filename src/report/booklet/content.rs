@@ -2,13 +2,13 @@
 //! fold. Two files are written from it. A step has one number, on its page, in the names of its pictures, in `fold.json` and on the command
 //! line.
 
-use crate::export::bill::bill;
-use crate::export::cutting;
+use crate::export::bill::{Bill, bill};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::fold::{FoldBend, FoldSequence, Join, Step, Sweep, Task, sweeps, when_cut};
 use crate::frame::mounting::{Fixing, MountStep, Mounting, PartLine, untold, without_a_step};
-use crate::frame::skeleton::{MODULE_WORDS, ROTORS, RodRole};
+use crate::frame::skeleton::{MODULE_WORDS, ROTORS};
+use crate::report::booklet::lists::Lists;
 use crate::report::booklet::sub_assembly::{SubAssembly, sub_assemblies};
 use crate::report::picture::fold_scene;
 use crate::report::picture::fold_scene::Picture;
@@ -27,17 +27,15 @@ pub struct Booklet {
     pub apart: Picture,
     /// What is taken in hand, by its name in the bill; screws are drawn as large as they are instead.
     pub alone: BTreeMap<String, Picture>,
-    /// How many, what, of what.
-    pub parts: Vec<[String; 3]>,
-    /// A line a stock length: what to cut from it.
-    pub cuts: Vec<String>,
+    /// What to have at hand.
+    pub lists: Lists,
     /// Centre, module and cartridge: each before the steps that make it.
     pub assemblies: [SubAssembly; 3],
-    /// What is mounted before the fold, two on a sheet.
+    /// What is mounted before the fold, two on a sheet where they fit.
     pub before: Vec<Panel>,
     /// The steps of the fold, each on a sheet.
     pub pages: Vec<Page>,
-    /// What is mounted after it, two on a sheet; the propellers last.
+    /// What is mounted after it, likewise; the propellers last.
     pub after: Vec<Panel>,
 }
 
@@ -166,7 +164,8 @@ impl Booklet {
         };
         let sweeps = sweeps(design, fold);
         let page = |(at, step): (usize, &Step)| Page::new((design, fold), step, sweeps.get(at), (at, first), mounting.fold_parts.get(at));
-        let mut preface = preface(design, &mounting, fold, minutes, &forgotten(design, masses, &mounting));
+        let bill = bill(design, masses, None);
+        let mut preface = preface(design, &mounting, fold, minutes, &forgotten(design, &bill, &mounting));
         let barred_steps = barred_steps(&mounting, &sweeps);
         if !barred_steps.is_empty() {
             preface.insert(0, format!("This frame cannot be assembled as it is: something is in the way of {}.", barred_steps.join(", ")));
@@ -182,11 +181,14 @@ impl Booklet {
             },
         );
         let frame = design.frame.name.clone();
-        Self { frame, preface, apart, alone, parts: parts(masses), cuts: cuts(design), assemblies, before, pages, after }
+        Self { frame, preface, apart, alone, lists: Lists::new(design, masses, &bill), assemblies, before, pages, after }
     }
-}
 
-impl Booklet {
+    /// What is written above everything.
+    pub fn title(&self) -> String {
+        format!("{}: how to put it together", self.frame)
+    }
+
     /// What is mounted after the fold: what comes before the cartridge is made, and the rest.
     pub fn around_cartridge(&self) -> [&[Panel]; 2] {
         let [.., cartridge] = &self.assemblies;
@@ -247,8 +249,7 @@ fn whole_modules(fold: &FoldSequence, before: usize) -> Vec<String> {
 }
 
 /// Lines of the bill that are in no step: what is built in, and cables, wires and receiver of what is used up.
-fn forgotten(design: &Design, masses: &MassTable, mounting: &Mounting) -> Vec<String> {
-    let bill = bill(design, masses, None);
+fn forgotten(design: &Design, bill: &Bill, mounting: &Mounting) -> Vec<String> {
     let print = bill.print.iter().map(|line| (line.part.to_string(), f64::from(line.quantity)));
     let rods = bill.rods.iter().map(|line| (line.rod.clone(), f64::from(line.quantity)));
     let is_built_in = |name: &str| design.frame.built_in_extras().any(|(extra, _)| extra == name);
@@ -335,38 +336,6 @@ fn fixed(fixing: Fixing) -> String {
         Fixing::Extra => "held by what the file lists as extra".into(),
         Fixing::Solder => "soldered".into(),
         Fixing::Shaft => "on the motor's shaft".into(),
-    }
-}
-
-fn parts(masses: &MassTable) -> Vec<[String; 3]> {
-    let row = |name: &str| name.replace('_', " ");
-    masses.lines.iter().map(|line| [format!("{} x", line.quantity), row(&line.name), row(&line.material)]).collect()
-}
-
-fn words(role: RodRole) -> String {
-    role.slug().replace('_', " ")
-}
-
-/// Which cage rod goes where, of a frame in which they have two lengths.
-fn two_lengths(design: &Design) -> Option<String> {
-    let [across, side] = [RodRole::Cage, RodRole::CageSide].map(words);
-    let line = format!("A {across} rod lies across the frame, in front or at the rear; a {side} rod along its left or right side.");
-    design.skeleton.closure.places.are_apart().then_some(line)
-}
-
-fn cuts(design: &Design) -> Vec<String> {
-    let stock_mm = design.frame.stock_mm();
-    match cutting::cutting_plan(design, stock_mm) {
-        Ok(plan) => plan
-            .iter()
-            .enumerate()
-            .map(|(index, stock)| {
-                let pieces: Vec<String> = stock.pieces.iter().map(|(role, mm)| format!("{} {mm:.1}", words(*role))).collect();
-                format!("{}. of {stock_mm:.0} mm: {}; rest {}", index + 1, pieces.join(", "), cutting::rest_words(stock.rest_mm))
-            })
-            .chain(two_lengths(design))
-            .collect(),
-        Err(error) => vec![error.to_string()],
     }
 }
 

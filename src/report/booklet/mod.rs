@@ -2,6 +2,10 @@
 
 pub mod booklet_html;
 pub mod booklet_pdf;
+pub mod booklet_sheets;
 pub mod content;
+pub mod layout;
+pub mod lists;
 pub(in crate::report) mod pdf_document;
+pub mod screw_outline;
 pub mod sub_assembly;

@@ -126,7 +126,7 @@ fn drawn_out(mut cable: Wire, step: &MountStep, off: Vector3<f64>) -> Option<Wir
 /// The picture of a mount; of the propellers it says which way each turns.
 pub fn mount(design: &Design, step: &MountStep) -> Picture {
     if step.fixing == Fixing::Shaft {
-        return propeller_scene::rotations(design);
+        return propeller_scene::rotations(design, &step.taken_out);
     }
     let (held, off) = (Held::of(step).turn(), step.shown_off_mm());
     let pose = |body: &Body, off: Vector3<f64>| Isometry3::from_parts(Translation3::identity(), held) * Translation3::from(off) * body.pose;

@@ -51,10 +51,10 @@ pub fn key() -> String {
     )
 }
 
-/// The picture.
-pub fn rotations(design: &Design) -> Picture {
+/// The picture, without what is out of the frame.
+pub fn rotations(design: &Design, taken_out: &[String]) -> Picture {
     let mut shown = Vec::new();
-    for body in &design.bodies {
+    for body in design.bodies.iter().filter(|body| !taken_out.contains(&body.name)) {
         let shape = design.shape(body);
         let colour = match shape.kind {
             Kind::Propeller => continue,

@@ -26,3 +26,13 @@ pub fn memo() -> &'static Arc<Memo> {
     static MEMO: LazyLock<Arc<Memo>> = LazyLock::new(Arc::default);
     &MEMO
 }
+
+/// Every preset, and every frame of the gallery.
+pub fn all_frames() -> Vec<String> {
+    let gallery = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/frames");
+    let files = std::fs::read_dir(gallery).expect("is a folder").map(|entry| entry.expect("reads").path());
+    let mut all: Vec<String> = files.map(|path| path.to_str().expect("is text").to_owned()).collect();
+    all.sort();
+    all.extend(flexframe::params::preset::names().map(String::from));
+    all
+}
