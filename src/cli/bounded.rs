@@ -7,6 +7,9 @@ use clap::builder::ValueParser;
 /// Longest time that is waited for, s: a year.
 const LONGEST_S: f64 = 3.2e7;
 
+/// A number to show, where bounds allow it.
+const EXAMPLE: f64 = 0.5;
+
 /// A number from a least to a most one; the unit is for the message.
 pub(super) fn number([min, max]: [f64; 2], unit: &'static str) -> ValueParser {
     parser(min, max, unit, move |value: f64| (min..=max).contains(&value))
@@ -41,9 +44,15 @@ fn parser(min: f64, max: f64, unit: &'static str, good: impl Fn(f64) -> bool + C
     let parse = move |text: &str| match text.parse::<f64>() {
         Ok(value) if good(value) => Ok(value),
         Ok(_) => Err(out_of_bounds(&min, &max, unit)),
-        Err(error) => Err(format!("{error}: give {min} to {max}{}{unit}", if unit.is_empty() { "" } else { " " })),
+        Err(_) => Err(no_number(min, max, unit)),
     };
     ValueParser::new(parse)
+}
+
+/// Text that is no number; a unit behind it is the usual mistake.
+fn no_number(min: f64, max: f64, unit: &str) -> String {
+    let (in_unit, example) = (if unit.is_empty() { String::new() } else { format!(" in {unit}") }, EXAMPLE.clamp(min, max));
+    format!("give a number{in_unit} from {min} to {max}, such as {example}")
 }
 
 fn out_of_bounds(min: &dyn std::fmt::Display, max: &dyn std::fmt::Display, unit: &str) -> String {

@@ -32,7 +32,7 @@ use crate::report::page::document::{Block, html, markdown};
 /// Find where a model and measured drops disagree, name the missing effect, add it, and report the remaining gap.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe diagnose --model paper ../shared/data/crash_landing/soft_*\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
+    after_help = "Examples:\n  flexframe diagnose --model paper-corrected soft_050cm soft_100cm\n  flexframe diagnose drops.csv --model paper --hold-out-heights 2.0 --max-effects 2 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model.\nExit code 0: nothing is missing; 1: something is. docs/diagnosis.md explains the method."
 )]
 pub(super) struct Args {
     /// Which drops.
@@ -184,6 +184,9 @@ fn summary(found: &Diagnosis, compared: &Compared) -> String {
         text += &format!("{sentence}\n");
     }
     text += &format!("{}\n", compared.channel_reason);
+    if let Some(lateral) = &compared.lateral_axes {
+        text += &format!("note: {lateral}\n");
+    }
     for sentence in compared.sampling() {
         text += &format!("{sentence}\n");
     }

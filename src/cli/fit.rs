@@ -24,7 +24,7 @@ use crate::report::data::fit_data;
 /// Fit parameters of a model to measured drops.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c ../shared/data/crash_landing/soft_*\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model."
+    after_help = "Examples:\n  flexframe fit --model paper --objective paper --free c soft_050cm soft_100cm\n  flexframe fit cognifly-v8 --model paper-corrected drops.csv --bootstrap 500 --seed 1 --json\n\nA preset's name or a .toml file among the drops is the frame. Its mass and gap replace those of the model."
 )]
 pub(super) struct Args {
     /// Which drops.

@@ -71,7 +71,9 @@ pub(super) fn read_drops(paths: &[PathBuf], args: &FormatOptions, format: &FileF
     match (idle(&args.of_tables(), tables), idle(&args.of_logger(), logged)) {
         (Some(option), _) => Err(Failure::Usage { message: format!("{option} is about tables, and none of the drops is in one") }),
         (_, Some(option)) => {
-            Err(Failure::Usage { message: format!("{option} is about the logger's .bin files, and none of the drops is in one") })
+            let instead = FormatOptions::of_tables_instead_of(option);
+            let message = format!("{option} is about the logger's .bin files, and none of the drops is in one; for a table give {instead}");
+            Err(Failure::Usage { message })
         }
         _ => Ok(set),
     }

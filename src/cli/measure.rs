@@ -16,7 +16,7 @@ use crate::report::data::measure_data;
 /// Read measured drops, flag bad records, and write a table of heights and plots.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Examples:\n  flexframe measure ../shared/data/crash_landing\n  flexframe measure drops.csv soft_050cm acc_b-26.bin --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv or .tsv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md defines the flags."
+    after_help = "Examples:\n  flexframe measure soft_050cm soft_100cm drops.csv\n  flexframe measure --columns t=Time,z=-Acc_Z --units m/s2,ms soft_050cm --json\n\nA .bin or .bhn file of the logger lies in a folder that names frame and height, as soft_050cm; a .csv or .tsv table has the columns\ntrial,height_m,t_s,accel_g and may have x,y,z (g). docs/physics.md defines the flags."
 )]
 pub(super) struct Args {
     /// Files of the logger, CSV tables, or folders of them.
@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     } else if !common.quiet {
         let notes: String = set.notes.iter().map(|note| format!("note: {note}\n")).collect();
         let (table, sessions, flagged) = (table(groups), sessions(&judged), flagged(groups));
-        terminal::print(&format!("{table}\n{sessions}{flagged}{notes}{}: {} files\n", place.display(), files.len()))?;
+        terminal::print(&format!("{table}\n{sessions}{notes}{flagged}{}: {} files\n", place.display(), files.len()))?;
     }
     Ok(ExitCode::SUCCESS)
 }

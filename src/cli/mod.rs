@@ -87,8 +87,8 @@ const EXAMPLES: &str = "Examples:
   flexframe check cognifly-v8                      exits 1: among others, it is 1.92 mm too wide
   flexframe render cognifly
   flexframe drop --model paper --height 0.5,1,1.5
-  flexframe measure ../shared/data/crash_landing
-  flexframe fit --model paper-corrected ../shared/data/crash_landing/soft_*
+  flexframe measure soft_050cm soft_100cm drops.csv
+  flexframe fit --model paper-corrected drops.csv
   flexframe params --filter arm
 
 Exit codes: 0 good, 1 a limit is violated, 2 input or usage is wrong, 3 a disk or permission error";

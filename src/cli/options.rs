@@ -64,17 +64,17 @@ pub(super) struct DropsOption {
 /// How files of drops are written.
 #[derive(Debug, Args)]
 pub(super) struct FormatOptions {
-    /// Counts of the logger at 0 g, instead of those of the paper's logger.
+    /// Counts at 0 g of the logger's .bin files, instead of those of the paper's logger.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = number([-1e5, 1e5], "counts"))]
     pub offset_counts: Option<Vec<f64>>,
-    /// Counts of the logger per g, instead of those of the paper's logger.
+    /// Counts per g of the logger's .bin files, instead of those of the paper's logger. For counts in a table: --units N/g.
     #[arg(long, value_delimiter = ',', value_name = "X,Y,Z", value_parser = magnitude([1e-2, 1e5], "counts"))]
     pub counts_per_g: Option<Vec<f64>>,
     /// Names of a table's columns: trial, session, h (height), v (impact speed, m/s), t, a (along the axis), x, y, z; -NAME changes
     /// the sign. Without a, z is the axis.
     #[arg(long, value_delimiter = ',', value_name = "KEY=NAME,…")]
     pub columns: Vec<String>,
-    /// Units of a table: g, mg or m/s2; s, ms or us; m, cm or mm.
+    /// Units of a table: g, mg, m/s2, or N/g for readings in counts, N of them a g, as 2048/g; s, ms or us; m, cm or mm.
     #[arg(long, value_delimiter = ',', value_name = "UNIT,…")]
     pub units: Vec<String>,
     /// What a table's sensor reads in free fall, g, which is taken off the readings: along the axis, or x, y and z, after --columns and
@@ -99,7 +99,12 @@ impl FormatOptions {
 
     /// The options about the logger's files, each with whether it was given.
     pub(super) fn of_logger(&self) -> [(bool, &'static str); 2] {
-        [(self.offset_counts.is_some(), "--offset-counts"), (self.counts_per_g.is_some(), "--counts-per-g")]
+        [(self.offset_counts.is_some(), OFFSET_COUNTS), (self.counts_per_g.is_some(), "--counts-per-g")]
+    }
+
+    /// What a table has in place of an option about the logger's files.
+    pub(super) fn of_tables_instead_of(option: &str) -> &'static str {
+        if option == OFFSET_COUNTS { "--zero G" } else { "--units N/g" }
     }
 
     /// One that was given.
@@ -107,6 +112,8 @@ impl FormatOptions {
         self.of_tables().into_iter().chain(self.of_logger()).find(|(given, _)| *given).map(|(_, name)| name)
     }
 }
+
+const OFFSET_COUNTS: &str = "--offset-counts";
 
 /// Which channel of the readings is compared with a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]

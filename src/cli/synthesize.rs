@@ -16,7 +16,7 @@ use crate::impact::synthetic::{Plan, records, table};
 /// Write synthetic drops from known parameters, to test a diagnosis.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Example:\n  flexframe synthesize params/synthetic/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger and hidden; docs/diagnosis.md lists their keys."
+    after_help = "Example:\n  flexframe synthesize params/synthetic/bottoming.toml --seed 3\n\nA plan is a model file with the tables drops, scatter, logger, landing and hidden; docs/diagnosis.md lists their keys."
 )]
 pub(super) struct Args {
     /// The plan: a TOML file.

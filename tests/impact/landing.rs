@@ -75,7 +75,7 @@ fn planted_landings_on_one_foot_are_found_with_their_turning_rate() {
     for (rate_rad_s, seed) in [(0.25, 11), (0.4, 12)] {
         let plan = plan(Landings { rate_rad_s, ..LEVEL }, seed);
         let (verdict, compared) = diagnosed(&plan, &read(&records(&plan)));
-        assert!(compared.channel == "all" && compared.channel_reason.contains("lateral axes show when each foot touches"));
+        assert!(compared.channel == "all" && compared.channel().contains("lateral axes show when each foot touches"));
         let landing = compared.landing.expect("lateral axes were measured");
         assert!(landing.attitude.named().is_none(), "{:#?}", landing.attitude.gates);
         let failed: Vec<&str> = landing.gates.iter().filter(|gate| !gate.passed).map(|gate| gate.id).collect();

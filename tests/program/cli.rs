@@ -469,8 +469,12 @@ fn planted_options_that_would_say_nothing_are_refused() {
     bench.write("drops.csv", &format!("trial,height_m,t_s,accel_g\n{}", (0..50).map(row).collect::<String>()));
     let table = bench.path("drops.csv");
     for (arguments, said) in [
-        (&["measure", &table, "--counts-per-g", "1,1,1"][..], "--counts-per-g is about the logger's .bin files, and none"),
-        (&["diagnose", "--model", "paper", &table, "--offset-counts", "1,1,1"], "--offset-counts is about the logger's .bin files"),
+        (
+            &["measure", &table, "--counts-per-g", "1,1,1"][..],
+            "--counts-per-g is about the logger's .bin files, and none of the drops is in one; for a table give --units N/g",
+        ),
+        (&["diagnose", "--model", "paper", &table, "--offset-counts", "1,1,1"], "none of the drops is in one; for a table give --zero G"),
+        (&["diagnose", &table, "--hold-out-heights", "50cm"], "give a number in m from 0.01 to 100, such as 0.5"),
         (&["drop", "--model", "paper", "--rate", "500"], "--rate says how measured drops are written: it goes with --fit"),
         (&["drop", "--model", "paper", "--trace", "-o", &bench.path("o")], "--trace goes with --json"),
     ] {

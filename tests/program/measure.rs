@@ -227,7 +227,11 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         ("nothing/notes.txt", "of no kind that is identified by its ending", ".csv tables"),
         ("absent.csv", "absent.csv cannot be read", "are there"),
         ("empty.csv", "empty.csv is empty", "leave it out"),
-        ("foreign.csv", "foreign.csv, line 1: lacks the columns `trial`", "trial,height_m,t_s,accel_g"),
+        (
+            "foreign.csv",
+            "foreign.csv, line 1: lacks the columns `trial`, `height_m` or `speed_m_s`, `t_s`, `accel_g` or `z`; it has `name`, `value`",
+            "trial,height_m,t_s,accel_g",
+        ),
         ("nan.csv", "nan.csv, line 3: `accel_g` is `NaN`, no number", "finite"),
         (
             "unsorted.csv",
@@ -246,7 +250,8 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         }
     }
     for (arguments, says) in [
-        (&["good.csv"][..], "none of the 1 drops can be fitted"),
+        (&["good.csv"][..], "none of the 1 drops can be fitted; the first is `1`: no impact"),
+        (&["good.csv", "--free", "k_m"], "write its table [effects.maxwell_branch] into the model file"),
         (&["good.csv", "--free", "k,x1_mm"], "the model has no parameter `x1_mm`; it has k, c"),
         (&["good.csv", "--free", "k,c,k"], "--free: k stands there twice"),
         (&["cognifly"], "name the drops"),

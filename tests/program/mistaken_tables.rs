@@ -202,3 +202,99 @@ fn planted_tables_of_spreadsheets_are_named_or_read() {
         assert_eq!(measured(folder.path(), &[path])["heights"][1]["clean"], Value::from(DROPS));
     }
 }
+
+/// Notes of `measure` about a table, in lines.
+fn notes(text: &str, arguments: &[&str]) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("a.csv"), text).expect("can be written");
+    let read = measured(folder.path(), &[arguments, &["a.csv"]].concat());
+    read["notes"].as_array().expect("a list").iter().filter_map(Value::as_str).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn planted_a_slow_logger_is_told_and_no_unit_is_blamed() {
+    for rate_hz in [200.0, 100.0, 50.0] {
+        let text = table(HEAD, 1.0 / rate_hz, plain);
+        let told = format!("the drops are sampled at {rate_hz}");
+        let said = notes(&text, &[]);
+        assert!(said.contains(&told) && said.contains("from 400 Hz on: use a faster sensor") && !said.contains("--units"), "{said}");
+        assert!(refused(&text, "a.csv").contains(&told));
+    }
+    let text = table(HEAD, 1e-3, |sample| plain(&Sample { t_s: 1e3 * sample.t_s, ..*sample }));
+    mended(text.as_bytes(), "a.csv", &["the times look like ms, not s: samples are 1.00 s apart"], "--units ms");
+}
+
+#[test]
+fn planted_counts_of_a_sensor_are_told_and_read() {
+    let text = table(HEAD, 1e-3, |sample| plain(&Sample { along_g: (20.5 * sample.along_g).round(), ..*sample }));
+    let said = notes(&text, &[]);
+    assert!(said.contains("the readings are too large") && said.contains("--units N/g"), "{said}");
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("a.csv"), text).expect("can be written");
+    let read = measured(folder.path(), &["--units", "20.5/g", "a.csv"]);
+    assert_eq!((&read["heights"][0]["clean"], &read["notes"]), (&Value::from(DROPS), &Value::Array(Vec::new())), "{read:#}");
+    let refused = run("measure", folder.path(), &["--units", "0/g", "a.csv"]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(
+        refused.status.code() == Some(2) && said.contains("--units `0/g`: the counts of a g are a number from 0.01 to 10000000"),
+        "{said}"
+    );
+}
+
+#[test]
+fn planted_drops_at_another_rate_are_told_where_they_are_measured_and_left_out_of_a_fit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let slow = table(HEAD, 2e-3, |sample| plain(&Sample { trial: sample.trial + 100, ..*sample }));
+    fs::write(folder.path().join("fast.csv"), table(HEAD, 1e-3, plain)).expect("can be written");
+    fs::write(folder.path().join("slow.csv"), slow).expect("can be written");
+    let read = measured(folder.path(), &["fast.csv", "slow.csv"]);
+    let told = "5 of 10 drops from 0.5 m are sampled at another rate, 500 Hz instead of 1000 Hz";
+    assert!(read["notes"].to_string().contains(told), "{:#}", read["notes"]);
+    let fit = run("fit", folder.path(), &["--bootstrap", "0", "--json", "fast.csv", "slow.csv"]);
+    let fit: Value = serde_json::from_slice(&fit.stdout).expect("JSON");
+    assert_eq!((&fit["drops"], fit["left_out"].as_array().map(Vec::len)), (&Value::from(2 * DROPS), Some(2 * DROPS as usize)), "{fit:#}");
+}
+
+/// Drops from half a metre and from a metre in folders of other heights: each is told by `measure` and by `fit`, with the height of the falls.
+#[test]
+fn planted_drops_in_the_folder_of_another_height_are_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = table(HEAD, 1e-3, plain);
+    let of = |height: &str, trial: u32| {
+        let rows = text.lines().filter(|line| line.starts_with(&format!("{trial},{height},")));
+        rows.map(|line| line.splitn(3, ',').nth(2).expect("has more").to_string() + "\n").collect::<String>()
+    };
+    for (height, place) in [("0.5", "soft_080cm"), ("1", "soft_130cm")] {
+        fs::create_dir(folder.path().join(place)).expect("a folder");
+        for trial in 0..DROPS {
+            let rows = format!("t_s,accel_g\n{}", of(height, trial));
+            fs::write(folder.path().join(place).join(format!("{trial}.csv")), rows).expect("can be written");
+        }
+    }
+    for command in ["measure", "fit"] {
+        let output = run(command, folder.path(), &["soft_080cm", "soft_130cm"]);
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        for told in
+            ["from a stated 0.8 m lasted", "from a stated 1.3 m lasted", "it belongs to 0.49 m", "it belongs to 0.99 m", "wrong folder"]
+        {
+            assert!(said.contains(told), "{told} is not in:\n{said}{}", String::from_utf8_lossy(&output.stderr));
+        }
+    }
+}
+
+/// A person reads what mends a table before the list of all that is wrong with it; what many files have is said once.
+#[test]
+fn regress_notes_stand_before_flagged_records() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = table(&format!("{HEAD},volt"), 1e-3, |sample| plain(&Sample { along_g: -sample.along_g, ..*sample }).replace('\n', ",5\n"));
+    for name in ["a.csv", "b.csv"] {
+        let own = text.replace("\n0,", &format!("\n{name}0,"));
+        fs::write(folder.path().join(name), own).expect("can be written");
+    }
+    let output = run("measure", folder.path(), &["a.csv", "b.csv"]);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let place = |part: &str| said.find(part).unwrap_or_else(|| panic!("{part} is not in:\n{said}"));
+    assert!(place("note: the axis is inverted") < place("flagged  "), "{said}");
+    assert_eq!(said.matches("columns left aside").count(), 1, "{said}");
+    assert!(said.contains("note: 2 files, a.csv the first: columns left aside: volt"), "{said}");
+}

@@ -88,7 +88,7 @@ const LAYERS: [(&str, &[&str]); 39] = [
     ("impact/wide_registers", &[]),
     ("impact/effects", &["units", "params", "impact/body"]),
     ("impact/sim", &["units", "impact/wide_registers", "impact/body", "impact/effects"]),
-    ("impact/measured", &["units"]),
+    ("impact/measured", &["units", "figures"]),
     ("impact/fit", &["units", "impact/wide_registers", "impact/effects", "impact/sim", "impact/measured"]),
     ("impact/synthetic", &["units", "params", "impact/effects"]),
     ("impact/frame_fit", &["units", "frame/assembly", "mechanics", "impact/body", "impact/effects", "impact/measured", "impact/fit"]),

@@ -1,8 +1,10 @@
 //! Which of the drops that were read a fit takes.
 
 use super::waves::{Unusable, Waves};
-use crate::impact::effects::Channel;
-use crate::impact::measured::{Drop, DropSet, Flag, FreeFallOffset, Hint, JudgedDrops, Record, Spread, symptoms};
+use crate::impact::effects::{CATALOGUE, Channel};
+use crate::impact::measured::{
+    Drop, DropSet, Flag, FreeFallOffset, Hint, JudgedDrops, Record, is_sampled_every, symptoms_and_heights, usual_step_s,
+};
 
 /// Why there is nothing to fit.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -20,12 +22,17 @@ pub enum FitError {
     #[error("{0}")]
     Gravity(FreeFallOffset),
     /// All left out.
-    #[error("none of the {count} drops can be fitted{}", if .symptoms.is_empty() { "; `flexframe measure` says why".into() } else { format!(": {}", .symptoms.join("; ")) })]
+    #[error(
+        "none of the {count} drops can be fitted{}",
+        if .symptoms.is_empty() { of_first(.first) } else { format!(": {}", .symptoms.join("; ")) }
+    )]
     NoDrops {
         /// How many there were.
         count: usize,
         /// What the records show together.
         symptoms: Vec<String>,
+        /// The first that was left out.
+        first: Option<LeftOut>,
     },
     /// All left out, most of them because the sensor was at its end.
     #[error(
@@ -49,7 +56,7 @@ pub enum FitError {
     #[error(transparent)]
     Unusable(#[from] Unusable),
     /// A name that the model does not have.
-    #[error("the model has no parameter `{key}`; it has {known}")]
+    #[error("the model has no parameter `{key}`; it has {known}{}", of_effect(key))]
     NoParameter {
         /// The name.
         key: String,
@@ -86,6 +93,18 @@ pub struct LeftOut {
     pub reason: String,
 }
 
+/// How a model gets a parameter that an effect of the catalogue has.
+fn of_effect(key: &str) -> String {
+    let of = CATALOGUE.into_iter().find(|spec| spec.parameters.iter().any(|parameter| parameter.key == key));
+    of.map_or(String::new(), |spec| format!(". It is one of the effect {}: write its table [effects.{0}] into the model file", spec.id))
+}
+
+/// Why the first of drops was left out, where all were.
+fn of_first(first: &Option<LeftOut>) -> String {
+    let first = first.as_ref().map_or(String::new(), |LeftOut { trial, reason }| format!("; the first is `{trial}`: {reason}"));
+    format!("{first}; `flexframe measure` says why of each")
+}
+
 /// Which drops a fit takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keep {
@@ -110,9 +129,6 @@ pub struct Chosen<'a> {
     /// Whether impossible impulses were kept: where most drops have one, they are systematic.
     pub impulses_kept: bool,
 }
-
-/// Steps between samples that differ by less are of one rate.
-const ONE_RATE: f64 = 1e-2;
 
 /// Flags that no objective can do without.
 fn is_unusable(flag: &Flag) -> bool {
@@ -153,7 +169,7 @@ impl<'a> Chosen<'a> {
             let weakest = (keep == Keep::Clean && 2 * of_height > drops.len()).then(|| {
                 format!("{of_height} of {} drops from {} m are saturated, the others are the weakest", drops.len(), group.height_m)
             });
-            let step_s = Spread::of(drops.iter().filter_map(|drop| drop.record.step_s())).map(|steps| steps.median);
+            let step_s = usual_step_s(drops.iter().map(|drop| drop.record));
             for drop in drops {
                 let reason = drop.flags.iter().find(|flag| unwanted(flag)).map(ToString::to_string).or_else(|| weakest.clone());
                 let reason = reason.or_else(|| sampled_apart(drop.record, step_s?));
@@ -168,7 +184,7 @@ impl<'a> Chosen<'a> {
             return Err(if keep == Keep::Clean && 2 * saturated > count {
                 FitError::Saturated { count, saturated }
             } else {
-                FitError::NoDrops { count, symptoms: symptoms(set) }
+                FitError::NoDrops { count, symptoms: symptoms_and_heights(set), first: left_out.into_iter().next() }
             });
         }
         Ok(Self { drops: kept, channel, left_out, impulses_kept })
@@ -241,8 +257,10 @@ impl<'a> Chosen<'a> {
 /// Says of a record that its samples are not as far apart as those of most drops of its height, s.
 fn sampled_apart(record: &Record, of_height_s: f64) -> Option<String> {
     let own_s = record.step_s()?;
-    let differs = (own_s / of_height_s - 1.0).abs() > ONE_RATE;
-    differs.then(|| format!("sampled every {:.4} ms, most drops of this height every {:.4} ms", 1e3 * own_s, 1e3 * of_height_s))
+    let differs = !is_sampled_every(record, of_height_s);
+    differs.then(|| {
+        format!("sampled every {:.4} ms, the drops of this height that are compared every {:.4} ms", 1e3 * own_s, 1e3 * of_height_s)
+    })
 }
 
 fn is_saturated(drop: &Drop) -> bool {
@@ -263,10 +281,15 @@ mod tests {
 
     /// Five drops from half a metre as a table, trials 1 to 5, each a half sine of its own height.
     fn table(least_g: f64) -> Vec<u8> {
+        table_at(1000.0, least_g)
+    }
+
+    /// The same at a sampling rate, Hz.
+    fn table_at(rate_hz: f64, least_g: f64) -> Vec<u8> {
         let mut text = String::from("trial,height_m,t_s,accel_g\n");
         for trial in 1..=5 {
-            for sample in 0..500 {
-                let t_s = f64::from(sample) * 1e-3;
+            for sample in 0..(0.5 * rate_hz) as u32 {
+                let t_s = f64::from(sample) / rate_hz;
                 let into_s = t_s - 0.419;
                 let peak_g = least_g + f64::from(trial);
                 let accel_g = match into_s {
@@ -274,10 +297,47 @@ mod tests {
                     into_s if (0.0..0.01).contains(&into_s) => peak_g * libm::sin(std::f64::consts::PI * into_s / 0.01),
                     _ => 0.0,
                 };
-                text += &format!("{trial},0.5,{t_s:.3},{accel_g:.4}\n");
+                text += &format!("{trial},0.5,{t_s:.6},{accel_g:.4}\n");
             }
         }
         text.into_bytes()
+    }
+
+    #[test]
+    fn planted_half_of_the_drops_at_another_rate_are_left_out_with_the_reason() {
+        let files = [("mon.csv".into(), table_at(500.0, 50.0)), ("tue.csv".into(), table(60.0))];
+        let set = read_bytes(&files, &FileFormat::default()).expect("reads");
+        let chosen = Chosen::of(&set, Channel::Axial, Keep::Every).expect("the faster ones can be used");
+        assert_eq!((chosen.drops.len(), chosen.left_out.len()), (5, 5));
+        assert!(
+            chosen
+                .left_out
+                .iter()
+                .all(|left| left.reason == "sampled every 2.0000 ms, the drops of this height that are compared every 1.0000 ms")
+        );
+        assert!(chosen.drops.iter().all(|drop| drop.record.source == "tue.csv"));
+    }
+
+    #[test]
+    fn planted_a_parameter_of_an_effect_that_a_model_lacks_is_told_with_its_table() {
+        let said = |key: &str| FitError::NoParameter { key: key.into(), known: "k, c".into() }.to_string();
+        assert_eq!(
+            said("k_m"),
+            "the model has no parameter `k_m`; it has k, c. It is one of the effect maxwell_branch: write its table [effects.maxwell_branch] \
+             into the model file"
+        );
+        assert_eq!(said("q"), "the model has no parameter `q`; it has k, c");
+    }
+
+    #[test]
+    fn planted_drops_that_cannot_be_fitted_are_refused_with_the_reason_of_the_first() {
+        let text = "trial,height_m,t_s,accel_g\na,0.5,0,0\na,0.5,0.001,0\n";
+        let set = read_bytes(&[("a.csv".into(), text.into())], &FileFormat::default()).expect("reads");
+        let said = Chosen::of(&set, Channel::Axial, Keep::Every).expect_err("nothing hit").to_string();
+        assert!(
+            said.starts_with("none of the 1 drops can be fitted; the first is `a`: no impact: nothing above 3 g; `flexframe measure`"),
+            "{said}"
+        );
     }
 
     /// Each window has the drop that it is of, though drops of two sessions have the same numbers.

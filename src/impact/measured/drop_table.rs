@@ -82,8 +82,8 @@ fn table(bytes: &[u8]) -> Result<DropTable, (SourcePosition, Fault)> {
     let (trial, height) = (place("trial"), place("height_m"));
     let others: Vec<usize> = (0..names.len()).filter(|at| Some(*at) != trial && Some(*at) != height).collect();
     let (Some(trial), false) = (trial, others.is_empty()) else {
-        let missing = if trial.is_none() { "trial" } else { "of a quantity" };
-        return Err((SourcePosition::Line(1), Fault::NoColumn { missing: vec![missing.into()], known: KNOWN }));
+        let missing = if trial.is_none() { "`trial`" } else { "of a quantity" };
+        return Err((SourcePosition::Line(1), Fault::NoColumn { missing: vec![missing.into()], found: names, known: KNOWN }));
     };
     let mut seen = BTreeSet::new();
     let mut rows = Vec::new();

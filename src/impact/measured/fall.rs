@@ -17,6 +17,12 @@ pub const RELEASE_S: f64 = 0.015;
 const ANOTHER_UNIT: RangeInclusive<f64> = 0.5..=2.0;
 /// Ratios that differ by less than this share are the same.
 const SAME_RATIO: f64 = 0.1;
+/// The same of one height alone, where drops of another height are the more likely the less it looks like a unit.
+const SAME_RATIO_OF_ONE: f64 = 0.05;
+/// Height that was fallen over the stated one that no mistaken folder has.
+const MISTAKEN: RangeInclusive<f64> = 0.1..=10.0;
+/// Height that was fallen over the stated one within which a height is read or measured a little wrong, and no other one.
+const ALIKE: RangeInclusive<f64> = 0.9..=1.1;
 /// A foot, m.
 const FOOT_M: f64 = 0.3048;
 /// Fewest falls that say something.
@@ -68,12 +74,36 @@ impl Fall {
     pub fn of_another_unit(falls: &[Self]) -> Option<String> {
         let ratios = Spread::of(falls.iter().map(|fall| fall.fallen_m() / fall.height_m))?;
         let is_far = !ANOTHER_UNIT.contains(&ratios.median) && ratios.q3 - ratios.q1 < SAME_RATIO * ratios.median;
-        let fall = falls.first().filter(|_| is_far)?;
-        let like = if (ratios.median / FOOT_M - 1.0).abs() < SAME_RATIO { ": they look like feet" } else { "" };
+        let are_feet = (ratios.median / FOOT_M - 1.0).abs() < if falls.len() > 1 { SAME_RATIO } else { SAME_RATIO_OF_ONE };
+        let is_unit = falls.len() > 1 || are_feet || !MISTAKEN.contains(&ratios.median);
+        let fall = falls.first().filter(|_| is_far && is_unit)?;
+        let like = if are_feet { ": they look like feet" } else { "" };
         Some(format!(
             "drops from a stated {} m fell for {:.3} s, a free fall from there takes {:.3} s: the heights are not in m{like}. State them in m",
             fall.height_m, fall.fall_s, fall.expected_s
         ))
+    }
+
+    /// Each height from which drops fell as from another one, in a sentence.
+    pub fn of_other_heights(falls: &[Self]) -> Vec<String> {
+        falls
+            .iter()
+            .filter(|fall| !fall.agrees() && !ALIKE.contains(&(fall.fallen_m() / fall.height_m)))
+            .map(Self::of_another_height)
+            .collect()
+    }
+
+    fn of_another_height(&self) -> String {
+        format!(
+            "the fall of {} drops from a stated {} m lasted {:.0} ± {:.0} ms, and {:.0} ms are expected: it belongs to {:.2} m. Do they lie in the \
+             wrong folder, or is the height wrong?",
+            self.drops,
+            self.height_m,
+            1e3 * self.fall_s,
+            1e3 * self.error_s,
+            1e3 * self.expected_s,
+            self.fallen_m()
+        )
     }
 
     /// Whether it lasted so long, s, within the release and three standard errors.
@@ -83,7 +113,7 @@ impl Fall {
 }
 
 /// How long a free fall lasts, s.
-fn lasting_s(height_m: f64) -> f64 {
+pub(super) fn lasting_s(height_m: f64) -> f64 {
     (2.0 * height_m / GRAVITY_M_S2).sqrt()
 }
 
@@ -104,6 +134,23 @@ mod tests {
         assert_eq!(Fall::of_another_unit(&[of(1.0, 0.7), of(1.5, 1.1)]), None);
         assert_eq!(Fall::of_another_unit(&[of(1.0, 0.3), of(1.5, 1.5)]), None);
         assert_eq!(Fall::of_another_unit(&[]), None);
+    }
+
+    #[test]
+    fn planted_drops_in_the_folder_of_another_height_are_no_other_unit() {
+        let of = |height_m: f64, fallen_m: f64| {
+            let [fall_s, expected_s] = [fallen_m, height_m].map(lasting_s);
+            Fall { height_m, drops: 12, fall_s, error_s: 0.001, expected_s }
+        };
+        for (stated_m, fallen_m) in [(2.0, 1.47), (0.5, 1.5), (1.5, 0.5)] {
+            let falls = [of(stated_m, fallen_m)];
+            assert_eq!(Fall::of_another_unit(&falls), None, "{stated_m}");
+            let said = Fall::of_other_heights(&falls).join("; ");
+            assert!(said.contains(&format!("it belongs to {fallen_m:.2} m")) && said.contains("wrong folder"), "{said}");
+        }
+        assert_eq!(Fall::of_other_heights(&[of(1.0, 0.98), of(1.5, 1.55)]), Vec::<String>::new());
+        // A single height is one of another unit where it looks like it.
+        assert!(Fall::of_another_unit(&[of(3.28, 1.0)]).is_some() && Fall::of_another_unit(&[of(50.0, 0.5)]).is_some());
     }
 
     #[test]

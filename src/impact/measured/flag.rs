@@ -12,8 +12,8 @@ use crate::units::GRAVITY_M_S2;
 pub(super) const RATES_HZ: RangeInclusive<f64> = 399.0..=201_000.0;
 /// A gap is longer than so many steps.
 pub(super) const GAP_STEPS: f64 = 1.5;
-/// Fewest samples before the trigger.
-const FEWEST_BEFORE: usize = 3;
+/// Fewest samples before the trigger, which is itself below its level.
+const FEWEST_BEFORE: usize = 2;
 /// Shortest duration of a record after the trigger, s.
 const LEAST_AFTER_S: f64 = 0.02;
 /// Equal samples in a row, at the top of the impact, that count as clipping: at least so many, and so long, s.
@@ -23,6 +23,9 @@ const FLAT_S: f64 = 0.0015;
 const LEAST_OVER_V0: f64 = 0.8;
 /// What it has at the most without its weight: 2 with full restitution.
 const MOST_OVER_V0: f64 = 2.0;
+/// A peak that is so much later than the trigger is that of another drop, ms: a rebound from some metres has ended.
+const OTHER_DROP_MS: f64 = 2e3;
+const OTHER_DROP: &str = ". It is of another drop: a trial is one drop, so cut the recording into its drops";
 /// Readings that differ by less are the same, but for the rounding of their conversion, g.
 const LEAST_STEP_G: f64 = 1e-6;
 /// A rounded top is as long as a parabola through what is beside it, give or take so many samples.
@@ -41,7 +44,10 @@ pub enum Flag {
         signs: Vec<ClockSign>,
     },
     /// The largest acceleration is not that of the first hit.
-    #[error("double hit: the peak comes {to_peak_ms:.0} ms after the trigger, later than 25 ms")]
+    #[error(
+        "double hit: the peak comes {to_peak_ms:.0} ms after the trigger, later than 25 ms{}",
+        if *.to_peak_ms > OTHER_DROP_MS { OTHER_DROP } else { "" }
+    )]
     DoubleHit {
         /// When.
         to_peak_ms: f64,
@@ -63,7 +69,11 @@ pub enum Flag {
         most: f64,
     },
     /// It begins or ends in the impact.
-    #[error("too short: {before} samples before the trigger and {after_ms:.0} ms after it, 3 and 20 ms are needed")]
+    #[error(
+        "too short: {before} sample{} before the trigger and {after_ms:.0} ms after it, {FEWEST_BEFORE} and {:.0} ms are needed",
+        if *.before == 1 { "" } else { "s" },
+        1e3 * LEAST_AFTER_S
+    )]
     TooShort {
         /// Before.
         before: usize,
@@ -111,7 +121,7 @@ pub fn flags(record: &Record, impact: Option<&Impact>, signs: Vec<ClockSign>) ->
         return flags;
     };
     let after_s = record.t_s.last().map_or(0.0, |last_s| last_s - record.t_s[impact.trigger]);
-    if impact.trigger + 1 < FEWEST_BEFORE || after_s < LEAST_AFTER_S {
+    if impact.trigger < FEWEST_BEFORE || after_s < LEAST_AFTER_S {
         flags.push(Flag::TooShort { before: impact.trigger, after_ms: after_s * 1e3 });
     }
     if !stalled && impact.to_peak_s > WINDOW_S + 1e-6 {
@@ -176,4 +186,37 @@ fn step_g(window: &[f64]) -> f64 {
     let mut readings = window.to_vec();
     readings.sort_by(f64::total_cmp);
     readings.windows(2).map(|pair| pair[1] - pair[0]).filter(|step_g| *step_g > LEAST_STEP_G).fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{FileFormat, read_bytes};
+    use super::*;
+
+    /// What is wrong with one drop from half a metre at 1 kHz, with so many samples at rest before those of a hit, and a second hit.
+    fn said(before: u32, second_ms: u32, samples: u32) -> Vec<String> {
+        let hit = |at: u32, from: u32| {
+            (from..from + 10).contains(&at).then(|| 48.0 * libm::sin(0.1 * std::f64::consts::PI * (f64::from(at - from) + 0.5)))
+        };
+        let reading = |at: u32| hit(at, before).or_else(|| hit(at, before + second_ms).map(|reading| 1.2 * reading)).unwrap_or(0.0);
+        let rows: String = (0..samples).map(|at| format!("1,0.5,{},{}\n", f64::from(at) * 1e-3, reading(at))).collect();
+        let set =
+            read_bytes(&[("a.csv".into(), format!("trial,height_m,t_s,accel_g\n{rows}").into())], &FileFormat::default()).expect("reads");
+        let record = set.records().next().expect("there is one");
+        flags(record, Impact::of(record).as_ref(), Vec::new()).iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn analytic_as_many_samples_are_needed_as_the_message_says() {
+        // The trigger is the last sample before the hit.
+        assert_eq!(said(2, 1000, 60), ["too short: 1 sample before the trigger and 58 ms after it, 2 and 20 ms are needed"]);
+        assert_eq!(said(3, 1000, 60), Vec::<String>::new());
+    }
+
+    #[test]
+    fn planted_a_recording_of_two_drops_is_to_be_cut() {
+        let [rebound, other] = [300, 3000].map(|second_ms| said(20, second_ms, 3100).join("; "));
+        assert!(rebound.starts_with("double hit: the peak comes 30") && !rebound.contains("cut the recording"), "{rebound}");
+        assert!(other.starts_with("double hit: the peak comes 300") && other.contains("cut the recording into its drops"), "{other}");
+    }
 }

@@ -3,7 +3,9 @@
 use super::flag::RATES_HZ;
 use super::impact_speed_m_s;
 use super::record::{DropSet, Record};
+use super::seen_fall;
 use super::spread::Spread;
+use crate::figures::significant;
 use crate::units::GRAVITY_M_S2;
 
 /// On either side of the largest reading the impulse is taken, s.
@@ -22,6 +24,13 @@ const CUT_OFF: f64 = 0.5;
 const TALL_M: f64 = 5.0;
 const CENTIMETRES_V0: f64 = 0.1;
 
+/// Significant digits of a time between samples.
+const STEP_DIGITS: usize = 3;
+/// As it is stated, Hz; what is accepted is a little less.
+const LEAST_RATE_HZ: f64 = 400.0;
+/// An impulse over v0 that is not that of another unit.
+const LARGE: f64 = 20.0;
+
 /// Readings that are not proper acceleration along the axis in g.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Hint {
@@ -32,7 +41,9 @@ pub enum Hint {
         over_v0: f64,
     },
     /// A smaller unit.
-    #[error("the readings look like mg, not g: the impulse is {over_v0:.0} v0. Give --units mg")]
+    #[error(
+        "the readings look like mg, not g: the impulse is {over_v0:.0} v0. Give --units mg, or --units N/g where they are counts, N of them a g"
+    )]
     MilliG {
         /// Median impulse over the impact speed.
         over_v0: f64,
@@ -75,12 +86,32 @@ pub enum Hint {
         /// Median impulse along the axis over the impact speed.
         over_v0: f64,
     },
+    /// Far more than a drop has, in no unit that is known.
+    #[error(
+        "the readings are too large: the impulse is {over_v0:.0} v0, that of a drop 0.7 to 2 v0. Readings in counts take --units N/g, where N \
+         counts are a g"
+    )]
+    TooLarge {
+        /// Median impulse along the axis over the impact speed.
+        over_v0: f64,
+    },
     /// Times in another unit.
-    #[error("the times look like {unit}, not s: samples are {step_s} s apart. Give --units {unit}")]
+    #[error("the times look like {unit}, not s: samples are {} s apart. Give --units {unit}", significant(*.step_s, STEP_DIGITS))]
     Times {
         /// ms or us.
         unit: &'static str,
         /// Median time between samples as it was read, s.
+        step_s: f64,
+    },
+    /// Too few samples a second, by times that agree with the falls.
+    #[error(
+        "the drops are sampled at {} Hz, and a wave is compared with a model from {:.0} Hz on: use a faster sensor, or a faster setting of \
+         this one. Where the time stamps are wrong, --rate HZ replaces them",
+        significant(1.0 / *.step_s, STEP_DIGITS),
+        LEAST_RATE_HZ
+    )]
+    Slow {
+        /// Median time between samples, s.
         step_s: f64,
     },
     /// Heights in another unit.
@@ -117,16 +148,25 @@ impl Hint {
         } else if impulses.q1.abs().max(impulses.q3.abs()) <= ACROSS {
             Self::exchanged(set, over_v0).or_else(|| Self::too_small(set, over_v0))
         } else {
-            None
+            let is_large = impulses.q1.abs().min(impulses.q3.abs()) > LARGE;
+            is_large.then_some(Self::TooLarge { over_v0 })
         }
     }
 
-    /// Times that no logger has, and one would have in a smaller unit.
+    /// Times in which a wave cannot be compared: of a smaller unit, where a logger has its rate and falls last as they do in it, or of few
+    /// samples.
     fn times(set: &DropSet) -> Option<Self> {
         let step_s = Spread::of(set.records().filter_map(Record::step_s)).filter(|steps| steps.count >= FEWEST)?.median;
         let is_rate = |factor: f64| RATES_HZ.contains(&(1.0 / (step_s * factor)));
-        let unit = [("ms", 1e-3), ("us", 1e-6)].into_iter().find(|(_, factor)| is_rate(*factor));
-        unit.filter(|_| !is_rate(1.0)).map(|(unit, _)| Self::Times { unit, step_s })
+        if is_rate(1.0) {
+            return None;
+        }
+        let units = [("ms", 1e-3), ("us", 1e-6)].into_iter();
+        let unit = units.filter(|(_, factor)| is_rate(*factor)).find(|(_, factor)| seen_fall::is_nearer(set, *factor));
+        match unit {
+            Some((unit, _)) => Some(Self::Times { unit, step_s }),
+            None => (1.0 / step_s < *RATES_HZ.start()).then_some(Self::Slow { step_s }),
+        }
     }
 
     /// Far less than a drop has along every axis. A sensor that is cut off at its full scale shows little, too: its drops are left alone.
@@ -220,6 +260,7 @@ mod tests {
             records.for_each(|record| record.t_s.iter_mut().for_each(|t_s| *t_s *= factor));
             assert!(matches!(Hint::of(&late), Some(Hint::Times { unit: found, .. }) if found == unit));
         }
+        assert!(matches!(Hint::of(&set(2048.0)), Some(Hint::TooLarge { over_v0 }) if over_v0 > 2000.0));
         let axes = |along: f64, x: f64, y: f64| Hint::of(&of(along, 1.0, Some([x, y]))).map(|hint| hint.to_string());
         assert_eq!([axes(1.0, 0.0, 0.1), axes(0.0, 0.1, 0.2), axes(0.0, 1.0, 1.0), axes(0.8, 0.8, 0.0)], [None, None, None, None]);
         let said = axes(0.0, 0.1, -1.0).expect("y has the impulse");

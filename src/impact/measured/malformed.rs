@@ -80,10 +80,12 @@ pub enum Fault {
         folder: String,
     },
     /// Columns that a table must have.
-    #[error("lacks the column{} {}", if .missing.len() == 1 { "" } else { "s" }, .missing.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "))]
+    #[error("lacks the column{} {}; it has {}", if .missing.len() == 1 { "" } else { "s" }, .missing.join(", "), columns(.found))]
     NoColumn {
-        /// Their names.
+        /// Each as it is to be read: `trial`, or `accel_g` or `z`.
         missing: Vec<String>,
+        /// What the first line has in their place.
+        found: Vec<String>,
         /// Every column that such a table can have, in words.
         known: &'static str,
     },
@@ -170,6 +172,27 @@ pub enum Fault {
     },
 }
 
+/// Names of columns that a message lists at most, and letters of each.
+const LISTED: usize = 12;
+const LETTERS: usize = 40;
+/// What 32 bits of microseconds count to, s, and how much less a step over their end takes off at the most.
+const WRAP_S: f64 = 4294.967_296;
+const WRAP_STEP_S: f64 = 0.1;
+
+/// Names of columns, the first of them, as far as a message has room.
+fn columns(names: &[String]) -> String {
+    let shortened = |name: &String| format!("`{}`", name.chars().filter(|letter| !letter.is_control()).take(LETTERS).collect::<String>());
+    let listed: Vec<String> = names.iter().take(LISTED).map(shortened).collect();
+    let more = names.len().saturating_sub(LISTED);
+    let others = if more == 0 { String::new() } else { format!(" and {more} more") };
+    format!("{}{others}", listed.join(", "))
+}
+
+/// Whether time jumps back by what 32 bits of microseconds count to.
+fn is_wrap(before_s: f64, t_s: f64) -> bool {
+    (WRAP_S - WRAP_STEP_S..=WRAP_S).contains(&(before_s - t_s))
+}
+
 impl Fault {
     /// What to do.
     pub fn remedy(&self) -> String {
@@ -187,7 +210,9 @@ impl Fault {
                 "a logger's file holds u32 t_us, u16 x, u16 y, u16 z, little-endian, 12 bits each axis: is it one?".into()
             }
             Self::NoHeight { .. } => "name the folder FRAME_HEIGHTcm, as in soft_050cm".into(),
-            Self::NoColumn { known, .. } => format!("the first line names the columns, with commas: {known}"),
+            Self::NoColumn { known, .. } => {
+                format!("the first line names the columns, with nothing above it, parted by commas, semicolons or tabs: {known}")
+            }
             Self::TwoColumns { .. } => "leave one of them".into(),
             Self::Fields { .. } => "give each row as many values as there are columns; is the file cut short?".into(),
             Self::NoNumber { column: "mass_g" | "quantity", .. } => "give a number with a decimal point, a mass in grams and a whole quantity".into(),
@@ -197,12 +222,19 @@ impl Fault {
             Self::NoFolds { most, .. } => format!("write after how many folds it cracked, or `held` where it held {most}"),
             Self::OutOfBounds { column: "height_m", .. } => "look at the unit: --units cm or --units mm reads other heights than m".into(),
             Self::OutOfBounds { column: "accel_g" | "x" | "y" | "z", .. } => {
-                "look at the unit: --units mg or --units m/s2 reads other readings than g".into()
+                "look at the unit: --units mg, m/s2 or N/g reads other readings than g, the last one counts, N of them a g".into()
             }
             Self::OutOfBounds { .. } => "look at the unit".into(),
             Self::NoTrial => "give each drop a name or a number".into(),
             Self::Unsorted { before_s, t_s, .. } if t_s == before_s => {
-                "where a table's stamps are rounded, give its sampling rate in their place: --rate HZ; two drops need two names".into()
+                "where a table's stamps are rounded, give its sampling rate in their place: --rate HZ; where a row stands there twice, delete one \
+                 of the two: --rate would shift what follows; two drops need two names"
+                    .into()
+            }
+            Self::Unsorted { before_s, t_s, .. } if is_wrap(*before_s, *t_s) => {
+                "the counter wrapped: 32 bits of microseconds end there. Add 4294.967296 s to the stamps that follow, or give the sampling rate in \
+                 their place: --rate HZ"
+                    .into()
             }
             Self::Unsorted { .. } => {
                 "where stamps jitter, give the sampling rate in their place: --rate HZ; where rows are mixed up, sort those of each trial by t_s; \
@@ -239,3 +271,23 @@ impl fmt::Display for Malformed {
 }
 
 impl std::error::Error for Malformed {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_a_step_back_in_time_is_told_by_its_size() {
+        let remedy = |before_s: f64, t_s: f64| Fault::Unsorted { trial: "1".into(), before_s, t_s }.remedy();
+        assert!(remedy(4294.967, 0.001).starts_with("the counter wrapped"));
+        assert!(remedy(0.5, 0.0).contains("sort those of each trial") && remedy(4294.0, 10.0).contains("sort those of each trial"));
+        assert!(remedy(0.5, 0.5).contains("--rate HZ") && remedy(0.5, 0.5).contains("delete one of the two"));
+    }
+
+    #[test]
+    fn analytic_a_message_lists_what_a_table_has() {
+        let of = |found: Vec<String>| Fault::NoColumn { missing: vec!["`t_s`".into()], found, known: "" }.to_string();
+        assert_eq!(of(vec!["Drop".into(), "Zeit\n[ms]".into()]), "lacks the column `t_s`; it has `Drop`, `Zeit[ms]`");
+        assert!(of((0..40).map(|at| at.to_string()).collect()).ends_with("`11` and 28 more"));
+    }
+}

@@ -30,9 +30,11 @@ mod impact;
 mod judged;
 mod logger;
 mod malformed;
+mod mixed_rates;
 mod reading;
 mod record;
 mod scale;
+mod seen_fall;
 mod session;
 mod sheet;
 mod shorth;
@@ -64,6 +66,7 @@ pub use impact::{Impact, TRIGGER_G};
 pub use judged::{Drop, JudgedDrops};
 pub use logger::Calibration;
 pub use malformed::{Fault, Malformed, SourcePosition};
+pub use mixed_rates::{is_sampled_every, usual_step_s};
 pub use reading::read_bytes;
 pub use record::{DropGroup, DropSet, Record};
 #[cfg(feature = "cli")]
@@ -76,7 +79,7 @@ pub use static_test::StaticTest;
 #[cfg(feature = "cli")]
 pub use static_test::read_static_test;
 pub use summary::Summary;
-pub use symptom::symptoms;
+pub use symptom::{symptoms, symptoms_and_heights};
 pub use table_format::{Column, FormatError, Quantity, TableFormat};
 
 use crate::units::GRAVITY_M_S2;

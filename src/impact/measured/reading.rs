@@ -7,7 +7,7 @@ use super::file_kind::FileKind;
 use super::logger::{self, Label};
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::record::{DropSet, Record};
-use super::symptom::symptoms;
+use super::symptom::symptoms_and_heights;
 use super::table;
 
 /// Share by which a sampling rate that is given and that of the time stamps are different.
@@ -23,8 +23,14 @@ pub(super) fn malformed(path: &Path, place: SourcePosition, fault: Fault) -> Mal
     Malformed { file: path.display().to_string(), place, fault }
 }
 
+/// Something that was left aside in a file.
+pub(super) struct Remark {
+    source: String,
+    text: String,
+}
+
 /// Records of a file, and what was left aside in it.
-pub(super) type Read = (Vec<Record>, Vec<String>);
+pub(super) type Read = (Vec<Record>, Vec<Remark>);
 
 /// Records of a file in a folder of this name; a logger's file has frame and height from the folder's name.
 pub(super) fn records(
@@ -46,29 +52,46 @@ pub(super) fn records(
         }
         FileKind::Table => {
             let (records, aside) = table::records(&bytes()?, &source, label.as_ref(), &format.table).map_err(refused)?;
-            let columns = (!aside.columns.is_empty()).then(|| format!("{source}: columns left aside: {}", aside.columns.join(", ")));
+            let columns = (!aside.columns.is_empty()).then(|| format!("columns left aside: {}", aside.columns.join(", ")));
             let rates = aside.stamped_hz.zip(format.table.rate_hz).filter(|(stamped, given)| (stamped / given - 1.0).abs() > SAME_RATE);
             let rate = rates.map(|(stamped, given)| {
                 let places = if stamped < 10.0 { 2 } else { 0 };
-                format!("{source}: the time stamps say {stamped:.places$} Hz; --rate {given} is used instead of them")
+                format!("the time stamps say {stamped:.places$} Hz; --rate {given} is used instead of them")
             });
-            Ok((records, columns.into_iter().chain(rate).collect()))
+            let remark = |text: String| Remark { source: source.clone(), text };
+            Ok((records, columns.into_iter().chain(rate).map(remark).collect()))
         }
     }
 }
 
 /// All records by frame and height, or the first refusal.
 pub(super) fn gathered(all: Vec<Result<Read, Malformed>>) -> Result<DropSet, Malformed> {
-    let (mut records, mut notes) = (Vec::new(), Vec::new());
+    let (mut records, mut remarks) = (Vec::new(), Vec::new());
     for read in all {
         let (some, said) = read?;
         records.extend(some);
-        notes.extend(said);
+        remarks.extend(said);
     }
-    let mut set = DropSet::of(records, notes);
-    let shown = symptoms(&set);
+    let mut set = DropSet::of(records, notes(&remarks));
+    let shown = symptoms_and_heights(&set);
     set.notes.extend(shown);
     Ok(set)
+}
+
+/// A note for each remark; one for all files of which the same is said.
+fn notes(remarks: &[Remark]) -> Vec<String> {
+    let mut alike: Vec<(&Remark, usize)> = Vec::new();
+    for remark in remarks {
+        match alike.iter_mut().find(|(first, _)| first.text == remark.text) {
+            Some((_, files)) => *files += 1,
+            None => alike.push((remark, 1)),
+        }
+    }
+    let note = |(Remark { source, text }, files): (&Remark, usize)| match files {
+        1 => format!("{source}: {text}"),
+        _ => format!("{files} files, {source} the first: {text}"),
+    };
+    alike.into_iter().map(note).collect()
 }
 
 /// Reads records from files' bytes, each with its path: the ending says what it is, and the last folder of a logger's file,
@@ -131,6 +154,16 @@ mod tests {
         };
         assert_eq!(notes(500.0), ["a.csv: the time stamps say 1000 Hz; --rate 500 is used instead of them"]);
         assert_eq!(notes(1010.0), Vec::<String>::new());
+    }
+
+    #[test]
+    fn regress_what_is_left_aside_in_many_files_is_one_note() {
+        let file = |trial: usize, column: &str| {
+            (format!("{trial}.csv"), format!("trial,height_m,t_s,accel_g,{column}\n{trial},0.5,0,0,20\n").into_bytes())
+        };
+        let files = [file(1, "celsius"), file(2, "volt"), file(3, "celsius"), file(4, "celsius")];
+        let notes = read_bytes(&files, &FileFormat::default()).expect("reads").notes;
+        assert_eq!(notes, ["3 files, 1.csv the first: columns left aside: celsius", "2.csv: columns left aside: volt"]);
     }
 
     #[test]

@@ -33,9 +33,11 @@ pub(super) fn rows<T, const N: usize>(
     let names = reader.byte_headers().map_err(|error| refused(&error))?.clone();
     let place = |wanted: &str| names.iter().position(|name| name.trim_ascii() == wanted.as_bytes());
     let found = columns.needed.map(place);
-    let missing: Vec<String> = columns.needed.iter().zip(found).filter(|(_, at)| at.is_none()).map(|(name, _)| (*name).into()).collect();
+    let missing: Vec<String> =
+        columns.needed.iter().zip(found).filter(|(_, at)| at.is_none()).map(|(name, _)| format!("`{name}`")).collect();
     if !missing.is_empty() {
-        return Err((SourcePosition::Line(1), Fault::NoColumn { missing, known: columns.known }));
+        let found = names.iter().map(|name| String::from_utf8_lossy(name).into_owned()).collect();
+        return Err((SourcePosition::Line(1), Fault::NoColumn { missing, found, known: columns.known }));
     }
     let places = (found.map(Option::unwrap_or_default), columns.optional.and_then(place));
     let mut said = Vec::new();

@@ -353,13 +353,38 @@ mod tests {
     }
 
     #[test]
+    fn planted_names_that_columns_gives_are_those_that_lack() {
+        let strings = |all: &[&str]| all.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let format = TableFormat::new(&strings(&["h=Höhe", "z=Acc_Z"]), &[], None).expect("is one");
+        let fault = |bytes: &[u8]| records(bytes, "a.csv", None, &format).expect_err("is refused").1.to_string();
+        assert_eq!(fault("trial,t_s,Höhe,AccZ\n".as_bytes()), "lacks the column `Acc_Z`; it has `trial`, `t_s`, `Höhe`, `AccZ`");
+        // The same names as Windows writes them in western Europe.
+        assert_eq!(fault(b"trial,t_s,H\xf6he,Acc_Z\n1,0,0.5,0\n"), "is not UTF-8 text");
+    }
+
+    #[test]
+    fn regress_a_comma_at_the_end_of_a_line_is_no_column() {
+        let (_, aside) = read("trial,height_m,t_s,accel_g,\n1,0.5,0,0,\n").expect("reads");
+        assert_eq!(aside.columns, Vec::<String>::new());
+    }
+
+    #[test]
     fn planted_faults_are_named_with_their_line() {
         let head = "trial,height_m,t_s,accel_g\n";
         let cases = [
             ("", SourcePosition::Whole, "is empty"),
             (head, SourcePosition::Whole, "is empty"),
-            ("trial:height_m:t_s:accel_g\n1:2:3:4\n", SourcePosition::Line(1), "lacks the columns `trial`, `height_m`, `t_s`, `accel_g`"),
-            ("trial,height_m,t_s\n1,2,3\n", SourcePosition::Line(1), "lacks the column `accel_g`"),
+            (
+                "trial:height_m:t_s:accel_g\n1:2:3:4\n",
+                SourcePosition::Line(1),
+                "lacks the columns `trial`, `height_m` or `speed_m_s`, `t_s`, `accel_g` or `z`; it has `trial:height_m:t_s:accel_g`",
+            ),
+            (
+                "trial,height_m,t_s\n1,2,3\n",
+                SourcePosition::Line(1),
+                "lacks the column `accel_g` or `z`; it has `trial`, `height_m`, `t_s`",
+            ),
+            (&format!("# logger 7\n{head}1,0.5,0,0\n"), SourcePosition::Line(1), "it has `# logger 7`"),
             ("trial,trial,height_m,t_s,accel_g\n1,1,2,3,4\n", SourcePosition::Line(1), "twice"),
             (&format!("{head}1,0.5,0,0\n1,0.5,0.001\n"), SourcePosition::Line(3), "has 3 fields, the header has 4"),
             (&format!("{head}1,0.5,0,nan\n"), SourcePosition::Line(2), "`accel_g` is `nan`, no number"),

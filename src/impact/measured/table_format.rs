@@ -1,5 +1,7 @@
 //! How a table of drops is written, where it is not as this program writes it: names of columns, units, rate.
 
+use std::ops::RangeInclusive;
+
 /// What a column of a table holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Quantity {
@@ -64,8 +66,18 @@ pub enum FormatError {
         given: String,
     },
     /// No unit.
-    #[error("--units `{given}`: give one of g, mg, m/s2; s, ms, us; m, cm, mm")]
+    #[error("--units `{given}`: give one of g, mg, m/s2, or N/g for readings in counts, N of them a g; s, ms, us; m, cm, mm")]
     Unit {
+        /// What was given.
+        given: String,
+    },
+    /// So many counts a g that no sensor has them.
+    #[error(
+        "--units `{given}`: the counts of a g are a number from {} to {}, as in 2048/g; --columns a=-NAME changes a sign",
+        COUNTS_PER_G.start(),
+        COUNTS_PER_G.end()
+    )]
+    Counts {
         /// What was given.
         given: String,
     },
@@ -142,6 +154,16 @@ fn twice(option: &'static str, given: &[String], of: &[&str]) -> Result<(), Form
     }
 }
 
+/// Counts of a sensor for one g: from those of a range of thousands of g to those of 24 bits for one g.
+const COUNTS_PER_G: RangeInclusive<f64> = 1e-2..=1e7;
+
+/// N of the unit N/g.
+fn counts_per_g(unit: &str) -> Result<f64, FormatError> {
+    let counts = unit.strip_suffix("/g").ok_or_else(|| FormatError::Unit { given: unit.into() })?;
+    let per_g = counts.trim().parse::<f64>().ok().filter(|per_g| COUNTS_PER_G.contains(per_g));
+    per_g.ok_or_else(|| FormatError::Counts { given: unit.into() })
+}
+
 /// Metres a second squared in one g, by definition.
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
@@ -165,7 +187,7 @@ impl TableFormat {
                 "m" => format.height_m = 1.0,
                 "cm" => format.height_m = 1e-2,
                 "mm" => format.height_m = 1e-3,
-                _ => return Err(FormatError::Unit { given: unit.clone() }),
+                other => format.accel_g = 1.0 / counts_per_g(other)?,
             }
         }
         if let Some(given) = rate_hz.filter(|rate_hz| !(1.0..=1e6).contains(rate_hz)) {
@@ -217,6 +239,14 @@ mod tests {
         assert!((format.accel_g * 9.806_65 - 1.0).abs() < 1e-15);
         assert_eq!(format.clone().zeroed(&[2.0]).expect("is one").zero_g, [0.0, 0.0, 2.0]);
         assert_eq!(format.zeroed(&[1.0, 2.0]), Err(FormatError::Zero));
+        let counts = |unit: &str| TableFormat::new(&[], &strings(&[unit]), None).map(|format| format.accel_g);
+        assert_eq!([counts("2048/g"), counts("20.5 /g")], [Ok(1.0 / 2048.0), Ok(1.0 / 20.5)]);
+        for unit in ["0/g", "-2048/g", "nan/g", "inf/g", "/g", "1e9/g"] {
+            assert_eq!(counts(unit), Err(FormatError::Counts { given: unit.into() }));
+        }
+        assert!(
+            TableFormat::new(&[], &strings(&["2048/g", "mg"]), None).is_err_and(|error| error.to_string().contains("the same thing twice"))
+        );
         for (columns, units, rate) in
             [(&["q=Time"][..], &[][..], None), (&["t="], &[], None), (&["t"], &[], None), (&[], &["ft"], None), (&[], &[], Some(0.0))]
         {

@@ -4,7 +4,8 @@ use super::malformed::Fault;
 use super::table_format::{Quantity, TableFormat};
 
 /// Every column that such a table can have, in words.
-const KNOWN: &str = "trial,height_m,t_s,accel_g, and x,y,z if they are there; --columns gives them other names";
+const KNOWN: &str = "trial,height_m,t_s,accel_g, and x,y,z if they are there, of which z can stand for accel_g; --columns gives them other \
+                     names; a file in a folder named as soft_050cm is a drop of its own, and needs neither trial nor height_m";
 
 /// A column's place in a row, and the sign of its values.
 pub(super) type Place = (usize, f64);
@@ -29,8 +30,8 @@ pub(super) struct Header {
 
 impl Header {
     /// Reads the names. `labelled`: the file's own place says trial and height where the table does not.
-    pub fn of(names: &csv::ByteRecord, format: &TableFormat, labelled: bool) -> Result<Self, Fault> {
-        let names: Vec<String> = names.iter().map(|name| String::from_utf8_lossy(name).trim().trim_matches('"').to_string()).collect();
+    pub fn of(record: &csv::ByteRecord, format: &TableFormat, labelled: bool) -> Result<Self, Fault> {
+        let names: Vec<String> = record.iter().map(|name| String::from_utf8_lossy(name).trim().trim_matches('"').to_string()).collect();
         let wanted = Quantity::ALL.map(|(quantity, ..)| format.name(quantity).0);
         if let Some(twice) = wanted.iter().find(|wanted| names.iter().filter(|name| name == *wanted).count() > 1) {
             return Err(Fault::TwoColumns { name: (*twice).into() });
@@ -40,17 +41,17 @@ impl Header {
         let (height, speed) = (place(Quantity::Height), place(Quantity::Speed));
         let axial = signed(Quantity::Axial).or_else(|| signed(Quantity::Z));
         let needed = [
-            (Quantity::Trial, place(Quantity::Trial).is_some() || labelled),
-            (Quantity::Height, height.is_some() || speed.is_some() || labelled),
-            (Quantity::Time, place(Quantity::Time).is_some() || format.rate_hz.is_some()),
-            (Quantity::Axial, axial.is_some()),
+            (&[Quantity::Trial][..], place(Quantity::Trial).is_some() || labelled),
+            (&[Quantity::Height, Quantity::Speed], height.is_some() || speed.is_some() || labelled),
+            (&[Quantity::Time], place(Quantity::Time).is_some() || format.rate_hz.is_some()),
+            (&[Quantity::Axial, Quantity::Z], axial.is_some()),
         ];
-        let missing: Vec<String> =
-            needed.iter().filter(|(_, there)| !there).map(|(quantity, _)| format.name(*quantity).0.to_string()).collect();
-        let Some(axial) = axial.filter(|_| missing.is_empty()) else { return Err(Fault::NoColumn { missing, known: KNOWN }) };
+        let missing: Vec<String> = needed.iter().filter(|(_, there)| !there).map(|(any, _)| in_words(any, format)).collect();
+        let Some(axial) = axial.filter(|_| missing.is_empty()) else { return Err(lacking(missing, names, record)) };
         let kept: Vec<(String, usize)> =
             names.iter().enumerate().filter(|(_, name)| format.kept.contains(name)).map(|(at, name)| (name.clone(), at)).collect();
-        let left_aside = |name: &&String| !wanted.contains(&name.as_str()) && !format.kept.contains(name);
+        // A comma at the end of each line makes a column without a name.
+        let left_aside = |name: &&String| !name.is_empty() && !wanted.contains(&name.as_str()) && !format.kept.contains(name);
         let others = names.iter().filter(left_aside).cloned().collect();
         Ok(Self {
             trial: place(Quantity::Trial),
@@ -65,6 +66,20 @@ impl Header {
             others,
         })
     }
+}
+
+/// Columns of which a table needs one: those that `--columns` names, or all.
+fn in_words(any: &[Quantity], format: &TableFormat) -> String {
+    let is_named = |quantity: &&Quantity| format.columns.iter().any(|column| column.quantity == **quantity);
+    let ticked = |quantity: &Quantity| format!("`{}`", format.name(*quantity).0);
+    let named: Vec<String> = any.iter().filter(is_named).map(ticked).collect();
+    if named.is_empty() { any.iter().map(ticked).collect::<Vec<_>>().join(" or ") } else { named.join(" or ") }
+}
+
+/// Columns that lack, or the encoding by which their names cannot be read.
+fn lacking(missing: Vec<String>, found: Vec<String>, record: &csv::ByteRecord) -> Fault {
+    let is_text = record.iter().all(|name| std::str::from_utf8(name).is_ok());
+    if is_text { Fault::NoColumn { missing, found, known: KNOWN } } else { Fault::Encoding { encoding: "not UTF-8" } }
 }
 
 /// What parts the columns of a table: the first of tab, semicolon and comma that its first line has, remarks after `#` aside.

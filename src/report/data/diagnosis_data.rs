@@ -24,6 +24,8 @@ pub struct Compared {
     pub stated_channel: &'static str,
     /// Why it was used.
     pub channel_reason: String,
+    /// What the lateral axes are used for, or why they are not, where the drops have some.
+    pub lateral_axes: Option<String>,
     /// The model's own effects.
     pub own_effects: Vec<&'static str>,
     /// Drops used, by height, m.
@@ -53,6 +55,11 @@ pub struct Compared {
 }
 
 impl Compared {
+    /// Why the channel was used, and what the lateral axes are used for.
+    pub fn channel(&self) -> String {
+        std::iter::once(&self.channel_reason).chain(&self.lateral_axes).cloned().collect::<Vec<_>>().join("; ")
+    }
+
     /// Landings on one foot first that touches show, where the verdict is another one.
     pub fn landings_beside(&self) -> Option<&LandingAssessment> {
         self.landing.as_ref().filter(|landing| landing.stands_beside())
@@ -174,7 +181,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
         "restoring_force_left": diagnosis.residual_force,
         "next_experiment": diagnosis.experiments.first(),
         "experiments": diagnosis.experiments,
-        "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel_reason },
+        "channel": { "used": compared.channel, "stated": compared.stated_channel, "reason": compared.channel() },
         "drops": compared.drops.iter().map(|(height_m, count)| json!({ "height_m": height_m, "count": count })).collect::<Vec<_>>(),
         "sampling": compared.sampling.iter().map(sampling).collect::<Vec<_>>(),
         "left_out": compared.left_out,
@@ -198,7 +205,7 @@ pub fn json(diagnosis: &Diagnosis, compared: &Compared) -> Value {
     all
 }
 
-/// The model after as a file; where landings that are not level decide, what such a file cannot state stands in comments.
+/// The model after as a file. The verdict stands in comments above it, and where landings that are not level decide, what such a file cannot state.
 pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
     let decided = compared.landing.as_ref().filter(|landing| landing.decides());
     let note = decided.map_or_else(String::new, |landing| {
@@ -207,7 +214,28 @@ pub fn model_file(diagnosis: &Diagnosis, compared: &Compared) -> String {
             landing_data::spread(landing)
         )
     });
-    note + &diagnosis.model_after.to_toml()
+    in_comments(diagnosis.verdict, &diagnosis.reasons) + &note + &diagnosis.model_after.to_toml()
+}
+
+/// What the model of a file is, by the verdict: one line where it explains the drops, or else the reasons, too.
+fn in_comments(verdict: Verdict, reasons: &[String]) -> String {
+    let is = match verdict {
+        Verdict::NothingMissing => "the model as it was given, with k and c fitted, explains the drops",
+        Verdict::Named => "this model has the effects that were named, and explains the drops",
+        Verdict::Ambiguous => "this is the best supported of several explanations that the drops do not distinguish",
+        Verdict::NoneSuffices => {
+            "no set of effects passed every test. This is the best of those that were rejected, and no model of the frame"
+        }
+    };
+    let explains = matches!(verdict, Verdict::NothingMissing | Verdict::Named);
+    let reasons = reasons.iter().filter(|_| !explains);
+    let head = format!("verdict: {}: {is}", verdict.id());
+    std::iter::once(&head).chain(reasons).map(|line| format!("# {}\n", in_one_line(line))).collect()
+}
+
+/// Text without what a comment must not contain, such as the end of a line in a drop's name.
+fn in_one_line(text: &str) -> String {
+    text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).collect()
 }
 
 fn sampling((height_m, decimation): &(f64, Decimation)) -> Value {
@@ -265,4 +293,25 @@ fn adequacy(adequacy: &Adequacy) -> Value {
         "largest_gain_by_an_effect": { "value": statistics.effect, "p": effect },
         "largest_bump": { "value": statistics.local, "p": local },
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::impact::effects::Model;
+    use crate::params::ImpactFile;
+
+    #[test]
+    fn analytic_a_model_file_states_its_verdict_and_is_still_one() {
+        let model = Model::load("paper").expect("comes with the program");
+        let reasons = ["k ended at its bound".to_string(), "session `mon\nmass_kg = 1` differs".to_string()];
+        for (verdict, lines) in [(Verdict::NothingMissing, 1), (Verdict::Named, 1), (Verdict::Ambiguous, 3), (Verdict::NoneSuffices, 3)] {
+            let head = in_comments(verdict, &reasons);
+            assert!(head.starts_with(&format!("# verdict: {}: ", verdict.id())), "{head}");
+            assert!(head.lines().count() == lines && head.lines().all(|line| line.starts_with("# ")), "{head}");
+            let file = ImpactFile::parse("model.toml", &(head + &model.to_toml())).expect("is TOML");
+            let read = Model::resolve(&file).expect("is a model");
+            assert_eq!(read.stiffness_and_damping(), model.stiffness_and_damping());
+        }
+    }
 }

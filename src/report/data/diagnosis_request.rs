@@ -131,9 +131,7 @@ impl DiagnosisRequest<'_> {
             }
         }
         compared.landing = landing.map(|landing| landing.beside(&found));
-        if let Some(lateral) = self.lateral(&choice, observed.as_ref(), compared.landing.is_some()) {
-            compared.channel_reason += &format!("; {lateral}");
-        }
+        compared.lateral_axes = self.lateral(&choice, observed.as_ref(), compared.landing.is_some());
         if choice.axes == ComparedAxes::All && compared.landing.is_none() {
             compared.channel = ComparedAxes::Axial.word();
         }
@@ -274,6 +272,7 @@ impl DiagnosisRequest<'_> {
             channel: choice.axes.word(),
             stated_channel: word(choice.stated),
             channel_reason: choice.reason.clone(),
+            lateral_axes: None,
             own_effects: self.model.acting().map(|(spec, _)| spec.id).collect(),
             drops: choice.waves.groups.iter().map(|group| (group.height_m, group.windows.len())).collect(),
             sampling: choice.waves.groups.iter().map(|group| (group.height_m, group.decimation)).collect(),

@@ -71,7 +71,7 @@ fn drops(diagnosis: &Diagnosis, compared: &Compared) -> Vec<Block> {
     let head = cells(["height, m", "drops", "median peak, g", "impulse of the mean wave / v0", "at most"]);
     let mut blocks = vec![Block::Heading("Observations without a model".into()), Block::Table(head, rows)];
     let mut lines = vec![format!("Channel: {} (the model states: {}).", compared.channel, compared.stated_channel)];
-    lines.push(compared.channel_reason.clone());
+    lines.push(compared.channel());
     lines.extend(compared.sampling());
     lines.extend(compared.observed());
     if let Some(clipping) = diagnosis.clipping {
