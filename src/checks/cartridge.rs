@@ -1,5 +1,6 @@
 //! The battery changes quickly: lid, battery, plug and magnet slide out of the sleeve in one piece, to the rear or to the right, in the
-//! assembled frame, and pushed in again they meet what they belong to.
+//! assembled frame, and pushed in again they meet what they belong to. They are one piece by the tape between battery and lid, for which the
+//! battery lies over the lid's floor.
 //!
 //! The way out is tested in two steps. Until the lid has left the bracket the cartridge is moved in small steps and cut
 //! with what its path touches; after that each piece's convex hull, swept on to the end of the way, is (which is more
@@ -8,17 +9,21 @@
 use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 
-use super::finding::Finding;
+use super::finding::{Finding, Verdict};
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::{Placed, Scene};
 use crate::figures::told_apart;
 use crate::frame::assembly::Kind;
+use crate::frame::skeleton::centre::LEAST_IN_LID_MM;
 use crate::memo::Memo;
 use crate::params::PartName;
 
 const CLEARANCES: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "lid.lid_slide_clearance_mm"];
 const UNDER_RODS: &[&str] = &["rods.strut_rod_length_mm", "battery.battery_height_mm", "bought.battery"];
+const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
+const BOARDS: &[&str] = &["bracket.bay_height_mm", "sleeve.sleeve_direction"];
+const IN_LID: &[&str] = &["lid.lid_reach_mm", "battery.battery_length_mm"];
 const RIMS: &[&str] = &["lid.lid_reach_mm", "lid.lid_clearance_mm"];
 const MAGNETS: &[&str] = &["bracket.magnet_gap_mm"];
 const CONNECTOR: &[&str] = &["bracket.connector_width_mm"];
@@ -29,7 +34,7 @@ pub static RULE: Rule = Rule {
     requires: "the battery slides out and meets its stops",
     units: &["mm3", "mm"],
     limits: &[],
-    levers: Levers::Sets(&[CLEARANCES, UNDER_RODS, RIMS, MAGNETS, CONNECTOR]),
+    levers: Levers::Sets(&[CLEARANCES, UNDER_RODS, SENSOR, BOARDS, IN_LID, RIMS, MAGNETS, CONNECTOR]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &[""], binds: false },
     found: Found::By(&[Pass::quick(check)]),
@@ -137,6 +142,17 @@ fn met_mm3(memo: &Memo, piece: &Placed, other: &Placed, way: &WayOut) -> f64 {
     })
 }
 
+/// The keys that move an obstacle out of the way.
+fn levers_of(obstacle: &Placed) -> &'static [&'static str] {
+    match obstacle.shape.kind {
+        // What belongs to a module is beside or under the sleeve's height: no clearance inside of the sleeve moves it.
+        _ if obstacle.body.module.is_some() => UNDER_RODS,
+        Kind::Bought("flow_sensor") => SENSOR,
+        Kind::Bought("flight_controller" | "motor_controller") => BOARDS,
+        _ => CLEARANCES,
+    }
+}
+
 fn passage(scene: &Scene) -> Vec<Finding> {
     let Some(lid) = scene.part(PartName::BatteryLid, None) else { return Vec::new() };
     let axes = scene.design.centre.battery_axes;
@@ -151,14 +167,12 @@ fn passage(scene: &Scene) -> Vec<Finding> {
     let pairs: Vec<(&Placed, &Placed)> = pieces.iter().flat_map(|piece| rest.iter().map(|other| (*piece, *other))).collect();
     let met: Vec<f64> = pairs.par_iter().map(|(piece, other)| met_mm3(&scene.design.memo, piece, other, &way)).collect();
     let names = |piece: &Placed, other: &Placed| Some([piece.body.name.clone(), other.body.name.clone()]);
-    // What belongs to a module is beside or under the sleeve's height: no clearance inside of the sleeve moves it.
-    let levers = |other: &Placed| if other.body.module.is_some() { UNDER_RODS } else { CLEARANCES };
     let in_the_way: Vec<Finding> = pairs
         .iter()
         .zip(&met)
         .filter(|(_, met)| **met > TOUCH_MM3)
         .map(|((piece, other), met)| {
-            CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm, side, levers: levers(other) }.finding()
+            CartridgePassage { pair: names(piece, other), shared_mm3: *met, way_mm, side, levers: levers_of(other) }.finding()
         })
         .collect();
     if in_the_way.is_empty() {
@@ -188,9 +202,23 @@ fn meetings(scene: &Scene) -> Vec<Finding> {
         .collect()
 }
 
+/// A battery that no tape can hold to its lid: pulling the lid would leave it behind.
+fn loose_from_lid(scene: &Scene) -> Option<Finding> {
+    let (lid, battery) = (scene.part(PartName::BatteryLid, None)?, scene.bought("battery")?);
+    let out = scene.design.centre.battery_axes.way_out();
+    let beyond_rim_mm = battery.bounds.reach_mm(&out)[1] - lid.bounds.reach_mm(&out)[0];
+    let value = beyond_rim_mm.min(scene.design.centre.lid_cover_mm);
+    let measure = Measure { rule: RULE.id, value, limit: LEAST_IN_LID_MM, unit: "mm", levers: IN_LID };
+    let [reach, least] = measure.figures(1);
+    let message =
+        format!("the battery reaches into its lid by {reach} mm, at least {least} mm are needed for the tape that holds both together");
+    Some(measure.at_least("battery in its lid".into(), message)).filter(|finding| finding.verdict == Verdict::Violated)
+}
+
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let mut found = passage(scene);
     found.extend(meetings(scene));
+    found.extend(loose_from_lid(scene));
     found
 }
 
@@ -198,6 +226,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
 mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
+    use crate::frame::skeleton::Centre;
+    use crate::params::Frame;
+    use crate::params::sleeve_direction::SleeveDirection;
 
     #[test]
     fn planted_a_sensor_behind_the_sleeve() {
@@ -205,7 +236,8 @@ mod tests {
         assert_eq!(violated(&frame.found(check)), []);
         frame.move_body("flow_sensor", [0.0, -110.0, -5.0]);
         let found = frame.found(check);
-        assert!(violated(&found).iter().any(|f| f.subject == "battery past flow_sensor"), "{found:?}");
+        let battery = found.iter().find(|f| f.subject == "battery past flow_sensor").expect("meets it");
+        assert!(battery.verdict == Verdict::Violated && battery.levers == SENSOR, "{found:?}");
         assert!(violated(&found).iter().any(|f| f.subject == "battery_lid past flow_sensor"), "{found:?}");
     }
 
@@ -217,6 +249,37 @@ mod tests {
         let found = frame.found(check);
         let broken: Vec<_> = violated(&found).iter().map(|f| f.subject.clone()).collect();
         assert_eq!(broken, ["end stop: the rims of lid and sleeve", "end stop: the magnets"]);
+    }
+
+    /// The default battery reaches into its lid by 13.1 mm.
+    #[test]
+    fn planted_a_battery_in_front_of_its_lid() {
+        let moved = |by_mm: f64| {
+            let mut frame = Planted::preset("cognifly");
+            frame.move_body("battery", [0.0, by_mm, 0.0]);
+            loose_from_lid(&Scene::new(&frame.design, &frame.masses))
+        };
+        assert_eq!(moved(4.0), None);
+        let found = moved(20.0).expect("is loose");
+        assert!(found.value < -6.0 && found.levers == IN_LID, "{found:?}");
+    }
+
+    /// Hubs that are longer than the battery, along and across, and short batteries: where it lies to the front, it is out of the lid.
+    #[test]
+    fn regress_a_battery_shorter_than_its_bracket_is_in_its_lid() {
+        for (ratio, length_mm, turned) in
+            [(1.14, 58.0, false), (1.25, 58.0, false), (1.14, 58.0, true), (1.0, 45.0, false), (1.0, 40.0, false)]
+        {
+            let mut frame = Frame::load("cognifly").expect("a preset").0;
+            (frame.rods.cage_side_ratio, frame.battery.battery_length_mm) = (ratio, length_mm);
+            if turned {
+                frame.sleeve_direction = SleeveDirection::Across;
+            }
+            let centre = Centre::new(&frame);
+            let [rear, front] = centre.battery_y_mm;
+            assert!(centre.rim_y_mm - rear >= LEAST_IN_LID_MM && front <= centre.front_y_mm, "{ratio} {length_mm}");
+            assert!((front - rear - length_mm).abs() < 1e-9 && rear >= centre.rim_y_mm - centre.lid_cover_mm - 1e-9, "{ratio} {length_mm}");
+        }
     }
 
     #[test]

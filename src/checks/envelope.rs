@@ -15,6 +15,8 @@ const HEIGHT: &[&str] = &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", 
 const STANDING: &[&str] = &["accessories.mast_height_mm", "accessories.fpv_above_mm"];
 /// What hangs below the feet: the sleeve with its battery.
 const HANGING: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "bought.battery"];
+/// The same, where the flow sensor hangs lowest.
+const SENSOR: &[&str] = &["bought.flow_sensor", "bracket.bay_height_mm"];
 /// What a long frame is deep by, first.
 const DEPTH: &[&str] = &["rods.cage_side_ratio", "rods.cage_rod_length_mm", "corner.corner_node_to_bottom_mm"];
 const SOLVED_WIDTH: &[&str] = &["target.width_mm"];
@@ -30,6 +32,7 @@ const MAKE_HIGH: &[&str] = &[
     "bracket.bay_height_mm",
     "battery.battery_height_mm",
     "bought.battery",
+    "bought.flow_sensor",
     "accessories.mast_height_mm",
     "accessories.fpv_above_mm",
 ];
@@ -65,7 +68,7 @@ pub static RULE: Rule = Rule {
         Limit::Key { subject: "depth", key: "limits.envelope_depth_mm" },
         Limit::Key { subject: "height", key: "limits.envelope_height_mm" },
     ],
-    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, STANDING, HANGING, SOLVED_WIDTH, WIDTH, DEPTH]),
+    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, STANDING, HANGING, SENSOR, SOLVED_WIDTH, WIDTH, DEPTH]),
     blame: Blame::Keys(&[("height", MAKE_HIGH), ("depth", MAKE_DEEP), ("", MAKE_WIDE)]),
     in_search: InSearch::Constraints { subjects: &["width", "depth", "height"], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -103,6 +106,7 @@ impl Extent<'_> {
     fn finding(&self) -> Finding {
         let Self { name, with_propellers, size_mm, limit_mm, solved, long, beyond } = *self;
         let levers = match (name, solved) {
+            ("height", _) if beyond.is_some_and(|beyond| beyond.below && beyond.body == "flow_sensor") => SENSOR,
             ("height", _) if beyond.is_some_and(|beyond| beyond.below) => HANGING,
             ("height", _) if beyond.is_some() => STANDING,
             ("height", true) => SOLVED_HEIGHT,

@@ -1,5 +1,7 @@
 //! The bill of materials as a value: what to print, what to buy, and how to cut the rods. Every form of it is made from this one.
 
+use std::borrow::Cow;
+
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -10,6 +12,7 @@ use super::supplies::{RECEIVER_SEARCH, SMALL_TIE, Supply, supplies};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
+use crate::params::catalogue::BoughtPart;
 use crate::params::frame::NamedMaterial;
 use crate::printing::print_time::of_part_s;
 
@@ -210,7 +213,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             kind: part.kind.clone(),
             quantity,
             with_spares: with_spares(&part.kind, quantity),
-            search: search_words(searched, &item.name, part),
+            search: search_words(searched, &item.name, &sought(design, role, part)),
             screw_mm: part.thread_mm.zip(part.length_mm).map(|(thread, length)| [thread, length]),
             mass_g: weighed.map(|line| line.total_g),
             mass_basis: weighed.map(|line| line.basis.clone()),
@@ -229,6 +232,18 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
     let screw = |line: &BuyLine| line.screw_mm.unwrap_or([-1.0, -1.0]);
     lines.sort_by(|a, b| screw(a)[0].total_cmp(&screw(b)[0]).then(screw(a)[1].total_cmp(&screw(b)[1])).then_with(|| a.role.cmp(&b.role)));
     lines
+}
+
+/// What is looked for: a battery that is as large as the frame has room for, where its file states more than the catalogue.
+fn sought<'a>(design: &Design, role: &str, part: &'a BoughtPart) -> Cow<'a, BoughtPart> {
+    let mut part = Cow::Borrowed(part);
+    if role == "battery" {
+        let b = &design.frame.battery;
+        let room_mm = [b.battery_length_mm, b.battery_width_mm, b.battery_height_mm];
+        let size_mm = [0, 1, 2].map(|axis| room_mm[axis].max(part.size_mm[axis]));
+        part.to_mut().size_mm = size_mm;
+    }
+    part
 }
 
 /// What weighs and has to be had, but stands in no catalogue.
@@ -303,4 +318,24 @@ fn prices_with_spares(buy: &[BuyLine]) -> Vec<(String, f64, f64)> {
         }
     }
     sums
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frame::assembly::mass;
+    use crate::params::Frame;
+
+    #[test]
+    fn analytic_the_battery_to_look_for_is_as_large_as_its_sleeve() {
+        let words = |height_mm: f64| {
+            let (mut frame, _) = Frame::load("cognifly").expect("a preset");
+            frame.battery.battery_height_mm = height_mm;
+            let design = Design::new(frame).expect("closes");
+            let battery = buy_lines(&design, &mass::table(&design), 1).into_iter().find(|line| line.role == "battery");
+            battery.expect("has one").search
+        };
+        assert!(words(17.0).ends_with("at most 58 x 31 x 17 mm"));
+        assert!(words(12.0).ends_with("at most 58 x 31 x 16 mm"), "a rule says that it does not fit");
+    }
 }

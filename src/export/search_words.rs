@@ -1,4 +1,5 @@
-//! What to type into a shop's search for a bought part: from the catalogue's own figures and name, no maker and no shop.
+//! What to type into a shop's search for a bought part: from the catalogue's own figures and name, no maker and no shop. Of a battery it is the
+//! room that the frame has for it.
 
 use crate::params::catalogue::BoughtPart;
 

@@ -1,20 +1,22 @@
-//! Accessories that stand out of the cage.
+//! Propellers, motors and accessories that stand out of the cage.
 
 use super::comparison::{measure, name};
-use crate::checks::finding::Finding;
-use crate::checks::scene::{Scene, bounds_of};
+use crate::checks::finding::{Finding, Verdict};
+use crate::checks::scene::{Placed, Scene, bounds_of};
+use crate::frame::assembly::Kind;
 use crate::params::PartName;
 
 pub(super) const MAST: &[&str] = &["accessories.mast_height_mm"];
 pub(super) const FPV_CAMERA: &[&str] = &["accessories.fpv_above_mm"];
+
+pub(super) const RISER: &[&str] = &["motor_mount.motor_riser_mm", "rods.strut_rod_length_mm"];
 
 /// What stands high on the accessory plate, and the key of its height.
 const STANDING: [(&str, &[&str]); 2] = [("gps", MAST), ("fpv_camera", FPV_CAMERA)];
 
 /// A warning of each accessory that stands above the corners of the top ring, on which the frame lies when it lands upside down.
 pub(super) fn accessories(scene: &Scene) -> Vec<Finding> {
-    let ring = bounds_of(scene.placed.iter().filter(|placed| placed.is_part(PartName::TopCorner)));
-    let Some(ring_mm) = ring.map(|bounds| bounds.high[2]) else { return Vec::new() };
+    let Some(ring_mm) = ring_mm(scene) else { return Vec::new() };
     let of = |(role, levers): (&str, &'static [&'static str])| {
         let above_mm = scene.bought(role)?.bounds.high[2] - ring_mm;
         let called = name(&scene.design.frame, role);
@@ -24,8 +26,24 @@ pub(super) fn accessories(scene: &Scene) -> Vec<Finding> {
     STANDING.into_iter().filter_map(of).collect()
 }
 
+/// Propellers, or motors, above these corners: upside down the frame would stand on what breaks first.
+pub(super) fn propellers(scene: &Scene) -> Option<Finding> {
+    let turns = |placed: &&Placed| matches!(placed.shape.kind, Kind::Motor | Kind::Propeller);
+    let highest_mm = bounds_of(scene.placed.iter().filter(turns))?.high[2];
+    let above = measure(highest_mm - ring_mm(scene)?, 0.0, "mm", RISER);
+    let [above_mm, _] = above.figures(1);
+    let message = format!("propellers or motors stand {above_mm} mm above the top ring: a landing upside down is on them");
+    Some(above.at_most("propellers in the cage: height".into(), message)).filter(|finding| finding.verdict == Verdict::Violated)
+}
+
+/// Height of the highest corners of the top ring, mm.
+fn ring_mm(scene: &Scene) -> Option<f64> {
+    bounds_of(scene.placed.iter().filter(|placed| placed.is_part(PartName::TopCorner))).map(|bounds| bounds.high[2])
+}
+
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::checks::hardware::check;
     use crate::checks::planted::Planted;
     use crate::params::{Frame, FrameFile};
@@ -46,5 +64,22 @@ mod tests {
         assert_eq!(gps.subject, "gps in the cage");
         let [lower] = &warned(90.0)[..] else { panic!("not one warning") };
         assert!((gps.value - lower.value - 10.0).abs() < 1e-6, "{gps:?} {lower:?}");
+    }
+
+    /// A riser lifts motor and propeller by as much as it is high.
+    #[test]
+    fn planted_propellers_above_the_top_ring() {
+        let of = |raised_mm: f64| {
+            let mut frame = Planted::preset("cognifly");
+            let raised: Vec<usize> =
+                (0..frame.design.bodies.len()).filter(|at| frame.design.shape(&frame.design.bodies[*at]).kind == Kind::Propeller).collect();
+            for at in raised {
+                frame.design.bodies[at].pose.translation.z += raised_mm;
+            }
+            propellers(&Scene::new(&frame.design, &frame.masses))
+        };
+        assert_eq!(of(0.0), None);
+        let [high, higher] = [60.0, 70.0].map(|raised_mm| of(raised_mm).expect("stand out"));
+        assert!((higher.value - high.value - 10.0).abs() < 1e-6 && high.levers == RISER, "{high:?}");
     }
 }

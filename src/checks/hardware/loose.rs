@@ -2,7 +2,7 @@
 //!
 //! Most printers make a hole narrower than it is drawn by a tenth or two, and what clearances of zero hold is held by that. A printer that states
 //! `hole_undersize_mm` gets its bores drawn wider by as much, so they come out as the frame means them: then only a bore that is meant
-//! to be narrower than its rod holds it. Nothing is said of other printers, whose bores are not known.
+//! to be narrower than its rod holds it. Of other printers' bores it is known that they are narrower by a tenth at least.
 
 use super::comparison::measure;
 use crate::checks::finding::Finding;
@@ -17,10 +17,17 @@ const GRIPS_MM: f64 = -0.01;
 /// modules, too; with more play they rattle.
 const STAYS_MM: f64 = 0.1;
 
+/// By how much a bore is narrower than it is drawn where the printer does not state it, mm: the less of a tenth or two.
+const NARROWER_MM: f64 = 0.1;
+
 /// A warning where rods, or plugs, are loose as they are printed.
 pub(super) fn rods_and_plugs(frame: &Frame) -> Vec<Finding> {
-    let Some(undersize_mm) = frame.printer.hole_undersize_mm.filter(|mm| *mm > 0.0) else { return Vec::new() };
-    let drawn = format!("bores are drawn {undersize_mm} mm wider for this printer and come out as they are meant");
+    let stated_mm = frame.printer.hole_undersize_mm.filter(|mm| *mm > 0.0);
+    let narrower_mm = if stated_mm.is_some() { 0.0 } else { NARROWER_MM };
+    let drawn = match stated_mm {
+        Some(undersize_mm) => format!("bores are drawn {undersize_mm} mm wider for this printer and come out as they are meant"),
+        None => "most printers make bores a tenth or two narrower than they are drawn, and this is more than a tenth takes up".into(),
+    };
     let [grip_mm, plug_mm] = [frame.fit.grip_clearance_mm, frame.fit.plug_clearance_mm];
     let rods = format!(
         "{drawn}: with grip_clearance_mm = {grip_mm} nothing grips the rods; glue each end into corner, knee and fork, or lower grip_clearance_mm"
@@ -30,8 +37,8 @@ pub(super) fn rods_and_plugs(frame: &Frame) -> Vec<Finding> {
          in a crash"
     );
     let found = [
-        measure(grip_mm, GRIPS_MM, "mm", GRIP).note("bores of the rods: grip".into(), rods),
-        measure(plug_mm, STAYS_MM, "mm", PLUGS).note("bores of the plugs: grip".into(), plugs),
+        measure(grip_mm, GRIPS_MM + narrower_mm, "mm", GRIP).note("bores of the rods: grip".into(), rods),
+        measure(plug_mm, STAYS_MM + narrower_mm, "mm", PLUGS).note("bores of the plugs: grip".into(), plugs),
     ];
     found.into_iter().filter(Finding::warns).collect()
 }
@@ -56,7 +63,9 @@ mod tests {
         assert_eq!(of(Some(0.2), -0.3, 0.15), [plugs]);
         assert_eq!(of(Some(0.2), 0.1, 0.4), [rods, plugs]);
         for unknown in [None, Some(0.0)] {
-            assert_eq!(of(unknown, 0.1, 0.4), Vec::<String>::new(), "nothing is known of {unknown:?}");
+            assert_eq!(of(unknown, 0.0, 0.2), Vec::<String>::new(), "a tenth narrower holds both: {unknown:?}");
+            assert_eq!(of(unknown, 0.1, 0.2), [rods], "{unknown:?}");
+            assert_eq!(of(unknown, 0.1, 0.4), [rods, plugs], "{unknown:?}");
         }
     }
 }

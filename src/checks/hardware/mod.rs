@@ -1,10 +1,11 @@
 //! Bought parts go together: rods with what the bill of materials says they are, screws with the holes and threads that take them,
-//! boards with the holes that carry them, propellers with their motors and inside of the cage. A warning is given of accessories that
-//! stand out of the cage, and of rods and plugs that nothing holds.
+//! boards with the holes that carry them, propellers with their motors and inside of the cage, the battery with the size that the frame is
+//! made for. A warning is given of accessories that stand out of the cage, and of rods and plugs that nothing holds.
 //!
 //! What is compared is what the catalogue states and what the frame has. A figure that an entry does not state is not compared.
 
 mod above_ring;
+mod battery;
 mod carrier;
 mod comparison;
 mod holes;
@@ -13,7 +14,8 @@ mod propellers;
 mod rods;
 mod screws;
 
-use above_ring::{FPV_CAMERA, MAST};
+use above_ring::{FPV_CAMERA, MAST, RISER};
+use battery::{HEIGHT, LENGTH, WIDTH};
 use carrier::{CARRIER_HOLES, ON_BOARD, ON_FEET};
 use comparison::ID;
 use holes::{
@@ -69,11 +71,18 @@ pub static RULE: Rule = Rule {
         TIED,
         MAST,
         FPV_CAMERA,
+        RISER,
+        LENGTH,
+        WIDTH,
+        HEIGHT,
         GRIP,
         PLUGS,
     ]),
     blame: Blame::Levers,
-    in_search: InSearch::Constraints { subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in"], binds: false },
+    in_search: InSearch::Constraints {
+        subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in", "battery"],
+        binds: false,
+    },
     found: Found::By(&[Pass::quick(check)]),
 };
 
@@ -91,7 +100,9 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(holes::small_printed_holes(&scene.design.frame));
     found.extend(propellers::seat(&scene.design.frame));
     found.extend(propellers::cage(scene));
+    found.extend(above_ring::propellers(scene));
     found.extend(above_ring::accessories(scene));
+    found.extend(battery::sizes(&scene.design.frame));
     found.extend(loose::rods_and_plugs(&scene.design.frame));
     found
 }

@@ -1,7 +1,7 @@
 //! Each part stands while it is printed: enough of it lies on the bed, its weight is over that, and it is not too slender.
 //!
-//! What stands under a supported place stands with the part. The brim is not counted. The first layer is that of the design, without what a
-//! printer's `elephant_foot_mm` takes off. What of it is narrower than half of a line is not counted, as a slicer leaves it out.
+//! What stands under a supported place stands with the part. The brim of its material counts where it keeps a part from tipping over, and not as
+//! contact. The first layer is that of the design, without what a printer's `elephant_foot_mm` takes off. What of it is narrower than half of a line is not counted, as a slicer leaves it out.
 
 use crate::checks::finding::Finding;
 use crate::checks::measure::Measure;
@@ -47,11 +47,11 @@ pub(in crate::checks) fn findings(hung: &Hung, design: &Design, part: &Printed) 
     let [angle, least_angle] = tilt.figures(0);
     let tall = measure(*slender, printer.most_slender.unwrap_or(SLENDER), "");
     let [ratio, most] = tall.figures(1);
-    let remedy = "print it with a brim or lay it down";
+    let remedy = "print it with a wider brim (`brim_mm` of its material) or lay it down";
     [
         contact.at_least(
             format!("{name}: contact"),
-            format!("the contact area of {name} with the bed is {area} mm2, at least {least}: else {remedy}"),
+            format!("the contact area of {name} with the bed is {area} mm2, at least {least}: else lay it down"),
         ),
         tilt.at_least(format!("{name}: tilt"), format!("{name} tips over at {angle} deg, at least {least_angle}: else {remedy}")),
         tall.at_most(
@@ -76,5 +76,20 @@ mod tests {
         for subject in ["camera_connector_left: contact", "battery_sleeve: tilt", "battery_sleeve: height"] {
             assert!(broken.iter().any(|b| b == subject), "{subject}: {broken:?}");
         }
+    }
+
+    /// The sleeve is the highest part for what it stands on.
+    #[test]
+    fn planted_a_wider_brim_steadies_a_part() {
+        let sleeve = |brim_mm: f64| {
+            let frame = Planted::frame(|frame| frame.rigid.material.brim_mm = Some(brim_mm));
+            let found = frame.found(check);
+            ["contact", "tilt", "height"].map(|of| {
+                let subject = format!("battery_sleeve: {of}");
+                found.iter().find(|finding| finding.rule == "footing" && finding.subject == subject).expect("is looked at").value
+            })
+        };
+        let ([area, tilt, ratio], [same, steadier, less]) = (sleeve(0.0), sleeve(8.0));
+        assert!((area - same).abs() < 1e-9 && steadier > tilt + 5.0 && less < 0.8 * ratio, "{tilt} {steadier} {ratio} {less}");
     }
 }

@@ -199,8 +199,8 @@ fn fpv_camera(part: &Entry, frame: &Frame, centre: &Centre) -> Option<Feature> {
 fn battery(frame: &Frame, centre: &Centre) -> Feature {
     let b = &frame.battery;
     let (half, low) = (0.5 * b.battery_width_mm, centre.sleeve_z_mm() - centre.inner_mm[1]);
-    let rear = centre.front_y_mm - b.battery_length_mm;
-    Feature::cuboid_between([-half, rear, low], [half, centre.front_y_mm, low + b.battery_height_mm])
+    let [rear, front] = centre.battery_y_mm;
+    Feature::cuboid_between([-half, rear, low], [half, front, low + b.battery_height_mm])
 }
 
 /// Long along y, on its carrier; its lower side is bare.

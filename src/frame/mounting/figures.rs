@@ -92,7 +92,7 @@ fn called(role: &str) -> &str {
 /// Where the battery's rear face is in its lid.
 fn battery_rear(design: &Design) -> String {
     let centre = &design.centre;
-    let inside_mm = (centre.front_y_mm - design.frame.battery.battery_length_mm) - (centre.rim_y_mm - centre.lid_cover_mm);
+    let inside_mm = centre.battery_y_mm[0] - (centre.rim_y_mm - centre.lid_cover_mm);
     match inside_mm {
         _ if inside_mm.abs() < FLUSH_MM => "flush with the edge of the lid's floor".into(),
         _ if inside_mm > 0.0 => format!("{inside_mm:.1} mm inside of the edge of the lid's floor"),

@@ -17,6 +17,9 @@ const COUNTERBORE_RIM_MM: f64 = 1.0;
 /// How far the sleeve's front rim stands at least in front of the bracket, mm.
 const FRONT_RIM_MM: f64 = 0.088;
 
+/// How far the battery lies at least over the lid's floor, mm: chosen, for the tape that holds both together. The shallowest floor has 7.89.
+pub const LEAST_IN_LID_MM: f64 = 7.5;
+
 /// Least distance from the lid's block to the end of its shell, mm.
 const SHELL_STEP_MM: f64 = 0.11;
 
@@ -65,6 +68,8 @@ pub struct Centre {
     pub rim_y_mm: f64,
     /// Where the sleeve's front rim is, along y of the battery's axes.
     pub front_y_mm: f64,
+    /// Where the battery's rear and front faces are, along y of its axes: as far in front as the sleeve goes, but in its lid.
+    pub battery_y_mm: [f64; 2],
     /// Length of the sleeve.
     pub sleeve_length_mm: f64,
     /// How much of the battery the lid covers.
@@ -93,7 +98,9 @@ impl Centre {
         let behind_bores = hub.hub_mouth_mm - joint.plug_length_mm - hub.hub_back_wall_mm;
         let around_stack = 0.5 * hub.stack_pattern_mm * SQRT_2 + 0.5 * hub.stack_counterbore_diameter_mm + COUNTERBORE_RIM_MM;
         let rim_y_mm = lid.lid_reach_mm - lid.lid_clearance_mm - bracket_half_mm;
-        let front_y_mm = (0.5 * frame.battery.battery_length_mm).max(bracket_half_mm + FRONT_RIM_MM);
+        let battery_length_mm = frame.battery.battery_length_mm;
+        let front_y_mm = (0.5 * battery_length_mm).max(bracket_half_mm + FRONT_RIM_MM);
+        let battery_rear_mm = (front_y_mm - battery_length_mm).min(rim_y_mm - LEAST_IN_LID_MM);
         let stack = BracketStack::new(frame);
         let inner_mm = inner(frame);
         let (side, top) = (frame.sleeve.sleeve_side_wall_mm, frame.sleeve.sleeve_top_wall_mm);
@@ -119,8 +126,9 @@ impl Centre {
             outer_mm: [inner_mm[0] + side, inner_mm[1] + top],
             rim_y_mm,
             front_y_mm,
+            battery_y_mm: [battery_rear_mm, battery_rear_mm + battery_length_mm],
             sleeve_length_mm: front_y_mm - rim_y_mm,
-            lid_cover_mm: (0.5 * frame.battery.battery_length_mm + rim_y_mm).max(lid.lid_reach_mm - SHELL_STEP_MM),
+            lid_cover_mm: (0.5 * battery_length_mm + rim_y_mm).max(lid.lid_reach_mm - SHELL_STEP_MM),
             lid_magnet_depth_mm: bracket.magnet_thickness_mm + bracket.magnet_gap_mm - lid.lid_clearance_mm,
             bracket_z_mm: -hub_half_height_mm - bracket.stack_z_offset_mm,
             carrier_top_mm: hub_half_height_mm + frame.pi_carrier.carrier_thickness_mm,

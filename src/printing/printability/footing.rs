@@ -14,9 +14,10 @@ const NARROWEST: f64 = 0.5;
 /// The first layer and how the part stands on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Footing {
-    /// Area of the first layer, mm², without what is narrower than half of a line: a slicer leaves that out.
+    /// Area of the first layer, mm², without what is narrower than half of a line, as a slicer leaves that out, and without the brim: that is one
+    /// layer high, and does not hold what is narrow above it.
     pub contact_mm2: f64,
-    /// Tilt at which the centre of mass leaves the smallest convex figure around the first layer and the support; negative when it is not over it.
+    /// Tilt at which the centre of mass leaves the smallest convex figure around the first layer, its brim and the support; negative when it is not over it.
     pub tip: Angle,
     /// Height over the smallest width of that figure.
     pub slender: f64,
@@ -30,7 +31,7 @@ impl Footing {
 
     pub(super) fn measured(solid: &MeshSolid, mesh: &Mesh, process: &Process, supported: &[&Region]) -> Self {
         let contact = wide_enough(&solid.slice(0.5 * process.layer_mm), NARROWEST * process.line_mm);
-        let base = supported.iter().fold(contact.clone(), |base, place| base.union(place));
+        let base = supported.iter().fold(contact.hull().grown(process.brim_mm), |base, place| base.union(place));
         let hull: Vec<Point2<f64>> = base.hull().contours().concat().into_iter().map(Point2::from).collect();
         let (centre, _) = mesh.moments();
         let edges: Vec<(Point2<f64>, Point2<f64>)> =

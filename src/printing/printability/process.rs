@@ -1,9 +1,9 @@
-//! What a material prints over air.
+//! What a material prints over air, and the brim that it is printed with.
 
 use crate::params::catalogue::{Material, Printer};
 use crate::units::Angle;
 
-/// What a material prints over air on a printer.
+/// What a material prints over air on a printer, and with which brim.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Process {
     /// Width of a line, mm.
@@ -18,6 +18,8 @@ pub struct Process {
     pub bridge_mm: f64,
     /// Whether support comes off.
     pub support_comes_off: bool,
+    /// Width of the brim around the first layer, mm.
+    pub brim_mm: f64,
 }
 
 impl Process {
@@ -30,6 +32,7 @@ impl Process {
             ledge_mm: material.ledge_mm.unwrap_or(2.0),
             bridge_mm: material.bridge_mm.unwrap_or(10.0),
             support_comes_off: material.support_comes_off.unwrap_or(true),
+            brim_mm: material.brim_mm.unwrap_or(0.0),
         }
     }
 }

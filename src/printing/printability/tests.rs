@@ -7,6 +7,7 @@ use crate::solid::{Contour, Feature, Mesh, MeshSolid, Profile};
 use crate::units::Angle;
 
 const PROCESS: Process = Process {
+    brim_mm: 0.0,
     line_mm: 0.45,
     layer_mm: 0.2,
     overhang: Angle::rad(std::f64::consts::FRAC_PI_4),
@@ -147,6 +148,11 @@ fn analytic_a_block_tips_over_its_nearer_edge() {
     let Footing { contact_mm2, tip, slender } = Footing::measured(&solid, &mesh, &PROCESS, &[]);
     assert!((contact_mm2 - 200.0).abs() < 1e-6 && (slender - 3.0).abs() < 1e-6);
     assert!((tip.tan() - 5.0 / 15.0).abs() < 1e-6, "{tip:?}");
+    // A brim of 3 mm widens what it stands on to 16 mm.
+    let brim = Process { brim_mm: 3.0, ..PROCESS };
+    let held = Footing::measured(&solid, &mesh, &brim, &[]);
+    assert!((held.contact_mm2 - 200.0).abs() < 1e-6 && (held.slender - 30.0 / 16.0).abs() < 1e-6, "{held:?}");
+    assert!((held.tip.tan() - 8.0 / 15.0).abs() < 1e-6, "{held:?}");
     // An upside-down L: its centre lies outside what it stands on.
     let (solid, mesh) = made(&Feature::union([block([0.0; 3], [4.0, 4.0, 20.0]), block([3.0, 0.0, 18.0], [40.0, 4.0, 22.0])]));
     assert!(Footing::measured(&solid, &mesh, &PROCESS, &[]).tip.to_deg() < 0.0);

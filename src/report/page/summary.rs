@@ -9,6 +9,7 @@ use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::markdown::inert;
+use crate::params::Frame;
 use crate::printing::plates::Plate;
 
 /// The report of a design, with its findings and its plates; `pictures` says whether the pictures lie beside it.
@@ -110,8 +111,15 @@ fn printed(page: &mut String, design: &Design, masses: &MassTable, pictures: boo
     page.push('\n');
 }
 
+/// What is cut: rods, or tubes with their wall.
+fn stock_words(frame: &Frame) -> String {
+    let wall_mm = frame.bought.get("rod").and_then(|rod| rod.part.wall_mm);
+    let across_mm = frame.rods.rod_diameter_mm;
+    wall_mm.map_or_else(|| format!("Rods of {across_mm} mm"), |wall| format!("Tubes of {across_mm} mm with walls of {wall} mm"))
+}
+
 fn rods(page: &mut String, design: &Design) {
-    let _ = writeln!(page, "## Cut\n\nRods of {} mm, {}:\n", design.frame.rods.rod_diameter_mm, inert(&design.frame.rod_material.name));
+    let _ = writeln!(page, "## Cut\n\n{}, {}:\n", stock_words(&design.frame), inert(&design.frame.rod_material.name));
     for role in design.skeleton.roles() {
         let _ = writeln!(page, "- {} x {} {:.1} mm", design.skeleton.rods_of(role).count(), role.slug(), design.skeleton.sawn_mm(role));
     }
@@ -164,4 +172,17 @@ fn limits(page: &mut String, findings: &[Finding]) {
         );
     }
     page.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn analytic_tubes_are_called_so_where_they_are_cut() {
+        let (mut frame, _) = Frame::load("cognifly").expect("a preset");
+        assert_eq!(stock_words(&frame), "Rods of 3 mm");
+        frame.bought.get_mut("rod").expect("has one").part.wall_mm = Some(0.5);
+        assert_eq!(stock_words(&frame), "Tubes of 3 mm with walls of 0.5 mm");
+    }
 }
