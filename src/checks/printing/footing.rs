@@ -70,6 +70,7 @@ mod tests {
     fn planted_limits_that_a_part_misses() {
         let mut frame = Planted::preset("cognifly");
         assert_eq!(violated(&frame.found(check)), []);
+        frame.design.frame.rigid.material.brim_mm = None;
         let printer = &mut frame.design.frame.printer;
         (printer.least_contact_mm2, printer.least_tip_deg, printer.most_slender) = (Some(60.0), Some(25.0), Some(2.0));
         let broken: Vec<String> = violated(&frame.found(check)).into_iter().map(|f| f.subject).collect();

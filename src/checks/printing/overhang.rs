@@ -97,11 +97,13 @@ mod tests {
 
     #[test]
     fn planted_support_that_does_not_come_off_makes_a_note_a_violation() {
-        let frame = Planted::frame(|frame| frame.rigid.material.support_comes_off = Some(false));
+        let frame = Planted::frame(|frame| {
+            (frame.rigid.material.support_comes_off, frame.rigid.material.brim_mm) = (Some(false), None);
+        });
         let broken = violated(&frame.found(check));
         let (footing, hanging): (Vec<_>, Vec<_>) = broken.into_iter().partition(|f| f.rule == "footing");
         assert_eq!(hanging.len(), 3);
-        // Without the support the lid and both camera connectors lean out over their first layer.
+        // Without support and brim the lid and both camera connectors lean out over their first layer.
         assert_eq!(footing.len(), 3);
         assert!(hanging.iter().all(|f| f.message.contains("support does not come off abs")), "{hanging:?}");
     }
