@@ -320,7 +320,11 @@ fn planted_places_that_cannot_be_written() {
 fn planted_printers_at_their_bounds_are_checked_without_a_panic() {
     use flexframe::params::catalogue::Printer;
     let bench = Bench::new();
-    let value = |key: &str, limit: f64| if key == "size_mm" { format!("[{limit:?}, {limit:?}]") } else { format!("{limit:?}") };
+    let value = |key: &str, limit: f64| match key {
+        "size_mm" => format!("[{limit:?}, {limit:?}]"),
+        "kept_clear_mm" => format!("[[{limit:?}, {limit:?}, {limit:?}, {limit:?}]]"),
+        _ => format!("{limit:?}"),
+    };
     let head =
         "base = \"cognifly\"\nprinter = \"mine\"\n[override.printers.mine]\nname = \"mine\"\nbed = \"rectangular\"\nsource = \"s\"\n";
     let usual = "nozzle_mm = 0.4\nmin_wall_nozzles = 2.14\nsize_mm = [220.0, 220.0]\nheight_mm = 250.0\n";
