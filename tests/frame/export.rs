@@ -90,7 +90,7 @@ fn analytic_the_manifest_has_its_keys_and_every_part() {
             parts().into_iter().map(PartName::slug).collect::<Vec<_>>()
         );
         for part in listed {
-            let expected = ["name", "quantity", "material", "volume_mm3", "mass_g", "bbox_mm", "triangles", "files"];
+            let expected = ["name", "quantity", "material", "volume_mm3", "design_volume_mm3", "mass_g", "bbox_mm", "triangles", "files"];
             assert_eq!(keys(part), BTreeSet::from(expected), "{}", built.preset);
         }
     }
@@ -167,7 +167,7 @@ fn analytic_masses_are_volume_times_density_times_print_factor() {
         let frame = Frame::load(built.preset).expect("a preset is valid").0;
         for part in list(&built.manifest(), "parts") {
             let material = [&frame.flexible, &frame.rigid].into_iter().find(|m| m.name == name(part, "material")).expect("is known");
-            let mass = number(part, "volume_mm3") / 1000.0 * material.material.density_g_cm3 * material.material.print_factor;
+            let mass = number(part, "design_volume_mm3") / 1000.0 * material.material.density_g_cm3 * material.material.print_factor;
             assert!((mass - number(part, "mass_g")).abs() < ROUNDED, "{}: {part}", built.preset);
         }
     }
