@@ -295,8 +295,8 @@ fn analytic_skins_bend_into_the_folded_parts() {
         let points = skinned(&played, &format!("{name}_FR_skin"), Some(("all", 1e9)));
         let body = design.bodies.iter().find(|b| b.name == format!("{name}_FR")).expect("a body");
         let [low, high] = design.placed(body).bounds_mm();
-        // The file's axes: X right, Y up, Z back.
-        for (axis, sign, along) in [(0, 1.0, 0), (1, -1.0, 2), (2, 1.0, 1)] {
+        // The file's axes: X left, Y up, Z front.
+        for (axis, sign, along) in [(0, -1.0, 0), (1, 1.0, 2), (2, 1.0, 1)] {
             let values: Vec<f64> = points.iter().map(|p| sign * p[along]).collect();
             let (least, most) = values.iter().fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(*v), b.max(*v)));
             assert!((least - low[axis]).abs() < 0.3 && (most - high[axis]).abs() < 0.3, "{name} {axis}: {least} {most} {low:?} {high:?}");
