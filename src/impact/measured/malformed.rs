@@ -176,7 +176,7 @@ pub enum Fault {
 const LISTED: usize = 12;
 const LETTERS: usize = 40;
 /// What 32 bits of microseconds count to, s, and how much less a step over their end takes off at the most.
-const WRAP_S: f64 = 4294.967_296;
+const WRAP_S: f64 = 4_294.967_296;
 const WRAP_STEP_S: f64 = 0.1;
 
 /// Names of columns, the first of them, as far as a message has room.
