@@ -161,7 +161,7 @@ fn analytic_a_block_tips_over_its_nearer_edge() {
     assert!(Footing::measured(&solid, &mesh, &PROCESS, &plans).tip.to_deg() > 0.0);
 }
 
-/// A frame of walls, and two blocks that it holds: the slicer lays what is at least half of a line wide.
+/// A frame of walls, and a block in its corner: the slicer lays what is at least half of a line wide.
 #[test]
 fn analytic_walls_thinner_than_half_a_line_are_no_first_layer() {
     let walls = |wide: f64| {
