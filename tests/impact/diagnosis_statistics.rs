@@ -187,6 +187,25 @@ fn planted_limits_show_and_scatter_does_not() {
     }
 }
 
+/// Means of which only the strongest drops are cut say little of the limit: it was fitted up to 4 g above the level at which readings lie.
+#[test]
+fn planted_limits_near_the_peak_are_read_where_readings_pile_up() {
+    let at = |limit_g: f64, seed: u64| {
+        let mut limited = plan(seed);
+        limited.heights_m.push(2.0);
+        limited.scatter = TrialVariation { share: 0.06, stiffness: 0.1, ..limited.scatter };
+        limited.model = limited.model.with(by_id("sensor_saturation").expect("an effect"), &[limit_g], 0);
+        diagnose(&waves(&limited), None, &base(), &DiagnosisOptions::new(1, 1)).expect("a diagnosis")
+    };
+    for (limit_g, seed) in [(85.0, 1), (85.0, 2), (92.0, 1)] {
+        let found = at(limit_g, seed);
+        assert_eq!((found.verdict, found.chosen.ids()), (Verdict::Named, vec!["sensor_saturation"]), "{limit_g} g, seed {seed}");
+        let limit = found.estimates.iter().find(|one| one.key == "limit_g").expect("is stated");
+        let [low, high] = limit.ci95;
+        assert!((limit.value - limit_g).abs() < 0.25 && low < limit_g && limit_g < high, "{limit_g} g, seed {seed}: {limit:?}");
+    }
+}
+
 #[test]
 fn planted_pair_whose_first_choice_is_wrong_is_found_all_the_same() {
     let mut synthetic = plan(41);

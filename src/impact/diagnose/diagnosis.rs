@@ -87,7 +87,7 @@ impl Diagnosis {
         model: &Model,
         settings: &DiagnosisOptions,
     ) -> Option<Self> {
-        let (problem, limit_seen) = (setting.problem, setting.limit_seen);
+        let (problem, limit_seen) = (setting.problem, setting.limit_seen());
         let base = search.levels[0].candidates[0].clone();
         let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;
         let nothing = search.levels[0].adequacy.p >= RARE && !limit_seen;
@@ -106,7 +106,7 @@ impl Diagnosis {
             trend,
             not_enough: search.not_enough.as_ref(),
         });
-        let (estimates, correlations) = estimates(&chosen, &level.adequacy)?;
+        let (estimates, correlations) = estimates(&chosen, &level.adequacy, prepared.clipping.as_ref())?;
         let gaps = |candidate: &Candidate| Gaps::of(problem, fitted, held_out, candidate);
         let (before, after) = (gaps(&base)?, gaps(&chosen)?);
         let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);

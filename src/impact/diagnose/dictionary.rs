@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
-use crate::impact::effects::{Model, Spec, candidates};
+use crate::impact::effects::{Model, SENSOR_SATURATION, Spec, candidates};
 use crate::impact::fit::FitProblem;
 
 /// An effect at some values.
@@ -37,14 +37,18 @@ impl Start {
     }
 }
 
-/// The starts of every effect of a list that a model does not hold yet.
-fn starts(catalogue: &[&'static Spec], model: &Model) -> Vec<Start> {
+/// The starts of every effect of a list that a model does not hold yet; of a limit that is seen, that one alone.
+fn starts(catalogue: &[&'static Spec], model: &Model, seen_limit_g: Option<f64>) -> Vec<Start> {
     let listed = |spec: &Spec| model.effects.iter().any(|listed| listed.spec.id == spec.id);
     let mut all = Vec::new();
     for spec in candidates(catalogue, model).into_iter().filter(|spec| !listed(spec)) {
         let words = spec.choice.map_or(1, |choice| choice.words.len());
         for word in 0..words {
-            all.extend((spec.starts)(&model.known()).into_iter().map(|values| Start { spec, word, values }));
+            let tried = match seen_limit_g {
+                Some(level_g) if spec.id == SENSOR_SATURATION.id => vec![vec![level_g]],
+                _ => (spec.starts)(&model.known()),
+            };
+            all.extend(tried.into_iter().map(|values| Start { spec, word, values }));
         }
     }
     all
@@ -63,7 +67,7 @@ impl Dictionary {
     /// The effects of a list on top of a model.
     pub fn on(problem: &FitProblem, model: &Model, catalogue: &[&'static Spec]) -> Option<Self> {
         let here = problem.prediction(model)?;
-        let tried: Vec<(Start, DVector<f64>)> = starts(catalogue, model)
+        let tried: Vec<(Start, DVector<f64>)> = starts(catalogue, model, problem.seen_limit_g)
             .into_par_iter()
             .filter_map(|start| Some((start.clone(), problem.prediction(&start.on(model))? - &here)))
             .collect();

@@ -4,6 +4,8 @@ use nalgebra::DMatrix;
 
 use super::adequacy::Adequacy;
 use super::candidate::Candidate;
+use super::clipping::Clipping;
+use crate::impact::effects::SENSOR_SATURATION;
 use crate::impact::fit::{Free, NORMAL_97_5, inverse};
 
 /// A parameter with its interval.
@@ -26,7 +28,11 @@ pub struct EffectEstimate {
 }
 
 /// The parameters of a set with their intervals, and their correlations.
-pub(super) fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<EffectEstimate>, DMatrix<f64>)> {
+pub(super) fn estimates(
+    chosen: &Candidate,
+    adequacy: &Adequacy,
+    clipping: Option<&Clipping>,
+) -> Option<(Vec<EffectEstimate>, DMatrix<f64>)> {
     let minimum = &chosen.fitted.minimum;
     let covariance = inverse(&(minimum.jacobian.transpose() * &minimum.jacobian))?;
     let sd: Vec<f64> = covariance.diagonal().iter().map(|variance| variance.max(1e-300).sqrt()).collect();
@@ -42,5 +48,16 @@ pub(super) fn estimates(chosen: &Candidate, adequacy: &Adequacy) -> Option<(Vec<
             at_bound: minimum.at_bound[i],
         }
     };
-    Some((chosen.fitted.layout.free.iter().enumerate().map(one).collect(), correlations))
+    let fitted = chosen.fitted.layout.free.iter().enumerate().map(one);
+    Some((fitted.chain(seen_limit(chosen, clipping)).collect(), correlations))
+}
+
+/// The limit of a sensor that was read where readings pile up, and not fitted. Readings are counts: their level is not known better than one of them.
+fn seen_limit(chosen: &Candidate, clipping: Option<&Clipping>) -> Option<EffectEstimate> {
+    let limit = &SENSOR_SATURATION.parameters[0];
+    let is_fitted = chosen.fitted.layout.free.iter().any(|free| free.spec.id == SENSOR_SATURATION.id);
+    let value = chosen.model().value(SENSOR_SATURATION.id, limit.key).filter(|_| !is_fitted)?;
+    let half = NORMAL_97_5 * clipping?.noise_g;
+    let ci95 = [value - half, value + half];
+    Some(EffectEstimate { effect: SENSOR_SATURATION.id, key: limit.key, unit: limit.unit, value, ci95, at_bound: false })
 }

@@ -23,9 +23,7 @@ pub(super) fn judged_again(
 ) -> Option<Diagnosis> {
     let is_open = matches!(found.verdict, Verdict::NoneSuffices | Verdict::Ambiguous);
     let with = |prepared: &PreparedDrops, bootstrap: &Bootstrap, most: usize| {
-        let limit_seen = prepared.limit_seen(model);
-        let setting =
-            SearchContext { problem: &prepared.problem, bootstrap, limit_seen, catalogue: settings.catalogue, most, stage: &|_| () };
+        let setting = SearchContext { problem: &prepared.problem, bootstrap, catalogue: settings.catalogue, most, stage: &|_| () };
         let search = Search::run(&setting, model)?;
         let is_enough = search.levels.last()?.adequacy.p >= RARE;
         is_enough.then(|| Diagnosis::of(prepared, &setting, &search, fitted, held_out, model, settings))?

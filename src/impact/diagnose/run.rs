@@ -54,7 +54,6 @@ fn run(
     let setting = SearchContext {
         problem: &prepared.problem,
         bootstrap: &bootstrap,
-        limit_seen: prepared.limit_seen(model),
         catalogue: settings.catalogue,
         most: settings.most_effects,
         stage,

@@ -50,8 +50,6 @@ pub struct SearchContext<'a> {
     pub problem: &'a FitProblem,
     /// Bootstrap replicates.
     pub bootstrap: &'a Bootstrap,
-    /// Whether readings clip below the model's own limit: a set without a lower limit is then no explanation.
-    pub limit_seen: bool,
     /// The effects that are tried.
     pub catalogue: &'a [&'static Spec],
     /// Most effects.
@@ -64,7 +62,9 @@ impl Search {
     /// Searches from a model's base on; `None` when the base cannot be fitted.
     pub fn run(setting: &SearchContext, model: &Model) -> Option<Self> {
         let not_enough = match setting.given(model) {
-            Some(level) if level.adequacy.p >= RARE && !setting.limit_seen => return Some(Self { levels: vec![level], not_enough: None }),
+            Some(level) if level.adequacy.p >= RARE && !setting.limit_seen() => {
+                return Some(Self { levels: vec![level], not_enough: None });
+            }
             given => given.map(|Level { mut candidates, adequacy }| (candidates.remove(0), adequacy.p)),
         };
         let base = Candidate::base(setting.problem, model)?;
@@ -80,7 +80,7 @@ impl Search {
             let adequacy = setting.adequacy(best, &dictionary)?;
             let enough = adequacy.p >= RARE && setting.may_be(best);
             levels.push(Level { candidates, adequacy });
-            if enough || size == setting.most || (levels[0].adequacy.p >= RARE && !setting.limit_seen) {
+            if enough || size == setting.most || (levels[0].adequacy.p >= RARE && !setting.limit_seen()) {
                 break;
             }
             (setting.stage)(Stage::Effects(size + 1));
@@ -100,6 +100,11 @@ impl Search {
 }
 
 impl SearchContext<'_> {
+    /// Whether readings clip below the model's own limit: a set without a lower limit is then no explanation.
+    pub fn limit_seen(&self) -> bool {
+        self.problem.seen_limit_g.is_some()
+    }
+
     /// Whether a candidate is enough.
     pub fn adequacy(&self, candidate: &Candidate, dictionary: &Dictionary) -> Option<Adequacy> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
@@ -148,7 +153,7 @@ impl SearchContext<'_> {
 
     /// Whether a set can explain what is seen in single readings.
     pub fn may_be(&self, candidate: &Candidate) -> bool {
-        !self.limit_seen || candidate.model().limits_readings()
+        !self.limit_seen() || candidate.model().limits_readings()
     }
 
     /// Best score first, sets that cannot be behind those that can.

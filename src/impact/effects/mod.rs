@@ -56,4 +56,5 @@ pub use model_text::{CHANNEL, CURVE, MOST_STAGES, PLAIN_NUMBERS, channel_words};
 pub use parameter::{Choice, Parameter, Scale};
 pub use payload_mode::SPEC as PAYLOAD_MODE;
 pub use sensor::{Channel, Sensor};
+pub use sensor_saturation::SPEC as SENSOR_SATURATION;
 pub use spec::{Availability, Inputs, Spec, Stage, StartContext};

@@ -12,7 +12,7 @@ use super::parameter::{Parameter, Scale};
 use super::spec::{Availability, Spec, Stage, singles};
 
 /// Its record.
-pub(super) const SPEC: Spec = Spec {
+pub const SPEC: Spec = Spec {
     id: "sensor_saturation",
     title: "sensor saturation",
     stage: Stage::Arrangement,

@@ -1,5 +1,7 @@
 //! A model's prediction for the mean of trigger-aligned records.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::fine_wave::{FINE_S, FineWave, ONSET_S};
@@ -21,14 +23,15 @@ const PHASES: usize = 20;
 /// the moment at which the wave crosses it, so the mean of sample j is the wave's mean over the j-th step behind that
 /// moment: (W(t + (j + 1) s) - W(t + j s)) / s, with W the wave's integral. Wrong where the wave is near the trigger for
 /// long, or falls below it again at once.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Expected {
     /// Time between samples, s.
     pub step_s: f64,
     /// Samples in a window.
     pub samples: usize,
-    /// Standard deviation of single readings over their mean, for the sensor's limit: the mean of limited readings is not the limited mean.
-    pub spread: f64,
+    /// Standard deviation of single readings over their mean, a sample each, for the sensor's limit: the mean of limited readings is not the
+    /// limited mean. Empty where no limit is met.
+    pub spread: Arc<[f64]>,
     /// Relative variation of stiffness and damping between drops: the mean of waves is not the wave of the mean. Where a
     /// force jumps, as a preload's does when the frame leaves the ground, the mean is smeared over the moments of the jump.
     pub varied: [f64; 2],
@@ -47,7 +50,7 @@ pub struct Ready {
 impl Expected {
     /// Of records that differ by the phase of the clock alone.
     pub fn plain(step_s: f64, samples: usize) -> Self {
-        Self { step_s, samples, spread: 0.0, varied: [0.0; 2], trigger_jitter: TriggerJitter::default() }
+        Self { step_s, samples, spread: Arc::default(), varied: [0.0; 2], trigger_jitter: TriggerJitter::default() }
     }
 
     /// A model made ready; where single readings vary, the sensor's limit is applied to their mean instead, and where
@@ -55,7 +58,7 @@ impl Expected {
     pub fn system(&self, model: &Model) -> Ready {
         let ready = |model: &Model| {
             let mut system = System::new(model);
-            if self.spread > 0.0 {
+            if !self.spread.is_empty() {
                 system.lift_limit();
             }
             system
@@ -78,12 +81,24 @@ impl Expected {
         let mut mean = vec![0.0; self.samples];
         for (weight, system) in &ready.systems {
             let mut fine = self.fine(system, height_m)?;
-            if self.spread > 0.0 {
-                fine.iter_mut().for_each(|reading| *reading = limited_mean(*reading, self.spread, ready.limit_g));
-            }
+            self.limit(&mut fine, ready.limit_g);
             mean.iter_mut().zip(self.mean_of_aligned(&fine, &ready.lags)).for_each(|(sum, reading)| *sum += weight * reading);
         }
         Some(mean)
+    }
+
+    /// Takes single readings that vary around a wave to the mean of what the sensor reads of them.
+    fn limit(&self, fine: &mut [f64], limit_g: f64) {
+        if self.spread.is_empty() {
+            return;
+        }
+        let crossing_s = FineWave::of(fine).crossing_s;
+        for (point, reading) in fine.iter_mut().enumerate() {
+            // Sample j is the wave's mean over the j-th step behind the trigger.
+            let steps = (point as f64 * FINE_S - crossing_s) / self.step_s;
+            let sample = (steps.floor() + BEFORE as f64).clamp(0.0, (self.spread.len() - 1) as f64);
+            *reading = limited_mean(*reading, self.spread[sample as usize], limit_g);
+        }
     }
 
     /// What the means of all waves share.

@@ -1,6 +1,6 @@
 //! Which parameters of a model a fit may change, and on which scale.
 
-use crate::impact::effects::{Model, Scale, Spec};
+use crate::impact::effects::{Model, SENSOR_SATURATION, Scale, Spec};
 
 /// A parameter that is free.
 #[derive(Clone, Copy, Debug)]
@@ -108,6 +108,17 @@ impl Layout {
         };
         let free = keys.iter().map(find).collect::<Option<Vec<Free>>>()?;
         Some(Self { model, free })
+    }
+
+    /// With the limit of the sensor at a level at which readings are seen to pile up, instead of free.
+    #[must_use]
+    pub fn with_seen_limit(mut self, level_g: f64) -> Self {
+        let id = SENSOR_SATURATION.id;
+        self.free.retain(|free| free.spec.id != id);
+        for listed in self.model.effects.iter_mut().filter(|listed| listed.spec.id == id) {
+            listed.values = vec![level_g];
+        }
+        self
     }
 
     /// The free parameters' values on the fit's scale.

@@ -1,5 +1,7 @@
 //! Mean waves compared with a model, in units of their own covariance.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::expected::Expected;
@@ -36,6 +38,9 @@ pub struct FitProblem {
     pub whitening: Whitening,
     /// Which heights are compared; the others are held out.
     pub chosen: Vec<usize>,
+    /// The level at which readings are seen to pile up, g: `sensor_saturation` has it as its limit, which is then not fitted. A mean over drops
+    /// that vary says less of a limit than readings that lie at it.
+    pub seen_limit_g: Option<f64>,
 }
 
 /// A fit.
@@ -61,10 +66,10 @@ impl Fitted {
 
 impl FitProblem {
     /// All heights of measured waves.
-    pub fn of(waves: &Waves, whitening: Whitening, spread: f64) -> Self {
+    pub fn of(waves: &Waves, whitening: Whitening, spread: Arc<[f64]>) -> Self {
         let means = waves.groups.iter().map(MeanWave::of).collect();
         let expected = Expected { spread, ..Expected::plain(waves.step_s, waves.samples) };
-        Self { expected, means, whitening, chosen: (0..waves.groups.len()).collect() }
+        Self { expected, means, whitening, chosen: (0..waves.groups.len()).collect(), seen_limit_g: None }
     }
 
     /// The same with some heights alone.
@@ -117,6 +122,10 @@ impl FitProblem {
 
     /// Fits what the layout leaves free, from its values on.
     pub fn fit(&self, layout: Layout, most_steps: usize) -> Option<Fitted> {
+        let layout = match self.seen_limit_g {
+            Some(level_g) => layout.with_seen_limit(level_g),
+            None => layout,
+        };
         let residual = |scaled: &[f64]| self.residual(&layout.model_at(scaled));
         let minimum = minimise(residual, &layout.values(), &layout.bounds(), &layout.steps(), most_steps)?;
         let model = layout.model_at(&minimum.at);

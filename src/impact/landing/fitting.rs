@@ -130,10 +130,10 @@ impl LandingProblem<'_> {
 
     /// The landings of the chosen heights.
     pub fn tables(&self, legs: &Legs) -> Option<Arc<Vec<LandingTable>>> {
-        let expected = self.waves.expected;
+        let expected = &self.waves.expected;
         let heights_m: Vec<f64> = self.waves.chosen.iter().map(|height| self.waves.means[*height].height_m).collect();
-        let key = TableKey { legs: *legs, heights_m: heights_m.clone(), expected };
-        let table = |height_m: f64| LandingTable::of(&self.body, legs, self.model, &expected, height_m);
+        let key = TableKey { legs: *legs, heights_m: heights_m.clone(), expected: expected.clone() };
+        let table = |height_m: f64| LandingTable::of(&self.body, legs, self.model, expected, height_m);
         self.kept.of(key, || heights_m.into_iter().map(table).collect())
     }
 

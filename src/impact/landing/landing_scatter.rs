@@ -48,7 +48,7 @@ impl LandingScatter {
 
     /// Mean waves compared in units of it.
     pub fn problem(&self, waves: &FitProblem) -> FitProblem {
-        let expected = Expected { trigger_jitter: self.trials.trigger_jitter(&self.model), ..waves.expected };
+        let expected = Expected { trigger_jitter: self.trials.trigger_jitter(&self.model), ..waves.expected.clone() };
         FitProblem { whitening: self.whitening.clone(), expected, ..waves.clone() }
     }
 

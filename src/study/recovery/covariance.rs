@@ -1,5 +1,7 @@
 //! The generator's own covariance of records, by quadrature over all that is random in them instead of by draws.
 
+use std::sync::Arc;
+
 use crate::impact::effects::Model;
 use crate::impact::fit::{BEFORE, Expected, FitProblem, MeanWave, Whitening};
 use crate::impact::sim::System;
@@ -9,10 +11,11 @@ use nalgebra::{DMatrix, DVector};
 /// What a plan's mean waves are: the mean over phases, drops that differ in k and c, and cut readings.
 fn expected(plan: &Plan) -> Expected {
     let limited = plan.model.value("sensor_saturation", "limit_g").is_some();
+    let samples = (0.030 * plan.rate_hz).round() as usize + BEFORE;
     Expected {
-        spread: if limited { plan.scatter.share } else { 0.0 },
+        spread: if limited { vec![plan.scatter.share; samples].into() } else { Arc::default() },
         varied: [plan.scatter.stiffness, plan.scatter.damping],
-        ..Expected::plain(1.0 / plan.rate_hz, (0.030 * plan.rate_hz).round() as usize + BEFORE)
+        ..Expected::plain(1.0 / plan.rate_hz, samples)
     }
 }
 
@@ -26,7 +29,7 @@ pub(super) fn exact(plan: &Plan) -> Option<FitProblem> {
     };
     let means = plan.heights_m.iter().map(mean).collect::<Option<Vec<_>>>()?;
     let whitening = Whitening::of(&covariances(plan)?, &vec![plan.drops; means.len()])?;
-    Some(FitProblem { expected, chosen: (0..means.len()).collect(), means, whitening })
+    Some(FitProblem { expected, chosen: (0..means.len()).collect(), means, whitening, seen_limit_g: None })
 }
 
 /// Models of single drops with their weights: Gauss and Hermite, three points for k and three for c.
@@ -51,7 +54,7 @@ pub(super) fn covariances(plan: &Plan) -> Option<Vec<DMatrix<f64>>> {
 }
 
 fn covariance(plan: &Plan, height_m: f64) -> Option<DMatrix<f64>> {
-    let one = Expected { varied: [0.0; 2], spread: 0.0, ..expected(plan) };
+    let one = Expected { varied: [0.0; 2], spread: Arc::default(), ..expected(plan) };
     let limit_g = plan.model.value("sensor_saturation", "limit_g").unwrap_or(f64::INFINITY);
     let kept = libm::exp(-one.step_s / plan.scatter.correlation_s);
     let (mut sum, mut means, mut weights) = (DMatrix::zeros(one.samples, one.samples), Vec::new(), Vec::new());

@@ -1,9 +1,11 @@
 //! How strong a truth is: fits to its mean waves without noise, in units of the covariance that the generator has.
 
+use std::sync::Arc;
+
 use super::covariance::exact;
 use crate::impact::diagnose::{Bootstrap, PreparedDrops, Search, SearchContext};
 use crate::impact::effects::{CATALOGUE, Model};
-use crate::impact::fit::{Expected, FitProblem, FittedDrop, Layout, TrialCovariance, Waves, Whitening};
+use crate::impact::fit::{FitProblem, FittedDrop, Layout, TrialCovariance, Waves, Whitening};
 use crate::impact::synthetic::{Plan, ReferenceTrajectory, ScatterLaw, SyntheticRecord, records};
 
 /// Drops a height from which a covariance is read off.
@@ -34,11 +36,10 @@ pub(super) fn noise_free(plan: &Plan) -> Option<FitProblem> {
     let counts = vec![plan.drops; plan.heights_m.len()];
     let limited = plan.model.value("sensor_saturation", "limit_g").is_some();
     let many = waves(&Plan { drops: if limited { MANY_CUT } else { MANY }, ..plan.clone() })?;
-    let mut problem = FitProblem::of(&many, Whitening::of(&TrialCovariance::of(&many).plain_covariances(), &counts)?, 0.0);
-    let expected: Expected = problem.expected;
+    let mut problem = FitProblem::of(&many, Whitening::of(&TrialCovariance::of(&many).plain_covariances(), &counts)?, Arc::default());
     if plan.scatter.stiffness == 0.0 && !limited {
         for mean in &mut problem.means {
-            mean.wave = expected.mean_over_phases(&clean(plan, mean.height_m));
+            mean.wave = problem.expected.mean_over_phases(&clean(plan, mean.height_m));
         }
     }
     Some(problem)
@@ -58,8 +59,7 @@ pub(super) fn catalogue(plan: &Plan, base: &Model) -> Option<Search> {
     let few = waves(plan)?;
     let prepared = PreparedDrops::of(&few, base)?;
     let bootstrap = Bootstrap::of(&few, &prepared.trial_covariance, &prepared.covariance_model, 1)?;
-    let setting =
-        SearchContext { problem: &problem, bootstrap: &bootstrap, limit_seen: false, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
+    let setting = SearchContext { problem: &problem, bootstrap: &bootstrap, catalogue: &CATALOGUE, most: 2, stage: &|_| () };
     Search::run(&setting, base)
 }
 
@@ -69,11 +69,11 @@ pub(super) fn ranked_with_known_covariance(plan: &Plan, base: &Model) -> Option<
     let few = waves(plan)?;
     let whitening = noise_free(plan)?.whitening;
     let prepared = PreparedDrops::of(&few, base)?;
-    let mut problem = FitProblem::of(&few, whitening, prepared.problem.expected.spread);
+    let mut problem = FitProblem::of(&few, whitening, prepared.problem.expected.spread.clone());
     problem.expected = prepared.problem.expected;
+    problem.seen_limit_g = prepared.problem.seen_limit_g;
     let bootstrap = Bootstrap::of(&few, &prepared.trial_covariance, &prepared.covariance_model, 1)?;
-    let limit_seen = prepared.clipping.is_some();
-    let setting = SearchContext { problem: &problem, bootstrap: &bootstrap, limit_seen, catalogue: &CATALOGUE, most: 1, stage: &|_| () };
+    let setting = SearchContext { problem: &problem, bootstrap: &bootstrap, catalogue: &CATALOGUE, most: 1, stage: &|_| () };
     let search = Search::run(&setting, base)?;
     let singles = search.levels.iter().flat_map(|level| &level.candidates).filter(|candidate| candidate.ids().len() == 1);
     singles.min_by(|a, b| a.score.total_cmp(&b.score)).and_then(|best| best.ids().first().copied())
