@@ -80,14 +80,31 @@ fn along(bed_mm: [f64; 2], side_mm: [f64; 2]) -> impl Iterator<Item = [f64; 2]> 
     [0.5, 0.0, 1.0].into_iter().flat_map(move |along_x| [0.5, 0.0, 1.0].map(|along_y| [at(0, along_x), at(1, along_y)]))
 }
 
+/// The middle of a box on the bed, with this much around it: in the middle of the bed, or at an edge where the middle would take what is kept clear,
+/// mm. `None` where the box has no room.
+pub(super) fn middle_of_box(side_mm: [f64; 2], printer: &Printer, rim_mm: f64) -> Option<[f64; 2]> {
+    let whole_mm = side_mm.map(|side| side + 2.0 * rim_mm);
+    let middles = match printer.bed {
+        Bed::Rectangular if (0..2).all(|axis| whole_mm[axis] <= printer.size_mm[axis]) => along(printer.size_mm, whole_mm).collect(),
+        Bed::Round if libm::hypot(side_mm[0], side_mm[1]) <= diameter_mm(printer) - 2.0 * rim_mm => vec![[0.0; 2]],
+        _ => Vec::new(),
+    };
+    middles.into_iter().find(|middle_mm| box_lies_clear(*middle_mm, side_mm, printer, rim_mm))
+}
+
 /// Whether nothing of a part, and of a rim around it, lies where the printer's bed is kept clear.
 pub(in crate::printing) fn lies_clear(place: &Place, part: &Printed, printer: &Printer, rim_mm: f64) -> bool {
     let [x, y, _] = part.mesh.size_mm();
     let side = if place.turned { [y, x] } else { [x, y] };
+    box_lies_clear(place.middle_mm, side, printer, rim_mm)
+}
+
+/// The same of a box on the bed, by its middle and its sides, mm.
+fn box_lies_clear(middle_mm: [f64; 2], side_mm: [f64; 2], printer: &Printer, rim_mm: f64) -> bool {
     let apart = |kept: &[f64; 4]| {
         (0..2).any(|axis| {
             let [low, high] = [kept[axis].min(kept[axis + 2]), kept[axis].max(kept[axis + 2])];
-            (place.middle_mm[axis] - 0.5 * (low + high)).abs() >= 0.5 * (side[axis] + high - low) + rim_mm
+            (middle_mm[axis] - 0.5 * (low + high)).abs() >= 0.5 * (side_mm[axis] + high - low) + rim_mm
         })
     };
     printer.kept_clear_mm.iter().flatten().all(apart)

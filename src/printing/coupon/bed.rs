@@ -1,11 +1,12 @@
-//! The pieces of a coupon on the bed: those of a material behind each other, in its middle, as far apart as their brims need.
+//! The pieces of a coupon on the bed: those of a material behind each other, as far apart as their brims need, in the middle or where nothing is kept
+//! clear.
 
 use nalgebra::{Isometry3, Translation3};
 
 use super::pieces::{Coupon, Piece};
-use crate::params::catalogue::{Bed, Printer};
+use crate::params::catalogue::Printer;
 use crate::params::frame::NamedMaterial;
-use crate::printing::room::Room;
+use crate::printing::room::{Room, middle_of_box};
 
 /// Pieces of one material in their places on the bed, in the printer's coordinates.
 pub struct CouponPlate<'a> {
@@ -35,11 +36,7 @@ impl CouponPlate<'_> {
         let Room { gap_mm, edge_mm, .. } = Room::of(printer, self.material.material.brim_mm.unwrap_or(0.0));
         let wide = sizes.iter().map(|size| size[0]).fold(0.0, f64::max);
         let deep = sizes.iter().map(|size| size[1] + gap_mm).sum::<f64>() - gap_mm;
-        let [bed_x, bed_y] = printer.size_mm.map(|size| size - 2.0 * edge_mm);
-        let (fits, middle) = match printer.bed {
-            Bed::Rectangular => (wide <= bed_x && deep <= bed_y, printer.size_mm.map(|size| 0.5 * size)),
-            Bed::Round => (libm::hypot(wide, deep) <= bed_x.min(bed_y), [0.0; 2]),
-        };
+        let middle = middle_of_box([wide, deep], printer, edge_mm)?;
         let mut y_mm = middle[1] - 0.5 * deep;
         for ((piece, pose), size) in self.placed.iter_mut().zip(sizes) {
             let [low, high] = piece.mesh.bounds_mm();
@@ -47,6 +44,6 @@ impl CouponPlate<'_> {
             *pose = Isometry3::from(Translation3::new(x_mm, y_mm - low[1], -low[2]));
             y_mm += size[1] + gap_mm;
         }
-        fits.then_some(self)
+        Some(self)
     }
 }

@@ -82,7 +82,7 @@ impl<'a> Coupon<'a> {
 mod tests {
     use super::*;
     use crate::params::FrameFile;
-    use crate::params::catalogue::Bed;
+    use crate::params::catalogue::{Bed, Printer};
     use crate::units::Angle;
 
     /// Where a straight line along y, at a place and height, is outside the solid all the way back.
@@ -135,6 +135,26 @@ mod tests {
         }
         printer.size_mm = [60.0, 60.0];
         assert_eq!(coupon.plates(&printer).iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [1]);
+    }
+
+    #[test]
+    fn planted_pieces_lie_where_the_printer_keeps_nothing_clear() {
+        let mut frame = Frame::load("cognifly").expect("is a preset").0;
+        frame.printer.size_mm = [250.0, 210.0];
+        let coupon = Coupon::new(&frame).expect("is made");
+        let keeping = |kept: [f64; 4]| Printer { kept_clear_mm: Some(vec![kept]), ..frame.printer.clone() };
+        for kept in [[0.0, 0.0, 30.0, 30.0], [100.0, 80.0, 130.0, 120.0], [0.0, 0.0, 140.0, 210.0]] {
+            let printer = keeping(kept);
+            let plates = coupon.plates(&printer);
+            assert_eq!(plates.iter().map(|plate| plate.placed.len()).collect::<Vec<_>>(), [5, 1], "{kept:?}");
+            for (piece, pose) in plates.iter().flat_map(|plate| &plate.placed) {
+                let [low, high] = piece.mesh.bounds_mm().map(|corner| pose * nalgebra::Point3::from(corner));
+                let is_clear = (0..2).any(|axis| high[axis] <= kept[axis] || low[axis] >= kept[axis + 2]);
+                let is_on_bed = (0..2).all(|axis| low[axis] >= 3.0 && high[axis] <= printer.size_mm[axis] - 3.0);
+                assert!(is_clear && is_on_bed, "{} at {low} to {high}, clear {kept:?}", piece.name);
+            }
+        }
+        assert!(coupon.plates(&keeping([0.0, 0.0, 250.0, 210.0])).is_empty());
     }
 
     #[test]
