@@ -6,6 +6,7 @@
 //! choice, so a length here is good for buying, not for cutting: measure before you cut.
 
 use crate::frame::assembly::Design;
+use crate::frame::assembly::cables::{CABLES, Cable};
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires as drawn_wires;
 use crate::frame::mounting::{CarrierScrews, Fixing, Mount, Tool, mounts_of};
@@ -176,24 +177,14 @@ fn wires(design: &Design) -> Vec<Supply> {
             note: format!("power connector to controller {way_mm:.0} mm, as drawn in frame.glb; {}", slack_words()),
         });
     }
-    let leads = [
-        ("board_cable", "cable between flight controller and ESC", "flight controller"),
-        ("sensor_cable", "cable for the flow sensor", "flow sensor"),
-        ("camera_cable", "camera ribbon cable for the computer", "camera"),
-        ("computer_cable", "serial cable and 5 V supply", "computer"),
-        ("receiver_cable", "serial cable with 5 V for a receiver", "receiver"),
-        ("gps_cable", "serial cable with 5 V for a GPS", "GPS"),
-        ("buzzer_cable", "two-wire cable for a buzzer", "buzzer"),
-        ("fpv_cable", "three-wire cable for a camera", "camera for goggles"),
-    ];
-    for (role, search, begins) in leads {
-        let Some(cable) = drawn.iter().find(|wire| wire.role == role) else { continue };
+    for Cable { role, search, begins, .. } in &CABLES {
+        let Some(cable) = drawn.iter().find(|wire| wire.role == *role) else { continue };
         let (way, to) = (cable.length_mm(), cable.joins.map_or_else(String::new, |[_, to]| to.replace('_', " ")));
         all.push(Supply {
-            role: role.into(),
+            role: (*role).into(),
             quantity: 1,
             length_mm: Some(with_slack(way)),
-            search: search.into(),
+            search: (*search).into(),
             note: format!("{begins} to {to} {way:.0} mm, as drawn in frame.glb; {}", slack_words()),
         });
     }

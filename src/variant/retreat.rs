@@ -11,8 +11,8 @@ use crate::checks::Cost;
 /// Parts of the way to the best frame that are tried.
 const PARTS: [f64; 3] = [0.5, 0.25, 0.125];
 
-/// The best of the frames between, that began with included, that keep every rule and goal, and how many were looked at; none where the first
-/// keeps not all of them itself.
+/// The best frame that keeps every rule and goal, the one the search began with or one between it and the best, and how many frames were evaluated.
+/// `None` if the first frame breaks a rule or a goal itself.
 pub(super) fn retreated(search: &Search, began: &[f64], best: &[f64]) -> (Option<Vec<f64>>, usize) {
     let keeps = |evaluation: &Evaluation| broken(evaluation, &search.problem().goals).is_empty();
     let Some(first) = search.evaluated(began, Cost::Slow).ok().filter(keeps) else { return (None, 1) };

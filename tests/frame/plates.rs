@@ -123,6 +123,8 @@ fn planted_a_part_whose_middle_is_kept_clear_lies_at_the_edge_or_nowhere() {
     let wanted = all(&design);
     let plates = arrange(&design, &wanted).expect("has room");
     assert_eq!(faults(&design, &plates, &wanted), Vec::<String>::new());
+    // As many parts lie beside that place as its edges leave room for, and not one on each plate.
+    assert!(plates.len() <= 4, "{plates:?}");
     design.frame.printer.kept_clear_mm = Some(vec![[-1000.0, -1000.0, 2000.0, 2000.0]]);
     assert!(arrange(&design, &wanted).is_err() && arrange_what_fits(&design, &wanted).is_empty());
 }

@@ -14,7 +14,11 @@ pub(super) fn sizes(frame: &Frame) -> Vec<Finding> {
     let called = name(frame, "battery");
     let b = &frame.battery;
     let stated = [("long", b.battery_length_mm, LENGTH), ("wide", b.battery_width_mm, WIDTH), ("high", b.battery_height_mm, HEIGHT)];
-    let other = stated.into_iter().zip(bought.size_mm).filter(|((_, stated_mm, _), bought_mm)| stated_mm != bought_mm);
+    let [long_mm, wide_mm, high_mm] = bought.size_mm;
+    // A pack may lie on its side.
+    let on_its_side = (b.battery_width_mm < b.battery_height_mm) != (wide_mm < high_mm);
+    let lies_mm = if on_its_side { [long_mm, high_mm, wide_mm] } else { [long_mm, wide_mm, high_mm] };
+    let other = stated.into_iter().zip(lies_mm).filter(|((_, stated_mm, _), bought_mm)| stated_mm != bought_mm);
     let finding = |((way, stated_mm, levers), bought_mm): ((&str, f64, &'static [&'static str]), f64)| {
         let size = measure(stated_mm, bought_mm, "mm", levers);
         let [room, needed] = size.figures(1);
@@ -41,6 +45,7 @@ mod tests {
             sizes(&frame).into_iter().map(|found| (found.subject, found.verdict)).collect::<Vec<_>>()
         };
         assert_eq!(of([58.0, 31.0, 16.0]), []);
+        assert_eq!(of([58.0, 16.0, 31.0]), [], "a pack on its side");
         assert_eq!(of([58.0, 31.0, 17.0]), [("battery: how high".to_string(), Verdict::Holds)], "a pack that swells");
         let small = of([45.0, 25.0, 12.0]);
         assert!(small.len() == 3 && small.iter().all(|(_, verdict)| *verdict == Verdict::Violated), "{small:?}");

@@ -11,9 +11,13 @@ use super::design::Design;
 use super::wire::{Section, Wire};
 
 /// A cable that a design may have.
-struct Cable {
+pub struct Cable {
     /// Its line in the bill.
-    role: &'static str,
+    pub role: &'static str,
+    /// By which words a shop is asked for it.
+    pub search: &'static str,
+    /// What it begins at, in words.
+    pub begins: &'static str,
     /// The body where it begins.
     from: &'static str,
     /// How it runs.
@@ -48,9 +52,12 @@ const OUT_MM: f64 = 3.0;
 /// What of a board's half width a cable stays within.
 const ON_BOARD: f64 = 0.8;
 
-const CABLES: [Cable; 8] = [
+/// The cables, in the order of the bill.
+pub const CABLES: [Cable; 8] = [
     Cable {
         role: "board_cable",
+        search: "cable between flight controller and ESC",
+        begins: "flight controller",
         from: "flight_controller",
         route: Route::Stack,
         radius_mm: 1.2,
@@ -60,6 +67,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "sensor_cable",
+        search: "cable for the flow sensor",
+        begins: "flow sensor",
         from: "flow_sensor",
         route: Route::Upright,
         radius_mm: 1.1,
@@ -69,6 +78,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "camera_cable",
+        search: "camera ribbon cable for the computer",
+        begins: "camera",
         from: "camera",
         route: Route::Ribbon,
         radius_mm: 0.0,
@@ -78,6 +89,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "computer_cable",
+        search: "serial cable and 5 V supply",
+        begins: "computer",
         from: "computer",
         route: Route::Hub,
         radius_mm: 1.1,
@@ -87,6 +100,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "receiver_cable",
+        search: "serial cable with 5 V for a receiver",
+        begins: "receiver",
         from: "receiver",
         route: Route::Hub,
         radius_mm: 1.1,
@@ -96,6 +111,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "gps_cable",
+        search: "serial cable with 5 V for a GPS",
+        begins: "GPS",
         from: "gps",
         route: Route::Hub,
         radius_mm: 1.1,
@@ -105,6 +122,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "buzzer_cable",
+        search: "two-wire cable for a buzzer",
+        begins: "buzzer",
         from: "buzzer",
         route: Route::Hub,
         radius_mm: 0.9,
@@ -114,6 +133,8 @@ const CABLES: [Cable; 8] = [
     },
     Cable {
         role: "fpv_cable",
+        search: "three-wire cable for a camera",
+        begins: "camera for goggles",
         from: "fpv_camera",
         route: Route::Hub,
         radius_mm: 1.0,

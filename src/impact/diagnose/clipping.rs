@@ -1,6 +1,6 @@
 //! Clipping: readings that pile up at one level, a limit that can be seen without a fit.
 
-use crate::impact::fit::{WaveGroup, Waves};
+use crate::impact::fit::{WaveGroup, Waves, normal_below, normal_density};
 use crate::impact::measured::Spread;
 
 /// A limit, and the variation of single readings below it.
@@ -17,7 +17,7 @@ pub struct Clipping {
 
 /// Half width of the level in units of the noise.
 const HALF_WIDTH: f64 = 3.0;
-/// Noise that is believed at least, g.
+/// Noise that is believed at least, g: half of a count of the paper's logger.
 const LEAST_NOISE_G: f64 = 0.06;
 /// Readings at the level at least.
 const FEWEST: usize = 8;
@@ -25,6 +25,8 @@ const FEWEST: usize = 8;
 const DENSER: f64 = 4.0;
 /// Lowest mean over the level at which readings say how they vary.
 const LOWEST: f64 = 0.15;
+/// Share of the clock's phase in the variance of readings from which a wave is steep. Steps of the mean are too small where it is clipped.
+const STEEP: f64 = 0.1;
 /// Readings of a sample that are not clipped, at least, and their share.
 const FEWEST_BELOW: usize = 4;
 const LEAST_BELOW: f64 = 0.25;
@@ -45,13 +47,21 @@ pub fn clipping(waves: &Waves) -> Option<Clipping> {
     if readings < FEWEST || (readings as f64) < DENSER * (below + 1.0) {
         return None;
     }
-    let level_g = Spread::of(all[all.len() - readings..].iter().copied())?.median;
+    // The mean of those around the median, as readings are counts and their median is one, too.
+    let median = Spread::of(all[all.len() - readings..].iter().copied())?.median;
+    let at_level = all.iter().filter(|reading| (**reading - median).abs() <= half);
+    let level_g = at_level.clone().sum::<f64>() / at_level.count() as f64;
     Some(Clipping { level_g, readings, noise_g })
 }
 
 impl Clipping {
-    /// Standard deviation of single readings over their mean, a sample each, of all heights together: what it is where nothing is clipped, and
-    /// what it would be there where something is. Without the part that the clock's phase has.
+    /// Standard error of the level, g: that of a mean of the readings at it, and half of a count.
+    pub fn error_g(&self) -> f64 {
+        libm::hypot(self.noise_g / (self.readings as f64).sqrt(), LEAST_NOISE_G)
+    }
+
+    /// Relative standard deviation of single readings, a sample each, of all heights together. Clipped readings count as censored. Samples at which
+    /// the clock's phase moves readings have that of the nearest others: there they are spread over a step of the wave, not around it.
     pub fn spread(&self, waves: &Waves) -> Vec<f64> {
         let of = |sample: usize| {
             let squares: Vec<f64> = waves.groups.iter().filter_map(|group| self.relative_variance(group, sample)).collect();
@@ -67,13 +77,14 @@ impl Clipping {
         (0..=last).map(|at| (filled[at.saturating_sub(1)] + 2.0 * filled[at] + filled[(at + 1).min(last)]) / 4.0).collect()
     }
 
-    /// Variance of a height's readings at a sample over their squared mean; `None` where the wave is low, or too few are not clipped.
+    /// Variance of a height's readings at a sample over their squared mean; `None` where the wave is low or steep, or too few are not clipped.
     fn relative_variance(&self, group: &WaveGroup, sample: usize) -> Option<f64> {
         let readings: Vec<f64> = group.windows.iter().map(|window| window[sample]).collect();
         let (mean, variance) = censored(&readings, self.level_g - HALF_WIDTH * self.noise_g)?;
-        let last = group.mean.len() - 1;
-        let rise = 0.5 * (group.mean[(sample + 1).min(last)] - group.mean[sample.saturating_sub(1)]);
-        (mean > LOWEST * self.level_g).then(|| (variance - rise * rise / 12.0).max(0.0) / (mean * mean))
+        let around = &group.mean[sample.saturating_sub(1)..(sample + 2).min(group.mean.len())];
+        let rise = around.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+        let of_phase = rise * rise / 12.0;
+        (mean > LOWEST * self.level_g && of_phase < STEEP * variance).then(|| (variance - of_phase) / (mean * mean))
     }
 }
 
@@ -93,8 +104,7 @@ fn censored(readings: &[f64], level: f64) -> Option<(f64, f64)> {
     for _ in 0..ROUNDS {
         let sd = variance.sqrt().max(1e-9);
         let z = (level - mean) / sd;
-        let density = libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
-        let hazard = density / (0.5 * libm::erfc(z / std::f64::consts::SQRT_2)).max(1e-300);
+        let hazard = normal_density(z) / normal_below(-z).max(1e-300);
         let (expected, left) = (mean + sd * hazard, variance * (1.0 + z * hazard - hazard * hazard).max(0.0));
         mean = (sum + above * expected) / count;
         variance = (square(mean) + above * (left + (expected - mean) * (expected - mean))) / count;

@@ -87,10 +87,10 @@ impl Diagnosis {
         model: &Model,
         settings: &DiagnosisOptions,
     ) -> Option<Self> {
-        let (problem, limit_seen) = (setting.problem, setting.limit_seen());
+        let problem = setting.problem;
         let base = search.levels[0].candidates[0].clone();
         let trend = trend_p(fitted, &problem.sensitivity(&base.fitted)?, settings.seed)?;
-        let nothing = search.levels[0].adequacy.p >= RARE && !limit_seen;
+        let nothing = search.levels[0].adequacy.p >= RARE && setting.may_be(&base);
         let level = if nothing { &search.levels[0] } else { search.levels.last()? };
         let chosen = level.candidates[0].clone();
         let able: Vec<Candidate> = level.candidates.iter().filter(|one| nothing || setting.may_be(one)).cloned().collect();
@@ -110,7 +110,7 @@ impl Diagnosis {
         let gaps = |candidate: &Candidate| Gaps::of(problem, fitted, held_out, candidate);
         let (before, after) = (gaps(&base)?, gaps(&chosen)?);
         let (base_points, chosen_points) = (points(problem, fitted, base.model())?, points(problem, fitted, chosen.model())?);
-        let larger = || search.levels.get(1).and_then(|level| level.candidates.first());
+        let larger = || search.levels.get(1).and_then(|level| level.candidates.iter().find(|other| other.ids() != chosen.ids()));
         let rival = alternatives.get(1).map(|alternative| &alternative.candidate).or_else(larger);
         let experiments = rival.map_or_else(Vec::new, |rival| experiments(problem, &prepared.trial_covariance, &chosen, rival));
         let residual_force = if verdict == Verdict::NoneSuffices { residual_force(&chosen_points, model.body.mass_kg) } else { Vec::new() };

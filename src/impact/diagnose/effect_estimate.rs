@@ -52,12 +52,12 @@ pub(super) fn estimates(
     Some((fitted.chain(seen_limit(chosen, clipping)).collect(), correlations))
 }
 
-/// The limit of a sensor that was read where readings pile up, and not fitted. Readings are counts: their level is not known better than one of them.
+/// The limit of a sensor that was read where readings pile up, and not fitted.
 fn seen_limit(chosen: &Candidate, clipping: Option<&Clipping>) -> Option<EffectEstimate> {
     let limit = &SENSOR_SATURATION.parameters[0];
     let is_fitted = chosen.fitted.layout.free.iter().any(|free| free.spec.id == SENSOR_SATURATION.id);
     let value = chosen.model().value(SENSOR_SATURATION.id, limit.key).filter(|_| !is_fitted)?;
-    let half = NORMAL_97_5 * clipping?.noise_g;
+    let half = NORMAL_97_5 * clipping?.error_g();
     let ci95 = [value - half, value + half];
     Some(EffectEstimate { effect: SENSOR_SATURATION.id, key: limit.key, unit: limit.unit, value, ci95, at_bound: false })
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::candidate::Candidate;
 use super::clipping::{Clipping, clipping};
-use crate::impact::effects::Model;
+use crate::impact::effects::{Model, SENSOR_SATURATION};
 use crate::impact::fit::{CovarianceModel, Expected, FitProblem, TrialCovariance, WaveGroup, Waves, Whitening, outer};
 use crate::impact::sim::System;
 
@@ -56,7 +56,8 @@ impl PreparedDrops {
         let plain = trial_covariance.plain_covariances();
         let clipping = clipping(waves);
         let spread = clipping.map_or_else(Arc::default, |found| found.spread(waves).into());
-        let below = clipping.filter(|found| found.level_g < own_limit_g - NEAR_LIMIT_G);
+        let limit = &SENSOR_SATURATION.parameters[0];
+        let below = clipping.filter(|found| found.level_g < own_limit_g - NEAR_LIMIT_G && found.level_g >= limit.min);
         let problem = FitProblem::of(waves, Whitening::of(&plain, trial_covariance.counts())?, spread);
         let problem = FitProblem { seen_limit_g: below.map(|found| found.level_g), ..problem };
         let shape = fitted(&problem)?;

@@ -62,7 +62,7 @@ impl Search {
     /// Searches from a model's base on; `None` when the base cannot be fitted.
     pub fn run(setting: &SearchContext, model: &Model) -> Option<Self> {
         let not_enough = match setting.given(model) {
-            Some(level) if level.adequacy.p >= RARE && !setting.limit_seen() => {
+            Some(level) if level.adequacy.p >= RARE && setting.may_be(&level.candidates[0]) => {
                 return Some(Self { levels: vec![level], not_enough: None });
             }
             given => given.map(|Level { mut candidates, adequacy }| (candidates.remove(0), adequacy.p)),
@@ -80,7 +80,7 @@ impl Search {
             let adequacy = setting.adequacy(best, &dictionary)?;
             let enough = adequacy.p >= RARE && setting.may_be(best);
             levels.push(Level { candidates, adequacy });
-            if enough || size == setting.most || (levels[0].adequacy.p >= RARE && !setting.limit_seen()) {
+            if enough || size == setting.most || (levels[0].adequacy.p >= RARE && setting.may_be(&levels[0].candidates[0])) {
                 break;
             }
             (setting.stage)(Stage::Effects(size + 1));
@@ -100,11 +100,6 @@ impl Search {
 }
 
 impl SearchContext<'_> {
-    /// Whether readings clip below the model's own limit: a set without a lower limit is then no explanation.
-    pub fn limit_seen(&self) -> bool {
-        self.problem.seen_limit_g.is_some()
-    }
-
     /// Whether a candidate is enough.
     pub fn adequacy(&self, candidate: &Candidate, dictionary: &Dictionary) -> Option<Adequacy> {
         let jacobian = self.problem.sensitivity(&candidate.fitted)?;
@@ -151,9 +146,9 @@ impl SearchContext<'_> {
         smaller[0].score < before - BETTER
     }
 
-    /// Whether a set can explain what is seen in single readings.
+    /// Whether a set can explain what is seen in single readings: where they clip below the sensor's own limit, none without a lower limit can.
     pub fn may_be(&self, candidate: &Candidate) -> bool {
-        !self.limit_seen() || candidate.model().limits_readings()
+        self.problem.seen_limit_g.is_none() || candidate.model().limits_readings()
     }
 
     /// Best score first, sets that cannot be behind those that can.

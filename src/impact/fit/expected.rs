@@ -5,6 +5,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::fine_wave::{FINE_S, FineWave, ONSET_S};
+use super::normal_law::{normal_below, normal_density};
 use super::trigger_jitter::{Lags, TriggerJitter};
 use super::waves::BEFORE;
 use crate::impact::effects::Model;
@@ -164,9 +165,7 @@ fn limited_mean(reading: f64, spread: f64, limit_g: f64) -> f64 {
         return reading.min(limit_g);
     }
     let z = over / sd;
-    let density = libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
-    let share = 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
-    reading - (sd * density + over * share)
+    reading - (sd * normal_density(z) + over * normal_below(z))
 }
 
 /// The wave's integral at its points, g s: cubic between four points, straight where the wave begins or ends.

@@ -10,6 +10,7 @@
 //! *When it is wrong:* where the variation is not in proportion to the wave, and where white noise comes near the trigger.
 
 use super::fine_wave::FineWave;
+use super::normal_law::{normal_below, normal_density};
 use super::waves::BEFORE;
 use crate::impact::measured::TRIGGER_G;
 use crate::impact::wide_registers::{Loops, with_wide_registers};
@@ -164,11 +165,13 @@ impl Missed {
             return Self { probability: f64::from(u8::from(mean_g <= TRIGGER_G)), first: 0.0, second: 0.0 };
         }
         let (low, high) = ((-TRIGGER_G - mean_g) / sd_g, (TRIGGER_G - mean_g) / sd_g);
-        let density = |z: f64| libm::exp(-0.5 * z * z) / (2.0 * std::f64::consts::PI).sqrt();
-        let below = |z: f64| 0.5 * libm::erfc(-z / std::f64::consts::SQRT_2);
-        let (at_low, at_high) = (density(low), density(high));
+        let (at_low, at_high) = (normal_density(low), normal_density(high));
         let ends = |z: f64, density: f64| if z.is_finite() { z * density } else { 0.0 };
-        Self { probability: below(high) - below(low), first: at_low - at_high, second: ends(low, at_low) - ends(high, at_high) }
+        Self {
+            probability: normal_below(high) - normal_below(low),
+            first: at_low - at_high,
+            second: ends(low, at_low) - ends(high, at_high),
+        }
     }
 }
 

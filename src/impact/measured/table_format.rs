@@ -136,7 +136,7 @@ fn quantity_of(quantity: Quantity) -> &'static str {
     if quantity == Quantity::Speed { Quantity::Height.column() } else { quantity.column() }
 }
 
-/// What a unit is of, as far as it is known.
+/// What a known unit is of: what is neither a time nor a height is an acceleration.
 fn dimension_of(unit: &str) -> &'static str {
     match unit.trim() {
         "s" | "ms" | "us" | "µs" => "time",
@@ -175,7 +175,6 @@ impl TableFormat {
     pub fn new(columns: &[String], units: &[String], rate_hz: Option<f64>) -> Result<Self, FormatError> {
         let mut format = Self { columns: columns.iter().map(|given| column(given)).collect::<Result<_, _>>()?, ..Self::default() };
         twice("columns", columns, &format.columns.iter().map(|column| quantity_of(column.quantity)).collect::<Vec<_>>())?;
-        twice("units", units, &units.iter().map(|unit| dimension_of(unit)).collect::<Vec<_>>())?;
         for unit in units {
             match unit.trim() {
                 "g" => format.accel_g = 1.0,
@@ -190,6 +189,7 @@ impl TableFormat {
                 other => format.accel_g = 1.0 / counts_per_g(other)?,
             }
         }
+        twice("units", units, &units.iter().map(|unit| dimension_of(unit)).collect::<Vec<_>>())?;
         if let Some(given) = rate_hz.filter(|rate_hz| !(1.0..=1e6).contains(rate_hz)) {
             return Err(FormatError::Rate { given });
         }

@@ -38,8 +38,8 @@ impl Weights {
 /// Lines that ride on the motors.
 const ON_MOTORS: [&str; 3] = ["motor", "propeller", "motor_screw"];
 
-/// The rods, motors and propellers, as far as extras cover them: mass of each, g, that an extra's line holds. Screws of motors in an extra
-/// stay with it: they are too light to matter.
+/// The rods, motors and propellers, as far as extras cover them: mass of each, g, that an extra's line holds. An extra of motors and their screws
+/// alone rides on the motors; beside other roles its screws stay with it: they are too light to matter.
 #[derive(Default)]
 struct Covered {
     rods_g: f64,

@@ -1,6 +1,6 @@
 //! Filling plates: rectangles around the parts, packed by a library (docs/decisions/0030-plates.md).
 
-use crunch::{Item as Box, PackedItem, Rect, Rotation};
+use crunch::{Item as Rectangle, PackedItem, Rect, Rotation};
 use rayon::prelude::*;
 
 use super::plate::{Item, Plate, short};
@@ -113,7 +113,7 @@ fn filled(parts: &[&Printed], printer: &Printer, brim_mm: f64, no_room: &mut Vec
             plates.push(clear.into_iter().map(|(_, item)| item).collect());
             continue;
         }
-        // The rectangles of none of those left go into the room; a bed is larger than it.
+        // None of those left lies in the room where nothing is kept clear; a bed is larger than the room.
         let part = parts[first];
         match alone(part, printer) {
             Some(Place { turned, middle_mm }) => plates.push(vec![Item { part: part.name, turned, middle_mm }]),
@@ -163,10 +163,10 @@ fn most_into(parts: &[&Printed], open: &[usize], room: &Room) -> Vec<PackedItem<
 /// Parts in a rectangle; `None` where not all of them go in.
 fn all_into(parts: &[&Printed], open: &[usize], room: &Room) -> Option<Vec<PackedItem<usize>>> {
     let [width, depth] = room.size_mm.map(|size| ((size + room.gap_mm) * STEPS).floor() as usize);
-    let boxes: Vec<Box<usize>> = open
+    let boxes: Vec<Rectangle<usize>> = open
         .iter()
         .map(|at| (*at, parts[*at].mesh.size_mm()))
-        .map(|(at, [x, y, _])| Box::new(at, steps(x, room), steps(y, room), Rotation::Allowed))
+        .map(|(at, [x, y, _])| Rectangle::new(at, steps(x, room), steps(y, room), Rotation::Allowed))
         .collect();
     let each_fits = boxes.iter().all(|one| (one.w <= width && one.h <= depth) || (one.h <= width && one.w <= depth));
     each_fits.then(|| crunch::pack(Rect::new(0, 0, width, depth), boxes).ok()).flatten()
@@ -177,22 +177,26 @@ fn steps(side_mm: f64, room: &Room) -> usize {
     ((side_mm + room.gap_mm) * STEPS).ceil() as usize
 }
 
-/// What was packed, in the middle of the bed, by the place among the parts: mirrored so that as little as possible lies where the printer is kept
-/// clear, and without what does.
+/// What was packed, by the place among the parts, in the middle of the bed, or mirrored or at an edge if then less of it lies where the printer is
+/// kept clear; without what does.
 fn clear(packed: &[PackedItem<usize>], parts: &[&Printed], room: &Room, printer: &Printer) -> Vec<(usize, Item)> {
-    let items = centred(packed.iter().map(|item| placed(item, parts[item.data], room)).collect(), parts, packed, room);
-    let middle = room.middle_mm();
-    let mirrored = |axes: [bool; 2]| -> Vec<(usize, Item)> {
+    let items: Vec<Item> = packed.iter().map(|item| placed(item, parts[item.data], room)).collect();
+    let [low, high] = bounds_mm(&items, parts, packed);
+    let middle = [0, 1].map(|axis| 0.5 * (low[axis] + high[axis]));
+    let free = [0, 1].map(|axis| (room.size_mm[axis] - (high[axis] - low[axis])).max(0.0));
+    let moved = |shares: [f64; 2], signs: [f64; 2]| -> Vec<(usize, Item)> {
+        let to = room.middle_mm();
         let places = packed.iter().zip(&items).map(|(packed, item)| {
-            let middle_mm = [0, 1].map(|axis| if axes[axis] { 2.0 * middle[axis] - item.middle_mm[axis] } else { item.middle_mm[axis] });
+            let middle_mm = [0, 1].map(|axis| to[axis] + shares[axis] * free[axis] + signs[axis] * (item.middle_mm[axis] - middle[axis]));
             (packed.data, Item { middle_mm, ..*item })
         });
         places
             .filter(|(at, item)| lies_clear(&Place { turned: item.turned, middle_mm: item.middle_mm }, parts[*at], printer, room.edge_mm))
             .collect()
     };
-    let mirrors = [[false, false], [true, false], [false, true], [true, true]];
-    mirrors.map(mirrored).into_iter().min_by_key(|clear| packed.len() - clear.len()).unwrap_or_default()
+    let pairs = |of: &'static [f64]| of.iter().flat_map(move |y| of.iter().map(move |x| [*x, *y]));
+    let ways = pairs(&[0.0, -0.5, 0.5]).flat_map(|shares| pairs(&[1.0, -1.0]).map(move |signs| moved(shares, signs)));
+    ways.min_by_key(|clear| packed.len() - clear.len()).unwrap_or_default()
 }
 
 fn placed(item: &PackedItem<usize>, part: &Printed, room: &Room) -> Item {
@@ -203,8 +207,8 @@ fn placed(item: &PackedItem<usize>, part: &Printed, room: &Room) -> Item {
     Item { part: part.name, turned, middle_mm: [0, 1].map(|axis| room.low_mm[axis] + corner[axis] + 0.5 * side[axis]) }
 }
 
-/// The items moved together so that they stand in the middle of the bed.
-fn centred(items: Vec<Item>, parts: &[&Printed], packed: &[PackedItem<usize>], room: &Room) -> Vec<Item> {
+/// Least and greatest coordinates of what was packed, mm.
+fn bounds_mm(items: &[Item], parts: &[&Printed], packed: &[PackedItem<usize>]) -> [[f64; 2]; 2] {
     let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
     for (item, packed) in items.iter().zip(packed) {
         let [x, y, _] = parts[packed.data].mesh.size_mm();
@@ -214,8 +218,5 @@ fn centred(items: Vec<Item>, parts: &[&Printed], packed: &[PackedItem<usize>], r
             bounds[1][axis] = bounds[1][axis].max(item.middle_mm[axis] + 0.5 * side[axis]);
         }
     }
-    let middle = room.middle_mm();
-    let shift = [0, 1].map(|axis| middle[axis] - 0.5 * (bounds[0][axis] + bounds[1][axis]));
-    let moved = |item: Item| Item { middle_mm: [0, 1].map(|axis| item.middle_mm[axis] + shift[axis]), ..item };
-    items.into_iter().map(moved).collect()
+    bounds
 }

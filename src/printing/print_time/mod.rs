@@ -70,13 +70,8 @@ impl Lines {
     }
 }
 
-/// Time to print one part, s, as its mesh lies on the bed; nothing where the material does not say its speed, or where its layers are
-/// too high for the nozzle's lines.
-pub fn part_s(mesh: &Mesh, material: &Material, printer: &Printer) -> Option<f64> {
-    Lines::of(material, printer).map(|lines| lines.mesh_s(mesh))
-}
-
-/// The same of a part of a design, computed once for all pages that say it.
+/// Time to print a part of a design, s, as its mesh lies on the bed, computed once for all pages that say it; nothing where the material does not
+/// say its speed, or where its layers are too high for the nozzle's lines.
 pub fn of_part_s(design: &Design, part: &Printed) -> Option<f64> {
     let lines = Lines::of(&design.material_of(part.name).material, &design.frame.printer)?;
     Some(*design.memo.hold("print time", &(part.name, part.flat.key(), &lines), || lines.mesh_s(&part.mesh)))
@@ -87,6 +82,10 @@ mod tests {
     use super::*;
     use crate::params::{Frame, FrameFile};
     use crate::solid::{Feature, MeshSolid};
+
+    fn part_s(mesh: &Mesh, material: &Material, printer: &Printer) -> Option<f64> {
+        Lines::of(material, printer).map(|lines| lines.mesh_s(mesh))
+    }
 
     fn default_frame() -> Frame {
         Frame::resolve(&FrameFile::load("cognifly").expect("is a preset")).expect("resolves")

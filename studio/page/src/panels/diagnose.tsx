@@ -18,7 +18,7 @@ const LARGEST_BYTES = 64 << 20;
 const FEW = 6;
 
 /** Names of files of drops. */
-const RECORDS = /\.(csv|bin|bhn)$/i;
+const RECORDS = /\.(csv|tsv|bin|bhn)$/i;
 
 /** What is said of a table that another logger wrote, and what is done with its drops: what the command line's options take, as text. */
 const OPTIONS = [
@@ -62,7 +62,7 @@ export async function takeDrops(given: { path: string; file: File }[]): Promise<
     }
   }
   if (files.length === 0) {
-    complain("There are no drops among these files: tables end in .csv, a logger's files in .bin or .bhn.");
+    complain("There are no drops among these files: tables end in .csv or .tsv, a logger's files in .bin or .bhn.");
     return;
   }
   try {
@@ -151,7 +151,12 @@ export function Diagnose() {
       <div class="row dropzone">
         <label class="file">
           Open measured drops (CSV, .bin, .bhn)
-          <input type="file" multiple accept=".csv,.bin,.bhn" onChange={(event) => takeChosen(event.currentTarget)} />
+          <input
+            type="file"
+            multiple
+            accept=".csv,.tsv,.bin,.bhn"
+            onChange={(event) => takeChosen(event.currentTarget)}
+          />
         </label>
         <label class="file">
           or a folder of them

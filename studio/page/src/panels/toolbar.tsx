@@ -43,10 +43,17 @@ function showBed(shown: boolean, number = 0): void {
   void import("../view/bed.ts").then((bed) => bed.showBed(shown, number));
 }
 
+/** Where a section of the picture can be, mm. */
+function sectionBounds(): [number, number] {
+  void shownPictures.value;
+  return (section.value && viewer.value?.boundsMm(section.value.axis)) || [0, 0];
+}
+
 const OF_FRAME = "Of the assembled frame only";
 
 export function Toolbar() {
   const [onBed, moving] = [stage.value === "bed", stage.value === "motion"];
+  const bounds = sectionBounds();
   return (
     <div class="toolbar" role="toolbar" aria-label="How the frame is shown">
       <label>
@@ -133,8 +140,8 @@ export function Toolbar() {
           <input
             type="range"
             aria-label="Where the section is, mm"
-            min="-120"
-            max="120"
+            min={bounds[0]}
+            max={bounds[1]}
             step="1"
             value={section.value.atMm}
             onInput={(event) =>

@@ -277,6 +277,13 @@ export class Viewer {
     return [size.x, size.z, size.y];
   }
 
+  /** Least and greatest coordinate of everything but the discs along an axis of the frame, whole mm. */
+  boundsMm(axis: "x" | "y" | "z"): [number, number] {
+    const { min, max } = this.#atRest;
+    const [low, high] = { x: [-max.x, -min.x] as const, y: [min.z, max.z] as const, z: [min.y, max.y] as const }[axis];
+    return [Math.floor(1000 * low), Math.ceil(1000 * high)];
+  }
+
   draw(): void {
     if (this.#asked) return;
     this.#asked = true;
