@@ -82,8 +82,11 @@ fn lacking(missing: Vec<String>, found: Vec<String>, record: &csv::ByteRecord) -
     if is_text { Fault::NoColumn { missing, found, known: KNOWN } } else { Fault::Encoding { encoding: "not UTF-8" } }
 }
 
-/// What parts the columns of a table: the first of tab, semicolon and comma that its first line has.
+/// What parts the columns of a table: the first of tab, semicolon and comma that its first line has, remarks after `#` aside, which tables of a scale may have.
 pub(super) fn separator(bytes: &[u8]) -> u8 {
-    let line = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+    let line = bytes
+        .split(|byte| matches!(byte, b'\n' | b'\r'))
+        .find(|line| !line.trim_ascii().is_empty() && !line.starts_with(b"#"))
+        .unwrap_or_default();
     [b'\t', b';'].into_iter().find(|separator| line.contains(separator)).unwrap_or(b',')
 }
