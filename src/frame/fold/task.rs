@@ -212,7 +212,7 @@ impl Task {
                 "Push a cage rod into the top corner, by the bore that will look to the next module. Lay it aside, its notch down and its flat web up."
             }
             Self::PlugHub => {
-                "Lay the four modules as a cross around the hub and push their plugs in by half, until each rod of the bottom ring stands before the next module's bottom corner."
+                "Lay the four modules as a cross around the hub and start their plugs in it, only so far that each rod of the bottom ring stands before the next module's bottom corner."
             }
             Self::CloseRing => "Go round in small steps: plugs and the four rods of the bottom ring slide home together.",
             Self::CloseTop => {
