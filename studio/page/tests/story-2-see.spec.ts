@@ -73,6 +73,14 @@ test("a click names a part and what drives it; a parameter lights its parts; dis
   await page.getByLabel("Section", { exact: true }).selectOption("y");
   await page.waitForTimeout(500);
   await shot(page, "2-section");
+  // Moved to the rear end, which lies farther out than the top: across the height it ends there.
+  const slider = page.getByLabel("Where the section is, mm");
+  await slider.press("End");
+  const rear = Number(await slider.inputValue());
+  await page.getByLabel("Section", { exact: true }).selectOption("z");
+  const top = Number(await slider.getAttribute("max"));
+  expect(rear).toBeGreaterThan(top);
+  await expect(slider.locator("..")).toContainText(`${top} mm`);
   await page.getByLabel("Section", { exact: true }).selectOption("");
   await page.getByRole("button", { name: "Distance" }).click();
   const box = (await page.locator("canvas").boundingBox())!;

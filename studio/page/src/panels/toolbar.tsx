@@ -49,6 +49,12 @@ function sectionBounds(): [number, number] {
   return (section.value && viewer.value?.boundsMm(section.value.axis)) || [0, 0];
 }
 
+/** A section across an axis, within the picture: the sides of a frame differ. */
+function sectionAt(axis: "x" | "y" | "z", atMm: number): { axis: typeof axis; atMm: number } {
+  const [low, high] = viewer.value?.boundsMm(axis) ?? [atMm, atMm];
+  return { axis, atMm: Math.min(high, Math.max(low, atMm)) };
+}
+
 const OF_FRAME = "Of the assembled frame only";
 
 export function Toolbar() {
@@ -126,7 +132,7 @@ export function Toolbar() {
           value={section.value?.axis ?? ""}
           onChange={(event) => {
             const axis = event.currentTarget.value;
-            section.value = axis === "" ? null : { axis: axis as "x", atMm: section.value?.atMm ?? 0 };
+            section.value = axis === "" ? null : sectionAt(axis as "x", section.value?.atMm ?? 0);
           }}
         >
           <option value="">none</option>
