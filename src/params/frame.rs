@@ -166,9 +166,13 @@ impl Frame {
     }
 
     /// Its extras that are built in: those that cover nothing, and those that stand for a part that is not bought. The others state masses of
-    /// what is bought.
+    /// what is bought. One that covers nothing and weighs nothing is a base's that the frame does without.
     pub fn built_in_extras(&self) -> impl Iterator<Item = (&String, &Extra)> {
-        self.extras.iter().filter(|(_, extra)| extra.covers.is_empty() || self.replaced(extra).next().is_some())
+        let is_built_in = |extra: &Extra| match extra.covers.is_empty() {
+            true => extra.mass_g > 0.0,
+            false => self.replaced(extra).next().is_some(),
+        };
+        self.extras.iter().filter(move |(_, extra)| is_built_in(extra))
     }
 
     /// Roles that an extra stands for: of those that it covers the ones of which nothing is bought.

@@ -3,6 +3,7 @@
 use flexframe::export::bill::bill;
 use flexframe::frame::assembly::{Design, mass};
 use flexframe::frame::fold::FoldSequence;
+use flexframe::frame::mounting::mounts_of;
 use flexframe::params::Frame;
 use flexframe::report::booklet::booklet_sheets::marks;
 use flexframe::report::booklet::content::Booklet;
@@ -111,6 +112,27 @@ fn regress_an_extra_has_a_line_of_its_own() {
     };
     let lines: Vec<f32> = extras.iter().map(line).collect();
     assert!(lines.windows(2).all(|two| two[1] > two[0] + 10.0), "{extras:?} {lines:?}");
+}
+
+#[test]
+fn planted_each_tool_that_a_step_names_is_listed_once_and_nothing_that_is_used_up() {
+    let (design, booklet) = designed("cognifly");
+    let tools = &booklet.lists.tools;
+    let named = mounts_of(&design).into_iter().flat_map(|mount| mount.tools).filter_map(|tool| tool.lasting());
+    assert!(named.into_iter().all(|tool| tools.iter().filter(|listed| **listed == tool).count() == 1), "{tools:?}");
+    assert!(["soldering iron", "multimeter", "thin pliers", "ruler or caliper"].iter().all(|tool| tools.contains(tool)), "{tools:?}");
+    assert!(["hands", "solder", "tape", "washers"].iter().all(|used| !tools.contains(used)), "{tools:?}");
+}
+
+/// The whole mass of what is bought is one extra there, and the base's wiring weighs nothing.
+#[test]
+fn regress_an_extra_that_weighs_other_parts_is_nothing_to_have_at_hand() {
+    let (design, booklet) = designed("cognifly-v8");
+    let has = |name: &str| booklet.lists.parts.iter().any(|[_, part, _]| part == name);
+    assert!(!has("unitemised") && has("battery") && has("motor"), "{:?}", booklet.lists.parts);
+    assert_eq!(design.frame.built_in_extras().count(), 0);
+    let wiring = booklet.after.iter().find(|panel| panel.heading.ends_with("Motor wires")).expect("a step of wires");
+    assert!(wiring.parts.iter().all(|line| line.part != "wiring"), "{:?}", wiring.parts);
 }
 
 /// Words that no sheet has room for beside a picture: each mount has a sheet of its own, and the words go on on the next.

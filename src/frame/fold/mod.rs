@@ -30,6 +30,6 @@ pub use posture::{Module, Posture, bent_by};
 pub use rules::{Broken, Done, Rules, TOP_BENT};
 pub use sequence::{Dependence, FoldBend, FoldError, FoldSequence, Join, NEXT_MODULE, Step, inputs as fold_inputs};
 pub use sweep::{FITS_A_WAY, Meeting, Sweep, sweeps};
-pub use task::{FoldMotion, Task};
+pub use task::{FoldMotion, HANDS, Task};
 pub use threading::threading;
 pub use timeline::{Moment, STEP_S, exploded, moment, moments};

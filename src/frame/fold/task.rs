@@ -9,6 +9,9 @@ use super::cut_rods;
 use super::member::{Member, left, outward};
 use crate::params::Frame;
 
+/// In place of a tool, where a task takes none.
+pub const HANDS: &str = "hands";
+
 /// A task in each module.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -229,7 +232,7 @@ impl Task {
         match self {
             Self::ThreadKnee => "thin pliers",
             Self::SeatMotor => "thin screwdriver or hex key",
-            _ => "hands",
+            _ => HANDS,
         }
     }
 

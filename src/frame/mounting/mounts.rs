@@ -44,6 +44,7 @@ pub static MOUNTS: [Mount; 33] = [
         title: "Magnet into the bracket",
         text: "Let the two magnets snap together and mark the two faces that touch. Glue one into the bracket's pocket from the {rear}, its mark to the {rear}. {lid_now}",
         caution: Some("Polarity: a magnet that is glued in the wrong way round pushes the battery out. Marked face looks at marked face."),
+        tools: &[Tool::Pen, Tool::Glue],
         ..GLUED
     },
     Mount {
@@ -235,7 +236,7 @@ pub static MOUNTS: [Mount; 33] = [
         fixing: Fixing::SmallScrews,
         title: "Computer onto its carrier",
         text: "Lay washers on each of the carrier's four holes, together a little thicker than a tie's strap: two of the ties pass between board and carrier. A drop of glue holds them. Put these two in now, one down through the hole in front and one through that at the rear, their heads outside of the carrier: under the board no tie can be threaded. Lay the computer on the washers, hole over hole{camera_socket}. {computer_screws}",
-        tools: &[Tool::Glue, Tool::Screwdriver],
+        tools: &[Tool::Washers, Tool::TwoTies, Tool::Glue, Tool::Screwdriver],
         ..GLUED
     },
     Mount {
@@ -269,7 +270,7 @@ pub static MOUNTS: [Mount; 33] = [
         fixing: Fixing::Ties("tie"),
         needs: &[("radio", "the receiver lies under the carrier")],
         title: "Carrier onto the hub",
-        text: "Lay the carrier on the hub, its four tie holes over the hub's{camera_side}.",
+        text: "Lay the carrier on the hub, its four tie holes over the hub's{camera_side}. Pinch no wire between the two.",
         tools: &[Tool::Hands],
         ..GLUED
     },
@@ -281,7 +282,7 @@ pub static MOUNTS: [Mount; 33] = [
         fixing: Fixing::Ties("tie"),
         needs: &[("radio", "the receiver lies under the plate")],
         title: "Accessory plate onto the hub",
-        text: "Lay the plate on the hub, its four tie holes over the hub's{plate_sides}.",
+        text: "Lay the plate on the hub, its four tie holes over the hub's{plate_sides}. Pinch no wire between the two.",
         tools: &[Tool::Hands],
         ..GLUED
     },
@@ -337,9 +338,9 @@ pub static MOUNTS: [Mount; 33] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "{power_leads} Solder the motor wires of the bill to its outputs, too, three for each motor, mark them with its number, and let them hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. {cables}Set the bracket under the hub, {bracket_sides}.{tied} The bay stays open to the {left} and to the {right}, where the motor wires come out.",
+        text: "{power_leads} Solder the motor wires of the bill to its outputs, too, three for each motor, mark them with its number, and let them hang out to the {left} and to the {right}: in the closed bay there is no room for an iron. {cables}Set the bracket under the hub, {bracket_sides}, and pinch no wire between them.{tied} The bay stays open to the {left} and to the {right}, where the motor wires come out.",
         supplies: &["battery_wire"],
-        tools: &[Tool::SolderingIron, Tool::Solder],
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::Pen, Tool::Multimeter],
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 20.0,
         ..GLUED
@@ -352,8 +353,8 @@ pub static MOUNTS: [Mount; 33] = [
         from: BELOW,
         fixing: Fixing::Ties("tie"),
         title: "Bracket under the hub",
-        text: "{power_lengthened}{signal_wires}{hang_out}{cables}Set the bracket under the hub, {bracket_sides}.{tied} The bay stays open to the {left} and to the {right}.",
-        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube],
+        text: "{power_lengthened}{signal_wires}{hang_out}{cables}Set the bracket under the hub, {bracket_sides}, and pinch no wire between them.{tied} The bay stays open to the {left} and to the {right}.",
+        tools: &[Tool::SolderingIron, Tool::Solder, Tool::ShrinkTube, Tool::Multimeter],
         caution: Some("Solder with the battery far away. Plus to plus, minus to minus: measure before the battery is ever plugged in."),
         minutes: 15.0,
         ..GLUED

@@ -31,6 +31,14 @@ pub enum Tool {
     FoamTape,
     /// A cable tie that is narrower than those of the bracket.
     SmallTie,
+    /// Two of the ties of the bracket.
+    TwoTies,
+    /// Washers of the small screws.
+    Washers,
+    /// A pen that marks plastic and metal.
+    Pen,
+    /// A meter of voltage and resistance.
+    Multimeter,
 }
 
 impl Tool {
@@ -51,6 +59,29 @@ impl Tool {
             Self::DoubleSidedTape => "double-sided tape",
             Self::FoamTape => "foam tape",
             Self::SmallTie => "small tie",
+            Self::TwoTies => "two of the ties",
+            Self::Washers => "washers",
+            Self::Pen => "pen for plastics",
+            Self::Multimeter => "multimeter",
+        }
+    }
+
+    /// In a list of what to have at hand; none of hands, and of what is used up.
+    pub fn lasting(self) -> Option<&'static str> {
+        match self {
+            Self::Screwdriver | Self::ScrewdriverOrHands => Some(Self::Screwdriver.words()),
+            Self::Spanner | Self::SideCutter | Self::SolderingIron | Self::Pen | Self::Multimeter => Some(self.words()),
+            Self::Hands
+            | Self::Varnish
+            | Self::Solder
+            | Self::ShrinkTube
+            | Self::Glue
+            | Self::Tape
+            | Self::DoubleSidedTape
+            | Self::FoamTape
+            | Self::SmallTie
+            | Self::TwoTies
+            | Self::Washers => None,
         }
     }
 }

@@ -85,6 +85,7 @@ fn lists(page: &mut String, lists: &Lists) {
         lines.iter().for_each(|line| page.push_str(&format!("<li>{}</li>\n", escaped(line))));
         page.push_str("</ol>\n");
     }
+    let _ = writeln!(page, "<h2>Tools</h2>\n<p>{}.</p>", escaped(&lists.tools.join(", ")));
     page.push_str("</div>\n</div>\n</section>\n");
 }
 

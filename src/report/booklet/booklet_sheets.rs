@@ -87,6 +87,8 @@ impl<'a> Sheets<'a> {
             listed(sheet, "Cut the rods, mm", &lists.cuts);
             sheet.gap(8.0);
             listed(sheet, "Used up", &lists.supplies);
+            sheet.gap(8.0);
+            listed(sheet, "Tools", &[format!("{}.", lists.tools.join(", "))]);
         });
         self.layout.below(&[left, right]);
     }

@@ -181,7 +181,7 @@ impl Booklet {
             },
         );
         let frame = design.frame.name.clone();
-        Self { frame, preface, apart, alone, lists: Lists::new(design, masses, &bill), assemblies, before, pages, after }
+        Self { frame, preface, apart, alone, lists: Lists::new(design, fold, masses, &bill), assemblies, before, pages, after }
     }
 
     /// What is written above everything.

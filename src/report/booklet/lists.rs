@@ -1,9 +1,11 @@
-//! What to have at hand before the first step: the parts, the rods to cut, and what is used up.
+//! What to have at hand before the first step: the parts, the rods to cut, what is used up, and tools.
 
 use crate::export::bill::{Bill, BuyLine};
 use crate::export::cutting;
 use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::mass::{LineKind, MassTable};
+use crate::frame::fold::{FoldSequence, HANDS};
+use crate::frame::mounting::mounts_of;
 use crate::frame::skeleton::RodRole;
 
 /// The lists of a frame.
@@ -14,13 +16,31 @@ pub struct Lists {
     pub cuts: Vec<String>,
     /// A line each thing that the steps use up and that is not weighed: small ties, glue, wires.
     pub supplies: Vec<String>,
+    /// A line each tool that the steps name, and those that rods are cut with.
+    pub tools: Vec<&'static str>,
 }
 
 impl Lists {
-    pub(super) fn new(design: &Design, masses: &MassTable, bill: &Bill) -> Self {
+    pub(super) fn new(design: &Design, fold: &FoldSequence, masses: &MassTable, bill: &Bill) -> Self {
         let supplies = bill.buy.iter().filter(|line| line.kind == "supply").map(supply).collect();
-        Self { parts: parts(masses), cuts: cuts(design), supplies }
+        Self { parts: parts(design, masses), cuts: cuts(design), supplies, tools: tools(design, fold) }
     }
+}
+
+/// What rods are cut and their ends made smooth with.
+const FOR_RODS: [&str; 3] = ["ruler or caliper", "fine saw or cutting disc", "fine sandpaper"];
+
+/// Each once, in the order in which they are needed.
+fn tools(design: &Design, fold: &FoldSequence) -> Vec<&'static str> {
+    let mounted = mounts_of(design).into_iter().flat_map(|mount| mount.tools).filter_map(|tool| tool.lasting());
+    let folded = fold.steps.iter().map(|step| step.tool).filter(|tool| *tool != HANDS);
+    let mut all: Vec<&'static str> = Vec::new();
+    for tool in FOR_RODS.into_iter().chain(folded).chain(mounted) {
+        if !all.contains(&tool) {
+            all.push(tool);
+        }
+    }
+    all
 }
 
 fn supply(line: &BuyLine) -> String {
@@ -32,8 +52,11 @@ fn spaced(name: &str) -> String {
     name.replace('_', " ")
 }
 
-fn parts(masses: &MassTable) -> Vec<[String; 3]> {
-    masses.lines.iter().map(|line| [format!("{} x", line.quantity), spaced(&line.name), spaced(&line.material)]).collect()
+/// What is taken in hand: no extra that states the mass of other parts.
+fn parts(design: &Design, masses: &MassTable) -> Vec<[String; 3]> {
+    let is_built_in = |name: &str| design.frame.built_in_extras().any(|(extra, _)| extra == name);
+    let in_hand = masses.lines.iter().filter(|line| line.kind != LineKind::Extra || is_built_in(&line.name));
+    in_hand.map(|line| [format!("{} x", line.quantity), spaced(&line.name), spaced(&line.material)]).collect()
 }
 
 fn words(role: RodRole) -> String {

@@ -108,6 +108,7 @@ fn material(text: &mut String, design: &Design, plates: &[Plate], name: &str) {
         text,
         "\nTimes are estimates, within 15 % of PrusaSlicer's; heating, cooling and support come on top. Filament is that of the parts as they weigh, 1.75 mm thick.\n"
     );
+    as_filled(text, material, own.iter().map(|plate| plate.volume_mm3(&design.printed)).sum());
     price(text, name, material);
     if name == design.frame.flexible.name {
         text.push_str("\nDry the spool as its maker says where it lay in open air: flexible filament takes up water, which makes strings and weak layers.\n");
@@ -169,6 +170,20 @@ fn price(text: &mut String, name: &str, material: &Material) {
             inert(name)
         ),
     };
+}
+
+/// What a printer lays that fills parts wholly, where the material's entry says that they weigh otherwise.
+fn as_filled(text: &mut String, material: &Material, volume_mm3: f64) {
+    if (material.print_factor - 1.0).abs() < 1e-9 {
+        return;
+    }
+    let (solid_g, metres) = (material.solid_g(volume_mm3), filament_m(volume_mm3));
+    // Writing to a string does not fail.
+    let _ = writeln!(
+        text,
+        "\nThe material's entry says that printed parts weigh {} of solid plastic (`print_factor`). A printer that fills them wholly takes {solid_g:.1} g, {metres:.2} m.",
+        material.print_factor
+    );
 }
 
 /// Flow of profiles for flexible filaments.
