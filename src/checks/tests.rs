@@ -58,7 +58,7 @@ fn analytic_margin_and_verdict_agree() {
 }
 
 /// Keys of a frame file that choose something whole.
-const CHOICES: [&str; 21] = [
+const CHOICES: [&str; 23] = [
     "printer",
     "materials.flexible",
     "materials.rigid",
@@ -67,9 +67,11 @@ const CHOICES: [&str; 21] = [
     "bought.buzzer",
     "bought.camera",
     "bought.computer",
+    "bought.connector",
     "bought.damper",
     "bought.flight_controller",
     "bought.flow_sensor",
+    "bought.magnet",
     "bought.motor",
     "bought.motor_controller",
     "bought.motor_screw",

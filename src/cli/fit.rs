@@ -182,8 +182,8 @@ fn table(fit: &Fit, chosen: &Chosen, args: &Args, numbers: Option<usize>) -> Str
         Channel::Magnitude => "magnitude of all axes",
     };
     text += &format!("{channel} of {} drops, {} left out\n", chosen.drops.len(), chosen.left_out.len());
-    for LeftOut { trial, reason } in &chosen.left_out {
-        text += &format!("left out  {trial}: {reason}\n");
+    for LeftOut { trial, height_m, reason, .. } in &chosen.left_out {
+        text += &format!("left out  {trial} from {height_m} m: {reason}\n");
     }
     if chosen.impulses_kept && args.objective == Aim::Ml && !args.all {
         text += "impossible impulses are kept: most drops of a height have one, so they are systematic\n";

@@ -10,7 +10,7 @@ use super::search_words::{ALL_IN_ONE, search_words};
 use super::spares::with_spares;
 use super::supplies::{RECEIVER_SEARCH, SMALL_TIE, Supply, supplies};
 use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
+use crate::frame::assembly::mass::{LineKind, MassLine, MassTable, STATED};
 use crate::frame::skeleton::RodRole;
 use crate::params::catalogue::BoughtPart;
 use crate::params::frame::NamedMaterial;
@@ -32,6 +32,7 @@ pub struct PrintLine {
     /// Time to print all copies, minutes, by [`of_part_s`]; none where the material does not say its speed.
     pub print_min: Option<f64>,
     /// What the filament of one copy costs; none where the material states no price.
+    #[serde(rename = "price_each")]
     pub price: Option<f64>,
     /// Currency of the price.
     pub currency: Option<String>,
@@ -65,8 +66,10 @@ pub struct BuyLine {
     /// How the mass is known, or which line it is counted in; none for rods.
     pub mass_basis: Option<String>,
     /// Price of one, where the catalogue has one; the lowest of several.
+    #[serde(rename = "price_each")]
     pub price: Option<f64>,
     /// The highest of several.
+    #[serde(rename = "price_most_each")]
     pub price_most: Option<f64>,
     /// When the price was found.
     pub price_date: Option<String>,
@@ -222,7 +225,10 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             price_date: part.price_date.clone(),
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
-            source: part.source.clone(),
+            source: match weighed {
+                Some(line) if line.basis == STATED => format!("mass: the frame file; otherwise {}", part.source),
+                _ => part.source.clone(),
+            },
             note: if role == "fpv_camera" { NO_TRANSMITTER.into() } else { String::new() },
             ..BuyLine::default()
         }

@@ -7,7 +7,7 @@ use super::frame::BoughtItem;
 use super::roles::HUNG;
 
 /// Room around a connector's section in its channel, across and up together, mm: 10.55 x 5.55 around an XT30.
-const CONNECTOR_CLEARANCE_MM: f64 = 0.35;
+pub const CONNECTOR_CLEARANCE_MM: f64 = 0.35;
 
 /// From a motor's face to the underside of its propeller, mm: what the catalogued sizes leave of the 14.2 mm from plate to propeller
 /// that the real frame's side view shows (CogniFly-STL, Right.png, to +-2 mm): 10.8 mm of motor, half of 5.0 mm of propeller.

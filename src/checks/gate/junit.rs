@@ -3,7 +3,7 @@
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::blame::Spot;
-use super::outcome::{CheckedFrame, Judged, Outcome, Refused};
+use super::outcome::{CheckedFrame, Judged, Outcome, Refused, told_apart};
 use super::policy::Standing;
 
 /// The report as XML.
@@ -12,17 +12,17 @@ use super::policy::Standing;
 /// When the XML cannot be written.
 pub fn xml(outcomes: &[Outcome]) -> Result<String, quick_junit::SerializeError> {
     let mut report = Report::new("flexframe check");
-    for outcome in outcomes {
+    for (outcome, name) in told_apart(outcomes) {
         report.add_test_suite(match &outcome.result {
-            Ok(held) => suite(&outcome.asked, held),
+            Ok(held) => suite(&outcome.asked, name, held),
             Err(refused) => refused_suite(&outcome.asked, refused),
         });
     }
     report.to_string()
 }
 
-fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
-    let mut suite = TestSuite::new(held.frame.as_str());
+fn suite(asked: &str, name: &str, held: &CheckedFrame) -> TestSuite {
+    let mut suite = TestSuite::new(name);
     suite.add_property(("frame", asked));
     suite.add_property(("mass_g", format!("{:.3}", held.masses.total_g).as_str()));
     let mut rules: Vec<&str> = Vec::new();
@@ -31,12 +31,12 @@ fn suite(asked: &str, held: &CheckedFrame) -> TestSuite {
             rules.push(&judged.finding.rule);
         }
     }
-    suite.add_test_cases(rules.into_iter().map(|rule| case(held, rule)));
+    suite.add_test_cases(rules.into_iter().map(|rule| case(name, held, rule)));
     suite
 }
 
 /// A rule: it fails by what fails, then it is skipped by what is accepted; what is noted stands in its output.
-fn case(held: &CheckedFrame, rule: &str) -> TestCase {
+fn case(name: &str, held: &CheckedFrame, rule: &str) -> TestCase {
     let of = |standing: Standing| held.findings.iter().filter(move |judged| judged.standing == standing && judged.finding.rule == rule);
     let lines = |standing: Standing| of(standing).map(text).collect::<Vec<_>>().join("\n");
     let (fails, accepted, warnings) = (of(Standing::Fails).next(), of(Standing::Accepted).next(), lines(Standing::Warning));
@@ -50,7 +50,7 @@ fn case(held: &CheckedFrame, rule: &str) -> TestCase {
         (None, None) => TestCaseStatus::success(),
     };
     let mut case = TestCase::new(rule, status);
-    case.set_classname(format!("flexframe.{}", held.frame));
+    case.set_classname(format!("flexframe.{name}"));
     if let Some(spot) = fails.or(accepted).and_then(|judged| judged.spots.first()) {
         case.extra.insert("file".into(), spot.file.as_str().into());
         case.extra.insert("line".into(), spot.line.to_string().into());

@@ -1,6 +1,6 @@
 //! A rule from outside of the catalogue, through the gate.
 
-use super::{CheckedFrame, Outcome, Policy, sarif};
+use super::{CheckedFrame, Outcome, Policy, junit, sarif};
 use crate::checks::planted::{Planted, TOY, table_line};
 use crate::checks::{CATALOGUE, Cost, Rule, check_by};
 use crate::params::files::Memory;
@@ -17,11 +17,20 @@ fn planted_a_rule_needs_nothing_but_its_record() {
     let checked = CheckedFrame::new(&frame.design.frame, &file, findings, frame.masses, policy);
     let blamed: Vec<&str> = checked.findings[0].spots.iter().map(|spot| spot.key.as_str()).collect();
     assert_eq!(blamed, ["rods.strut_rod_length_mm", "rods.cage_rod_length_mm"]);
-    let log = sarif::log(&[Outcome { asked: "short.toml".into(), result: Ok(checked) }], &rules);
+    let outcome = |asked: &str| Outcome { asked: asked.into(), result: Ok(checked.clone()) };
+    let log = sarif::log(&[outcome("short.toml")], &rules);
     let log: serde_json::Value = serde_json::from_str(&log).expect("JSON");
     let (run, last) = (&log["runs"][0], CATALOGUE.len() + 1);
     let described = &run["tool"]["driver"]["rules"][last];
     assert_eq!((&described["id"], &described["shortDescription"]["text"]), (&"toy".into(), &TOY.sentence().into()));
     assert_eq!((&run["results"][0]["ruleId"], &run["results"][0]["ruleIndex"]), (&"toy".into(), &last.into()));
+    assert_eq!(run["results"][0]["partialFingerprints"]["frameRuleSubject/v1"], "short/toy/ring");
+    // Two frames of one name, which a reader would take for one.
+    let both = [outcome("a/short.toml"), outcome("b/short.toml")];
+    let log: serde_json::Value = serde_json::from_str(&sarif::log(&both, &rules)).expect("JSON");
+    let prints = [0, 1].map(|at| log["runs"][0]["results"][at]["partialFingerprints"]["frameRuleSubject/v1"].clone());
+    assert_eq!(prints, ["a/short.toml/toy/ring", "b/short.toml/toy/ring"]);
+    let report = junit::xml(&both).expect("writes");
+    assert!(["a", "b"].iter().all(|folder| report.contains(&format!("classname=\"flexframe.{folder}/short.toml\""))), "{report}");
     assert_eq!(table_line(&TOY), "| `toy` | the rods of the ring are long enough for a toy | `[limits]` `part_clearance_mm` |");
 }

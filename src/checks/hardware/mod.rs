@@ -1,5 +1,5 @@
 //! Bought parts go together: rods with what the bill of materials says they are, screws with the holes and threads that take them,
-//! boards with the holes that carry them, propellers with their motors and inside of the cage, the battery with the size that the frame is
+//! boards with the holes that carry them, propellers with their motors and inside of the cage, the battery, magnets and power connector with the sizes that the frame is
 //! made for. A warning is given of accessories that stand out of the cage, and of rods and plugs that nothing holds.
 //!
 //! What is compared is what the catalogue states and what the frame has. A figure that an entry does not state is not compared.
@@ -10,6 +10,7 @@ mod carrier;
 mod comparison;
 mod holes;
 mod loose;
+mod made_for;
 mod propellers;
 mod rods;
 mod screws;
@@ -23,6 +24,7 @@ use holes::{
     SENSOR_HOLES, SHAFT, STACK_HOLES, TIED,
 };
 use loose::{GRIP, PLUGS};
+use made_for::{CONNECTOR, MAGNET, PROPELLER};
 use propellers::{CAGE, SEAT};
 use rods::{ROD, ROD_ALONE, STOCK};
 use screws::{MOTOR_HEAD, MOTOR_LENGTH, MOTOR_THREAD, ON_STACK, STACK_FLOOR, STACK_HEAD, STACK_LENGTH, STACK_THREAD};
@@ -75,12 +77,18 @@ pub static RULE: Rule = Rule {
         LENGTH,
         WIDTH,
         HEIGHT,
+        PROPELLER,
+        MAGNET[0],
+        MAGNET[1],
+        MAGNET[2],
+        CONNECTOR[0],
+        CONNECTOR[1],
         GRIP,
         PLUGS,
     ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints {
-        subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in", "battery"],
+        subjects: &["rod", "screw", "holes", "ties", "propellers on", "propellers in", "battery", "made for"],
         binds: false,
     },
     found: Found::By(&[Pass::quick(check)]),
@@ -103,6 +111,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     found.extend(above_ring::propellers(scene));
     found.extend(above_ring::accessories(scene));
     found.extend(battery::sizes(&scene.design.frame));
+    found.extend(made_for::sizes(&scene.design.frame));
     found.extend(loose::rods_and_plugs(&scene.design.frame));
     found
 }

@@ -41,7 +41,8 @@ pub(in crate::cli) struct Args {
     /// Drop heights, m.
     #[arg(long, value_delimiter = ',', default_value = "0.5,1,1.5", value_name = "M,…", value_parser = number(HEIGHTS_M, "m"))]
     pub height: Vec<f64>,
-    /// With --json: add sensor output, compression and ground force in steps of 0.05 ms over 60 ms.
+    /// With --json: add sensor output, compression and ground force in steps of 0.05 ms over 60 ms; with --model frame, `moments`
+    /// and sensor output in steps of 0.1 ms to the end of contact.
     #[arg(long)]
     pub trace: bool,
     /// Folder in which to write the folder `drop-MODEL`, `drop-MODEL-FRAME`, or with --fit `drop-fit-FRAME`.

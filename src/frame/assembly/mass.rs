@@ -154,6 +154,9 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
     design.shapes.iter().filter_map(weighed).collect()
 }
 
+/// Basis of a mass that the frame file states in place of the catalogue's.
+pub const STATED: &str = "stated";
+
 fn bought_lines(design: &Design) -> Vec<MassLine> {
     let frame = &design.frame;
     frame
@@ -161,10 +164,14 @@ fn bought_lines(design: &Design) -> Vec<MassLine> {
         .iter()
         .filter(|(role, _)| *role != "rod")
         .map(|(role, item)| {
-            let mass_g = if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g };
+            let of_entry = (item.part.mass_g, basis(item.part.mass_basis));
+            let (mass_g, basis) = match role.as_str() {
+                "battery" if frame.battery.battery_mass_g != item.part.mass_g => (frame.battery.battery_mass_g, STATED),
+                _ => of_entry,
+            };
             match covering(design, role) {
                 Some(extra) => line(role, LineKind::Bought, &item.name, item.quantity, 0.0, &format!("in {extra}")),
-                None => line(role, LineKind::Bought, &item.name, item.quantity, mass_g, basis(item.part.mass_basis)),
+                None => line(role, LineKind::Bought, &item.name, item.quantity, mass_g, basis),
             }
         })
         .collect()

@@ -86,9 +86,9 @@ fn planted_steps_do_not_name_what_a_frame_lacks() {
     assert!(!blind["computer"].contains("camera socket") && !blind["carrier"].contains("the camera"), "{blind:?}");
     let receiver = told(&format!("{NO_COMPUTER}receiver = \"receiver-nano\"\n"), &[]);
     let plate = &receiver["accessory_plate"];
-    assert!(plate.ends_with("over the hub's, the receiver's slots to the left."), "{plate}");
+    assert!(plate.contains("over the hub's, the receiver's slots to the left."), "{plate}");
     let mast = told(&format!("{NO_COMPUTER}gps = \"gps-22x20\"\n"), &[]);
-    assert!(mast["accessory_plate"].ends_with("over the hub's, the mast to the rear."), "{}", mast["accessory_plate"]);
+    assert!(mast["accessory_plate"].contains("over the hub's, the mast to the rear."), "{}", mast["accessory_plate"]);
     let stiff = told(&format!("{NO_COMPUTER}damper = \"none\"\n"), &[]);
     let of_stack = ["stack_nuts", "flight_controller", "spacers_between_boards"].map(|id| &stiff[id][..]).join(" ");
     assert!(

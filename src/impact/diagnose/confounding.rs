@@ -10,7 +10,7 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use super::search::RARE;
 use crate::impact::fit::Chosen;
-use crate::impact::measured::{Drop, Record, Session, Zero};
+use crate::impact::measured::{Drop, Record, Session, Zero, decimal};
 
 /// A quantity that explains more of the height than this is confounded with it.
 const MOST: f64 = 0.5;
@@ -53,7 +53,7 @@ fn of_column(name: &str, records: &[&Record], text: impl Fn(&Record) -> Option<S
     let known: Vec<(String, f64)> = records.iter().filter_map(|record| Some((text(record)?, record.height_m))).collect();
     let mut groups: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     known.iter().for_each(|(text, height_m)| groups.entry(text).or_default().push(*height_m));
-    let numbers: Option<Vec<f64>> = known.iter().map(|(text, _)| text.parse().ok().filter(|value: &f64| value.is_finite())).collect();
+    let numbers: Option<Vec<f64>> = known.iter().map(|(text, _)| decimal(text)).collect();
     let share_of_height = match numbers.filter(|_| PER_NAME * groups.len() > known.len()) {
         Some(numbers) => share_of_numbers(&numbers, &known)?,
         None => share_of_groups(&groups, known.len())?,

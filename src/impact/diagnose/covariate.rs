@@ -11,7 +11,7 @@ use rand_pcg::Pcg64;
 
 use crate::figures::p_value;
 use crate::impact::fit::{Chosen, WaveGroup, Waves, inverse};
-use crate::impact::measured::{Drop, Record};
+use crate::impact::measured::{Drop, Record, decimal};
 
 /// Parts of the drops that are left out in turn.
 const PARTS: usize = 5;
@@ -57,11 +57,10 @@ impl Covariate {
         let said = |drops: Vec<Option<&Drop>>| drops.into_iter().map(|drop| drop.and_then(|drop| text(drop.record))).collect();
         let texts: Vec<Vec<Option<String>>> = chosen.behind(waves).into_iter().map(said).collect();
         let said = || texts.iter().flatten().flatten();
-        let number = |text: &str| text.parse::<f64>().ok().filter(|value| value.is_finite());
         let mut names: Vec<&String> = said().collect();
         names.sort();
         names.dedup();
-        let values = |text: &String| match number(text).filter(|_| said().all(|text| number(text).is_some())) {
+        let values = |text: &String| match decimal(text).filter(|_| said().all(|text| decimal(text).is_some())) {
             Some(value) => vec![value],
             // One name less than there are: the last is where all others are 0.
             None => names.iter().skip(1).map(|name| f64::from(u8::from(*name == text))).collect(),

@@ -85,10 +85,14 @@ pub enum FitError {
 }
 
 /// A drop that is not used.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct LeftOut {
     /// Its name.
     pub trial: String,
+    /// From this height, m.
+    pub height_m: f64,
+    /// The file that it is from.
+    pub source: String,
     /// What is wrong with it.
     pub reason: String,
 }
@@ -101,7 +105,7 @@ fn of_effect(key: &str) -> String {
 
 /// Why the first of drops was left out, where all were.
 fn of_first(first: &Option<LeftOut>) -> String {
-    let first = first.as_ref().map_or(String::new(), |LeftOut { trial, reason }| format!("; the first is `{trial}`: {reason}"));
+    let first = first.as_ref().map_or(String::new(), |LeftOut { trial, reason, .. }| format!("; the first is `{trial}`: {reason}"));
     format!("{first}; `flexframe measure` says why of each")
 }
 
@@ -174,7 +178,10 @@ impl<'a> Chosen<'a> {
                 let reason = drop.flags.iter().find(|flag| unwanted(flag)).map(ToString::to_string).or_else(|| weakest.clone());
                 let reason = reason.or_else(|| sampled_apart(drop.record, step_s?));
                 match reason {
-                    Some(reason) => left_out.push(LeftOut { trial: drop.record.trial.clone(), reason }),
+                    Some(reason) => {
+                        let Record { trial, height_m, source, .. } = drop.record;
+                        left_out.push(LeftOut { trial: trial.clone(), height_m: *height_m, source: source.clone(), reason });
+                    }
                     None => kept.push(drop),
                 }
             }

@@ -67,6 +67,8 @@ pub struct LandingAssessment {
     pub heights: Vec<SlopesAtHeight>,
     /// Gaps.
     pub gaps: LandingGaps,
+    /// p-value of the touch times of all heights under one pair of numbers for the slopes; 1 of one height.
+    pub slopes_steady_p: f64,
     /// p-value of the numbers of friction, feet and mount being those of every height, where there are such.
     pub effects_steady_p: Option<f64>,
     /// What explains the fitted heights better, and those that no fit saw worse.
@@ -121,7 +123,7 @@ impl LandingAssessment {
         let held_out_ci95_g = held.as_ref().and_then(|(waves, _)| held_out_ci95_g(&problem, waves, &may_be));
         let gaps = LandingGaps { held_out_ci95_g, ..gaps };
         let estimates = uncertainty.estimates(&problem, &fit)?;
-        let effects_steady_p = problem.effects_steady_p(&fit);
+        let (slopes_steady_p, effects_steady_p) = (problem.slopes_steady_p(&fit)?, problem.effects_steady_p(&fit));
         let tables = problem.tables(&fit.legs)?;
         let attitude = match known {
             Some(known) => known,
@@ -149,6 +151,7 @@ impl LandingAssessment {
             estimates,
             heights,
             gaps,
+            slopes_steady_p,
             effects_steady_p,
             refused,
             adequacy,

@@ -1,6 +1,6 @@
 //! Stiffness, damping, inertia and the spread of slopes, from drops.
 //!
-//! Each is fitted to what tells it, in turn: the spread of slopes to the touch times ([`TouchedSlopes`]), the legs to single drops, each with
+//! Each is fitted to what tells it, in turn: the spread of slopes to the touch times ([`TouchLikelihood`]), the legs to single drops, each with
 //! the landing that its own touch times show. Mean waves are predicted, not fitted. They depend on the few steepest landings: legs that were
 //! fitted to the means of forty records a height came out a third off, where single drops give them within a twentieth.
 //!
@@ -22,7 +22,7 @@ use super::parameter::{Kind, LEGS, PARAMETERS, Parameter};
 use super::population::Population;
 use super::posterior::window_given_touches;
 use super::table::LandingTable;
-use super::touched_slopes::{TouchedSlopes, left_of_quartiles};
+use super::touched_slopes::TouchLikelihood;
 use crate::impact::effects::Model;
 use crate::impact::fit::{FitProblem, Minimum, at_bounds, minimise, minimise_until};
 
@@ -210,7 +210,7 @@ impl LandingProblem<'_> {
     /// The same legs with the slopes that the touch times show.
     fn with_touched_slopes(&self, scaled: &[f64]) -> Option<Vec<f64>> {
         let tables = self.tables(&self.meaning(scaled).0)?;
-        let Slopes { rate_rad_s, at_release_rad } = TouchedSlopes::of(&self.heights(), &tables, self.parts.at_release)?.slopes;
+        let Slopes { rate_rad_s, at_release_rad } = TouchLikelihood::of(&self.heights(), &tables)?.slopes(self.parts.at_release).slopes;
         Some([&scaled[..scaled.len() - SLOPES], &[rate_rad_s, at_release_rad]].concat())
     }
 
@@ -257,12 +257,17 @@ impl LandingProblem<'_> {
         minimise(residual, &fit.scaled, &self.bounds(), &self.steps(), 0)
     }
 
-    /// What the drops and what the touch times do, at a fit.
-    pub fn at_fit(&self, fit: &LandingFit) -> Option<[Minimum; 2]> {
-        let touches = |scaled: &[f64]| {
+    /// What the predictions from their touches leave of all drops, and how it changes with each parameter, at a fit.
+    pub fn drops_at_fit(&self, fit: &LandingFit) -> Option<Minimum> {
+        self.looked_at(|scaled| self.left_of_drops(scaled), fit)
+    }
+
+    /// How the logarithm of the likelihood of each drop's touch times changes with each parameter, on the scale of the fit.
+    pub fn touch_scores(&self, fit: &LandingFit) -> Option<DMatrix<f64>> {
+        let unlikely = |scaled: &[f64]| {
             let (legs, slopes) = self.meaning(scaled);
-            left_of_quartiles(&self.heights(), &self.tables(&legs)?, &slopes)
+            Some(-TouchLikelihood::of(&self.heights(), &self.tables(&legs)?)?.of_drops(&slopes))
         };
-        Some([self.looked_at(|scaled| self.left_of_drops(scaled), fit)?, self.looked_at(touches, fit)?])
+        Some(self.looked_at(unlikely, fit)?.jacobian)
     }
 }

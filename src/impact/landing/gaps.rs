@@ -10,7 +10,7 @@ use super::legged_body::{Legs, Slopes};
 use super::observed::{ObservedLanding, ObservedLandings};
 use super::population::Population;
 use super::posterior::window_given_touches;
-use super::touched_slopes::TouchedSlopes;
+use super::touched_slopes::TouchLikelihood;
 use crate::impact::diagnose::{Gap, errors};
 use crate::impact::fit::{FitProblem, MeanWave, WaveGroup, Waves};
 use crate::impact::measured::Spread;
@@ -57,7 +57,7 @@ impl Unseen {
         let left = own.left_by_drops(height, &tables[0], &fit.slopes);
         let population = Population::of(&tables[0], &fit.slopes);
         let landings = &problem.observed.heights[height];
-        let touched = TouchedSlopes::of(&[landings], &tables, problem.parts.at_release)?;
+        let touched = TouchLikelihood::of(&[landings], &tables)?.slopes(problem.parts.at_release);
         let own_slopes = Population::of(&tables[0], &touched.slopes).mean_window().as_slice().to_vec();
         let (drops, read_s) = (&landings.drops, landings.read_s());
         let waves: Vec<DVector<f64>> =

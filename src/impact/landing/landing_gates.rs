@@ -1,7 +1,5 @@
 //! The tests that slopes, and what is named beside them, have to pass.
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
 use super::assessment::LandingAssessment;
 use super::gate::Gate;
 use super::parameter::{Kind, PARAMETERS};
@@ -86,7 +84,7 @@ impl LandingAssessment {
 
     /// Whether the turning rate, and the numbers of the effects beside it, are the same at all fitted heights.
     fn constant(&self) -> Gate {
-        let steady_p = self.steady_p();
+        let steady_p = self.slopes_steady_p;
         let effects = self.ids()[1..].iter().filter(|id| **id != ATTITUDE_SENSOR).copied().collect::<Vec<_>>().join(" + ");
         let left = if steady_p >= UNSTEADY { "leaves" } else { "does not leave" };
         let of_slopes = match self.heights.len() {
@@ -141,12 +139,5 @@ impl LandingAssessment {
             1e3 * at_s,
             p_value(p)
         )
-    }
-
-    /// p-value of the median touch times by height under one pair of numbers for the slopes.
-    fn steady_p(&self) -> f64 {
-        let sum: f64 = self.heights.iter().map(|height| ((height.opposite_s - height.predicted_s) / height.error_s).powi(2)).sum();
-        let freedom = (self.heights.len() as f64 - 1.0).max(1.0);
-        ChiSquared::new(freedom).map_or(1.0, |law| law.sf(sum))
     }
 }

@@ -13,8 +13,8 @@ use super::touches::LegTouches;
 use crate::impact::fit::{Chosen, Decimation, Waves};
 use crate::impact::measured::{Drop, Spread, is_same_m};
 
-/// The shares of the quantiles that a fit compares.
-pub const QUARTILES: [f64; 3] = [0.25, 0.5, 0.75];
+/// The shares of quartiles.
+const QUARTILES: [f64; 3] = [0.25, 0.5, 0.75];
 /// Standard deviation of a touch time that was read, as long as no landing was simulated, s: the clock's step, and feet that slide.
 const READ_S: f64 = 0.9e-3;
 /// Least of it, s: touches are searched for in steps of a twentieth, and the model is not the frame.
@@ -140,7 +140,7 @@ fn around_impact(t_s: &[f64]) -> std::ops::Range<usize> {
 /// Quartiles of the time from the first foot to the opposite one of some drops, with their standard errors, s; `None` of too few.
 ///
 /// The standard error of a quartile is by the distance of its neighbours: those half a standard error of the share away.
-pub fn quartiles_with_errors_s<'a>(drops: impl Iterator<Item = &'a ObservedLanding>) -> Option<[(f64, f64); 3]> {
+fn quartiles_with_errors_s<'a>(drops: impl Iterator<Item = &'a ObservedLanding>) -> Option<[(f64, f64); 3]> {
     let delays: Vec<f64> = drops.map(|drop| drop.touches.opposite.delay_s).collect();
     if delays.len() < FEWEST {
         return None;

@@ -6,7 +6,7 @@ use super::fitting::{LandingFit, LandingProblem, MOST_TURNS, ModelParts, ROUGH_S
 use super::legged_body::fall;
 use super::parameter::{FEET, FEET_HZ, FRICTION_N, LEGS, MOUNT_ZETA, MOUNTS, MOUNTS_HZ, Parameter};
 use super::score_sums::ScoreSums;
-use super::touched_slopes::TouchedSlopes;
+use super::touched_slopes::TouchLikelihood;
 use crate::impact::diagnose::PRICE;
 use crate::impact::fit::inverse;
 
@@ -16,8 +16,8 @@ impl LandingProblem<'_> {
     pub fn fitted_with_release_if_it_pays(self, from: &LandingFit) -> Option<(Self, LandingFit)> {
         let first = self.fitted(Some(from))?;
         let tables = self.tables(&first.legs)?;
-        let left = |at_release: bool| Some(TouchedSlopes::of(&self.heights(), &tables, at_release)?.residual.norm_squared());
-        if left(true)? + PRICE >= left(false)? {
+        let touches = TouchLikelihood::of(&self.heights(), &tables)?;
+        if touches.slopes(true).deviance + PRICE >= touches.slopes(false).deviance {
             return Some((self, first));
         }
         let released = self.with(ModelParts { at_release: true, ..self.parts });
@@ -86,7 +86,7 @@ impl LandingProblem<'_> {
     /// What a parameter without meaning takes off the sum of squares of single drops, in mean: by how drops differ, as what is left of one drop
     /// is no white noise (K. Takeuchi's criterion; see H. White, Econometrica 50 (1982) 1).
     fn by_one(&self, fit: &LandingFit) -> Option<f64> {
-        let [drops, _] = self.at_fit(fit)?;
+        let drops = self.drops_at_fit(fit)?;
         let columns: Vec<usize> = (0..fit.scaled.len() - SLOPES).filter(|column| !fit.at_bound[*column]).collect();
         let count = self.heights().iter().map(|height| height.drops.len()).sum();
         let ScoreSums { normal, scatter, .. } = ScoreSums::of(&drops, self.waves.expected.samples, 0..count, &columns);

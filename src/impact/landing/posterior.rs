@@ -50,20 +50,33 @@ pub fn window_given_touches(table: &LandingTable, population: &Population, touch
 
 /// How probable each of a table's landings is, and the sum of all; where touches contradict every landing, as in the population.
 fn weights_given_touches(table: &LandingTable, population: &Population, touches: &LegTouches, read_s: f64) -> (DVector<f64>, f64) {
+    let mut weights = population.weights().clone();
+    let sum = weigh(&mut weights, table, touches, read_s);
+    if sum > 0.0 { (weights, sum) } else { (population.weights().clone(), 1.0) }
+}
+
+/// The likelihood of touch times at each of a table's landings, 1/s³: each foot's time was read with a normal error of `read_s`, or belongs to no
+/// touch.
+pub fn likelihoods(table: &LandingTable, touches: &LegTouches, read_s: f64) -> DVector<f64> {
+    let mut weights = DVector::from_element(table.delays_s.len(), 1.0);
+    weigh(&mut weights, table, touches, read_s);
+    weights
+}
+
+/// Multiplies weights of a table's landings by the likelihood of touch times; their sum afterwards.
+fn weigh(weights: &mut DVector<f64>, table: &LandingTable, touches: &LegTouches, read_s: f64) -> f64 {
     let seen = [touches.opposite, touches.beside[0], touches.beside[1]];
     let stray = seen.map(|touch| libm::exp(-touch.size_g / STRAY_G).clamp(LEAST_STRAY, 1.0));
     let per_s = 1.0 / read_s;
     let height = per_s / (2.0 * std::f64::consts::PI).sqrt();
-    let mut weights = population.weights().clone();
-    let sum = with_wide_registers(Weighing {
+    with_wide_registers(Weighing {
         weights: weights.as_mut_slice(),
         delays_s: &table.delays_s,
         seen_s: seen.map(|touch| touch.delay_s),
         per_s,
         strays_1_s: stray.map(|stray| stray / STRAY_S),
         heights_1_s: stray.map(|stray| (1.0 - stray) * height),
-    });
-    if sum > 0.0 { (weights, sum) } else { (population.weights().clone(), 1.0) }
+    })
 }
 
 /// Weights of landings that are multiplied by the likelihood of touch times.

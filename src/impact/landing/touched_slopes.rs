@@ -1,26 +1,30 @@
-//! How slopes spread, by the times at which the opposite feet touch.
+//! How slopes spread, by the touch times of all drops.
 //!
 //! The late part of a mean wave says it, too: it is made of the steepest landings. Forty records hold few of those, so most sets of
-//! records look less steep than they are, and their own covariance trusts them. Fits to both gave slopes a fifth too small. Quartiles of
-//! touch times do not depend on the steepest landings.
+//! records look less steep than they are, and their own covariance trusts them. Fits to both gave slopes a fifth too small. Each drop's touch
+//! times have a likelihood at each slope of its height's table; a population weighs the slopes, and the most likely population is taken.
+//!
+//! *When it is wrong:* landings steeper than the table's grid, and touch times whose errors are far from those of [`likelihoods`].
 
+use cobyla::{RhoBeg, StopTols};
 use nalgebra::DVector;
+use rayon::prelude::*;
 
 use super::legged_body::Slopes;
-use super::observed::{HeightLandings, QUARTILES};
+use super::observed::{FEWEST, HeightLandings};
 use super::population::Population;
-use super::read_delays::ReadDelays;
+use super::posterior::likelihoods;
 use super::table::LandingTable;
-use crate::impact::fit::minimise;
 
 /// Standard deviations of the turning rate, rad/s, and of the slope at release, rad, that a fit may end at.
 pub const BOUNDS: [[f64; 2]; 2] = [[0.0, 1.5], [0.0, 0.25]];
 /// Steps of difference quotients.
 pub const STEPS: [f64; 2] = [0.01, 0.004];
-/// Values of each number of the slopes among which a fit's begin is looked for: times that were read leave several minima.
+/// Values of each number of the slopes among which a fit's begin is looked for.
 const TRIED: [usize; 2] = [40, 20];
-/// Most steps of a fit.
-const MOST_STEPS: usize = 25;
+/// First and last step of the search from there, in steps of difference quotients, and most values that it looks at.
+const SEARCH: [f64; 2] = [2.0, 0.01];
+const MOST_SEARCHED: usize = 200;
 /// 95 % quantile of chi squared with one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.84;
 /// Halvings of an interval that is searched.
@@ -48,64 +52,94 @@ impl SlopeNumber {
     }
 }
 
-/// Slopes that explain touch times.
+/// The likelihood of each drop's touch times at each slope of its height's table.
 #[derive(Clone, Debug)]
+pub struct TouchLikelihood<'a> {
+    heights: Vec<(&'a LandingTable, Vec<DVector<f64>>)>,
+}
+
+/// Slopes that explain touch times.
+#[derive(Clone, Copy, Debug)]
 pub struct TouchedSlopes {
     /// The slopes.
     pub slopes: Slopes,
-    /// Quartiles of the opposite foot's delay, measured less predicted, in independent standard errors, height by height.
-    pub residual: DVector<f64>,
+    /// Twice the negative logarithm of their likelihood: differences are compared with chi squared.
+    pub deviance: f64,
 }
 
-impl TouchedSlopes {
-    /// Fits the turning rate, and the slope at release where that is asked for; `None` where too few feet were seen.
-    pub fn of(heights: &[&HeightLandings], tables: &[LandingTable], at_release: bool) -> Option<Self> {
-        let slopes = |values: &[f64]| Slopes { rate_rad_s: values[0], at_release_rad: values.get(1).copied().unwrap_or(0.0) };
-        Self::with(heights, tables, 0..1 + usize::from(at_release), slopes)
-    }
-
-    /// With some of the numbers free.
-    fn with(
-        heights: &[&HeightLandings],
-        tables: &[LandingTable],
-        free: std::ops::Range<usize>,
-        slopes: impl Fn(&[f64]) -> Slopes,
-    ) -> Option<Self> {
-        let read: Vec<ReadDelays> =
-            heights.iter().zip(tables).map(|(height, table)| ReadDelays::of(table, height.errors.as_ref())).collect();
-        let left = |values: &[f64]| left_of_read(heights, tables, &read, &slopes(values));
-        let (bounds, steps) = (&BOUNDS[free.clone()], &STEPS[free]);
-        let begin = tried(bounds).filter_map(|values| Some((left(&values)?.norm_squared(), values)));
-        let (_, begin) = begin.min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let found = minimise(left, &begin, bounds, steps, MOST_STEPS)?;
-        Some(Self { slopes: slopes(&found.at), residual: found.residual })
-    }
-
-    /// The largest value of a number of the slopes, rad/s or rad, that the touch times allow: with it and the other number free the sum of
-    /// squares is by 3.84, the 95 % quantile of chi squared, above that without.
-    pub fn most(number: SlopeNumber, heights: &[&HeightLandings], tables: &[LandingTable]) -> Option<f64> {
-        let (held_at, free_at) = if number == SlopeNumber::Rate { (0, 1) } else { (1, 0) };
-        let sum = |held: f64| {
-            let slopes = |values: &[f64]| number.held(held, values[0]);
-            Some(Self::with(heights, tables, free_at..free_at + 1, slopes)?.residual.norm_squared())
+impl<'a> TouchLikelihood<'a> {
+    /// Of all drops of some heights; `None` where too few feet were seen.
+    pub fn of(heights: &[&HeightLandings], tables: &'a [LandingTable]) -> Option<Self> {
+        let one = |(height, table): (&&HeightLandings, &'a LandingTable)| {
+            let drops = height.drops.par_iter().map(|drop| likelihoods(table, &drop.touches, height.read_s())).collect();
+            (height.seen().count() >= FEWEST).then_some((table, drops))
         };
-        let limit = sum(0.0)? + CHI_SQUARED_95;
+        Some(Self { heights: heights.iter().zip(tables).map(one).collect::<Option<_>>()? })
+    }
+
+    /// Logarithm of each drop's likelihood in a population, height by height.
+    pub fn of_drops(&self, slopes: &Slopes) -> DVector<f64> {
+        let each = self.heights.iter().flat_map(|(table, drops)| {
+            let population = Population::of(table, slopes);
+            drops.iter().map(|drop| libm::log(drop.dot(population.weights()))).collect::<Vec<_>>()
+        });
+        DVector::from_vec(each.collect())
+    }
+
+    /// The most likely slopes: the turning rate, and the slope at release where that is asked for.
+    pub fn slopes(&self, at_release: bool) -> TouchedSlopes {
+        let slopes = |values: &[f64]| Slopes { rate_rad_s: values[0], at_release_rad: values.get(1).copied().unwrap_or(0.0) };
+        self.most_likely(0..1 + usize::from(at_release), slopes)
+    }
+
+    /// The largest value of a number of the slopes, rad/s or rad, that the touch times allow: with it and the other number free the deviance
+    /// is by 3.84, the 95 % quantile of chi squared, above that without.
+    pub fn most(&self, number: SlopeNumber) -> f64 {
+        let (held_at, free_at) = if number == SlopeNumber::Rate { (0, 1) } else { (1, 0) };
+        let deviance = |held: f64| self.most_likely(free_at..free_at + 1, |values| number.held(held, values[0])).deviance;
+        let limit = deviance(0.0) + CHI_SQUARED_95;
         let [mut low, mut high] = BOUNDS[held_at];
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if sum(middle)? > limit { high = middle } else { low = middle }
+            if deviance(middle) > limit { high = middle } else { low = middle }
         }
-        Some(low)
+        low
     }
-}
 
-/// Deviations of three quartiles of one sample, each over its standard error, as independent ones.
-///
-/// Quantiles of a sample are correlated by √(p (1 - q) / (q (1 - p))), p < q: each depends on the one before alone (the Brownian bridge).
-pub fn decorrelated([low, middle, high]: [f64; 3]) -> [f64; 3] {
-    let correlation = 1.0 / 3.0_f64.sqrt();
-    let own = |value: f64, before: f64| (value - correlation * before) / (1.0 - correlation * correlation).sqrt();
-    [low, own(middle, low), own(high, middle)]
+    /// How much likelier the touch times are with a turning rate for each height than with slopes for all: the fall of the deviance.
+    pub fn fall_with_own_rates(&self, of_all: &Slopes) -> f64 {
+        let own = |height: &(&'a LandingTable, Vec<DVector<f64>>)| Self { heights: vec![height.clone()] }.slopes(false).deviance;
+        self.deviance(of_all) - self.heights.iter().map(own).sum::<f64>()
+    }
+
+    fn deviance(&self, slopes: &Slopes) -> f64 {
+        -2.0 * self.of_drops(slopes).sum()
+    }
+
+    /// With some of the numbers free: the best of those tried, and then the nearest minimum.
+    fn most_likely(&self, free: std::ops::Range<usize>, slopes: impl Fn(&[f64]) -> Slopes) -> TouchedSlopes {
+        let (bounds, steps) = (&BOUNDS[free.clone()], &STEPS[free]);
+        let found = |values: &[f64]| {
+            let slopes = slopes(values);
+            TouchedSlopes { slopes, deviance: self.deviance(&slopes) }
+        };
+        let none = vec![0.0; bounds.len()];
+        let better = |a: (TouchedSlopes, Vec<f64>), b: (TouchedSlopes, Vec<f64>)| if b.0.deviance < a.0.deviance { b } else { a };
+        let (begun, begin) = tried(bounds).map(|values| (found(&values), values)).fold((found(&none), none), better);
+        // In steps of difference quotients, as the numbers have different units.
+        let scaled = |values: &[f64]| -> Vec<f64> { values.iter().zip(steps).map(|(value, step)| value / step).collect() };
+        let values = |scaled: &[f64]| -> Vec<f64> {
+            scaled.iter().zip(steps).zip(bounds).map(|((value, step), [least, most])| (value * step).clamp(*least, *most)).collect()
+        };
+        let within: Vec<(f64, f64)> = bounds.iter().zip(steps).map(|([least, most], step)| (least / step, most / step)).collect();
+        let unlikely = |at: &[f64], (): &mut ()| found(&values(at)).deviance;
+        let constraints: [fn(&[f64], &mut ()) -> f64; 0] = [];
+        let ends = StopTols { xtol_abs: vec![SEARCH[1]; steps.len()], ..StopTols::default() };
+        let (Ok((_, at, _)) | Err((_, at, _))) =
+            cobyla::minimize(unlikely, &scaled(&begin), &within, &constraints, (), MOST_SEARCHED, RhoBeg::All(SEARCH[0]), Some(ends));
+        let ended = found(&values(&at));
+        if ended.deviance < begun.deviance { ended } else { begun }
+    }
 }
 
 /// Where a fit may begin: denser towards zero; of two numbers each with each.
@@ -115,49 +149,4 @@ fn tried(bounds: &[[f64; 2]]) -> impl Iterator<Item = Vec<f64>> {
     let value = move |[low, high]: &[f64; 2], step: usize| low + (high - low) * ((step as f64 + 0.5) / count as f64).powi(2);
     let bounds = bounds.to_vec();
     (0..places).map(move |place| bounds.iter().enumerate().map(|(at, bound)| value(bound, place / count.pow(at as u32) % count)).collect())
-}
-
-/// Quartiles, measured less predicted, over their standard errors and without their correlation.
-pub fn left_of_quartiles(heights: &[&HeightLandings], tables: &[LandingTable], slopes: &Slopes) -> Option<DVector<f64>> {
-    let read: Vec<ReadDelays> = heights.iter().zip(tables).map(|(height, table)| ReadDelays::of(table, height.errors.as_ref())).collect();
-    left_of_read(heights, tables, &read, slopes)
-}
-
-/// The same of times that are in order.
-fn left_of_read(heights: &[&HeightLandings], tables: &[LandingTable], read: &[ReadDelays], slopes: &Slopes) -> Option<DVector<f64>> {
-    let mut all = Vec::with_capacity(QUARTILES.len() * heights.len());
-    for ((height, table), read) in heights.iter().zip(tables).zip(read) {
-        let predicted_s = read.quantiles_s(Population::of(table, slopes).weights(), QUARTILES);
-        let measured = height.opposite_quartiles_s()?;
-        all.extend(decorrelated(std::array::from_fn(|at| (measured[at].0 - predicted_s[at]) / measured[at].1)));
-    }
-    Some(DVector::from_vec(all))
-}
-
-#[cfg(test)]
-mod tests {
-    use rand::{RngExt, SeedableRng};
-    use rand_pcg::Pcg64;
-
-    use super::*;
-
-    /// Of 4000 samples of 401 numbers.
-    #[test]
-    fn analytic_quartiles_are_independent_of_each_other_afterwards() {
-        let mut rng = Pcg64::seed_from_u64(4);
-        let error = |share: f64| (share * (1.0 - share) / 401.0_f64).sqrt();
-        let samples: Vec<[f64; 3]> = (0..4000)
-            .map(|_| {
-                let mut sample: Vec<f64> = (0..401).map(|_| rng.random::<f64>()).collect();
-                sample.sort_by(f64::total_cmp);
-                decorrelated(std::array::from_fn(|at| (sample[100 * (at + 1)] - QUARTILES[at]) / error(QUARTILES[at])))
-            })
-            .collect();
-        for a in 0..3 {
-            for b in 0..3 {
-                let product = samples.iter().map(|sample| sample[a] * sample[b]).sum::<f64>() / 4000.0;
-                assert!((product - f64::from(u8::from(a == b))).abs() < 0.07, "{a} {b}: {product}");
-            }
-        }
-    }
 }

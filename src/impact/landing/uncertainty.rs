@@ -12,9 +12,8 @@ use super::fitting::{LandingFit, LandingProblem};
 use super::foot_mode::FOOT_MODE;
 use super::legged_body::{COULOMB_FRICTION, Legs, Slopes};
 use super::mount::MOUNT_LOW_PASS;
-use super::observed::quartiles_with_errors_s;
 use super::parameter::{Kind, Parameter};
-use super::touched_slopes::{SlopeNumber, TouchedSlopes, decorrelated};
+use super::touched_slopes::{SlopeNumber, TouchLikelihood};
 use crate::impact::diagnose::EffectEstimate;
 use crate::impact::measured::Spread;
 
@@ -30,11 +29,11 @@ pub struct FitUncertainty {
 impl FitUncertainty {
     /// By one step of the fit for each set of drawn drops; `None` where the fit is degenerate.
     pub fn of(problem: &LandingProblem, fit: &LandingFit, seed: u64) -> Option<Self> {
-        let [drops, touches] = problem.at_fit(fit)?;
-        let step = FitStep::of(&fit.at_bound, &drops.jacobian, &touches.jacobian)?;
+        let (drops, touches) = (problem.drops_at_fit(fit)?, problem.touch_scores(fit)?);
+        let step = FitStep::of(&fit.at_bound, &drops.jacobian, &touches)?;
         let mut rng = Pcg64::seed_from_u64(seed);
-        let drawn = |_| Some(step.by(&change_by_drawing(problem, &drops.residual, &mut rng)?));
-        Some(Self { changes: (0..RESAMPLED).filter_map(drawn).collect() })
+        let drawn = |_| step.by(&change_by_drawing(problem, &drops.residual, &mut rng));
+        Some(Self { changes: (0..RESAMPLED).map(drawn).collect() })
     }
 
     /// The parameters with 95 % intervals.
@@ -57,7 +56,8 @@ impl FitUncertainty {
             let [low, mut high] = Parameter::with_method(spread, parameter.method_at(scaled, problem.parts.rubbing))
                 .map(|change| parameter.outward(scaled + change).clamp(parameter.bounds[0], parameter.bounds[1]));
             if parameter.kind == Kind::Slope && value == 0.0 {
-                high = TouchedSlopes::most(SlopeNumber::ALL[at - first_slope], &problem.heights(), &problem.tables(&fit.legs)?)?;
+                let tables = problem.tables(&fit.legs)?;
+                high = TouchLikelihood::of(&problem.heights(), &tables)?.most(SlopeNumber::ALL[at - first_slope]);
             }
             // Slopes may well be none.
             let at_bound = fit.at_bound[at] && (parameter.kind != Kind::Slope || value > 0.5 * parameter.bounds[1]);
@@ -82,19 +82,15 @@ impl FitUncertainty {
     }
 }
 
-/// How what is left of the drops, and of the quartiles of their touch times, changes when drops are drawn with replacement.
-fn change_by_drawing(problem: &LandingProblem, left: &DVector<f64>, rng: &mut Pcg64) -> Option<DVector<f64>> {
+/// How what is left of the drops, and how often each drop's touch times count, changes when drops are drawn with replacement.
+fn change_by_drawing(problem: &LandingProblem, left: &DVector<f64>, rng: &mut Pcg64) -> DVector<f64> {
     let samples = problem.waves.expected.samples;
-    let (mut weights, mut delays) = (Vec::new(), Vec::new());
+    let mut weights = Vec::new();
     for here in problem.heights() {
-        let picks: Vec<usize> = (0..here.drops.len()).map(|_| rng.random_range(0..here.drops.len())).collect();
         let mut times = vec![-1.0; here.drops.len()];
-        picks.iter().for_each(|pick| times[*pick] += 1.0);
+        (0..here.drops.len()).for_each(|_| times[rng.random_range(0..here.drops.len())] += 1.0);
         weights.extend(times);
-        let drawn = picks.iter().map(|pick| &here.drops[*pick]).filter(|drop| drop.touches.all_seen());
-        let (before, after) = (here.opposite_quartiles_s()?, quartiles_with_errors_s(drawn)?);
-        delays.extend(decorrelated(std::array::from_fn(|at| (after[at].0 - before[at].0) / before[at].1)));
     }
     let drops = left.iter().enumerate().map(|(row, left)| weights[row / samples] * left);
-    Some(DVector::from_iterator(left.len() + delays.len(), drops.chain(delays.iter().copied())))
+    DVector::from_iterator(left.len() + weights.len(), drops.chain(weights.iter().copied()))
 }

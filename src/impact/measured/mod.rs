@@ -12,6 +12,7 @@ mod clock_period;
 mod clock_sign;
 mod clock_trace;
 mod copied_records;
+mod decimal;
 #[cfg(feature = "cli")]
 mod disk;
 mod drop_order;
@@ -50,6 +51,7 @@ mod table_header;
 
 pub use clock_period::ClockPeriod;
 pub use clock_sign::ClockSign;
+pub use decimal::decimal;
 #[cfg(feature = "cli")]
 pub use disk::read;
 pub use drop_table::DropTable;

@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::ops::RangeInclusive;
 
+use super::decimal::decimal;
 use super::encoding::plain;
 use super::height::stated_m;
 use super::logger::Label;
@@ -46,10 +47,8 @@ pub(super) fn number(
 ) -> Result<f64, Fault> {
     let field = row.get(at).unwrap_or_default().trim_ascii();
     let text = std::str::from_utf8(field).ok();
-    // A comma in a number is a decimal one: where commas part the columns, only a quoted field has any.
-    let parse = |text: &str| text.parse::<f64>().or_else(|_| text.replacen(',', ".", 1).parse::<f64>()).ok();
-    let parsed = text.and_then(parse).filter(|value| value.is_finite());
-    let Some(value) = parsed else {
+    // Where commas part the columns, only a quoted field has a decimal one.
+    let Some(value) = text.and_then(decimal) else {
         let value = String::from_utf8_lossy(&field[..field.len().min(40)]).into_owned();
         return Err(Fault::NoNumber { column, value });
     };

@@ -275,6 +275,7 @@ fn gaps(diagnosis: &Diagnosis, note: Option<String>) -> Value {
         "held_out_before": before.held_out.net_g,
         "held_out_after": after.held_out.net_g,
         "held_out": if diagnosis.heights_held_out { "held-out heights" } else { "each height, predicted from the others" },
+        "trials_floor": before.trials.floor_g,
         "trials_before": before.trials.net_g,
         "trials_after": after.trials.net_g,
         "records": records(&before.fitted, &after.fitted),

@@ -76,7 +76,7 @@ pub fn plate(frame: &Frame, plate: &CouponPlate) -> std::io::Result<Vec<u8>> {
 
 /// The table that a person fills in.
 pub fn fold_table(hinges: &Hinges) -> String {
-    let mut text = format!("# folds: after how many folds the hinge cracked, 1 to {FOLDS}, or held\nthickness_mm,fold_deg,folds\n");
+    let mut text = String::from("thickness_mm,fold_deg,folds\n");
     for thickness_mm in hinges.thicknesses_mm {
         let _ = writeln!(text, "{thickness_mm:.1},{:.0},", hinges.fold_deg);
     }

@@ -90,8 +90,8 @@ fn left_out(compared: &Compared) -> Vec<Block> {
     if compared.left_out.is_empty() {
         return Vec::new();
     }
-    let rows = compared.left_out.iter().map(|left| vec![left.trial.clone(), left.reason.clone()]).collect();
-    vec![Block::Heading("Drops left out".into()), Block::Table(cells(["drop", "reason"]), rows)]
+    let rows = compared.left_out.iter().map(|left| vec![left.trial.clone(), format!("{} m", left.height_m), left.reason.clone()]).collect();
+    vec![Block::Heading("Drops left out".into()), Block::Table(cells(["drop", "height", "reason"]), rows)]
 }
 
 /// What explains how drops of one height vary, and what changes together with the height.

@@ -1,4 +1,4 @@
-//! Whether the numbers of friction, feet and mount are those of every height.
+//! Whether slopes, and the numbers of friction, feet and mount, are those of every height.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
@@ -6,9 +6,24 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 use super::fitting::{LandingFit, LandingProblem};
 use super::parameter::{Kind, Parameter};
 use super::score_sums::ScoreSums;
+use super::touched_slopes::TouchLikelihood;
 use crate::impact::fit::inverse;
 
 impl LandingProblem<'_> {
+    /// p-value of one pair of numbers for the slopes of all heights: how much likelier the touch times are with a turning rate of its own at
+    /// each height. 1 of one height.
+    pub fn slopes_steady_p(&self, fit: &LandingFit) -> Option<f64> {
+        let heights = self.heights();
+        if heights.len() < 2 {
+            return Some(1.0);
+        }
+        let tables = self.tables(&fit.legs)?;
+        let fall = TouchLikelihood::of(&heights, &tables)?.fall_with_own_rates(&fit.slopes);
+        let numbers = 1 + usize::from(self.parts.at_release);
+        let freedom = heights.len().saturating_sub(numbers).max(1);
+        Some(ChiSquared::new(freedom as f64).ok()?.sf(fall.max(0.0)))
+    }
+
     /// p-value of one friction, one mass of the feet and one mount for all heights: how far a step of the fit to each height's drops alone, with
     /// these numbers free, leads away from their common values. Errors are by how the drops of a height differ. `None` without any of them, or
     /// from one height alone.
@@ -18,7 +33,7 @@ impl LandingProblem<'_> {
         if columns.is_empty() {
             return None;
         }
-        let [drops, _] = self.at_fit(fit)?;
+        let drops = self.drops_at_fit(fit)?;
         let (heights, samples) = (self.heights(), self.waves.expected.samples);
         let (mut precision_sum, mut weighed_sum) = (DMatrix::zeros(columns.len(), columns.len()), DVector::zeros(columns.len()));
         let (mut chi_squared, mut first) = (0.0, 0);
