@@ -6,8 +6,7 @@
 //!
 //! *When it is wrong:* landings steeper than the table's grid, and touch times whose errors are far from those of [`likelihoods`].
 
-use cobyla::{RhoBeg, StopTols};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 
 use super::legged_body::Slopes;
@@ -15,6 +14,7 @@ use super::observed::{FEWEST, HeightLandings};
 use super::population::Population;
 use super::posterior::likelihoods;
 use super::table::LandingTable;
+use crate::impact::fit::inverse;
 
 /// Standard deviations of the turning rate, rad/s, and of the slope at release, rad, that a fit may end at.
 pub const BOUNDS: [[f64; 2]; 2] = [[0.0, 1.5], [0.0, 0.25]];
@@ -22,12 +22,14 @@ pub const BOUNDS: [[f64; 2]; 2] = [[0.0, 1.5], [0.0, 0.25]];
 pub const STEPS: [f64; 2] = [0.01, 0.004];
 /// Values of each number of the slopes among which a fit's begin is looked for.
 const TRIED: [usize; 2] = [40, 20];
-/// First and last step of the search from there, in steps of difference quotients, and most values that it looks at.
-const SEARCH: [f64; 2] = [2.0, 0.01];
-const MOST_SEARCHED: usize = 200;
+/// Most steps of the search from there, and the fall of the deviance below which a step is the last.
+const MOST_STEPS: usize = 25;
+const SETTLED: f64 = 1e-4;
+/// Part of a step of difference quotients over which scores are taken: those over a whole one add up to nothing half of it off the maximum.
+const FINE: f64 = 0.02;
 /// 95 % quantile of chi squared with one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.84;
-/// Halvings of an interval that is searched.
+/// Halvings of an interval that is searched, and of a step that does not lower the deviance.
 const HALVINGS: usize = 8;
 
 /// One of the two numbers of slopes.
@@ -116,29 +118,46 @@ impl<'a> TouchLikelihood<'a> {
         -2.0 * self.of_drops(slopes).sum()
     }
 
-    /// With some of the numbers free: the best of those tried, and then the nearest minimum.
+    /// With some of the numbers free: the best of those tried, and from there by scoring.
     fn most_likely(&self, free: std::ops::Range<usize>, slopes: impl Fn(&[f64]) -> Slopes) -> TouchedSlopes {
         let (bounds, steps) = (&BOUNDS[free.clone()], &STEPS[free]);
-        let found = |values: &[f64]| {
-            let slopes = slopes(values);
-            TouchedSlopes { slopes, deviance: self.deviance(&slopes) }
+        let deviance = |values: &[f64]| self.deviance(&slopes(values));
+        let begins = tried(bounds).chain([vec![0.0; bounds.len()]]).map(|values| (deviance(&values), values));
+        let best = |a: (f64, Vec<f64>), b: (f64, Vec<f64>)| if b.0 < a.0 { b } else { a };
+        let (mut least, mut at) = begins.fold((f64::INFINITY, Vec::new()), best);
+        for _ in 0..MOST_STEPS {
+            let Some(step) = self.scoring_step(&at, bounds, steps, &slopes) else { break };
+            let parts = (0..HALVINGS).map(|halvings| {
+                let part = 0.5_f64.powi(halvings as i32);
+                at.iter()
+                    .zip(step.iter())
+                    .zip(bounds)
+                    .map(|((value, step), [low, high])| (value + part * step).clamp(*low, *high))
+                    .collect()
+            });
+            let better = parts.map(|values: Vec<f64>| (deviance(&values), values)).find(|(deviance, _)| *deviance < least);
+            let Some((deviance, values)) = better else { break };
+            let fell = least - deviance;
+            (least, at) = (deviance, values);
+            if fell < SETTLED {
+                break;
+            }
+        }
+        TouchedSlopes { slopes: slopes(&at), deviance: least }
+    }
+
+    /// The step to where the drops' scores add up to nothing, by the sum of their squares as the information (E. K. Berndt, B. H. Hall, R. E. Hall, J. A.
+    /// Hausman, Annals of Economic and Social Measurement 3 (1974) 653).
+    fn scoring_step(&self, at: &[f64], bounds: &[[f64; 2]], steps: &[f64], slopes: impl Fn(&[f64]) -> Slopes) -> Option<DVector<f64>> {
+        let here = self.of_drops(&slopes(at));
+        let score = |number: usize| {
+            let step = FINE * if at[number] + steps[number] > bounds[number][1] { -steps[number] } else { steps[number] };
+            let mut moved = at.to_vec();
+            moved[number] += step;
+            (self.of_drops(&slopes(&moved)) - &here) / step
         };
-        let none = vec![0.0; bounds.len()];
-        let better = |a: (TouchedSlopes, Vec<f64>), b: (TouchedSlopes, Vec<f64>)| if b.0.deviance < a.0.deviance { b } else { a };
-        let (begun, begin) = tried(bounds).map(|values| (found(&values), values)).fold((found(&none), none), better);
-        // In steps of difference quotients, as the numbers have different units.
-        let scaled = |values: &[f64]| -> Vec<f64> { values.iter().zip(steps).map(|(value, step)| value / step).collect() };
-        let values = |scaled: &[f64]| -> Vec<f64> {
-            scaled.iter().zip(steps).zip(bounds).map(|((value, step), [least, most])| (value * step).clamp(*least, *most)).collect()
-        };
-        let within: Vec<(f64, f64)> = bounds.iter().zip(steps).map(|([least, most], step)| (least / step, most / step)).collect();
-        let unlikely = |at: &[f64], (): &mut ()| found(&values(at)).deviance;
-        let constraints: [fn(&[f64], &mut ()) -> f64; 0] = [];
-        let ends = StopTols { xtol_abs: vec![SEARCH[1]; steps.len()], ..StopTols::default() };
-        let (Ok((_, at, _)) | Err((_, at, _))) =
-            cobyla::minimize(unlikely, &scaled(&begin), &within, &constraints, (), MOST_SEARCHED, RhoBeg::All(SEARCH[0]), Some(ends));
-        let ended = found(&values(&at));
-        if ended.deviance < begun.deviance { ended } else { begun }
+        let scores = DMatrix::from_columns(&(0..at.len()).map(score).collect::<Vec<_>>());
+        Some(inverse(&(scores.transpose() * &scores))? * scores.row_sum_tr())
     }
 }
 
