@@ -5,7 +5,7 @@ use crate::case;
 use flexframe::impact::body::Feet;
 use flexframe::impact::diagnose::{ComparedAxes, EffectEstimate, PreparedDrops, Verdict};
 use flexframe::impact::effects::{Channel, Model, Sensor, by_id};
-use flexframe::impact::fit::{Chosen, Keep};
+use flexframe::impact::fit::{Chosen, Keep, Waves};
 use flexframe::impact::landing::{
     ATTITUDE_SENSOR, COULOMB_FRICTION, FOOT_MODE, FitUncertainty, LANDING_TILT, LandingAssessment, LandingEvidence, LandingFit,
     LandingProblem, LandingScatter, LeggedBody, ObservedLandings, TouchEvidence, UnjudgedLandings,
@@ -179,6 +179,21 @@ fn planted_landings_are_named_beside_records_whose_clock_stalled() {
     assert!(left_out as f64 > 0.8 * stalled as f64, "{left_out} of {stalled}: {:?}", compared.left_out);
 }
 
+/// What is looked at of a plan's drops with a first fit of legs and slopes, by whose landings their touch times are read.
+fn looked_at<T>(plan: &Plan, look: impl FnOnce(LandingProblem, &LandingFit, &Waves) -> T) -> T {
+    let set = read(&records(plan));
+    let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
+    let waves = chosen.waves().expect("usable");
+    let touches = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
+    let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
+    let body = LeggedBody::of(&plan.model).expect("four legs");
+    let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
+    let rough = plain.fitted(None).expect("can be fitted");
+    let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes);
+    let problem = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
+    look(problem, &rough, &waves)
+}
+
 /// Eighty drops tell a turning rate within a tenth, as a root mean square over sets, and none of them shows a slope at release. 5.6 % is what
 /// eighty slopes would tell that are known.
 #[test]
@@ -186,19 +201,11 @@ fn planted_turning_rates_are_told_within_a_tenth_and_no_slope_at_release_is_made
     let rate_rad_s = 0.4;
     let told = |seed: u64| {
         let plan = Plan { heights_m: vec![0.5, 1.0], ..plan(Landings { rate_rad_s, ..LEVEL }, seed) };
-        let set = read(&records(&plan));
-        let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
-        let waves = chosen.waves().expect("usable");
-        let touches = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
-        let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
-        let body = LeggedBody::of(&plan.model).expect("four legs");
-        let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
-        let rough = plain.fitted(None).expect("can be fitted");
-        let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes);
-        let problem = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
-        let (problem, fit) = problem.fitted_with_release_if_it_pays(&rough).expect("can be fitted");
-        assert!(problem.slopes_steady_p(&fit).expect("can be simulated") > 1e-4);
-        (fit.slopes.rate_rad_s, fit.slopes.at_release_rad)
+        looked_at(&plan, |problem, rough, _| {
+            let (problem, fit) = problem.fitted_with_release_if_it_pays(rough).expect("can be fitted");
+            assert!(problem.slopes_steady_p(&fit).expect("can be simulated") > 1e-4);
+            (fit.slopes.rate_rad_s, fit.slopes.at_release_rad)
+        })
     };
     let all: Vec<(f64, f64)> = (50..58).map(told).collect();
     assert!(all.iter().all(|(_, at_release_rad)| *at_release_rad == 0.0), "{all:?}");
@@ -210,28 +217,20 @@ fn planted_turning_rates_are_told_within_a_tenth_and_no_slope_at_release_is_made
 #[test]
 fn planted_records_spread_as_those_of_their_own_legs_and_no_others() {
     let plan = Plan { heights_m: vec![0.5, 1.0], ..plan(Landings { rate_rad_s: 0.3, ..LEVEL }, 21) };
-    let set = read(&records(&plan));
-    let chosen = Chosen::of(&set, Channel::Axial, Keep::Evidence).expect("usable");
-    let waves = chosen.waves().expect("usable");
-    let touches = ObservedLandings::of(&chosen, &waves, &[]).expect("lateral axes were measured");
-    let prepared = PreparedDrops::of(&waves, &plan.model).expect("drops that vary");
-    let body = LeggedBody::of(&plan.model).expect("four legs");
-    let plain = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
-    let rough = plain.fitted(None).expect("can be fitted");
-    let touches = touches.with_errors(&plain.tables(&rough.legs).expect("can be simulated"), &rough.slopes);
-    let problem = LandingProblem::plain(body, &plan.model, &prepared.problem, &touches);
-    let fit = problem.fitted(Some(&rough)).expect("can be fitted");
-    let spread_p = |fit: &LandingFit| {
-        let scatter = LandingScatter::of(&waves, &problem, fit).expect("drops that vary");
-        let uncertainty = FitUncertainty::of(&problem, fit, 1).expect("is determined");
-        scatter.spread_p(&problem, fit, &uncertainty, &waves, 1).expect("can be simulated")
-    };
-    let own = spread_p(&fit);
-    assert!(own > 0.05, "{own}");
-    let mut stiff = fit.legs;
-    stiff.stiffness_n_m *= 2.0;
-    let other = spread_p(&problem.ended_at(stiff, fit.slopes));
-    assert!(other <= 0.01, "{other}");
+    looked_at(&plan, |problem, rough, waves| {
+        let fit = problem.fitted(Some(rough)).expect("can be fitted");
+        let spread_p = |fit: &LandingFit| {
+            let scatter = LandingScatter::of(waves, &problem, fit).expect("drops that vary");
+            let uncertainty = FitUncertainty::of(&problem, fit, 1).expect("is determined");
+            scatter.spread_p(&problem, fit, &uncertainty, waves, 1).expect("can be simulated")
+        };
+        let own = spread_p(&fit);
+        assert!(own > 0.05, "{own}");
+        let mut stiff = fit.legs;
+        stiff.stiffness_n_m *= 2.0;
+        let other = spread_p(&problem.ended_at(stiff, fit.slopes));
+        assert!(other <= 0.01, "{other}");
+    });
 }
 
 /// The first touch has a direction where a logger is too slow for the others: what is found along the vertical is not named.
