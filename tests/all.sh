@@ -523,6 +523,13 @@ occt_reads_steps() {
             failed "STEP $frame" "build --step failed"
         fi
     done
+    # A tie hole whose lower border has corners, and circles that touch: OCCT once refused both.
+    printf '%s\n' 'base = "cognifly"' 'name = "tie-hole"' '[hub_joint]' 'hub_joint_diameter_mm = 6.858' >"$work/tie-hole.toml"
+    printf '%s\n' "base = '$PWD/examples/frames/li-ion-2s.toml'" 'name = "touching"' '[hub_joint]' 'plug_length_mm = 8.126' >"$work/touching.toml"
+    for frame in tie-hole touching; do
+        "$binary" build "$work/$frame.toml" --step --no-pictures -q -o "$work/step" || failed "STEP $frame" "build --step failed"
+        folders+=("$work/step/$frame")
+    done
     "$python" tests/external/check_step.py "${folders[@]}" | tee -a "$results" || failed "STEP" "exit code $?"
 }
 

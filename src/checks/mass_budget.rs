@@ -6,8 +6,10 @@ use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::Scene;
+use crate::params::frame::Extra;
 
 const LEVERS: &[&str] = &["bought.battery", "bought.motor", "materials.rigid"];
+const BATTERY: &[&str] = &["battery.battery_mass_g"];
 
 pub static RULE: Rule = Rule {
     id: "mass_budget",
@@ -15,7 +17,7 @@ pub static RULE: Rule = Rule {
     requires: "the take-off mass is within its budget",
     units: &["g"],
     limits: &[Limit::Key { subject: "", key: "limits.mass_budget_g" }],
-    levers: Levers::Sets(&[LEVERS]),
+    levers: Levers::Sets(&[LEVERS, BATTERY]),
     blame: Blame::Masses { summed: true },
     in_search: InSearch::Constraints { subjects: &[""], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -44,13 +46,36 @@ impl TakeOffMass {
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     let (total_g, estimated_g) = (scene.masses.total_g, scene.masses.estimated_g);
-    vec![TakeOffMass { total_g, estimated_g, limit_g: scene.design.frame.limits.mass_budget_g }.finding()]
+    let take_off = TakeOffMass { total_g, estimated_g, limit_g: scene.design.frame.limits.mass_budget_g };
+    std::iter::once(take_off.finding()).chain(weightless_battery(scene)).collect()
+}
+
+/// A warning of a battery that is bought and weighs nothing: no extra can weigh it, as those that do stand for it in the bill.
+fn weightless_battery(scene: &Scene) -> Option<Finding> {
+    let frame = &scene.design.frame;
+    let bought = frame.bought.get("battery").filter(|_| frame.battery.battery_mass_g == 0.0)?;
+    let weighed = |extra: &Extra| extra.covers.iter().any(|role| role == "battery");
+    if frame.extras.values().any(weighed) {
+        return None;
+    }
+    let missing = Measure { rule: RULE.id, value: bought.part.mass_g, limit: 0.0, unit: "g", levers: BATTERY };
+    let message = format!(
+        "battery_mass_g = 0 leaves {} of the bill, {} g, out of the take-off mass, and no extra covers it",
+        bought.name, bought.part.mass_g
+    );
+    Some(missing.note("battery".into(), message))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::checks::planted::{Planted, violated};
+
+    #[test]
+    fn planted_a_battery_that_is_bought_and_weighs_nothing() {
+        let found = Planted::frame(|frame| frame.battery.battery_mass_g = 0.0).found(check);
+        assert!(found.len() == 2 && found[1].warns() && found[1].message.contains("battery-3s-650 of the bill"), "{found:?}");
+    }
 
     #[test]
     fn planted_a_heavy_battery() {

@@ -138,6 +138,9 @@ pub fn catalogue() -> impl Iterator<Item = &'static Parameter> {
     .flatten()
 }
 
+/// Rows of wire holes in the bracket's front upright.
+pub const WIRE_ROWS: u8 = 3;
+
 impl Frame {
     /// Inner diameter of the rods, mm: 0 unless the bought rod is a tube.
     pub fn rod_bore_mm(&self) -> f64 {
@@ -158,6 +161,22 @@ impl Frame {
     /// Least distance of the plug bores' mouths from the hub's axis, mm: nearer, the bores of neighbouring arms would meet.
     pub fn least_mouth_mm(&self) -> f64 {
         self.half_pair_mm() + self.hub.hub_boss_wall_mm + self.hub_joint.plug_length_mm
+    }
+
+    /// From the bracket's underside to the middle of its magnet, mm: above the connector's channel and a wall.
+    pub fn magnet_above_underside_mm(&self) -> f64 {
+        let b = &self.bracket;
+        b.bracket_floor_mm + b.connector_height_mm + b.bracket_wall_mm + 0.5 * (b.magnet_width_mm + b.magnet_clearance_mm)
+    }
+
+    /// From the bracket's underside to the middle of its lowest wire holes, mm; those of the first row are as high as the magnet.
+    pub fn lowest_wire_holes_mm(&self) -> f64 {
+        self.magnet_above_underside_mm() - f64::from(WIRE_ROWS - 1) * self.bracket.wire_hole_pitch_up_mm
+    }
+
+    /// Width of the knee between the fork's cheeks, mm.
+    pub fn knee_width_mm(&self) -> f64 {
+        self.rods.rod_diameter_mm + self.fit.grip_clearance_mm + 2.0 * self.knee.knee_side_wall_mm
     }
 
     /// From the hub's axis to its ties at the sides, mm: there the outer flanks of neighbouring pairs of arms meet.

@@ -198,7 +198,7 @@ parameters! {
         hub_tie_wall_mm: 1.2..=3.5 => [Hub, PiCarrier, AccessoryPlate, BatteryBracket, BatterySleeve, BatteryLid],
         /// Plate left behind a plug bore (plate edge between two arms of a pair).
         hub_back_wall_mm: 0.8..=3.0 => [Hub],
-        /// Rounding of the bosses and the plate edge.
+        /// Rounding of the bosses and the plate edge; no more than leaves a rim around the tie holes.
         hub_edge_radius_mm: 0.5..=2.0 => [Hub],
         /// Radius of the ring around a tie hole, in hub, carrier and bracket.
         tie_ring_radius_mm: 2.5..=5.0 => [Hub, PiCarrier, AccessoryPlate, BatteryBracket, BatterySleeve, BatteryLid],
@@ -268,7 +268,7 @@ parameters! {
         sleeve_side_wall_mm: 0.8..=2.5 => [BatterySleeve, BatteryLid],
         /// Thickness of the top and bottom wall of sleeve and lid.
         sleeve_top_wall_mm: 0.8..=3.0 => [BatterySleeve, BatteryLid],
-        /// Rounding of the sleeve's and the lid's long outer edges.
+        /// Rounding of the sleeve's and the lid's long outer edges; no more than their side wall is thick.
         sleeve_edge_radius_mm: 0.0..=2.0 => [BatterySleeve, BatteryLid],
         /// Chamfer inside the sleeve's rear rim, where the battery enters.
         sleeve_lead_in_mm: 0.0..=0.9 => [BatterySleeve],

@@ -17,6 +17,9 @@ pub struct Broken {
 /// Thinnest wall that any part can be made with, mm: below, it is no wall to a slicer with the smallest common nozzle.
 const THINNEST_MM: f64 = 0.4;
 
+/// Most play of the knee between the fork's cheeks, mm: chosen; the real one has 0.2 mm.
+const CHEEK_PLAY_MM: f64 = 1.0;
+
 /// A number that follows from a frame's parameters and must not be less than another.
 struct Relation {
     /// The parameter to change.
@@ -47,7 +50,7 @@ fn grip_mm(frame: &Frame) -> f64 {
 }
 
 /// The relations that hold for every frame, in the order in which they are asked.
-static RELATIONS: [Relation; 15] = [
+static RELATIONS: [Relation; 17] = [
     Relation {
         key: "hub_joint.hub_joint_diameter_mm",
         what: "the wall of the hub joint's sockets",
@@ -161,6 +164,22 @@ static RELATIONS: [Relation; 15] = [
         least_mm: |_| 2.0,
     },
     Relation {
+        key: "fork.fork_cheek_gap_mm",
+        what: "the knee, with a millimetre of play between the fork's cheeks,",
+        remedy: "lower fork_cheek_gap_mm or raise knee_side_wall_mm: nothing would guide the knee",
+        of: ANY,
+        value_mm: |f| f.knee_width_mm() + CHEEK_PLAY_MM,
+        least_mm: |f| f.fork.fork_cheek_gap_mm,
+    },
+    Relation {
+        key: "bracket.wire_hole_pitch_up_mm",
+        what: "the wall below the bracket's lowest wire holes",
+        remedy: "lower wire_hole_pitch_up_mm or wire_hole_diameter_mm, or raise bracket_floor_mm or bracket_wall_mm",
+        of: ANY,
+        value_mm: |f| f.lowest_wire_holes_mm() - 0.5 * f.bracket.wire_hole_diameter_mm,
+        least_mm: |_| 0.0,
+    },
+    Relation {
         key: "corner.corner_hinge_thickness_mm",
         what: "the notch above the hinge's web",
         remedy: "lower corner_hinge_thickness_mm: the web would fill the socket's height",
@@ -271,7 +290,7 @@ mod tests {
     type Bound = (fn(&mut Frame) -> &mut f64, f64, bool, &'static str);
 
     /// The bounds of the relations, each solved by hand for one of its numbers, mm.
-    fn bounds(frame: &Frame) -> [Bound; 17] {
+    fn bounds(frame: &Frame) -> [Bound; 19] {
         let (hub, joint, mount, fork, rods) = (&frame.hub, &frame.hub_joint, &frame.motor_mount, &frame.fork, &frame.rods);
         let carrier = &frame.pi_carrier;
         let (bore_mm, grip_mm) = (rods.rod_diameter_mm + frame.fit.slide_clearance_mm, rods.rod_diameter_mm + frame.fit.grip_clearance_mm);
@@ -282,6 +301,9 @@ mod tests {
         let holes_mm = 2.0 * (front_mm + carrier.carrier_bar_width_mm + carrier.carrier_pad_radius_mm);
         let fork_mm = hub.hub_mouth_mm + rods.arm_rod_length_mm + rods.arm_rod_slack_mm - fork.fork_socket_depth_mm;
         let across_mm = 2.0 * side_mm + 2.0 * hub.tie_ring_radius_mm - 0.6 - carrier.carrier_strut_width_mm;
+        let bracket = &frame.bracket;
+        let channel_mm = bracket.bracket_floor_mm + bracket.connector_height_mm + bracket.bracket_wall_mm;
+        let rows_mm = channel_mm + (bracket.magnet_width_mm + bracket.magnet_clearance_mm - bracket.wire_hole_diameter_mm) / 2.0;
         let leg_mm = joint.hub_leg_socket_depth_mm + joint.hub_leg_root_mm + 0.5;
         [
             (|f| &mut f.hub_joint.hub_joint_diameter_mm, bore_mm + 0.8, true, "the wall of the hub joint's sockets"),
@@ -315,6 +337,13 @@ mod tests {
             (|f| &mut f.motor_mount.motor_position_mm, fork_mm - mount.motor_ring_width_mm / 2.0, false, "the way left"),
             (|f| &mut f.fork.fork_bar_height_mm, grip_mm + 0.8, true, "the wall above the fork's bores"),
             (|f| &mut f.fork.fork_socket_depth_mm, rods.arm_rod_slack_mm + 2.0, true, "the arm rod's hold in the fork"),
+            (
+                |f| &mut f.fork.fork_cheek_gap_mm,
+                grip_mm + 2.0 * frame.knee.knee_side_wall_mm + 1.0,
+                false,
+                "the knee, with a millimetre of play",
+            ),
+            (|f| &mut f.bracket.wire_hole_pitch_up_mm, rows_mm / 2.0, false, "the wall below the bracket's lowest wire holes"),
             (|f| &mut f.corner.corner_hinge_thickness_mm, frame.corner.corner_wall_mm + grip_mm / 2.0 + 0.6, false, "the notch above"),
         ]
     }

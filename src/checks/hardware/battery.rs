@@ -8,26 +8,39 @@ pub(super) const LENGTH: &[&str] = &["battery.battery_length_mm", "bought.batter
 pub(super) const WIDTH: &[&str] = &["battery.battery_width_mm", "bought.battery"];
 pub(super) const HEIGHT: &[&str] = &["battery.battery_height_mm", "bought.battery"];
 
-/// A stated size is that of the battery or more, as for a pack that swells. Where none is stated there is nothing to compare.
+/// Room across beyond a pack, mm: a choice. Packs swell by a tenth of their height, and a foam pad fills some millimetres.
+const LOOSE_MM: f64 = 3.0;
+
+/// A stated size is that of the battery or more, as for a pack that swells, and across not much more. Where none is stated there is nothing to compare.
 pub(super) fn sizes(frame: &Frame) -> Vec<Finding> {
     let Some(bought) = part(frame, "battery") else { return Vec::new() };
     let called = name(frame, "battery");
     let b = &frame.battery;
     let stated = [("long", b.battery_length_mm, LENGTH), ("wide", b.battery_width_mm, WIDTH), ("high", b.battery_height_mm, HEIGHT)];
     let [long_mm, wide_mm, high_mm] = bought.size_mm;
-    // A pack may lie on its side.
-    let on_its_side = (b.battery_width_mm < b.battery_height_mm) != (wide_mm < high_mm);
-    let lies_mm = if on_its_side { [long_mm, high_mm, wide_mm] } else { [long_mm, wide_mm, high_mm] };
+    // A pack may lie on its side, where it then fits better.
+    let missing = |lies_mm: [f64; 3]| stated.iter().zip(lies_mm).map(|((_, stated_mm, _), mm)| (mm - stated_mm).max(0.0)).sum::<f64>();
+    let room = |lies_mm: [f64; 3]| stated.iter().zip(lies_mm).map(|((_, stated_mm, _), mm)| (mm - stated_mm).abs()).sum::<f64>();
+    let ways = [[long_mm, wide_mm, high_mm], [long_mm, high_mm, wide_mm]];
+    let better = |a: &[f64; 3], b: &[f64; 3]| missing(*a).total_cmp(&missing(*b)).then(room(*a).total_cmp(&room(*b)));
+    let lies_mm = ways.into_iter().min_by(better).unwrap_or(ways[0]);
     let other = stated.into_iter().zip(lies_mm).filter(|((_, stated_mm, _), bought_mm)| stated_mm != bought_mm);
-    let finding = |((way, stated_mm, levers), bought_mm): ((&str, f64, &'static [&'static str]), f64)| {
+    let findings = |((way, stated_mm, levers), bought_mm): ((&str, f64, &'static [&'static str]), f64)| {
         let size = measure(stated_mm, bought_mm, "mm", levers);
         let [room, needed] = size.figures(1);
         let message = format!(
             "sleeve and lid are made for a battery that is {room} mm {way}, {called} in the bill of materials is {needed} mm {way}"
         );
-        size.at_least(format!("battery: how {way}"), message)
+        let loose = measure(stated_mm - bought_mm, LOOSE_MM, "mm", levers);
+        let [more, most] = loose.figures(1);
+        let rattles = format!(
+            "sleeve and lid are made for a battery that is {more} mm more than {called} is {way}; beyond {most} mm it rattles and hits their walls"
+        );
+        // Along the sleeve the lid's place holds it.
+        let across = (levers != LENGTH).then(|| loose.at_most(format!("battery: how {way}, loose"), rattles));
+        [Some(size.at_least(format!("battery: how {way}"), message)), across].into_iter().flatten()
     };
-    other.map(finding).collect()
+    other.flat_map(findings).collect()
 }
 
 #[cfg(test)]
@@ -46,8 +59,14 @@ mod tests {
         };
         assert_eq!(of([58.0, 31.0, 16.0]), []);
         assert_eq!(of([58.0, 16.0, 31.0]), [], "a pack on its side");
-        assert_eq!(of([58.0, 31.0, 17.0]), [("battery: how high".to_string(), Verdict::Holds)], "a pack that swells");
+        let holds = |subject: &str| (subject.to_string(), Verdict::Holds);
+        let violated = |subject: &str| (subject.to_string(), Verdict::Violated);
+        assert_eq!(of([58.0, 31.0, 17.0]), [holds("battery: how high"), holds("battery: how high, loose")], "a pack that swells");
+        assert_eq!(of([58.0, 31.0, 20.0]), [holds("battery: how high"), violated("battery: how high, loose")]);
+        assert_eq!(of([90.0, 31.0, 16.0]), [holds("battery: how long")]);
+        // Too narrow for the pack as it is bought, and not made for one on its side.
+        assert_eq!(of([58.0, 15.0, 16.0])[0], violated("battery: how wide"));
         let small = of([45.0, 25.0, 12.0]);
-        assert!(small.len() == 3 && small.iter().all(|(_, verdict)| *verdict == Verdict::Violated), "{small:?}");
+        assert_eq!(small.iter().filter(|(_, verdict)| *verdict == Verdict::Violated).count(), 3, "{small:?}");
     }
 }

@@ -14,6 +14,7 @@ pub(super) const MOTOR_HOLES: &[&str] = &["motor_mount.motor_hole_circle_mm", "b
 pub(super) const COMPUTER_HOLES: &[&str] = &["pi_carrier.pi_pattern_along_mm", "pi_carrier.pi_pattern_across_mm", "bought.computer"];
 pub(super) const CAMERA_HOLES: &[&str] = &["camera.camera_pattern_across_mm", "camera.camera_pattern_up_mm", "bought.camera"];
 pub(super) const TIED: &[&str] = &["accessories.accessory_side_mm", "bought.receiver", "bought.buzzer"];
+pub(super) const SLOTS: &[&str] = &["accessories.accessory_slot_mm", "bought.tie"];
 pub(super) const SENSOR_HOLES: &[&str] = &["sleeve.sensor_hole_pitch_mm", "bought.flow_sensor"];
 pub(super) const CONNECTOR_HOLES: &[&str] = &["camera.camera_hole_diameter_mm"];
 pub(super) const PLATE_HOLES: &[&str] = &["accessories.fpv_hole_diameter_mm"];
@@ -150,7 +151,17 @@ pub(super) fn tied(scene: &Scene) -> Vec<Finding> {
             ),
         ])
     };
-    ["receiver", "buzzer"].into_iter().filter_map(of).flatten().collect()
+    let tied = ["receiver", "buzzer"].into_iter().filter(|role| part(frame, role).is_some()).count() > 0;
+    let strap_mm = part(frame, "tie").and_then(|tie| tie.strap_mm).filter(|_| tied);
+    let slot = strap_mm.map(|[wide_mm, _]| {
+        let slot = measure(frame.accessories.accessory_slot_mm, wide_mm, "mm", SLOTS);
+        let [long, needed] = slot.figures(2);
+        slot.at_least(
+            "ties of receiver and buzzer: slot".into(),
+            format!("the slots for their ties are {long} mm long, {} is {needed} mm wide", name(frame, "tie")),
+        )
+    });
+    ["receiver", "buzzer"].into_iter().filter_map(of).flatten().chain(slot).collect()
 }
 
 #[cfg(test)]

@@ -21,9 +21,9 @@ use carrier::{CARRIER_HOLES, ON_BOARD, ON_FEET};
 use comparison::ID;
 use holes::{
     CAMERA_ALONE, CAMERA_HOLES, COMPUTER_ALONE, COMPUTER_HOLES, CONNECTOR_HOLES, FLIGHT_HOLES, MOTOR_HOLES, PLATE_HOLES, SENSOR_ALONE,
-    SENSOR_HOLES, SHAFT, STACK_HOLES, TIED,
+    SENSOR_HOLES, SHAFT, SLOTS, STACK_HOLES, TIED,
 };
-use loose::{GRIP, PLUGS};
+use loose::{GRIP, PLUGS, SLIDE};
 use made_for::{CONNECTOR, MAGNET, PROPELLER};
 use propellers::{CAGE, SEAT};
 use rods::{ROD, ROD_ALONE, STOCK};
@@ -71,6 +71,7 @@ pub static RULE: Rule = Rule {
         CONNECTOR_HOLES,
         PLATE_HOLES,
         TIED,
+        SLOTS,
         MAST,
         FPV_CAMERA,
         RISER,
@@ -85,6 +86,7 @@ pub static RULE: Rule = Rule {
         CONNECTOR[1],
         GRIP,
         PLUGS,
+        SLIDE,
     ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints {

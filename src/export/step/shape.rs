@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, Unit, Vector3};
 
-use super::writer::{Decimal, Id, Writer, angle, length, list};
+use super::writer::{Decimal, Id, Writer, angle, length, list, radius};
 use crate::solid::{Boundary, Curve, Edge, Face, Surface, square_to};
 
 /// The name of a face that lies on no surface of the features.
@@ -11,6 +11,7 @@ pub(super) const FACET: &str = "facet";
 /// Writes each piece of a boundary as a solid: a closed shell of advanced faces. A shell has to be connected (ISO 10303-42), so
 /// the four screws of a motor are four solids.
 pub(super) fn solids(writer: &mut Writer, name: &str, boundary: &Boundary) -> Vec<Id> {
+    let boundary = &boundary.with_seams();
     let points: Vec<Id> = boundary.vertices.iter().map(|p| writer.point(p)).collect();
     let vertices: Vec<Id> = points.iter().map(|point| writer.add(format_args!("VERTEX_POINT('',{point})"))).collect();
     let edges: Vec<Id> = boundary
@@ -41,9 +42,9 @@ fn curve(writer: &mut Writer, boundary: &Boundary, edge: &Edge, points: &[Id]) -
         Curve::Ellipse { centre, axis, major, radii_mm: [a, b], .. } => {
             let place = writer.placement(centre, axis, major);
             if a == b {
-                writer.add(format_args!("CIRCLE('',{place},{})", length(*a)))
+                writer.add(format_args!("CIRCLE('',{place},{})", radius(*a)))
             } else {
-                writer.add(format_args!("ELLIPSE('',{place},{},{})", length(*a), length(*b)))
+                writer.add(format_args!("ELLIPSE('',{place},{},{})", radius(*a), radius(*b)))
             }
         }
         Curve::Spline { points, tangents } => spline(writer, points, tangents),
@@ -82,19 +83,19 @@ fn advanced_face(writer: &mut Writer, boundary: &Boundary, face: &Face, edges: &
         }
         Surface::Cylinder { point, axis, radius_mm } => {
             let place = writer.placement(point, axis, &seam(boundary, face, point, axis));
-            writer.add(format_args!("CYLINDRICAL_SURFACE('',{place},{})", length(*radius_mm)))
+            writer.add(format_args!("CYLINDRICAL_SURFACE('',{place},{})", radius(*radius_mm)))
         }
         Surface::Cone { point, axis, radius_mm, half_angle_rad } => {
             let place = writer.placement(point, axis, &seam(boundary, face, point, axis));
-            writer.add(format_args!("CONICAL_SURFACE('',{place},{},{})", length(*radius_mm), angle(*half_angle_rad)))
+            writer.add(format_args!("CONICAL_SURFACE('',{place},{},{})", radius(*radius_mm), angle(*half_angle_rad)))
         }
         Surface::Sphere { centre, axis, radius_mm } => {
             let place = writer.placement(centre, axis, &seam(boundary, face, centre, axis));
-            writer.add(format_args!("SPHERICAL_SURFACE('',{place},{})", length(*radius_mm)))
+            writer.add(format_args!("SPHERICAL_SURFACE('',{place},{})", radius(*radius_mm)))
         }
         Surface::Torus { centre, axis, radius_mm, minor_radius_mm } => {
             let place = writer.placement(centre, axis, &seam(boundary, face, centre, axis));
-            let radii = format!("{},{}", length(*radius_mm), length(*minor_radius_mm));
+            let radii = format!("{},{}", radius(*radius_mm), radius(*minor_radius_mm));
             if radius_mm < minor_radius_mm {
                 writer.add(format_args!("DEGENERATE_TOROIDAL_SURFACE('',{place},{radii},.T.)"))
             } else {
@@ -114,8 +115,8 @@ fn advanced_face(writer: &mut Writer, boundary: &Boundary, face: &Face, edges: &
                 .map(|side| writer.add(format_args!("ORIENTED_EDGE('',*,*,{},{})", edges[side.edge], way(side.forward))))
                 .collect();
             let ring = writer.add(format_args!("EDGE_LOOP('',{})", list(&sides)));
-            // Around a cylinder neither of two loops is the outer one.
-            let outer = at == 0 && (is_plane || face.loops.len() == 1);
+            // Around a cylinder neither of two loops is the outer one, where no seam joins them.
+            let outer = at == 0 && (is_plane || face.loops.len() == 1 || face.seam().is_some());
             writer.add(format_args!("FACE_{}BOUND('',{ring},.T.)", if outer { "OUTER_" } else { "" }))
         })
         .collect();
@@ -123,11 +124,15 @@ fn advanced_face(writer: &mut Writer, boundary: &Boundary, face: &Face, edges: &
     writer.add(format_args!("ADVANCED_FACE('{name}',{},{surface},{outward})", list(&bounds)))
 }
 
-/// The direction from an axis in which the parameters of a round face begin: where its corners leave most room. Readers cut a face there,
-/// and OCCT reads a wrong face where the cut runs through a corner.
+/// The direction from an axis in which the parameters of a round face begin: that of its seam, or else where its corners leave most room. Readers
+/// cut a face there, and OCCT reads a wrong face where the cut runs through a corner.
 fn seam(boundary: &Boundary, face: &Face, point: &Point3<f64>, axis: &Unit<Vector3<f64>>) -> Unit<Vector3<f64>> {
     let x = square_to(axis);
     let y = axis.cross(&x);
+    if let Some(seam) = face.seam() {
+        let arm = boundary.vertices[boundary.edges[seam].from] - point;
+        return Unit::new_normalize(arm - axis.into_inner() * axis.dot(&arm));
+    }
     let edges = || face.loops.iter().flatten().map(|side| &boundary.edges[side.edge]);
     if edges().all(|edge| edge.from == edge.to) {
         return x;

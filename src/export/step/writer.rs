@@ -26,6 +26,10 @@ pub(super) struct Writer {
 const LENGTH_DECIMALS: u32 = 8;
 const DIRECTION_DECIMALS: u32 = 12;
 
+/// Decimals of a surface's or a curve's place and radius in mm: where two circles touch, a billionth of a millimetre more lets them cross a hundred
+/// thousand times as far beside, and OCCT then read a border that crosses itself.
+const PLACE_DECIMALS: u32 = 12;
+
 /// Of all files: the same input gives the same bytes.
 const TIME_STAMP: &str = "1970-01-01T00:00:00";
 
@@ -58,7 +62,10 @@ impl Writer {
 
     /// A point, mm.
     pub(super) fn point(&mut self, p: &Point3<f64>) -> Id {
-        let [x, y, z] = [p.x, p.y, p.z].map(length);
+        self.point_of([p.x, p.y, p.z].map(length))
+    }
+
+    fn point_of(&mut self, [x, y, z]: [Decimal; 3]) -> Id {
         self.add(format_args!("CARTESIAN_POINT('',({x},{y},{z}))"))
     }
 
@@ -76,7 +83,7 @@ impl Writer {
 
     /// A place with its z and x axes.
     pub(super) fn placement(&mut self, at: &Point3<f64>, z: &Vector3<f64>, x: &Vector3<f64>) -> Id {
-        let (at, z, x) = (self.point(at), self.direction(z), self.direction(x));
+        let (at, z, x) = (self.point_of([at.x, at.y, at.z].map(radius)), self.direction(z), self.direction(x));
         self.add(format_args!("AXIS2_PLACEMENT_3D('',{at},{z},{x})"))
     }
 }
@@ -107,6 +114,11 @@ impl Display for Decimal {
 /// A length, mm, as STEP writes it: always with a point.
 pub(super) fn length(value_mm: f64) -> Decimal {
     Decimal { value: scaled(value_mm, LENGTH_DECIMALS), decimals: LENGTH_DECIMALS }
+}
+
+/// A radius or a coordinate of a place, mm.
+pub(super) fn radius(value_mm: f64) -> Decimal {
+    Decimal { value: scaled(value_mm, PLACE_DECIMALS), decimals: PLACE_DECIMALS }
 }
 
 /// An angle, rad.

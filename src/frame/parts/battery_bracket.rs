@@ -8,6 +8,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use super::outline::{Corner, along_x, along_y, bore, bore_y, face, sharp};
 use super::record::{Fold, MaterialClass, PrintedPart, Seat, Wall, always};
 use crate::frame::skeleton::centre::Centre;
+use crate::params::frame::WIRE_ROWS;
 use crate::params::groups::BracketParameters;
 use crate::params::{Frame, PartName};
 use crate::solid::{Feature, Profile};
@@ -26,9 +27,6 @@ pub static PART: PrintedPart = PrintedPart {
 
 /// Rounding of the two uncut corners of the connector, mm.
 const CONNECTOR_ROUND_MM: f64 = 0.65;
-
-/// Rows of wire holes in the front upright.
-const WIRE_ROWS: u8 = 3;
 
 /// The bracket of a frame.
 pub fn feature(frame: &Frame, centre: &Centre) -> Feature {

@@ -225,7 +225,7 @@ impl BracketStack {
             width_mm: (b.connector_width_mm + 2.0 * b.bracket_side_wall_mm).max(magnet_mm[0] + 2.0 * b.magnet_wall_mm),
             height_mm,
             connector_z_mm: above_channel - 0.5 * b.connector_height_mm - height_mm,
-            magnet_z_mm: above_channel + b.bracket_wall_mm + 0.5 * magnet_mm[1] - height_mm,
+            magnet_z_mm: frame.magnet_above_underside_mm() - height_mm,
         }
     }
 }

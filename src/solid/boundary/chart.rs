@@ -59,6 +59,11 @@ impl<'a> Chart<'a> {
         self.x * cos + self.y * sin
     }
 
+    /// The axis about which the meridian at an angle turns, from the equator to the pole.
+    pub(super) fn along_meridian(&self, angle_rad: f64) -> Unit<Vector3<f64>> {
+        Unit::new_normalize(self.direction(angle_rad).cross(&self.axis))
+    }
+
     /// Millimetres that a unit of each parameter is long, somewhere on the surface.
     pub(super) fn scale(&self) -> [f64; 2] {
         match self.surface {

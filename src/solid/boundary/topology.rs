@@ -15,7 +15,7 @@ pub const FLATNESS_MM: f64 = 5e-5;
 pub struct Boundary {
     /// Corners, mm.
     pub vertices: Vec<Point3<f64>>,
-    /// Edges; each is used by two loops, in opposite directions.
+    /// Edges; each is used twice, in opposite directions: by two loops, or as the seam of one.
     pub edges: Vec<Edge>,
     /// Faces.
     pub faces: Vec<Face>,
@@ -52,6 +52,15 @@ pub struct Side {
     pub edge: usize,
     /// Whether the loop runs from the edge's first vertex to its last.
     pub forward: bool,
+}
+
+impl Face {
+    /// The edge that its border has twice, once in each direction.
+    pub fn seam(&self) -> Option<usize> {
+        let sides = self.loops.first()?;
+        let (forward, back): (Vec<&Side>, Vec<&Side>) = sides.iter().partition(|side| side.forward);
+        forward.iter().find(|side| back.iter().any(|other| other.edge == side.edge)).map(|side| side.edge)
+    }
 }
 
 impl Boundary {
