@@ -140,6 +140,7 @@ fn reduced(frame: &str, mechanics: Option<&str>, common: &Common) -> Result<Mode
     let settings = Mechanics::load(mechanics)?;
     let design = session::design(&FrameOption { frame: frame.into(), rigid: None }, common)?;
     let masses = mass::table(&design);
+    settings.doubt(&design.frame.flexible).iter().for_each(|doubt| terminal::tell(doubt));
     let quarter = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let curve = StaticCurve::new(&quarter, CURVE_MM, &[]).map_err(mechanics_refused)?;
     reduced_model(&design, &masses, &quarter, &curve, &settings).map_err(mechanics_refused)

@@ -14,7 +14,7 @@ use crate::params::parameter::Parameter;
 use crate::params::refusal::Place;
 use crate::params::target::{self, TargetKey};
 use crate::params::{Frame, FrameFile, follows};
-use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitivity};
+use crate::variant::{MEASURES, MECHANICS_CAVEAT, PEAK_CAVEAT, Response, sensitivity, units};
 
 /// Explain a parameter: its meaning, the parts it drives, the effect of ±5 %.
 #[derive(Debug, clap::Args)]
@@ -253,6 +253,7 @@ fn json(p: &Parameter, frame: &Frame, responses: &[Response]) -> serde_json::Val
         "drives": p.drives.iter().map(|part| part.slug()).collect::<Vec<_>>(),
         "follows": if is_given(p, frame) { Some("target") } else { follows::followed_in(&frame.bought, p.key) },
         "responses": responses.iter().map(response).collect::<Vec<_>>(),
+        "units": units(MEASURES.iter()),
         "peak": PEAK_CAVEAT,
     })
 }

@@ -243,10 +243,10 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
 /// What is looked for: a battery that is as large as the frame has room for, where its file states more than the catalogue.
 fn sought<'a>(design: &Design, role: &str, part: &'a BoughtPart) -> Cow<'a, BoughtPart> {
     let mut part = Cow::Borrowed(part);
-    if role == "battery" {
+    if let (true, Some(lies_mm)) = (role == "battery", design.frame.battery_as_it_lies_mm()) {
         let b = &design.frame.battery;
         let room_mm = [b.battery_length_mm, b.battery_width_mm, b.battery_height_mm];
-        let size_mm = [0, 1, 2].map(|axis| room_mm[axis].max(part.size_mm[axis]));
+        let size_mm = [0, 1, 2].map(|axis| room_mm[axis].max(lies_mm[axis]));
         part.to_mut().size_mm = size_mm;
     }
     part
@@ -334,13 +334,15 @@ mod tests {
 
     #[test]
     fn analytic_the_battery_to_look_for_is_as_large_as_its_sleeve() {
-        let words = |height_mm: f64| {
+        let words_of = |width_mm: f64, height_mm: f64| {
             let (mut frame, _) = Frame::load("cognifly").expect("a preset");
-            frame.battery.battery_height_mm = height_mm;
+            (frame.battery.battery_width_mm, frame.battery.battery_height_mm) = (width_mm, height_mm);
             let design = Design::new(frame).expect("closes");
             let battery = buy_lines(&design, &mass::table(&design), 1).into_iter().find(|line| line.role == "battery");
             battery.expect("has one").search
         };
+        let words = |height_mm: f64| words_of(31.0, height_mm);
+        assert!(words_of(17.0, 32.0).ends_with("at most 58 x 17 x 32 mm"), "a pack on its side");
         assert!(words(17.0).ends_with("at most 58 x 31 x 17 mm"));
         assert!(words(12.0).ends_with("at most 58 x 31 x 16 mm"), "a rule says that it does not fit");
     }

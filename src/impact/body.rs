@@ -73,7 +73,11 @@ pub struct DropBody {
 impl DropBody {
     /// A frame's body: mass by its table, gap as `check` measures it.
     pub fn of(design: &Design, masses: &MassTable) -> Self {
-        let gap_mm = checks::ground_clearance(design, masses).map_or(0.0, |ground| ground.clearance_mm);
+        Self::with_gap(design, masses, checks::ground_clearance(design, masses).map_or(0.0, |ground| ground.clearance_mm))
+    }
+
+    /// The same with the gap as it was measured, mm; below the feet there is none.
+    pub fn with_gap(design: &Design, masses: &MassTable, gap_mm: f64) -> Self {
         Self {
             mass_kg: masses.total_g * 1e-3,
             gap_m: 1e-3 * gap_mm.max(0.0),

@@ -4,7 +4,7 @@ use super::catalogue::HOLE_PLAY_MM;
 use super::frame::Frame;
 use super::refusal::Reason;
 use super::relation::Broken;
-use super::roles::HUNG;
+use super::roles::{HUNG, NEEDED};
 
 /// Checks every relation of what is bought.
 pub(super) fn hold(frame: &Frame) -> Result<(), Broken> {
@@ -27,6 +27,11 @@ const SERVED: [(&str, &str, &[&str]); 7] = [
     ("bought.connector", "connects the battery", &["battery"]),
     ("bought.magnet", "holds the battery's lid", &["battery"]),
 ];
+
+/// Whether a frame can be without a bought part in a role as it is: without an extra that stands for it.
+pub fn is_optional(role: &str) -> bool {
+    !NEEDED.contains(&role) && !SERVED.iter().any(|(key, ..)| self::role(key) == role)
+}
 
 /// Whether an extra stands for a role.
 fn is_covered(frame: &Frame, role: &str) -> bool {

@@ -163,6 +163,18 @@ impl Frame {
         self.half_pair_mm() + self.hub.hub_boss_wall_mm + self.hub_joint.plug_length_mm
     }
 
+    /// Size of the bought battery as it lies in the sleeve, mm: long, wide, high. A pack may lie on its side, where it then fits better.
+    pub fn battery_as_it_lies_mm(&self) -> Option<[f64; 3]> {
+        let [long, wide, high] = self.bought.get("battery")?.part.size_mm;
+        let b = &self.battery;
+        let stated = [b.battery_length_mm, b.battery_width_mm, b.battery_height_mm];
+        let missing = |lies: &[f64; 3]| stated.iter().zip(lies).map(|(stated, mm)| (mm - stated).max(0.0)).sum::<f64>();
+        let off = |lies: &[f64; 3]| stated.iter().zip(lies).map(|(stated, mm)| (mm - stated).abs()).sum::<f64>();
+        [[long, wide, high], [long, high, wide]]
+            .into_iter()
+            .min_by(|a, b| missing(a).total_cmp(&missing(b)).then(off(a).total_cmp(&off(b))))
+    }
+
     /// From the bracket's underside to the middle of its magnet, mm: above the connector's channel and a wall.
     pub fn magnet_above_underside_mm(&self) -> f64 {
         let b = &self.bracket;

@@ -34,8 +34,8 @@ fn meant(nearest: Option<&str>) -> String {
     nearest.map_or(String::new(), |near| format!(", did you mean `{near}`?"))
 }
 
-/// A parameter by its key, with or without its table; the ending `_length_mm` or `_mm` may be left out, and a beginning is
-/// enough where only one key has it.
+/// A parameter by its key, with or without its table; its unit, as `_mm` or `_deg`, and `_length` before it may be left out,
+/// and a beginning is enough where only one key has it.
 ///
 /// # Errors
 /// When there is none, or more than one.

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "edit")]
 pub mod amend;
-mod bought_relation;
+pub mod bought_relation;
 pub mod carried;
 pub mod catalogue;
 mod choice;

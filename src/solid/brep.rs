@@ -47,7 +47,8 @@ impl Brep {
     }
 
     /// Whether the boundary is one closed shell without a crack: every edge joins two faces that run it in opposite directions,
-    /// no two parts of the shell meet in a single vertex, every edge ends in its vertices and lies in the surfaces beside it.
+    /// no two parts of the shell meet in a single vertex, every edge ends in its vertices and lies in the surfaces beside it. Tests ask it of every
+    /// part; the program only compares volumes.
     pub fn is_closed(&self) -> bool {
         let [shell] = &self.solid.boundaries()[..] else { return false };
         let sealed = |edge: &truck_modeling::Edge, surface: &Surface| edge.is_geometric_consistent() && lies_in(&edge.curve(), surface);

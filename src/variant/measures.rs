@@ -1,6 +1,6 @@
 //! What a frame measures, by name: the vocabulary of `diff`, `explain`, `solve` and `watch`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::peak::{PEAK_CAVEAT, predicted_peak};
@@ -12,7 +12,7 @@ use crate::figures::decimals;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::{LineKind, MassTable};
-use crate::impact::body::{DropBody, Feet, Origin};
+use crate::impact::body::DropBody;
 use crate::mechanics::result::prediction::{Prediction, PredictionError, predict};
 use crate::mechanics::settings::MechanicsSettings;
 use crate::memo::Memo;
@@ -91,15 +91,9 @@ impl Evaluation {
         self.extreme(&GROUND_CLEARANCE, false, |_| true).unwrap_or(0.0)
     }
 
-    /// The body that falls: [`DropBody::of`] with the gap that the rule has measured already.
+    /// The body that falls, with the gap that the rule has measured already.
     fn body(&self) -> DropBody {
-        DropBody {
-            mass_kg: self.masses.total_g * 1e-3,
-            gap_m: self.gap_mm() * 1e-3,
-            travel_m: Some(self.design.skeleton.closure.ring_half_height_mm * 1e-3),
-            feet: Some(Feet::of(&self.design)),
-            origin: Origin::Frame(self.design.frame.name.clone()),
-        }
+        DropBody::with_gap(&self.design, &self.masses, self.gap_mm())
     }
 
     /// The value of a finding of a rule whose subject fits, the least or the most of them.
@@ -250,6 +244,11 @@ pub fn caveats<'a>(measures: impl Iterator<Item = &'a Measure>) -> Vec<[&'static
     said.into_iter().rev().collect()
 }
 
+/// Units of measures by their names.
+pub fn units<'a>(measures: impl Iterator<Item = &'a Measure>) -> BTreeMap<&'static str, &'static str> {
+    measures.map(|measure| (measure.name, measure.unit)).collect()
+}
+
 /// A measure by its name.
 pub fn measure(name: &str) -> Option<&'static Measure> {
     MEASURES.iter().find(|measure| measure.name == name)
@@ -268,6 +267,18 @@ mod tests {
     fn analytic_each_caveat_is_said_once() {
         assert_eq!(caveats(MEASURES.iter()), [["peak", PEAK_CAVEAT], ["mechanics", MECHANICS_CAVEAT]]);
         assert_eq!(caveats(MEASURES.iter().filter(|measure| measure.name == "mass")), [[""; 2]; 0]);
+    }
+
+    /// One that hangs below its own feet is down with the first touch.
+    #[test]
+    fn planted_a_battery_below_the_feet_hits_the_ground_at_full_speed() {
+        let (mut frame, _) = Frame::load("cognifly").expect("a preset");
+        (frame.battery.battery_height_mm, frame.rods.strut_rod_length_mm) = (30.0, 52.0);
+        let found = Evaluation::quick(frame, &Arc::new(Memo::default())).expect("is one");
+        assert!(found.gap_mm() < 0.0, "{}", found.gap_mm());
+        let peak = MEASURES.iter().find(|measure| measure.name == "peak").expect("is one");
+        let strike_m_s = found.strike_m_s(peak).expect("is a peak");
+        assert!((strike_m_s - 4.43).abs() < 0.01, "{strike_m_s}");
     }
 
     #[test]

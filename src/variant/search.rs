@@ -80,6 +80,9 @@ pub(super) fn scale(unit: &str) -> f64 {
     }
 }
 
+/// Frames that are designed side by side: between such groups somebody may end the search. As many on every machine, as what ends it by how many
+/// were looked at would find another frame with other groups.
+const AT_ONCE: usize = 8;
 /// Margins beyond this say no more, scaled; far enough that the planes through the first points are not flat.
 const FAR: f64 = 50.0;
 
@@ -264,8 +267,7 @@ impl<'a> Search<'a> {
                 Ok(()) => fresh.push(values),
             }
         }
-        // As many at once as there are cores: between the groups somebody may end the search.
-        for group in fresh[..fresh.len().min(self.left())].chunks(rayon::current_num_threads().max(1)) {
+        for group in fresh[..fresh.len().min(self.left())].chunks(AT_ONCE) {
             if self.is_ended() {
                 return;
             }

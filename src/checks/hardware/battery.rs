@@ -1,6 +1,6 @@
 //! The battery of the bill of materials goes into the sleeve that is made for it.
 
-use super::comparison::{measure, name, part};
+use super::comparison::{measure, name};
 use crate::checks::finding::Finding;
 use crate::params::Frame;
 
@@ -13,17 +13,10 @@ const LOOSE_MM: f64 = 3.0;
 
 /// A stated size is that of the battery or more, as for a pack that swells, and across not much more. Where none is stated there is nothing to compare.
 pub(super) fn sizes(frame: &Frame) -> Vec<Finding> {
-    let Some(bought) = part(frame, "battery") else { return Vec::new() };
+    let Some(lies_mm) = frame.battery_as_it_lies_mm() else { return Vec::new() };
     let called = name(frame, "battery");
     let b = &frame.battery;
     let stated = [("long", b.battery_length_mm, LENGTH), ("wide", b.battery_width_mm, WIDTH), ("high", b.battery_height_mm, HEIGHT)];
-    let [long_mm, wide_mm, high_mm] = bought.size_mm;
-    // A pack may lie on its side, where it then fits better.
-    let missing = |lies_mm: [f64; 3]| stated.iter().zip(lies_mm).map(|((_, stated_mm, _), mm)| (mm - stated_mm).max(0.0)).sum::<f64>();
-    let room = |lies_mm: [f64; 3]| stated.iter().zip(lies_mm).map(|((_, stated_mm, _), mm)| (mm - stated_mm).abs()).sum::<f64>();
-    let ways = [[long_mm, wide_mm, high_mm], [long_mm, high_mm, wide_mm]];
-    let better = |a: &[f64; 3], b: &[f64; 3]| missing(*a).total_cmp(&missing(*b)).then(room(*a).total_cmp(&room(*b)));
-    let lies_mm = ways.into_iter().min_by(better).unwrap_or(ways[0]);
     let other = stated.into_iter().zip(lies_mm).filter(|((_, stated_mm, _), bought_mm)| stated_mm != bought_mm);
     let findings = |((way, stated_mm, levers), bought_mm): ((&str, f64, &'static [&'static str]), f64)| {
         let size = measure(stated_mm, bought_mm, "mm", levers);

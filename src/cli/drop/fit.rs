@@ -27,6 +27,9 @@ pub(super) fn run(args: &Args, common: &Common) -> Result<ExitCode, Failure> {
     let design = session::design(&frame, common)?;
     let masses = mass::table(&design);
     let settings = stated.for_material(&design.frame.flexible.material);
+    settings.doubt(&design.frame.flexible).iter().for_each(|doubt| terminal::tell(doubt));
+    // What is fitted is of this material, whether its modulus is stated or not.
+    let settings = MechanicsSettings { tensile_mpa: design.frame.flexible.material.tensile_modulus_mpa, ..settings };
     let model = FrameModel::new(&design, &masses, &settings, Extent::Quarter).map_err(mechanics_refused)?;
     let subject = Subject { model: &model, settings: &settings };
     let heights_m: Vec<f64> = heights.iter().map(|height| height.height_m).collect();

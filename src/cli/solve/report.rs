@@ -3,7 +3,7 @@
 use crate::cli::choice;
 use crate::cli::searching;
 use crate::params::FrameFile;
-use crate::variant::{Chosen, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Vary};
+use crate::variant::{Chosen, Evaluation, MEASURES, MECHANICS_CAVEAT, Measure, PEAK_CAVEAT, Vary, units};
 
 /// What was found beside what there was; the frame that the search began at need not be one that can be built.
 pub(super) fn formatted(chosen: &Chosen, before: &str, file: &FrameFile, begun: Option<&Evaluation>) -> String {
@@ -59,6 +59,7 @@ pub(super) fn json(chosen: &Chosen) -> serde_json::Value {
         "chosen": names.iter().map(|(key, name)| (key.clone(), serde_json::json!(name))).collect::<serde_json::Map<_, _>>(),
         "values": solution.values.iter().map(value).collect::<Vec<_>>(),
         "measures": measures,
+        "units": units(known(&solution.evaluation)),
         "names_refused": refused,
         "refused": solution.refused,
         "binding": solution.binding.iter().map(binding).collect::<Vec<_>>(),

@@ -123,7 +123,7 @@ impl Mounting {
         Self::in_order(design, fold, &planning, &planning.order())
     }
 
-    /// The same in an order that is given by their names; what the order breaks is in the steps' sweeps.
+    /// The same in an order that is given by their names, as tests of wrong orders do; what the order breaks is in the steps' sweeps.
     pub fn in_given_order(design: &Design, fold: &FoldSequence, order: &[&str]) -> Self {
         let planning = Planning::new(design);
         let order: Vec<&'static Mount> = order.iter().filter_map(|id| planning.mount(id)).collect();

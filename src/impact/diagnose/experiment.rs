@@ -26,6 +26,10 @@ pub struct Experiment {
 
 /// Heights that could be added, m.
 const HEIGHTS_M: [f64; 9] = [0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
+/// Least error of a reading, g: the noise of the paper's logger at rest, 0.17 to 0.18 g in its records.
+const NOISE_G: f64 = 0.17;
+/// Most that a static test presses with, N: a stop's force in a model has no end, a press has.
+const MOST_FORCE_N: f64 = 1e3 * GRAVITY_M_S2;
 /// Drops of an added height.
 const DROPS: f64 = 20.0;
 /// A static test's error, N: what the paper's ten points leave about their straight line is 4.8 N.
@@ -106,7 +110,7 @@ fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz:
     };
     let (a, b) = (run(a)?, run(b)?);
     let peak = a.iter().fold(0.0_f64, |peak, reading| peak.max(reading.abs()));
-    let error = (relative * peak).max(0.17) / DROPS.sqrt();
+    let error = (relative * peak).max(NOISE_G) / DROPS.sqrt();
     // Neighbouring readings of a fast logger are correlated: as many count as a slow one gives.
     let independent = (step_s / 1e-3).min(1.0);
     Some(independent * a.iter().zip(&b).map(|(a, b)| squared((a - b) / error)).sum::<f64>())
@@ -114,7 +118,7 @@ fn squared_distance(a: &Model, b: &Model, height_m: f64, step_s: f64, cutoff_hz:
 
 /// Squared distance of two models' forces in a static test, down and up.
 fn static_distance(a: &Model, b: &Model) -> f64 {
-    let force_n = |model: &Model, x_m: f64, way| System::new(model).slow_force_n(x_m, way).min(1e3 * GRAVITY_M_S2);
+    let force_n = |model: &Model, x_m: f64, way| System::new(model).slow_force_n(x_m, way).min(MOST_FORCE_N);
     let one_way = |way| STATIC_M.iter().map(|x_m| squared((force_n(a, *x_m, way) - force_n(b, *x_m, way)) / STATIC_ERROR_N)).sum::<f64>();
     one_way(SlowWay::Loading) + one_way(SlowWay::Unloading)
 }

@@ -17,11 +17,9 @@ pub struct MedianEstimate {
 const LEAST_ERROR: f64 = 0.01;
 
 impl MedianEstimate {
-    /// Of values that lie around their median about normally: √(π/2) σ/√n, σ the quartiles' distance over 1.349.
+    /// Of values that lie around their median about normally.
     fn of(spread: &Spread) -> Self {
-        let sigma = (spread.q3 - spread.q1) / 1.349;
-        let error = (std::f64::consts::FRAC_PI_2 / spread.count as f64).sqrt() * sigma;
-        Self { value: spread.median, error: error.max(LEAST_ERROR * spread.median.abs()) }
+        Self { value: spread.median, error: spread.median_error().max(LEAST_ERROR * spread.median.abs()) }
     }
 }
 

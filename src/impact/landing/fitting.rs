@@ -168,7 +168,7 @@ impl LandingProblem<'_> {
         self.fitted_from(from.map_or_else(plain, |fit: &LandingFit| fit.scaled.clone()), MOST_TURNS, SETTLED_SUM)
     }
 
-    /// A population that was not fitted, as the end of a fit.
+    /// A population that was not fitted, as the end of a fit: tests compare what is known with what is found.
     pub fn ended_at(&self, legs: Legs, slopes: Slopes) -> LandingFit {
         let mount = legs.mount.iter().flat_map(|mount| [mount.f_hz, mount.zeta]);
         let of_legs = [legs.stiffness_n_m, legs.damping_n_s_m, legs.inertia_kg_m2].into_iter();

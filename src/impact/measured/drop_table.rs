@@ -8,13 +8,11 @@ use super::height::is_same_m;
 use super::malformed::{Fault, Malformed, SourcePosition};
 use super::reading::malformed;
 use super::record::DropSet;
-use super::table::{number, refused};
+use super::table::{HEIGHTS_M, number, refused};
 use super::table_header::separator;
 
 /// Every column that such a table can have, in words.
 const KNOWN: &str = "trial, height_m if trials are numbered anew at each height, and a column for each quantity";
-/// Heights, m.
-const HEIGHTS_M: std::ops::RangeInclusive<f64> = 0.01..=100.0;
 
 /// What a row says of a drop.
 #[derive(Clone, Debug, PartialEq)]

@@ -53,8 +53,7 @@ impl Fall {
     fn of_group(group: &DropGroup, all: &[Drop]) -> Option<Self> {
         let fell = |drop: &&Drop| drop.flags.iter().all(|flag| matches!(flag, Flag::Impulse { .. }));
         let spread = Spread::of(all.iter().filter(fell).filter_map(|drop| drop.impact.as_ref()?.fall_s))?;
-        // A normal quantity's quartiles lie 1.349 standard deviations apart, the standard error of its median is 1.253 of the mean's.
-        let error_s = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
+        let error_s = spread.median_error();
         let expected_s = lasting_s(group.height_m);
         let fall = Self { height_m: group.height_m, drops: spread.count, fall_s: spread.median, error_s, expected_s };
         (spread.count >= FEWEST).then_some(fall)

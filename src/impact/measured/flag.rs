@@ -53,7 +53,7 @@ pub enum Flag {
         to_peak_ms: f64,
     },
     /// The converter was at its end, or the top is clipped.
-    #[error("saturation: {samples} samples at {level_g:.1} g")]
+    #[error("saturation: {samples} sample{} at {level_g:.1} g", if *samples == 1 { "" } else { "s" })]
     Saturated {
         /// How many.
         samples: usize,
@@ -157,7 +157,9 @@ fn clock(record: &Record) -> Option<Flag> {
 fn saturation(record: &Record, impact: &Impact) -> Option<Flag> {
     let window = &record.accel_g[impact.trigger..impact.window_end];
     if record.at_full_scale > 0 {
-        return Some(Flag::Saturated { samples: record.at_full_scale, level_g: impact.peak_axial_g });
+        let largest = |readings: &[f64]| readings.iter().fold(0.0_f64, |largest, reading| largest.max(reading.abs()));
+        let all = record.axes_g.iter().flatten().map(|axis| largest(axis)).fold(largest(&record.accel_g), f64::max);
+        return Some(Flag::Saturated { samples: record.at_full_scale, level_g: all });
     }
     let level_g = window.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let (mut run, mut longest, mut end) = (0, 0, 0);

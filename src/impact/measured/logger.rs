@@ -24,6 +24,14 @@ pub struct Calibration {
     pub full_scale: u16,
 }
 
+impl Calibration {
+    /// What the ends of the converter read, axis by axis, g.
+    pub fn ends_g(&self) -> [[f64; 2]; 3] {
+        let of = |axis: usize| [0.0, f64::from(self.full_scale)].map(|count| (count - self.offset_counts[axis]) / self.counts_per_g[axis]);
+        [of(0), of(1), of(2)]
+    }
+}
+
 impl Default for Calibration {
     fn default() -> Self {
         let side = AXIAL_COUNTS_PER_G * 0.9577;

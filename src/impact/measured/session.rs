@@ -18,7 +18,7 @@ const HELD_S: f64 = 0.1;
 /// The mean reading of an axis in free fall.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Zero {
-    /// Mean, g; 0 for a sensor that is calibrated.
+    /// Median over the records of each record's mean, g; 0 for a sensor that is calibrated.
     pub mean_g: f64,
     /// Its standard error, from the variation between records, g.
     pub error_g: f64,
@@ -86,9 +86,8 @@ fn zero(records: &[(&Record, Option<&Impact>)], axis: usize) -> Option<Zero> {
     };
     let means: Vec<f64> = records.iter().filter_map(of_record).collect();
     let spread = Spread::of(means.iter().copied())?;
-    // The median, because some falls are none; its standard error by the quartiles of a normal quantity.
-    let error_g = 1.253 * (spread.q3 - spread.q1) / 1.349 / (spread.count as f64).sqrt();
-    Some(Zero { mean_g: spread.median, error_g, records: spread.count })
+    // The median, because some falls are none.
+    Some(Zero { mean_g: spread.median, error_g: spread.median_error(), records: spread.count })
 }
 
 /// Median magnitude of the first samples of a record, while the frame is held, g.

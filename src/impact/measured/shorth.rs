@@ -1,5 +1,7 @@
 //! Where most values lie, when up to half of them may lie anywhere else.
 
+use super::spread::QUARTILES_APART;
+
 /// The shortest half of some values: its middle, and the standard deviation of a normal quantity with such a half.
 ///
 /// Source: F. R. Hampel et al., *Robust Statistics* (1986), the shorth; the middle half of a normal quantity is 1.349 standard
@@ -24,7 +26,7 @@ impl Shorth {
         }
         let shortest = sorted.windows(half).min_by(|a, b| (a[half - 1] - a[0]).total_cmp(&(b[half - 1] - b[0])))?;
         let (low, high) = (shortest[0], shortest[half - 1]);
-        Some(Self { middle: 0.5 * (low + high), deviation: (high - low) / 1.349 })
+        Some(Self { middle: 0.5 * (low + high), deviation: (high - low) / QUARTILES_APART })
     }
 
     /// How many standard deviations a value lies above the middle; the deviation is at least `least`.

@@ -19,6 +19,9 @@ pub struct Spread {
     pub max: f64,
 }
 
+/// How far apart the quartiles of a normal quantity lie, standard deviations.
+pub const QUARTILES_APART: f64 = 1.349;
+
 /// A quantile of sorted values, linear between the two that are nearest (type 7 of Hyndman and Fan, *Sample Quantiles in
 /// Statistical Packages*, Am. Stat. 50, 1996).
 fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
@@ -28,6 +31,16 @@ fn quantile(sorted: &[f64], share: f64) -> Option<f64> {
 }
 
 impl Spread {
+    /// Standard deviation of a normal quantity with these quartiles.
+    pub fn deviation(&self) -> f64 {
+        (self.q3 - self.q1) / QUARTILES_APART
+    }
+
+    /// Standard error of the median of a normal quantity: √(π/2) of the mean's (M. G. Kendall, A. Stuart, The Advanced Theory of Statistics 1, 10.8).
+    pub fn median_error(&self) -> f64 {
+        (std::f64::consts::FRAC_PI_2 / self.count as f64).sqrt() * self.deviation()
+    }
+
     /// The middle share of values, from its lower end to its upper; `None` when there is none.
     pub fn middle(values: impl IntoIterator<Item = f64>, share: f64) -> Option<[f64; 2]> {
         let mut sorted: Vec<f64> = values.into_iter().collect();

@@ -67,7 +67,7 @@ impl Summary {
             restitution: Spread::of(clean().map(|impact| impact.restitution(height_m))),
             restitution_by_flight: Spread::of(clean().filter_map(|impact| impact.restitution_by_flight(height_m))),
             fall_s: Spread::of(clean().filter_map(|impact| impact.fall_s)),
-            noise_g: Spread::of(impacts().filter_map(|impact| impact.noise_g)),
+            noise_g: Spread::of(clean().filter_map(|impact| impact.noise_g)),
         }
     }
 }

@@ -11,6 +11,7 @@ use std::ops::RangeInclusive;
 use super::decimal::decimal;
 use super::encoding::plain;
 use super::height::stated_m;
+use super::logger::Calibration;
 use super::logger::Label;
 use super::malformed::{Fault, SourcePosition};
 use super::record::Record;
@@ -21,7 +22,7 @@ use super::table_header::{Header, separator};
 use crate::units::GRAVITY_M_S2;
 
 /// Drop heights, m.
-const HEIGHTS_M: RangeInclusive<f64> = 0.01..=100.0;
+pub(super) const HEIGHTS_M: RangeInclusive<f64> = 0.01..=100.0;
 /// Speeds at first touch, m/s.
 const SPEEDS_M_S: RangeInclusive<f64> = 0.4..=45.0;
 /// Heights computed from speeds are different if they differ by this, m.
@@ -30,12 +31,18 @@ const HEIGHT_STEP_M: f64 = 1e-4;
 const TIMES_S: RangeInclusive<f64> = -1e7..=1e7;
 /// Accelerations, g.
 const ACCELS_G: RangeInclusive<f64> = -1e5..=1e5;
-/// From here on a reading stands at the end of the converter's +-230 g, g: a few counts below it.
-const FULL_SCALE_G: f64 = 229.5;
-/// A reading beyond this is of another sensor, of which no end is known, g.
-const BEYOND_SCALE_G: f64 = 231.0;
+/// Readings at the end of a converter of +-230 g, g: a few counts around it.
+const FULL_SCALE_G: RangeInclusive<f64> = 229.5..=231.0;
+/// How near a reading is to an end of the paper's logger that stands at it, g: a count is 0.11 g.
+const AT_END_G: f64 = 0.15;
 
 type Refused = (SourcePosition, Fault);
+
+/// Whether a reading of an axis stands at an end of the paper's logger, whichever way the axis is counted, or of a converter of +-230 g.
+fn is_at_end(reading_g: f64, ends_g: &[f64; 2]) -> bool {
+    let size_g = reading_g.abs();
+    FULL_SCALE_G.contains(&size_g) || ends_g.iter().any(|end_g| (size_g - end_g.abs()).abs() <= AT_END_G)
+}
 
 /// A number of a row.
 pub(super) fn number(
@@ -68,7 +75,9 @@ struct Builder<'a> {
     records: Vec<Record>,
     /// What the time stamps of a record, by its place, say where a sampling rate is given instead.
     stamps: BTreeMap<usize, Stamps>,
-    /// Whether the sensor reads more than the converter of +-230 g.
+    /// What the ends of the paper's logger read, g.
+    ends_g: [[f64; 2]; 3],
+    /// Whether the sensor reads more than these.
     reads_beyond: bool,
     /// By trial and bits of the height.
     places: BTreeMap<(Vec<u8>, u64), usize>,
@@ -123,8 +132,11 @@ impl Builder<'_> {
         }
         record.t_s.push(t_s);
         let zero_g = self.format.zero_g;
-        record.at_full_scale += usize::from(accel_g.abs() >= FULL_SCALE_G);
-        self.reads_beyond |= accel_g.abs() > BEYOND_SCALE_G;
+        let [x_g, y_g] = [axes[0], axes[1]].map(|reading| reading.unwrap_or(0.0));
+        record.at_full_scale +=
+            usize::from([x_g, y_g, accel_g].iter().zip(&self.ends_g).any(|(reading_g, ends_g)| is_at_end(*reading_g, ends_g)));
+        let [low_g, high_g] = self.ends_g[2];
+        self.reads_beyond |= accel_g.abs() > low_g.abs().max(high_g) + AT_END_G;
         record.accel_g.push(accel_g - zero_g[2]);
         if let ([Some(x), Some(y), z], Some(all)) = (axes, &mut record.axes_g) {
             for ((axis, value), zero_g) in all.iter_mut().zip([x, y, z.unwrap_or(accel_g)]).zip(zero_g) {
@@ -253,6 +265,7 @@ pub(super) fn records(bytes: &[u8], source: &str, label: Option<&Label>, format:
         header,
         records: Vec::new(),
         stamps: BTreeMap::new(),
+        ends_g: Calibration::default().ends_g(),
         reads_beyond: false,
         places: BTreeMap::new(),
         before: None,
@@ -341,6 +354,16 @@ mod tests {
             read(&text).expect("reads").0.iter().map(|record| record.at_full_scale).collect::<Vec<_>>()
         };
         assert_eq!([scale(229.9), scale(345.0)], [[1, 1], [0, 0]]);
+        // The paper's own logger: 4095 counts along its axis are 233.7 g, 0 counts are -227.6 g.
+        assert_eq!([scale(233.66), scale(-227.64), scale(232.5)], [[1, 1], [1, 1], [1, 0]]);
+    }
+
+    /// As in its own files, where a lateral axis at the end is one, too.
+    #[test]
+    fn planted_an_end_of_a_lateral_axis_is_one() {
+        let text = "trial,height_m,t_s,x,y,z\n1,1,0,0,0,0\n1,1,0.001,244.08,0,100\n2,1,0,0,0,0\n2,1,0.001,0,-237.6,100\n3,1,0,0,0,0\n3,1,0.001,225,0,0\n";
+        let found = read(text).expect("reads").0.iter().map(|record| record.at_full_scale).collect::<Vec<_>>();
+        assert_eq!(found, [1, 1, 0]);
     }
 
     #[test]

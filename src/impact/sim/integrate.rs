@@ -47,7 +47,7 @@ pub(super) enum Flow {
     Enough,
 }
 
-/// Longest step, s: events are looked for in quarters of it.
+/// Longest step, s: events are looked for in eighths of a step, switches in quarters.
 const LONGEST_S: f64 = 2e-3;
 /// First step tried, s.
 const FIRST_S: f64 = 5e-5;

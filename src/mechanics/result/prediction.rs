@@ -3,6 +3,7 @@
 use super::impact::{Impact, ImpactError, Run};
 use super::static_curve::{CurveError, StaticCurve};
 use super::strength::RodForce;
+use super::underside::Underside;
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass::MassTable;
 use crate::mechanics::model::frame_model::{Extent, FrameModel};
@@ -22,7 +23,7 @@ pub struct Prediction {
     pub payload_peak_g: f64,
     /// Largest way down of the payload, mm.
     pub travel_mm: f64,
-    /// The payload's way down, mm, and its speed downwards, m/s, moment by moment.
+    /// How far the centre's lowest corner has come down, mm, and its speed downwards, m/s, moment by moment.
     #[serde(skip)]
     pub descent: Vec<[f64; 2]>,
     /// The zone that is strained most at any moment, and its strain.
@@ -39,7 +40,7 @@ pub struct Prediction {
 }
 
 impl Prediction {
-    /// How fast the payload is when it has come down this far, m/s; none when it does not.
+    /// How fast the lowest corner is when it has come down this far, m/s; none when it does not.
     pub fn speed_m_s(&self, down_mm: f64) -> Option<f64> {
         if let Some([_, speed]) = self.descent.first().filter(|[way_mm, _]| *way_mm >= down_mm) {
             return Some(*speed);
@@ -81,7 +82,7 @@ pub fn predict(design: &Design, masses: &MassTable, settings: &MechanicsSettings
         drop_m,
         payload_peak_g: impact.peak()[0],
         travel_mm: impact.travel_mm(),
-        descent: impact.moments.iter().map(|moment| [moment.down_mm, -moment.up_m_s]).collect(),
+        descent: Underside::of(design, &model, 0.0).descent(&impact),
         strain: strained.copied().unwrap_or(("", 0.0)),
         rod: impact.rods.iter().max_by(|a, b| a.utilisation().total_cmp(&b.utilisation())).cloned(),
         stiffness_band: settings.young_band_mpa.map(|young| young / settings.young_mpa),

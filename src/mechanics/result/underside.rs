@@ -64,6 +64,19 @@ impl Underside {
         Some(Reached { at_ms: before.0 + before.1 / speed_m_s, speed_m_s })
     }
 
+    /// How far the lowest corner has come down since first touch, mm, and its speed downwards, m/s, through an impact.
+    pub fn descent(&self, impact: &Impact) -> Vec<[f64; 2]> {
+        let heights_mm: Vec<f64> = impact.centre.iter().map(|centre| self.height_mm(centre)).collect();
+        let t_ms: Vec<f64> = impact.moments.iter().map(|moment| moment.t_ms).collect();
+        let last = heights_mm.len().min(t_ms.len()).saturating_sub(1);
+        // mm/ms are m/s.
+        let speed_m_s = |at: usize| match (at.saturating_sub(1), (at + 1).min(last)) {
+            _ if at == 0 => impact.speed_m_s,
+            (before, after) => (heights_mm[before] - heights_mm[after]) / (t_ms[after] - t_ms[before]),
+        };
+        (0..=last).map(|at| [heights_mm[0] - heights_mm[at], speed_m_s(at)]).collect()
+    }
+
     /// The least height above the ground in an impact, mm.
     pub fn least_mm(&self, impact: &Impact) -> f64 {
         impact.centre.iter().map(|centre| self.height_mm(centre)).fold(f64::INFINITY, f64::min)

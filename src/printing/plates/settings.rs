@@ -7,7 +7,7 @@
 use super::known;
 use super::known::{Known, Spelled};
 use crate::params::catalogue::{Material, Printer};
-use crate::printing::print_time::SLOW_MM_S;
+use crate::printing::print_time::{SHORT_LOOP_MM, SLOW_MM_S};
 
 /// A program that slices, by how it calls its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,9 +150,6 @@ impl PrintSettings {
 /// How far infill reaches over walls. PrusaSlicer counts what lies there twice: at its own 25 % the thirteen parts take 2 % more
 /// than their volume, up to 5 % where walls are most of a part; at 15 % 0.9 % more, -2.4 to +3.9 %; at none thin walls lack 4 %.
 const OVERLAP: &str = "15%";
-
-/// Radius of a loop up to which PrusaSlicer counts it as short, mm; Orca and Bambu count none as short unless told.
-const SHORT_LOOP_MM: f64 = 6.5;
 
 #[cfg(test)]
 mod tests {

@@ -6,8 +6,10 @@ use nalgebra::{Point3, Vector3};
 
 use crate::solid::{CutPlane, Mesh, Piece};
 
-/// A loop no longer than this is printed slowly by PrusaSlicer, mm: the circle of 6.5 mm radius (`SMALL_PERIMETER_LENGTH` there).
-const SHORT_MM: f64 = std::f64::consts::TAU * 6.5;
+/// Radius of a loop up to which PrusaSlicer prints it slowly, mm (`SMALL_PERIMETER_LENGTH` there); Orca and Bambu do so only where they are told.
+pub const SHORT_LOOP_MM: f64 = 6.5;
+/// The length of that loop, mm.
+const SHORT_MM: f64 = std::f64::consts::TAU * SHORT_LOOP_MM;
 
 /// A layer's section, cut in the middle of its height.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

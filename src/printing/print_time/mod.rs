@@ -10,6 +10,7 @@
 
 mod layer;
 
+pub use self::layer::SHORT_LOOP_MM;
 use self::layer::{LayerShape, layers};
 use crate::frame::assembly::{Design, Printed};
 use crate::params::catalogue::{Material, Printer};

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::export::ExportError;
 use crate::export::table::csv;
+use crate::figures::{PARAMETER_DIGITS, significant};
 use crate::mechanics::result::impact::{Impact, LOGGER_HZ, Run, sampled_peak_g};
 use crate::mechanics::result::underside::{Reached, Underside};
 use crate::mechanics::settings::MechanicsSettings;
@@ -118,8 +119,8 @@ pub fn table(found: &Impacts) -> String {
         found.settings.young_band_mpa[0],
         found.settings.young_band_mpa[1],
         found.settings.relaxation_exponent,
-        found.settings.impact_modulus,
-        found.settings.impact_loss
+        significant(found.settings.impact_modulus, PARAMETER_DIGITS),
+        significant(found.settings.impact_loss, PARAMETER_DIGITS)
     );
     if found.tilt_deg != [0.0; 2] {
         text += &format!(

@@ -11,6 +11,7 @@ import { Files } from "./panels/files.tsx";
 import { Fold } from "./panels/fold.tsx";
 import { Gauges } from "./panels/gauges.tsx";
 import { Header } from "./panels/header.tsx";
+import { MotionBar } from "./panels/motion_bar.tsx";
 import { Parameters } from "./panels/parameters.tsx";
 import { Source } from "./panels/source.tsx";
 import { Selection, Toolbar } from "./panels/toolbar.tsx";
@@ -99,6 +100,7 @@ export function App() {
       <main class="middle">
         <Toolbar />
         <Picture />
+        <MotionBar />
         <Gauges />
       </main>
       <section class="right" aria-labelledby="head-right">

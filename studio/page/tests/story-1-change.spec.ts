@@ -40,6 +40,17 @@ test("a preset is chosen, values change the frame, and each can be reset", async
   await page.getByRole("button", { name: "Redo" }).click();
   await settled(page);
   await expect(await openField(page, "rods.arm_rod_length_mm")).toHaveValue("90");
+  // A name that was taken is a step, too; its field is then that of the frame.
+  const name = page.getByLabel("Name of the frame's file");
+  const former = await name.inputValue();
+  await name.fill("first");
+  await name.press("Enter");
+  await name.press("Control+z");
+  await expect(name).toHaveValue(former);
+  await expect(page).toHaveTitle(new RegExp(`^${former} `));
+  // What no frame can be without is not offered, and an own part stays in its list.
+  await expect(battery.locator('option[value="none"]')).toHaveCount(0);
+  await expect(page.locator('[id="c-bought.camera"] option[value="none"]')).toHaveCount(1);
 });
 
 test("presets chosen one right after the other are steps of their own; quick changes of a value are one", async ({

@@ -62,6 +62,11 @@ test("a click names a part and what drives it; a parameter lights its parts; dis
   await expect(page.locator(".picked")).toContainText(" g each");
   await shot(page, "2-picked");
   await page.getByRole("button", { name: "Close" }).click();
+  // The same without pointing at it.
+  await page.getByLabel("Part", { exact: true }).selectOption("knee_FR");
+  await expect(page.locator(".picked")).toContainText("knee_FR");
+  await page.getByLabel("Part", { exact: true }).selectOption("");
+  await expect(page.locator(".picked")).toHaveCount(0);
   await (await openField(page, "motor_mount.motor_skirt_wall_mm")).focus();
   await page.waitForTimeout(500);
   await shot(page, "2-lit");
@@ -190,7 +195,7 @@ test("bed and assembly end where the other begins, and a changed frame is drawn 
   await page.getByRole("button", { name: "Undo" }).click();
   await settled(page);
   await fold();
-  await expect(show).toHaveValue("assembled");
+  await expect(show).toHaveValue("motion");
   const slider = page.getByLabel("Time of the assembly");
   await slider.fill("56.2");
   const early = await pixels(page);

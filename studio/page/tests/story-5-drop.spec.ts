@@ -95,6 +95,9 @@ test("the frame's own mechanics, with the motion slowed down", async ({ page }) 
   await page.getByLabel("Model of the drop").selectOption("frame");
   await expectPeak(page.locator("[data-peak]").first(), peakOfDrop("cognifly", "frame", 1), 80_000);
   await expect(page.locator(".peak.invalid")).toHaveCount(0);
+  await expect(page.locator(".drop .caution")).toHaveText(
+    /^The lowest body, 11\.5 mm above the ground, reaches it after 2\.9 ms at 2\.85 m\/s\. The peak does not include that impact\.$/,
+  );
   await expect(page.locator(".plot")).toHaveCount(2);
   await page.getByRole("button", { name: /Slow motion/ }).click();
   const time = page.getByLabel("Time of the impact");

@@ -15,6 +15,9 @@ test("synthetic drops at one click, a diagnosis with stages, its verdict and its
   await expect(page.locator(".diagnose .progress").last()).toContainText(" of 4)");
   await expect(page.locator("[data-verdict]")).toHaveAttribute("data-verdict", "named", { timeout: 85_000 });
   await expect(page.locator("[data-verdict] h3")).toContainText("bottoming");
+  await expect(page.locator("[data-verdict]")).toContainText("Mass 241 g and gap 16 mm of the model paper.");
+  await expect(page.locator("[data-verdict]")).toContainText("The same at each height, predicted from the others");
+  await expect(page.locator("[data-verdict]")).toContainText(/Refitted: .*k = \d/);
   // What is chosen next is not what was judged.
   await page.getByLabel("Effects at most").selectOption("3");
   await expect(page.locator("[data-verdict]")).toContainText("Of the model paper, with at most 1 effect.");
@@ -23,6 +26,17 @@ test("synthetic drops at one click, a diagnosis with stages, its verdict and its
   await page.getByRole("button", { name: "Download model.toml" }).click();
   const model = readFileSync(await (await waiting).path(), "utf8");
   expect(model).toContain("bottoming");
+  // A decimal comma is told, and what was found before is not shown beside the refusal.
+  await page.getByLabel("Heights held out, m").fill("1,5,0");
+  await page.getByRole("button", { name: "Diagnose", exact: true }).click();
+  await expect(page.locator(".diagnose .fault")).toContainText("a comma stands between numbers, a point in them");
+  await expect(page.locator("[data-verdict]")).toHaveCount(0);
+  await page.getByLabel("Heights held out, m").fill("2");
+  await page.getByLabel("Effects at most").selectOption("1");
+  await page.getByLabel("Mass and gap of").selectOption("frame");
+  await page.getByRole("button", { name: "Diagnose", exact: true }).click();
+  await expect(page.locator("[data-verdict]")).toContainText("The same at 2 m, which no fit saw", { timeout: 85_000 });
+  await expect(page.locator("[data-verdict]")).toContainText("Mass 233.3 g and gap 11.5 mm of the frame cognifly.");
   // It is no frame.
   await drag(page, "canvas", [{ name: "model.toml", text: model }]);
   await expect(page.locator(".notice")).toContainText("model.toml is an impact model and no frame file");
@@ -74,12 +88,23 @@ test("a table of another logger is read by what is said of its columns and units
   await expect(page.getByRole("row", { name: /0.5 m/ })).toContainText("3", { timeout: 30_000 });
   await expect(page.getByRole("row", { name: /0.5 m/ })).toContainText(/6[0-9](\.\d)? g/);
   await shot(page, "6-another-logger");
-  // Many files are told by their folders.
+  // One folder after the other; many files are told by their folders.
+  await page.getByRole("button", { name: "Close these drops" }).click();
+  await expect(page.locator(".diagnose table")).toHaveCount(0);
   const folder = mkdtempSync(join(tmpdir(), "studio-"));
-  for (let file = 0; file < 12; file++) {
-    mkdirSync(join(folder, `${file % 2} m`), { recursive: true });
-    writeFileSync(join(folder, `${file % 2} m`, `${file}.csv`), lines.join("\n"));
+  const [head, ...rows] = lines;
+  for (const height of ["0.5", "1"]) {
+    mkdirSync(join(folder, `${height} m`));
+    const own = rows.filter((row) => row.split(",")[1] === height);
+    for (let file = 0; file < 6; file++) {
+      const named = own.map((row) => `${file} ${row}`);
+      writeFileSync(join(folder, `${height} m`, `${file}.csv`), [head, ...named].join("\n"));
+    }
+    await page.getByLabel("or a folder of them").setInputFiles(join(folder, `${height} m`));
+    await expect(page.getByRole("row", { name: new RegExp(`${height} m`) })).toContainText("18", { timeout: 60_000 });
   }
-  await page.getByLabel("or a folder of them").setInputFiles(folder);
-  await expect(page.getByText(/^12 files in .*\/0 m, .*\/1 m$/)).toBeVisible({ timeout: 60_000 });
+  await expect(page.getByText(/^12 files in 0\.5 m, 1 m$/)).toBeVisible();
+  await page.getByRole("button", { name: "Leave out 0.5 m" }).click();
+  await expect(page.getByRole("row", { name: /0\.5 m/ })).toHaveCount(0, { timeout: 60_000 });
+  await expect(page.getByRole("row", { name: /1 m/ })).toContainText("18");
 });

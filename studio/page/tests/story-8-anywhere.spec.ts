@@ -115,6 +115,18 @@ test("on a phone's width", async ({ page }) => {
   await expect(page.getByRole("button", { name: "Model" })).toHaveAttribute("aria-pressed", "true");
   await expect(page.locator("canvas")).toBeFocused();
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+  // What is played is seen, and can be stopped there.
+  await page.getByRole("button", { name: /^Know/ }).click();
+  await page.getByRole("tab", { name: "Fold" }).click();
+  await page.getByRole("button", { name: "Play" }).click({ timeout: 60_000 });
+  const motion = page.getByRole("group", { name: "The motion" });
+  await expect(page.locator("canvas")).toBeVisible();
+  await motion.getByRole("button", { name: "Stop" }).click({ timeout: 60_000 });
+  await motion.getByRole("button", { name: "Next step" }).click();
+  await expect(motion).toContainText(/^Play◀▶\d+: /);
+  await shot(page, "8-phone-motion");
+  await page.getByLabel("Show", { exact: true }).selectOption("assembled");
+  await expect(motion).toHaveCount(0);
   // All switches are there, and the header is of two rows.
   const fit = (await page.getByRole("button", { name: "Fit", exact: true }).boundingBox())!;
   expect(fit.x + fit.width).toBeLessThanOrEqual(390);

@@ -1,6 +1,7 @@
 //! What a frame file may say and choose, and what is checked: the library's catalogues as data.
 
 use flexframe::checks::CATALOGUE;
+use flexframe::params::bought_relation::is_optional;
 use flexframe::params::carried::is_carried;
 use flexframe::params::catalogue::{BoughtPart, Material};
 use flexframe::params::parameter::Parameter;
@@ -46,7 +47,8 @@ fn choices() -> Vec<Value> {
     choices.push(json!({ "key": SleeveDirection::KEY, "of": directions }));
     for (role, quantity, kind) in ROLES {
         let of: Vec<Value> = parts.iter().filter(|(_, part)| part.kind == kind && is_carried(role, part)).map(part).collect();
-        choices.push(json!({ "key": format!("bought.{role}"), "quantity": quantity, "of": of }));
+        choices
+            .push(json!({ "key": format!("bought.{role}"), "quantity": quantity, "kind": kind, "optional": is_optional(role), "of": of }));
     }
     choices
 }

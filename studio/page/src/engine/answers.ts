@@ -23,7 +23,8 @@ export type Option = {
   density_g_cm3?: number;
   source?: string;
 };
-export type Choice = { key: string; quantity?: number; of: Option[] };
+/** Of a bought part: its kind, and whether a frame can be without it. */
+export type Choice = { key: string; quantity?: number; kind?: string; optional?: boolean; of: Option[] };
 export type Rule = { id: string; title: string; sentence: string };
 export type Catalogue = { parameters: Parameter[]; choices: Choice[]; rules: Rule[] };
 

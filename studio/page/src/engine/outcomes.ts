@@ -60,6 +60,8 @@ export type ImpactAnswer = {
     peak_proper_g: number;
     travel_mm: number;
     contact_ms: number | null;
+    /** Whether the lowest body reaches the ground, and when. */
+    touches: { touches: boolean; at_ms: number | null; speed_m_s: number | null; gap_mm: number };
     energy_lowest: Energies;
     moments: Moment[];
     sensor_g: number[];
@@ -77,6 +79,8 @@ export type Measured = {
   drops: {
     trial: string;
     height_m: number;
+    frame: string | null;
+    source: string;
     peak_axial_g?: number | null;
     restitution?: number | null;
     flags: { flag: string; reason: string }[];
@@ -84,11 +88,23 @@ export type Measured = {
   notes: string[];
 };
 
+export type Estimate = { value: number; unit: string; ci95: [number, number] };
 export type Diagnosed = {
   verdict: "named" | "ambiguous" | "none_suffices" | "nothing_missing";
   reasons: string[];
-  effects: { id: string; parameters: Record<string, { value: number; unit: string; ci95: [number, number] }> }[];
-  gap: { before: number; after: number; floor: number; held_out_before: number; held_out_after: number; unit: string };
+  /** The model's body, and its own parameters as they were refitted. */
+  base: { body: { mass_kg: number; gap_mm: number; from: string }; after: Record<string, Estimate> };
+  effects: { id: string; parameters: Record<string, Estimate> }[];
+  held_out_heights_m: number[];
+  gap: {
+    before: number;
+    after: number;
+    floor: number;
+    held_out_before: number;
+    held_out_after: number;
+    held_out_floor: number;
+    unit: string;
+  };
   ranking: { id: string; score: number; left_out_g: number | null; reason_rejected: string | null }[];
   where: {
     cells: { height_m: number; phase: string; residual_g?: number; apart_g?: number; error_g: number }[];

@@ -3,10 +3,11 @@ import { computed, effect, signal } from "@preact/signals";
 import { Refused, Stopped } from "../engine/client.ts";
 import type { Changed, Difference } from "../engine/answers.ts";
 import type { Doc } from "../state/doc.ts";
-import { identity, isUnchanged, ofPreset } from "../state/doc.ts";
+import { identity, ofPreset } from "../state/doc.ts";
 import { FrameSlot } from "../state/frame_slot.ts";
 import { right } from "../state/focus.ts";
 import { checker, current, doc, shownDoc } from "../state/studio.ts";
+import { inPageWords } from "../ui/words.ts";
 import { ghost, viewer } from "../view/scene_state.ts";
 
 /** The variant that is held against the frame; none: the preset. */
@@ -15,7 +16,7 @@ export const pinned = signal<Doc | null>(null);
 const after = computed(() => shownDoc.value ?? doc.value);
 export const before = computed(() => pinned.value ?? ofPreset(after.value.preset));
 export const other = new FrameSlot(checker);
-const difference = signal<{ of: Difference; after: string } | null>(null);
+const difference = signal<{ of: Difference; before: string; after: string } | null>(null);
 const failure = signal<string | null>(null);
 const working = signal(false);
 
@@ -40,7 +41,7 @@ async function compare(against: Doc, of: Doc): Promise<void> {
     if (ghost.value && files[0]) await viewer.value?.overlay(files[0].bytes);
     const now = await current.opened(of);
     const { answer } = await checker.ask<Difference>({ do: "difference", before: handle, after: now.handle });
-    difference.value = { of: answer, after: identity(of) };
+    difference.value = { of: answer, before: identity(against), after: identity(of) };
     failure.value = null;
   } catch (error) {
     if (!(error instanceof Refused || error instanceof Stopped)) throw error;
@@ -52,7 +53,11 @@ async function compare(against: Doc, of: Doc): Promise<void> {
 
 export function Compare() {
   const found = difference.value?.of;
-  const old = !shownDoc.value || difference.value?.after !== identity(shownDoc.value);
+  const { before: against, after: shown } = difference.value ?? {};
+  const old = !shownDoc.value || shown !== identity(shownDoc.value) || against !== identity(before.value);
+  const changed = found?.measures.filter(({ trend, reported }) => trend !== "neither" || reported[0] !== reported[1]);
+  const lists = found && [found.broken, found.mended, changed ?? [], found.parameters, found.masses, found.volumes];
+  const unchanged = lists?.every(({ length }) => length === 0);
   return (
     <div class="compare">
       <div class="row">
@@ -78,20 +83,19 @@ export function Compare() {
       </p>
       {found && (
         <div class={old ? "old" : ""}>
-          {isUnchanged(after.value) && !pinned.value && <p class="empty">Nothing differs from the preset yet.</p>}
+          {unchanged && (
+            <p class="empty">Nothing differs from {pinned.value ? pinned.value.name : "the preset"} yet.</p>
+          )}
           {found.broken.length > 0 && <List title="Now violated" items={found.broken} kind="worse" />}
           {found.mended.length > 0 && <List title="No longer violated" items={found.mended} kind="better" />}
-          <Table
-            title="What got better or worse"
-            rows={found.measures.filter(({ trend, reported }) => trend !== "neither" || reported[0] !== reported[1])}
-          />
+          <Table title="What got better or worse" rows={changed ?? []} />
           {found.not_compared.map((why) => (
             <p key={why}>{why}</p>
           ))}
           <Table title="Values" rows={found.parameters} />
           <Table title="Masses, g" rows={found.masses} />
           <Table title="Printed volumes, mm³" rows={found.volumes} />
-          <p class="about">{found.peak}</p>
+          <p class="about">{inPageWords(found.peak)}</p>
         </div>
       )}
     </div>

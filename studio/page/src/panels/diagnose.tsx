@@ -4,18 +4,17 @@ import plan from "../../../../params/synthetic/bottoming.toml?raw";
 import { EngineClient, Refused } from "../engine/client.ts";
 import type { Diagnosed, Measured } from "../engine/outcomes.ts";
 import type { Attached, EngineFile } from "../engine/messages.ts";
-import { save } from "../state/downloads.ts";
 import { complain, quiet } from "../state/notice.ts";
+import { FrameSlot } from "../state/frame_slot.ts";
+import { shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import { ModelSelect } from "../ui/model_select.tsx";
 import { Progress } from "../ui/progress.tsx";
-import { short } from "../ui/words.ts";
+import { Records } from "./records.tsx";
+import { Verdict } from "./verdict.tsx";
 
 /** Larger tables are no drops of a frame; a browser would run out of memory on them. */
 const LARGEST_BYTES = 64 << 20;
-
-/** As many names are told one by one. */
-const FEW = 6;
 
 /** Names of files of drops. */
 const RECORDS = /\.(csv|tsv|bin|bhn)$/i;
@@ -32,6 +31,11 @@ const diagnoser = new EngineClient("diagnoser");
 const written = { columns: signal(""), units: signal(""), zero_g: signal(""), rate_hz: signal("") };
 const heldOut = signal("");
 const drops = signal<Attached>({});
+/** Whether they were made here, and are of no use beside others. */
+const synthetic = signal(false);
+/** Whose mass and gap the model has. */
+const bodyOf = signal<"model" | "frame">("model");
+const judged = new FrameSlot(diagnoser);
 const model = signal("paper");
 const most = signal(3);
 const making = new Work<void>();
@@ -71,7 +75,25 @@ export async function takeDrops(given: { path: string; file: File }[]): Promise<
     complain(`This cannot be read: ${error instanceof Error ? error.message : String(error)}`);
     return;
   }
-  await read(taken);
+  // Drops lie in several folders, one a height; what could not be read is replaced.
+  const more = reading.failure.value === null && !synthetic.value;
+  synthetic.value = false;
+  await read(more ? { ...drops.value, ...taken } : taken);
+}
+
+/** Forgets the drops that are open. */
+function clear(): void {
+  if (diagnosing.running.value) diagnoser.end("The drops were closed.");
+  drops.value = {};
+  synthetic.value = false;
+  reading.clear();
+  diagnosing.clear();
+}
+
+/** Leaves files out of what is open. */
+function leaveOut(files: string[]): void {
+  const kept = Object.entries(drops.value).filter(([path]) => !files.includes(path));
+  void read(Object.fromEntries(kept));
 }
 
 async function read(taken: Attached): Promise<void> {
@@ -94,20 +116,32 @@ function refused(message: string, remedy: string): Refused {
   return new Refused({ message, place: null, remedy });
 }
 
-/** The numbers between commas. */
-function numbers(text: string, what: string): number[] {
+/** The numbers between commas, of which some are good; an example says how they are written. */
+function numbers(
+  text: string,
+  what: string,
+  example: string,
+  isGood: (number: number) => boolean = () => true,
+): number[] {
   const found = list(text).map(Number);
-  if (!found.every(Number.isFinite)) throw refused(`${what}: ${text} is no list of numbers`, "write 0.4,-0.3,2");
+  if (!found.every(Number.isFinite)) throw refused(`${what}: ${text} is no list of numbers`, `write ${example}`);
+  if (!found.every(isGood))
+    throw refused(
+      `${what}: ${text} holds a number that is not above zero`,
+      `write ${example}; a comma stands between numbers, a point in them`,
+    );
   return found;
 }
 
+const isAboveZero = (number: number) => number > 0;
+
 function asWritten() {
-  const [rate, ...more] = numbers(written.rate_hz.value, "Samples a second");
+  const [rate, ...more] = numbers(written.rate_hz.value, "Samples a second", "3200", isAboveZero);
   if (more.length > 0) throw refused("Samples a second: this is one number", "write 3200");
   return {
     columns: list(written.columns.value),
     units: list(written.units.value),
-    zero_g: numbers(written.zero_g.value, "Readings in free fall"),
+    zero_g: numbers(written.zero_g.value, "Readings in free fall, g", "0.4 or 0.4,-0.3,2"),
     rate_hz: rate ?? null,
   };
 }
@@ -115,15 +149,18 @@ function asWritten() {
 async function example(): Promise<void> {
   await making.run(async () => {
     const { files } = await diagnoser.ask({ do: "synthesize", plan: "bottoming.toml" }, { "bottoming.toml": plan });
+    synthetic.value = true;
     await read({ "synthetic-drops.csv": files[0]!.bytes });
   });
 }
 
 function diagnose(): Promise<void> {
   return diagnosing.run(async (onStage) => {
-    const held = numbers(heldOut.value, "Heights held out");
+    const held = numbers(heldOut.value, "Heights held out, m", "1.5 or 0.5,1.5", isAboveZero);
+    const frame = bodyOf.value === "frame" ? shownDoc.value : null;
     const request = {
       do: "diagnose",
+      handle: frame && (await judged.opened(frame)).handle,
       model: model.value,
       max_effects: most.value,
       hold_out_heights_m: held,
@@ -136,46 +173,28 @@ function diagnose(): Promise<void> {
   });
 }
 
-const VERDICTS: Record<Diagnosed["verdict"], string> = {
-  named: "The model lacks",
-  ambiguous: "Several explanations fit",
-  none_suffices: "No known effect explains the drops",
-  nothing_missing: "Nothing is missing: the model explains the drops",
-};
-
 export function Diagnose() {
   const measured = reading.result.value;
   const names = Object.keys(drops.value);
   return (
     <div class="diagnose">
       <div class="row dropzone">
-        <label class="file">
-          Open measured drops (CSV, .bin, .bhn)
-          <input
-            type="file"
-            multiple
-            accept=".csv,.tsv,.bin,.bhn"
-            onChange={(event) => takeChosen(event.currentTarget)}
-          />
-        </label>
-        <label class="file">
-          or a folder of them
-          <input
-            type="file"
-            multiple
-            ref={(input) => input?.setAttribute("webkitdirectory", "")}
-            onChange={(event) => takeChosen(event.currentTarget)}
-          />
-        </label>
+        <Files words="Open measured drops (CSV)" accept=".csv,.tsv" />
+        <Files words="or a folder of them (CSV, .bin, .bhn)" folder />
         <span>or drag them here,</span>
         <button type="button" onClick={() => void example()}>
           or try synthetic ones
         </button>
+        {names.length > 0 && (
+          <button type="button" onClick={clear}>
+            Close these drops
+          </button>
+        )}
       </div>
       {names.length > 0 && <HowWritten />}
       <Progress of={making} words="Making drops" />
       <Progress of={reading} words="Reading" />
-      {measured && <Records measured={measured} names={names} />}
+      {measured && <Records measured={measured} names={names} onLeaveOut={leaveOut} />}
       {measured && (
         <div class="row">
           <ModelSelect label="Model of the diagnosis" model={model} />
@@ -203,6 +222,17 @@ export function Diagnose() {
               onInput={(event) => (heldOut.value = event.currentTarget.value)}
             />
           </label>
+          <label>
+            Mass and gap of{" "}
+            <select
+              aria-label="Mass and gap of"
+              value={bodyOf}
+              onChange={(event) => (bodyOf.value = event.currentTarget.value as "model" | "frame")}
+            >
+              <option value="model">the model</option>
+              <option value="frame">the frame {shownDoc.value?.name ?? ""}</option>
+            </select>
+          </label>
           <button type="button" disabled={diagnosing.running.value} onClick={() => void diagnose()}>
             Diagnose
           </button>
@@ -214,15 +244,41 @@ export function Diagnose() {
         </div>
       )}
       <Progress of={diagnosing} words="Diagnosing" />
-      {diagnosing.result.value && <Verdict {...diagnosing.result.value} />}
+      {diagnosing.result.value && diagnosing.failure.value === null && (
+        <div class={diagnosing.running.value ? "old" : ""}>
+          <Verdict {...diagnosing.result.value} />
+        </div>
+      )}
     </div>
+  );
+}
+
+/** A field for files, or for the files of a folder. Its own words, which say that none is chosen, are hidden: it is emptied once they are taken. */
+function Files({ words, accept, folder = false }: { words: string; accept?: string; folder?: boolean }) {
+  return (
+    <label class="file">
+      {words}
+      <input
+        type="file"
+        multiple
+        accept={accept}
+        aria-label={words}
+        ref={(input) => {
+          if (folder) input?.setAttribute("webkitdirectory", "");
+        }}
+        onChange={(event) => takeChosen(event.currentTarget)}
+      />
+    </label>
   );
 }
 
 /** What another logger's table needs to be read. A change reads the drops again. */
 function HowWritten() {
+  const isAsked = (reading.result.value?.notes ?? []).some((note) =>
+    OPTIONS.some(({ option }) => note.includes(option)),
+  );
   return (
-    <details open={reading.failure.value !== null || OPTIONS.some(({ key }) => written[key].value !== "")}>
+    <details open={isAsked || reading.failure.value !== null || OPTIONS.some(({ key }) => written[key].value !== "")}>
       <summary>Another logger's table</summary>
       <div class="row">
         {OPTIONS.map(({ key, option, label, example }) => (
@@ -243,162 +299,4 @@ function HowWritten() {
       </div>
     </details>
   );
-}
-
-/** Files in words: their names, or how many there are in which folders. */
-function inShort(names: string[]): string {
-  if (names.length <= FEW) return names.join(", ");
-  const folders = [...new Set(names.map((name) => name.split("/").slice(0, -1).join("/")))].filter(Boolean).sort();
-  const more = folders.length > FEW ? ` and ${folders.length - FEW} more` : "";
-  const where = folders.length > 0 ? ` in ${folders.slice(0, FEW).join(", ")}${more}` : "";
-  return `${names.length} files${where}`;
-}
-
-function Records({ measured, names }: { measured: Measured; names: string[] }) {
-  const flagged = measured.drops.filter(({ flags }) => flags.length > 0);
-  return (
-    <>
-      <p class="about">{inShort(names)}</p>
-      <table>
-        <caption>Records</caption>
-        <thead>
-          <tr>
-            <th scope="col">height</th>
-            <th scope="col">drops</th>
-            <th scope="col">clean</th>
-            <th scope="col">median peak</th>
-          </tr>
-        </thead>
-        <tbody>
-          {measured.heights.map((of) => (
-            <tr key={`${of.frame} ${of.height_m}`}>
-              <th scope="row">
-                {of.frame} {short(of.height_m)} m
-              </th>
-              <td>{of.drops}</td>
-              <td>{of.clean}</td>
-              <td>{of.clean_peak_axial_g ? `${short(of.clean_peak_axial_g.median, 1)} g` : "–"}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      {flagged.length > 0 && (
-        <details>
-          <summary>{flagged.length} records are flagged</summary>
-          <ul>
-            {flagged.map(({ trial, height_m, flags }) => (
-              <li key={`${trial} ${height_m}`}>
-                {trial}, {short(height_m)} m: {flags.map(({ reason }) => reason).join("; ")}
-              </li>
-            ))}
-          </ul>
-        </details>
-      )}
-      {measured.notes.map((note) => (
-        <p key={note} class="caution">
-          {note}
-        </p>
-      ))}
-    </>
-  );
-}
-
-function Verdict({ found, files, of }: { found: Diagnosed; files: EngineFile[]; of: string }) {
-  const { gap, where } = found;
-  const full = Math.max(gap.before, gap.after, gap.floor) || 1;
-  const largest = [...where.cells].sort((a, b) => size(b) / b.error_g - size(a) / a.error_g).slice(0, 5);
-  return (
-    <div class="verdict" data-verdict={found.verdict}>
-      <h3>
-        {VERDICTS[found.verdict]}{" "}
-        {found.verdict === "named" && found.effects.map(({ id }) => id.replaceAll("_", " ")).join(" and ")}
-      </h3>
-      <p class="about">{of}.</p>
-      {found.reasons.map((reason) => (
-        <p key={reason}>{reason}</p>
-      ))}
-      <table>
-        <caption>Gap between mean wave and model, {gap.unit}</caption>
-        <tbody>
-          {(
-            [
-              ["before", gap.before, "bad"],
-              ["after", gap.after, "good"],
-              ["floor: what the drops can show", gap.floor, "track"],
-            ] as const
-          ).map(([words, value, kind]) => (
-            <tr key={words}>
-              <th scope="row">{words}</th>
-              <td>{short(value, 2)}</td>
-              <td>
-                <svg class="bar" viewBox="0 0 100 8" preserveAspectRatio="none" aria-hidden="true">
-                  <rect class={kind} width={(100 * value) / full} height="8" />
-                </svg>
-              </td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      {found.effects.map(({ id, parameters }) => (
-        <p key={id}>
-          {id.replaceAll("_", " ")}:{" "}
-          {Object.entries(parameters)
-            .map(
-              ([key, { value, unit, ci95 }]) =>
-                `${key} = ${value.toPrecision(4)} ${unit} (${ci95.map((end) => end.toPrecision(4)).join(" to ")})`,
-            )
-            .join(", ")}
-        </p>
-      ))}
-      <table>
-        <caption>Ranking: what each leaves of the other heights</caption>
-        <thead>
-          <tr>
-            <th scope="col">effects</th>
-            <th scope="col">left, g</th>
-            <th scope="col">why not</th>
-          </tr>
-        </thead>
-        <tbody>
-          {found.ranking.slice(0, 8).map(({ id, left_out_g, reason_rejected }) => (
-            <tr key={id}>
-              <th scope="row">{id.replaceAll("_", " ")}</th>
-              <td>{short(left_out_g, 2)}</td>
-              <td>{reason_rejected}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      <table>
-        <caption>Where model and drops differ most</caption>
-        <tbody>
-          {largest.map((cell) => (
-            <tr key={`${cell.height_m} ${cell.phase}`}>
-              <th scope="row">
-                {short(cell.height_m)} m, {cell.phase.replaceAll("_", " ")}
-              </th>
-              <td>{short(size(cell), 1)} g</td>
-              <td>± {short(cell.error_g, 1)} g</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-      {found.next_experiment && (
-        <p>
-          <b>Next:</b> {found.next_experiment.what}; it tells {found.next_experiment.between.join(" from ")}.
-        </p>
-      )}
-      <div class="row">
-        {files.map(({ path, bytes }) => (
-          <button key={path} type="button" onClick={() => save(path, bytes)}>
-            Download {path}
-          </button>
-        ))}
-      </div>
-    </div>
-  );
-}
-
-function size({ apart_g, residual_g }: { apart_g?: number; residual_g?: number }): number {
-  return apart_g ?? residual_g ?? 0;
 }

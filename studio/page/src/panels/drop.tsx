@@ -1,10 +1,9 @@
 // Story 5: the frame dropped, by a model or by its own mechanics; curves, peak, energies, and the motion slowed down.
 import { computed, effect, signal } from "@preact/signals";
 import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
-import { Refused } from "../engine/client.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
-import { right } from "../state/focus.ts";
+import { right, showPicture } from "../state/focus.ts";
 import { goTo, hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
@@ -49,19 +48,12 @@ effect(() => {
     timer = setTimeout(() => {
       last = asked ?? "";
       hideMotion("drop");
-      void work.run((onStage) => dropBoth(of, against, onStage).catch(inWords));
+      void work.run((onStage) => dropBoth(of, against, onStage));
     }, 250);
   }
 });
 
 type OnStage = Parameters<Parameters<typeof work.run>[0]>[0];
-
-/** The engine names the command line's option. */
-function inWords(error: unknown): never {
-  if (!(error instanceof Refused)) throw error;
-  const message = error.message.replace(/^--height (\S+)/, "A height of $1 m");
-  throw new Refused({ ...error.refused, message });
-}
 
 async function dropBoth(of: Doc, against: Doc | null, onStage: OnStage): Promise<Dropped[]> {
   const first = await dropOne((await current.opened(of)).handle, of.name, true, onStage);
@@ -120,6 +112,14 @@ const WORDS: Record<keyof Energies, string> = {
   gravity_mj: "height",
 };
 
+/** The impact goes on as if the ground were not below the lowest body. */
+function hits({ touches, at_ms, speed_m_s, gap_mm }: ImpactAnswer["heights"][number]["touches"]): string[] {
+  if (!touches) return [];
+  return [
+    `The lowest body, ${short(gap_mm, 1)} mm above the ground, reaches it after ${short(at_ms, 1)} ms at ${short(speed_m_s, 2)} m/s. The peak does not include that impact.`,
+  ];
+}
+
 function ofImpact(name: string, answer: ImpactAnswer, motion: Uint8Array<ArrayBuffer> | null): Dropped {
   const of = answer.heights[0]!;
   return {
@@ -133,7 +133,7 @@ function ofImpact(name: string, answer: ImpactAnswer, motion: Uint8Array<ArrayBu
       .filter(({ t_ms }) => t_ms <= (of.contact_ms ?? Infinity))
       .map(({ down_mm, ground_n }) => [down_mm, ground_n]),
     energies: (Object.keys(WORDS) as (keyof Energies)[]).map((key) => [WORDS[key], of.energy_lowest[key] / 1000]),
-    warnings: [],
+    warnings: hits(of.touches),
     motion,
   };
 }
@@ -224,6 +224,7 @@ export function Drop() {
             <button
               type="button"
               onClick={async () => {
+                showPicture();
                 if (owner.value !== "drop") await showMotion("drop", motion, { slower: 5 });
                 play();
               }}

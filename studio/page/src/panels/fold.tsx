@@ -3,7 +3,7 @@ import { computed, effect, signal } from "@preact/signals";
 import type { Fold as Sequence } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
-import { right } from "../state/focus.ts";
+import { right, showPicture } from "../state/focus.ts";
 import { hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, findings, findingsAreOfPicture, refused, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
@@ -68,7 +68,14 @@ async function putAt(time: number): Promise<void> {
   else await showFold();
 }
 
+/** Puts the assembly at the beginning of a step. */
+export function goToStep(at: number): void {
+  const of = work.result.value?.sequence;
+  if (of) void putAt(at * of.step_shown_s);
+}
+
 async function playOrStop(): Promise<void> {
+  showPicture();
   await showFold();
   play();
 }
@@ -76,7 +83,8 @@ async function playOrStop(): Promise<void> {
 /** The steps; none after a refusal, as those of before are another frame's. */
 const folding = computed(() => (work.failure.value === null ? work.result.value : null));
 
-const now = computed(() => {
+/** The step that is shown. */
+export const now = computed(() => {
   const sequence = folding.value?.sequence;
   if (!sequence) return null;
   const at = Math.min(sequence.steps.length - 1, Math.floor(place.value / sequence.step_shown_s + 1e-6));
@@ -99,7 +107,6 @@ effect(() => {
 export function Fold() {
   const sequence = folding.value?.sequence;
   const old = shownDoc.value === null || folding.value?.of !== identity(shownDoc.value);
-  const goToStep = (at: number) => void putAt(at * sequence!.step_shown_s);
   return (
     <div class="fold">
       {folding.value && <InTheWay />}

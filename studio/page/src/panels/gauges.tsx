@@ -65,7 +65,7 @@ export function Gauges() {
           {groups.map(({ words, kind, mass }) => (
             <span key={kind}>
               <i class={`key kind-${kind}`} />
-              {words} {short(mass, 1)}
+              {words} {short(mass, 1)} g
             </span>
           ))}
         </p>

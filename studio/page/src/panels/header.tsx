@@ -1,5 +1,5 @@
 // Which frame: the preset, the name of its file, undo and redo.
-import { effect } from "@preact/signals";
+import { effect, useSignal } from "@preact/signals";
 import { useEffect } from "preact/hooks";
 import { canRedo, canUndo, doc, presets, redo, take, undo } from "../state/studio.ts";
 import { complain } from "../state/notice.ts";
@@ -21,6 +21,8 @@ effect(() => {
 });
 
 export function Header() {
+  // What is being typed is not the name yet.
+  const draft = useSignal<string | null>(null);
   useEffect(() => {
     const key = (event: KeyboardEvent) => {
       if (!(event.ctrlKey || event.metaKey) || isTyping(event.target)) return;
@@ -35,6 +37,7 @@ export function Header() {
   }, []);
   const rename = (field: HTMLInputElement) => {
     const name = field.value;
+    draft.value = null;
     if (plainName(name)) return take({ ...doc.value, name });
     // The name stays, and the field shows it.
     field.value = doc.value.name;
@@ -64,8 +67,11 @@ export function Header() {
         <input
           type="text"
           aria-label="Name of the frame's file"
-          value={doc.value.name}
+          data-typed={draft.value !== null && draft.value !== doc.value.name}
+          value={draft.value ?? doc.value.name}
+          onInput={(event) => (draft.value = event.currentTarget.value)}
           onChange={(event) => rename(event.currentTarget)}
+          onBlur={() => (draft.value = null)}
         />
       </label>
       <button type="button" disabled={!canUndo.value} onClick={undo} title="Ctrl+Z">
@@ -79,7 +85,7 @@ export function Header() {
         value={theme}
         onChange={(event) => (theme.value = event.currentTarget.value as Theme)}
       >
-        <option value="system">as the system</option>
+        <option value="system">system</option>
         <option value="light">light</option>
         <option value="dark">dark</option>
       </select>

@@ -4,7 +4,8 @@ import type { ComponentChildren } from "preact";
 import type { Choice, Parameter } from "../engine/answers.ts";
 import type { Setting } from "../state/link.ts";
 import { changedOnly, CHOICES, fieldOf, openGroup, openGroups, search } from "../state/focus.ts";
-import { baseOf, catalogue, changedKeys, followsFrom, refused, set, valueOf } from "../state/studio.ts";
+import { ownParts } from "../state/doc.ts";
+import { baseOf, catalogue, changedKeys, doc, followsFrom, refused, set, valueOf } from "../state/studio.ts";
 import { Slider } from "../ui/slider.tsx";
 import { label, short, size } from "../ui/words.ts";
 import { lit } from "../view/scene_state.ts";
@@ -180,7 +181,10 @@ const NONE = { name: "none" };
 function ChoiceField({ choice }: { choice: Choice }) {
   const id = `c-${choice.key}`;
   const value = valueOf(choice.key) as Setting | null;
-  const options = choice.key.startsWith("bought.") ? [...choice.of, NONE] : choice.of;
+  const own = ownParts(doc.value.text).filter(
+    ({ name, kind }) => kind === choice.kind && !choice.of.some((of) => of.name === name),
+  );
+  const options = [...choice.of, ...own.map(({ name }) => ({ name })), ...(choice.optional ? [NONE] : [])];
   const known = options.some(({ name }) => name === value);
   const fault = refused.value?.key === choice.key ? refused.value.refusal : null;
   return (
@@ -197,6 +201,7 @@ function ChoiceField({ choice }: { choice: Choice }) {
         {options.map((option) => (
           <option key={option.name} value={option.name}>
             {described(option)}
+            {own.some(({ name }) => name === option.name) && " (of the frame file)"}
           </option>
         ))}
       </select>

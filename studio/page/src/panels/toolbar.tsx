@@ -3,6 +3,7 @@ import { effect, signal } from "@preact/signals";
 import type { Vector3 } from "three";
 import { catalogue, frame } from "../state/studio.ts";
 import { showParameter } from "../state/focus.ts";
+import { owner } from "../state/player.ts";
 import { label, short, size } from "../ui/words.ts";
 import type { ColourBy } from "../view/colours.ts";
 import {
@@ -66,13 +67,15 @@ export function Toolbar() {
         Show{" "}
         <select
           aria-label="Show"
-          value={stage.value === "bed" ? "bed" : explode.value > 0 ? "exploded" : "assembled"}
+          value={moving ? "motion" : onBed ? "bed" : explode.value > 0 ? "exploded" : "assembled"}
           onChange={(event) => {
             const shown = event.currentTarget.value;
+            if (shown === "motion") return;
             explode.value = shown === "exploded" ? 0.5 : 0;
             showBed(shown === "bed");
           }}
         >
+          {moving && <option value="motion">{owner.value === "drop" ? "the drop" : "a step of the assembly"}</option>}
           <option value="assembled">assembled</option>
           <option value="exploded" disabled={moving}>
             exploded
@@ -172,7 +175,33 @@ export function Toolbar() {
       <button type="button" onClick={() => viewer.value?.fit()}>
         Fit
       </button>
+      <PartOfFrame acts={!onBed && !moving} />
     </div>
+  );
+}
+
+/** A body by its name, for those who do not point at it. */
+function PartOfFrame({ acts }: { acts: boolean }) {
+  void shownPictures.value;
+  const names = viewer.value?.facts().map(({ name }) => name) ?? [];
+  return (
+    <label>
+      Part{" "}
+      <select
+        aria-label="Part"
+        disabled={!acts}
+        title={acts ? undefined : OF_FRAME}
+        value={picked.value?.body.facts.name ?? ""}
+        onChange={(event) => (picked.value = viewer.value?.named(event.currentTarget.value) ?? null)}
+      >
+        <option value="">none</option>
+        {names.sort().map((name) => (
+          <option key={name} value={name}>
+            {name}
+          </option>
+        ))}
+      </select>
+    </label>
   );
 }
 
@@ -207,7 +236,7 @@ export function Selection() {
               : "Click two points of the frame."}
         </p>
       )}
-      {body && !measuring.value && (
+      {body && !measuring.value && stage.value !== "bed" && (
         <div class="picked">
           <button type="button" class="close" aria-label="Close" onClick={() => (picked.value = null)}>
             ×

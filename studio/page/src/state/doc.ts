@@ -59,6 +59,16 @@ export function keyAtLine(text: string, line: number): string | null {
   return statements(text)[line - 1]?.key ?? null;
 }
 
+/** The bought parts that a frame file describes itself, with their kinds. */
+export function ownParts(text: string): { name: string; kind: string }[] {
+  return statements(text).flatMap((one) => {
+    const [, name] = /^override\.parts\.(.+)\.kind$/.exec(one?.key ?? "") ?? [];
+    const [, double, single] = WORDS.exec(one?.behind ?? "") ?? [];
+    const kind = double ?? single;
+    return name === undefined || kind === undefined ? [] : [{ name: name.replaceAll('"', ""), kind }];
+  });
+}
+
 const NUMBER = /^([+-]?\d[\d_]*(?:\.[\d_]+)?(?:e[+-]?\d+)?)\s*(?:#.*)?$/i;
 const WORDS = /^(?:"([^"\\]*)"|'([^']*)')\s*(?:#.*)?$/;
 

@@ -2,6 +2,7 @@
 import { signal } from "@preact/signals";
 import { Refused, Stopped } from "../engine/client.ts";
 import type { Stage } from "../engine/messages.ts";
+import { inPageWords } from "../ui/words.ts";
 
 export class Work<T> {
   readonly result = signal<T | null>(null);
@@ -24,7 +25,7 @@ export class Work<T> {
     } catch (error) {
       if (!(error instanceof Refused || error instanceof Stopped)) throw error;
       const remedy = error instanceof Refused ? error.refused.remedy : null;
-      if (latest()) this.failure.value = [error.message, remedy].filter(Boolean).join(" – ");
+      if (latest()) this.failure.value = inPageWords([error.message, remedy].filter(Boolean).join(" – "));
     } finally {
       if (latest()) {
         this.running.value = false;

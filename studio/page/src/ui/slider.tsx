@@ -52,13 +52,14 @@ export function Slider({
     if (number !== null) onInput(number);
   };
   const spoken = unit === "°" ? "degrees" : unit;
+  const named = [name, spoken].filter(Boolean).join(", ");
   return (
     <>
       <span class="slider">
         <input
           type="range"
           id={`${id}-range`}
-          aria-label={`${name}, ${spoken}`}
+          aria-label={named}
           aria-describedby={describedBy}
           min={min}
           max={max}

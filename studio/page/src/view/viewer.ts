@@ -267,6 +267,14 @@ export class Viewer {
     return same ? { body: same, at, sizeMm: sizeMm(same) } : null;
   }
 
+  /** A body by its name, at its middle. */
+  named(name: string): Picked | null {
+    const body = this.#picture?.bodies.find(({ facts }) => facts.name === name);
+    if (!body) return null;
+    const at = new Box3().setFromObject(body.mesh).getCenter(new Vector3());
+    return { body, at, sizeMm: sizeMm(body) };
+  }
+
   facts(): BodyFacts[] {
     return this.#picture?.bodies.map(({ facts }) => facts) ?? [];
   }
