@@ -11,8 +11,9 @@ use crate::frame::assembly::Kind;
 
 const SOLVED_HEIGHT: &[&str] = &["target.height_mm"];
 const HEIGHT: &[&str] = &["rods.strut_rod_length_mm", "rods.arm_rod_length_mm", "rods.cage_rod_length_mm"];
-/// What stands above the ring: the mast, and the camera for goggles.
-const STANDING: &[&str] = &["accessories.mast_height_mm", "accessories.fpv_above_mm"];
+/// What stands above the ring: the mast, or the camera for goggles.
+const MAST: &[&str] = &["accessories.mast_height_mm"];
+const FPV_CAMERA: &[&str] = &["accessories.fpv_above_mm"];
 /// What hangs below the feet: the sleeve with its battery.
 const HANGING: &[&str] = &["bracket.bay_height_mm", "battery.battery_height_mm", "bought.battery"];
 /// The same, where the flow sensor hangs lowest.
@@ -68,7 +69,7 @@ pub static RULE: Rule = Rule {
         Limit::Key { subject: "depth", key: "limits.envelope_depth_mm" },
         Limit::Key { subject: "height", key: "limits.envelope_height_mm" },
     ],
-    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, STANDING, HANGING, SENSOR, SOLVED_WIDTH, WIDTH, DEPTH]),
+    levers: Levers::Sets(&[SOLVED_HEIGHT, HEIGHT, MAST, FPV_CAMERA, HANGING, SENSOR, SOLVED_WIDTH, WIDTH, DEPTH]),
     blame: Blame::Keys(&[("height", MAKE_HIGH), ("depth", MAKE_DEEP), ("", MAKE_WIDE)]),
     in_search: InSearch::Constraints { subjects: &["width", "depth", "height"], binds: true },
     found: Found::By(&[Pass::quick(check)]),
@@ -100,25 +101,30 @@ pub struct Beyond<'a> {
     pub body: &'a str,
     /// Whether it is below them.
     pub below: bool,
+    /// How far it reaches beyond them, mm.
+    pub reach_mm: f64,
 }
 
 impl Extent<'_> {
     fn finding(&self) -> Finding {
         let Self { name, with_propellers, size_mm, limit_mm, solved, long, beyond } = *self;
-        let levers = match (name, solved) {
-            ("height", _) if beyond.is_some_and(|beyond| beyond.below && beyond.body == "flow_sensor") => SENSOR,
-            ("height", _) if beyond.is_some_and(|beyond| beyond.below) => HANGING,
-            ("height", _) if beyond.is_some() => STANDING,
-            ("height", true) => SOLVED_HEIGHT,
-            ("height", false) => HEIGHT,
-            ("depth", _) if long => DEPTH,
-            (_, true) => SOLVED_WIDTH,
-            (_, false) => WIDTH,
+        // Where more is missing than a body of the centre reaches beyond the modules, that body cannot clear it.
+        let decides = beyond.filter(|beyond| size_mm - limit_mm <= beyond.reach_mm);
+        let levers = match (name, solved, decides.map(|beyond| (beyond.body, beyond.below))) {
+            ("height", _, Some(("flow_sensor", true))) => SENSOR,
+            ("height", _, Some((_, true))) => HANGING,
+            ("height", _, Some(("gps", false))) => MAST,
+            ("height", _, Some(("fpv_camera", false))) => FPV_CAMERA,
+            ("height", true, _) => SOLVED_HEIGHT,
+            ("height", false, _) => HEIGHT,
+            ("depth", ..) if long => DEPTH,
+            (_, true, _) => SOLVED_WIDTH,
+            (_, false, _) => WIDTH,
         };
         let measure = Measure { rule: RULE.id, value: size_mm, limit: limit_mm, unit: "mm", levers };
         let [size, most] = measure.figures(2);
         let which = if with_propellers { "with propellers" } else { "without propellers" };
-        let reaches = beyond.filter(|_| name == "height").map_or_else(String::new, |Beyond { body, below }| {
+        let reaches = beyond.filter(|_| name == "height").map_or_else(String::new, |Beyond { body, below, .. }| {
             format!("; `{body}` is its {} body", if below { "lowest" } else { "highest" })
         });
         let message = format!("the frame's {name} {which} is {size} mm, the envelope {most} mm{reaches}");
@@ -152,11 +158,10 @@ fn beyond<'a>(scene: &'a Scene) -> Option<Beyond<'a>> {
     let reaches = centre.flat_map(|placed| {
         let name = placed.body.name.as_str();
         let [above_mm, below_mm] = [placed.bounds.high[2] - modules.high[2], modules.low[2] - placed.bounds.low[2]];
-        [(above_mm, Beyond { body: name, below: false }), (below_mm, Beyond { body: name, below: true })]
+        [Beyond { body: name, below: false, reach_mm: above_mm }, Beyond { body: name, below: true, reach_mm: below_mm }]
     });
     // Of two that reach alike the first: the lid is as low as its sleeve.
-    let furthest = reaches.filter(|(mm, _)| *mm > 0.0).reduce(|a, b| if b.0 > a.0 { b } else { a });
-    furthest.map(|(_, beyond)| beyond)
+    reaches.filter(|beyond| beyond.reach_mm > 0.0).reduce(|a, b| if b.reach_mm > a.reach_mm { b } else { a })
 }
 
 #[cfg(test)]
@@ -200,21 +205,24 @@ mod tests {
         }
     }
 
-    /// What makes it high is what is to be changed: the mast of a GPS, the battery below the feet, else the rods.
+    /// What makes it high is what is to be changed: the mast of a GPS, the battery below the feet, else the rods, or where more is missing than
+    /// these reach beyond.
     #[test]
     fn planted_a_body_of_the_centre_that_makes_the_frame_too_high() {
-        let first = |preset: &str, change: fn(&mut Frame)| {
+        let first = |preset: &str, height_mm: f64, change: fn(&mut Frame)| {
             let (mut frame, _) = Frame::load(preset).expect("a frame");
-            frame.limits.envelope_height_mm = 100.0;
+            frame.limits.envelope_height_mm = height_mm;
             change(&mut frame);
             let found = Planted::designed(frame).found(check);
             let height = violated(&found).into_iter().find(|f| f.subject == "height without propellers").expect("is too high");
             (height.levers[0].to_string(), height.message.split_once("; ").map(|(_, body)| body.to_string()))
         };
-        assert_eq!(first("cognifly", |_| ()), ("rods.strut_rod_length_mm".into(), None));
-        let mast = first("examples/frames/four-inch-long-range.toml", |frame| frame.accessories.mast_height_mm = 90.0);
-        assert_eq!(mast, ("accessories.mast_height_mm".into(), Some("`gps` is its highest body".into())));
-        let bay = first("cognifly", |frame| frame.bracket.bay_height_mm = 44.0);
+        assert_eq!(first("cognifly", 100.0, |_| ()), ("rods.strut_rod_length_mm".into(), None));
+        let mast = |height_mm: f64| first("examples/frames/four-inch-long-range.toml", height_mm, |frame| frame.accessories.mast_height_mm = 90.0);
+        let gps = || Some("`gps` is its highest body".to_string());
+        assert_eq!(mast(130.0), ("accessories.mast_height_mm".into(), gps()));
+        assert_eq!(mast(100.0), ("rods.strut_rod_length_mm".into(), gps()), "rods alone are higher");
+        let bay = first("cognifly", 114.5, |frame| frame.bracket.bay_height_mm = 44.0);
         assert_eq!(bay, ("bracket.bay_height_mm".into(), Some("`battery_sleeve` is its lowest body".into())));
     }
 

@@ -3,13 +3,14 @@
 //! flat on a table, and nothing is in the way of a step's motion.
 
 use super::finding::{Finding, Verdict};
-use super::interference::KNEE_WINDOW;
+use super::interference::{
+    self, ACCESSORY, BAY, CAMERA, COMPUTER, KNEE_WINDOW, LOWER_BAY, LOWER_STACK, MOTOR_SCREWS, PLUG_FIT, SENSOR, SLEEVE, STACK, TIE_HOLES,
+};
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Pass, Rule};
 use super::scene::Scene;
 use crate::frame::fold::{FlatState, FoldError, FoldSequence, LinkageError, MOST_PULLED, fold_inputs, sweeps};
 use crate::frame::mounting::Mounting;
-use crate::params::PartName;
 
 const HOLD: &[&str] = &["hub_joint.hub_arm_socket_depth_mm", "fork.fork_socket_depth_mm", "corner.corner_socket_depth_mm"];
 const PLUG: &[&str] = &["hub_joint.plug_length_mm", "corner.corner_socket_depth_mm"];
@@ -27,7 +28,29 @@ pub static RULE: Rule = Rule {
     requires: "a sequence exists in which the frame can be assembled",
     units: &["", "mm", "deg", "mm3", "steps"],
     limits: &[],
-    levers: Levers::Sets(&[HOLD, PLUG, ORDER, NOTCH, WAY, KNEE_WINDOW, MOUNTED, UNDER_RODS, FLAT]),
+    levers: Levers::Sets(&[
+        HOLD,
+        PLUG,
+        ORDER,
+        NOTCH,
+        WAY,
+        KNEE_WINDOW,
+        MOUNTED,
+        UNDER_RODS,
+        FLAT,
+        ACCESSORY,
+        BAY,
+        CAMERA,
+        COMPUTER,
+        LOWER_BAY,
+        LOWER_STACK,
+        MOTOR_SCREWS,
+        PLUG_FIT,
+        SENSOR,
+        SLEEVE,
+        STACK,
+        TIE_HOLES,
+    ]),
     blame: Blame::Levers,
     in_search: InSearch::Constraints { subjects: &["fold: hold", "fold: notch", "fold: flat", "fold"], binds: true },
     found: Found::By(&[Pass::quick(check), Pass::slow(way)]),
@@ -64,10 +87,9 @@ fn preload(scene: &Scene) -> Finding {
     measure.at_most("fold: notch".into(), format!("the struts fold {beyond} deg beyond the closing of their notch, {most} deg are allowed"))
 }
 
-/// What drives the way of a step on which two bodies meet: the fit of knee and fork, or where the bodies are.
-fn way_levers(bodies: &[String; 2]) -> &'static [&'static str] {
-    let is = |part: PartName| bodies.iter().any(|body| body.starts_with(part.slug()));
-    if is(PartName::Knee) && is(PartName::Fork) { KNEE_WINDOW } else { WAY }
+/// What drives the way of a step on which two bodies meet: their own fit, or where the modules are.
+fn way_levers(scene: &Scene, bodies: &[String; 2]) -> &'static [&'static str] {
+    interference::levers_of(scene, bodies).unwrap_or(WAY)
 }
 
 /// What is in the way of a step.
@@ -84,7 +106,7 @@ fn in_the_way(scene: &Scene, fold: &FoldSequence) -> Finding {
         }
         None => format!("nothing is in the way of any step: {pairs} pairs of pieces that move to each other"),
     };
-    let levers = met.map_or(WAY, |(_, meeting)| way_levers(&meeting.bodies));
+    let levers = met.map_or(WAY, |(_, meeting)| way_levers(scene, &meeting.bodies));
     measure(value, 0.0, "mm3", levers).at_most("fold: way".into(), message)
 }
 

@@ -16,28 +16,29 @@ use crate::params::PartName;
 use crate::params::roles::{ACCESSORIES, HUNG};
 
 const ROD_FIT: &[&str] = &["fit.grip_clearance_mm", "fit.slide_clearance_mm", "rods.rod_diameter_mm"];
-const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
+pub(super) const PLUG_FIT: &[&str] = &["fit.plug_clearance_mm", "hub_joint.plug_length_mm"];
 /// What drives the fit of knee and fork.
 pub(super) const KNEE_WINDOW: &[&str] =
     &["fork.fork_cheek_gap_mm", "knee.knee_window_clearance_height_mm", "knee.knee_window_clearance_depth_mm"];
-const SLEEVE: &[&str] = &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"];
+pub(super) const SLEEVE: &[&str] =
+    &["battery.battery_clearance_across_mm", "battery.battery_clearance_up_mm", "sleeve.channel_clearance_mm"];
 const OTHER: &[&str] = &["motor_mount.motor_position_mm", "hub_joint.arm_pitch_mm", "bracket.bay_height_mm"];
-const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "bought.motor_screw"];
-const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
+pub(super) const MOTOR_SCREWS: &[&str] = &["motor_mount.motor_skirt_wall_mm", "motor_mount.motor_plate_diameter_mm", "bought.motor_screw"];
+pub(super) const STACK: &[&str] = &["bracket.bay_height_mm", "bought.flight_controller", "bought.stack_screw"];
 /// The same where the board is the motor controller, or the only one.
-const LOWER_STACK: &[&str] = &["bracket.bay_height_mm", "bought.motor_controller", "bought.stack_screw"];
+pub(super) const LOWER_STACK: &[&str] = &["bracket.bay_height_mm", "bought.motor_controller", "bought.stack_screw"];
 /// What is on the screws of the stack, and the screws.
 const STACK_BODIES: [&str; 7] =
     ["flight_controller", "motor_controller", "stack_screw", "stack_nut", "stack_spacer_hub", "stack_spacer_boards", "damper"];
 /// A board that is too long for the bay may have the room across it.
-const BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.flight_controller"];
-const LOWER_BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.motor_controller"];
-const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
-const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
-const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
+pub(super) const BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.flight_controller"];
+pub(super) const LOWER_BAY: &[&str] = &["sleeve.sleeve_direction", "bracket.bay_height_mm", "bought.motor_controller"];
+pub(super) const COMPUTER: &[&str] = &["bought.computer", "camera.camera_reach_mm", "pi_carrier.carrier_thickness_mm"];
+pub(super) const CAMERA: &[&str] = &["camera.camera_reach_mm", "camera.camera_lift_mm", "bought.camera"];
+pub(super) const ACCESSORY: &[&str] = &["accessories.accessory_side_mm", "accessories.mast_back_mm", "accessories.fpv_above_mm"];
 /// What widens the holes of a tie, or is a narrower one.
-const TIE_HOLES: &[&str] = &["bought.tie", "hub.hub_tie_hole_diameter_mm", "bracket.tie_slot_width_mm"];
-const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
+pub(super) const TIE_HOLES: &[&str] = &["bought.tie", "hub.hub_tie_hole_diameter_mm", "bracket.tie_slot_width_mm"];
+pub(super) const SENSOR: &[&str] = &["sleeve.sensor_reach_mm", "bought.flow_sensor"];
 
 pub static RULE: Rule = Rule {
     id: "interference",
@@ -121,6 +122,15 @@ fn meant(scene: &Scene, a: &Placed, b: &Placed) -> (f64, &'static [&'static str]
         () if is(PartName::BatterySleeve) => (0.0, SLEEVE),
         () => (0.0, OTHER),
     }
+}
+
+/// What drives the places of two bodies with these names; `None` where a rod is one of them, or nothing of their own does.
+pub(super) fn levers_of(scene: &Scene, names: &[String; 2]) -> Option<&'static [&'static str]> {
+    let [a, b] = names.each_ref().map(|name| scene.placed.iter().find(|placed| placed.body.name == *name));
+    let (a, b) = (a?, b?);
+    let is_rod = [a, b].iter().any(|placed| matches!(placed.shape.kind, Kind::Rod(_)));
+    let (_, levers) = meant(scene, a, b);
+    (!is_rod && levers != OTHER).then_some(levers)
 }
 
 pub(super) fn check(scene: &Scene) -> Vec<Finding> {

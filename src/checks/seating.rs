@@ -11,7 +11,7 @@ use super::finding::Finding;
 use super::measure::Measure;
 use super::rule::{Blame, Found, InSearch, Levers, Limit, Pass, Rule};
 use super::scene::{Scene, rounded_pose};
-use crate::figures::decimals;
+use crate::figures::{decimals, told_apart};
 use crate::frame::skeleton::{Rod, RodRole, Socket};
 use crate::solid::{Feature, MeshSolid};
 use crate::units::Angle;
@@ -139,6 +139,7 @@ impl SocketGeometry {
     fn findings(&self, levers: &'static [&'static str], of_wall: &'static [&'static str]) -> [Finding; 2] {
         let Self { pair: [rod, part], met_mm3, wall_share } = self;
         let measure = |value: f64, limit: f64, unit, levers| Measure { rule: RULE.id, value, limit, unit, levers };
+        let [share, least] = told_apart(100.0 * wall_share, 100.0 * WALL_SHARE, 0);
         [
             measure(*met_mm3, PASSING_MM3, "mm3", levers).at_most(
                 format!("{rod} in {part}: bore"),
@@ -146,11 +147,7 @@ impl SocketGeometry {
             ),
             measure(*wall_share, WALL_SHARE, "", of_wall).at_least(
                 format!("{rod} in {part}: wall"),
-                format!(
-                    "{:.0} % of the ring around {rod} in {part} is wall where it is least, {:.0} % are needed",
-                    100.0 * wall_share,
-                    100.0 * WALL_SHARE
-                ),
+                format!("{share} % of the ring around {rod} in {part} is wall where it is least, {least} % are needed"),
             ),
         ]
     }

@@ -10,7 +10,7 @@ use super::search_words::{ALL_IN_ONE, search_words};
 use super::spares::with_spares;
 use super::supplies::{RECEIVER_SEARCH, SMALL_TIE, Supply, supplies};
 use crate::frame::assembly::Design;
-use crate::frame::assembly::mass::{LineKind, MassLine, MassTable, STATED};
+use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::frame::skeleton::RodRole;
 use crate::params::catalogue::BoughtPart;
 use crate::params::frame::NamedMaterial;
@@ -207,7 +207,7 @@ fn print_lines(design: &Design, masses: &MassTable) -> Vec<PrintLine> {
 fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
     let line = |(role, item): (&String, &crate::params::frame::BoughtItem)| {
         let part = &item.part;
-        let weighed = masses.lines.iter().find(|line| line.kind == LineKind::Bought && line.name == *role);
+        let weighed = masses.bought(role);
         let quantity = if role == "rod" { stocks } else { item.quantity };
         let searched = if role == "motor_controller" && design.frame.is_all_in_one() { ALL_IN_ONE } else { role };
         BuyLine {
@@ -225,10 +225,7 @@ fn buy_lines(design: &Design, masses: &MassTable, stocks: u32) -> Vec<BuyLine> {
             price_date: part.price_date.clone(),
             currency: part.currency.clone(),
             price_source: part.price_source.clone(),
-            source: match weighed {
-                Some(line) if line.basis == STATED => format!("mass: the frame file; otherwise {}", part.source),
-                _ => part.source.clone(),
-            },
+            source: weighed.map_or_else(|| part.source.clone(), |line| line.source(&part.source)),
             note: if role == "fpv_camera" { NO_TRANSMITTER.into() } else { String::new() },
             ..BuyLine::default()
         }

@@ -52,8 +52,13 @@ type Row = [String; COLUMNS.len()];
 /// Those of [`table::csv`].
 pub fn csv(bill: &Bill) -> Result<String, ExportError> {
     let rows = bill.print.iter().map(printed_row).chain(bill.rods.iter().map(rod_row));
-    let rows = rows.chain(bill.buy.iter().filter(|line| line.role != "rod").map(bought_row)).chain(stock_rows(bill));
+    let rows = rows.chain(bill.buy.iter().filter(|line| !is_rod(line)).map(bought_row)).chain(stock_rows(bill));
     table::csv("bom.csv", COLUMNS, rows)
+}
+
+/// Whether a line is of the rods' stock; an extra may be called so, too.
+fn is_rod(line: &BuyLine) -> bool {
+    line.role == "rod" && line.kind == "rod"
 }
 
 fn printed_row(line: &PrintLine) -> Row {
@@ -87,7 +92,7 @@ fn bought_row(line: &BuyLine) -> Row {
 
 /// A row a stock length: what to cut from it.
 fn stock_rows(bill: &Bill) -> Vec<Row> {
-    let Some(rod) = bill.buy.iter().find(|line| line.role == "rod") else { return Vec::new() };
+    let Some(rod) = bill.buy.iter().find(|line| is_rod(line)) else { return Vec::new() };
     let row = |name: String, quantity: &str, how: String| {
         let mut row = Row::default();
         row[0] = "stock".into();

@@ -13,7 +13,7 @@ use gltf::json::{Asset, Index, Mesh as GltfMesh, Root};
 use serde_json::{json, value::RawValue};
 
 use super::format::{ExportError, Exported, File, Format};
-use crate::frame::assembly::mass::MassTable;
+use crate::frame::assembly::mass::{LineKind, MassLine, MassTable};
 use crate::frame::assembly::wire::Wire;
 use crate::frame::assembly::wires::wires;
 use crate::frame::assembly::{Body, Design, Kind, Shape};
@@ -257,12 +257,17 @@ fn material(shape: &Shape) -> Material {
 /// What a viewer can tell of a body.
 fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::Value {
     let shape = design.shape(body);
-    let (kind, quantity) = match shape.kind {
-        Kind::Printed(_) => ("printed", bodies_of(design, body.shape)),
-        Kind::Rod(_) => ("rod", bodies_of(design, body.shape)),
-        Kind::Motor | Kind::Propeller | Kind::Bought(_) => ("bought", bodies_of(design, body.shape)),
+    let count = bodies_of(design, body.shape);
+    let of = |kind: LineKind| masses.lines.iter().find(|line| line.kind == kind && line.name == shape.name);
+    let (kind, quantity, mass) = match shape.kind {
+        Kind::Printed(_) => ("printed", count, of(LineKind::Printed)),
+        Kind::Rod(_) => ("rod", count, of(LineKind::Rod)),
+        Kind::Motor | Kind::Propeller | Kind::Bought(_) => {
+            let line = bought_line(masses, &shape.name);
+            // Some shapes are several pieces, as the screws of a motor are.
+            ("bought", line.map_or(count, |line| line.quantity as usize), line)
+        }
     };
-    let mass = masses.lines.iter().find(|line| line.name == shape.name);
     json!({
         "part": shape.name,
         "kind": kind,
@@ -271,6 +276,12 @@ fn body_facts(design: &Design, body: &Body, masses: &MassTable) -> serde_json::V
         "mass_each_g": mass.map(|line| rounded(line.each_g)),
         "module": body.module.map(|module| crate::frame::skeleton::MODULE_NAMES[module]),
     })
+}
+
+/// The line of a bought shape: of its role, whose name it begins with, as `magnet_lid` does.
+fn bought_line<'a>(masses: &'a MassTable, shape: &str) -> Option<&'a MassLine> {
+    let is_of = |role: &str| shape.strip_prefix(role).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
+    masses.lines.iter().filter(|line| line.kind == LineKind::Bought && is_of(&line.name)).max_by_key(|line| line.name.len())
 }
 
 fn bodies_of(design: &Design, shape: usize) -> usize {

@@ -9,7 +9,6 @@ use super::format::{File, SolidEntry};
 use crate::frame::assembly::compensated::Compensated;
 use crate::frame::assembly::mass::MassTable;
 use crate::frame::assembly::{Design, Shape};
-use crate::params::catalogue::MassBasis;
 
 /// Version of the manifest's form; raised when a key changes its meaning or goes.
 pub const SCHEMA_VERSION: u32 = 1;
@@ -97,8 +96,8 @@ pub struct BoughtEntry {
     pub quantity: u32,
     /// Mass of one, g.
     pub mass_g: f64,
-    /// How the mass is known.
-    pub mass_basis: MassBasis,
+    /// How the mass is known: `datasheet`, `estimate`, `measured`, `stated` by the frame file, or the extra that it is in.
+    pub mass_basis: String,
     /// Where size and mass come from.
     pub source: String,
 }
@@ -137,14 +136,14 @@ pub fn manifest(design: &Design, meshes: &Compensated, masses: &MassTable, files
         bought: frame
             .bought
             .iter()
-            .filter(|(role, _)| *role != "rod")
-            .map(|(role, item)| BoughtEntry {
+            .filter_map(|(role, item)| Some((role, item, masses.bought(role)?)))
+            .map(|(role, item, weighed)| BoughtEntry {
                 role: role.clone(),
                 name: item.name.clone(),
                 quantity: item.quantity,
-                mass_g: if role == "battery" { frame.battery.battery_mass_g } else { item.part.mass_g },
-                mass_basis: item.part.mass_basis,
-                source: item.part.source.clone(),
+                mass_g: weighed.each_g,
+                mass_basis: weighed.basis.clone(),
+                source: weighed.source(&item.part.source),
             })
             .collect(),
         exact: exact_entries(design),

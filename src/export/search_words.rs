@@ -31,7 +31,7 @@ pub fn search_words(role: &str, name: &str, part: &BoughtPart) -> String {
         }
         "board" => board(role, &own, part),
         "rod" => rod(part),
-        "magnet" => format!("neodymium block magnet {x:.0} x {y:.0} x {z:.0} mm"),
+        "magnet" => format!("neodymium block magnet {x} x {y} x {z} mm"),
         "connector" => format!("{} connector pair", own.to_uppercase()),
         "screw" => screw(&own, part),
         "other" => match part.strap_mm {

@@ -109,7 +109,9 @@ impl Column {
             Self::Measure(measure) => measure.of(evaluation),
             Self::Margin(rule) => {
                 let own = evaluation.findings.iter().filter(|f| f.rule == rule.id && f.verdict != Verdict::Note);
-                own.map(|finding| finding.margin).filter(|margin| margin.is_finite()).reduce(f64::min)
+                // What is meant to be zero has no room, and says something only once it is broken.
+                let says = own.filter(|finding| finding.limit != 0.0 || finding.margin < 0.0);
+                says.map(|finding| finding.margin).filter(|margin| margin.is_finite()).reduce(f64::min)
             }
             Self::Violations => Some(evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).count() as f64),
             Self::Bill(figure) => figure.of_frame(evaluation),

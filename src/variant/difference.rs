@@ -9,6 +9,7 @@ use super::measures::{Better, Evaluation, MEASURES, Measure};
 use super::stated_values;
 use crate::checks::Verdict;
 use crate::figures::decimals;
+use crate::frame::assembly::mass::{LineKind, MassLine};
 use crate::params::sleeve_direction::SleeveDirection;
 use crate::params::{Frame, parameters};
 
@@ -113,8 +114,17 @@ fn paired(sides: [Vec<(String, f64)>; 2], unit: &'static str, places: usize) -> 
     changes
 }
 
+/// Whether what is no extra has the name of a line.
+fn is_other(sides: [&Evaluation; 2], line: &MassLine) -> bool {
+    sides.iter().flat_map(|e| &e.masses.lines).any(|other| other.kind != LineKind::Extra && other.name == line.name)
+}
+
 fn mass_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {
-    paired(sides.map(|e| e.masses.lines.iter().map(|line| (line.name.clone(), line.total_g)).collect()), "g", 2)
+    // An extra may be called as something else is.
+    let named = |line: &MassLine| {
+        if line.kind == LineKind::Extra && is_other(sides, line) { format!("{} (extra)", line.name) } else { line.name.clone() }
+    };
+    paired(sides.map(|e| e.masses.lines.iter().map(|line| (named(line), line.total_g)).collect()), "g", 2)
 }
 
 fn volume_changes(sides: [&Evaluation; 2]) -> Vec<Changed> {

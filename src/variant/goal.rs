@@ -143,7 +143,13 @@ fn amount(text: &str, rest: &str, measure: &'static Measure, form: &'static str)
 pub(super) fn broken(evaluation: &Evaluation, goals: &[Goal]) -> Vec<String> {
     let findings = evaluation.findings.iter().filter(|f| f.verdict == Verdict::Violated).map(|f| f.message.clone());
     let goals = goals.iter().filter(|goal| goal.measure.of(evaluation).is_none_or(|value| goal.margin(value) < 0.0));
-    findings.chain(goals.map(|goal| format!("{} is {}", goal.reported(), goal.measure.reported(goal.measure.of(evaluation))))).collect()
+    let told = |goal: &Goal| {
+        let value = goal.measure.of(evaluation);
+        // Never so short that a missed goal looks kept.
+        let value = value.map_or_else(|| goal.measure.reported(None), |value| goal.measure.told_beside(value, goal.limit));
+        format!("{} is {value}", goal.reported())
+    };
+    findings.chain(goals.map(told)).collect()
 }
 
 #[cfg(test)]

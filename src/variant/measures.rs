@@ -8,7 +8,7 @@ use crate::checks::{
     self, CATALOGUE, CENTRE_OF_MASS, Cost, ENVELOPE, Finding, GROUND_CLEARANCE, HINGE_STRAIN, PART_CLEARANCE, PROPELLER_CLEARANCE, Rule,
     SOCKET_SEATING, THINNEST_WALL, Verdict,
 };
-use crate::figures::decimals;
+use crate::figures::{decimals, told_apart};
 use crate::frame::assembly::Design;
 use crate::frame::assembly::mass;
 use crate::frame::assembly::mass::{LineKind, MassTable};
@@ -169,6 +169,12 @@ impl Measure {
     /// How many decimals its unit is reported with.
     pub fn places(&self) -> usize {
         if matches!(self.unit, "mm3" | "mm") && self.name.starts_with("printed") { 0 } else { 2 }
+    }
+
+    /// A value as it is told beside a limit, with as many decimals as tell them apart.
+    pub fn told_beside(&self, value: f64, limit: f64) -> String {
+        let [value, _] = told_apart(value, limit, self.places());
+        value
     }
 
     /// A value as it is reported.

@@ -34,8 +34,10 @@ pub(super) struct Wishes<'a> {
 impl<'a> Wishes<'a> {
     /// Those of a file.
     pub(super) fn of(file: &'a FrameFile) -> Self {
-        let preset = presets().find(|(_, text)| file.entries.values().any(|entry| entry.place.source.text == *text));
-        let base = preset.and_then(|(name, text)| Frame::resolve(&FrameFile::parse(name, text).ok()?).ok());
+        // A preset may have a base of its own: the nearest one.
+        let of_preset = |entry: &Entry| presets().find(|(_, text)| entry.place.source.text == *text).map(|preset| (entry.depth, preset));
+        let nearest = file.entries.values().filter_map(of_preset).min_by_key(|(depth, _)| *depth);
+        let base = nearest.and_then(|(_, (name, text))| Frame::resolve(&FrameFile::parse(name, text).ok()?).ok());
         Self { file, base }
     }
 

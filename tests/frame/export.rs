@@ -250,8 +250,16 @@ fn analytic_every_glb_loads_with_a_node_a_part_and_its_facts() {
                 assert!(has_the_look(name(entry, "material"), node.colour), "{part} looks like {:?}", node.colour);
             }
         }
-        let bought = nodes.iter().filter(|node| node.facts["kind"] == "bought");
-        assert!(bought.count() >= 8 + 7, "four motors, four propellers, and the centre");
+        let bought: Vec<&Node> = nodes.iter().filter(|node| node.facts["kind"] == "bought").collect();
+        assert!(bought.len() >= 8 + 7, "four motors, four propellers, and the centre");
+        for node in bought {
+            // A magnet in the lid is one of the magnets, four screws are one body.
+            let part = name(&node.facts, "part");
+            let of = list(&manifest, "bought").iter().filter(|entry| part.starts_with(name(entry, "role")));
+            let entry = of.max_by_key(|entry| name(entry, "role").len()).expect("is bought");
+            assert_eq!(node.facts["quantity"], entry["quantity"], "{part}");
+            assert!((number(&node.facts, "mass_each_g") - number(entry, "mass_g")).abs() < 6e-4, "{part}");
+        }
     }
 }
 

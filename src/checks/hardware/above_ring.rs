@@ -20,8 +20,10 @@ pub(super) fn accessories(scene: &Scene) -> Vec<Finding> {
     let of = |(role, levers): (&str, &'static [&'static str])| {
         let above_mm = scene.bought(role)?.bounds.high[2] - ring_mm;
         let called = name(&scene.design.frame, role);
-        let message = format!("{called} stands {above_mm:.1} mm above the top ring: a landing upside down is on it");
-        Some(measure(above_mm, 0.0, "mm", levers).note(format!("{role} in the cage"), message)).filter(Finding::warns)
+        let above = measure(above_mm, 0.0, "mm", levers);
+        let [stands, _] = above.figures(1);
+        let message = format!("{called} stands {stands} mm above the top ring: a landing upside down is on it");
+        Some(above.note(format!("{role} in the cage"), message)).filter(Finding::warns)
     };
     STANDING.into_iter().filter_map(of).collect()
 }

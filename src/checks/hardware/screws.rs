@@ -101,7 +101,8 @@ pub(super) fn stack_screws(scene: &Scene) -> Vec<Finding> {
     let message = match beyond.value < beyond.limit {
         true => format!(
             "{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high: the screw has to be {:.1} mm long",
-            length + beyond.limit - beyond.value
+            // Up to the next tenth: rounded down it might be what it is.
+            (10.0 * (length + beyond.limit - beyond.value) - 1e-6).ceil() / 10.0
         ),
         false => format!("{called} reaches {reach} mm beyond what it holds under the hub, a nut is {nut} mm high"),
     };

@@ -70,6 +70,20 @@ pub struct MassTable {
     pub inertia_g_mm2: [[f64; 3]; 3],
 }
 
+impl MassTable {
+    /// The line of a bought part, by its role.
+    pub fn bought(&self, role: &str) -> Option<&MassLine> {
+        self.lines.iter().find(|line| line.kind == LineKind::Bought && line.name == role)
+    }
+}
+
+impl MassLine {
+    /// Where size and mass of a bought part come from, whose catalogue entry names this source.
+    pub fn source(&self, of_entry: &str) -> String {
+        if self.basis == STATED { format!("mass: the frame file; otherwise {of_entry}") } else { of_entry.into() }
+    }
+}
+
 /// Some lines of the table as one lump.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lump {
@@ -155,7 +169,7 @@ fn rod_lines(design: &Design) -> Vec<MassLine> {
 }
 
 /// Basis of a mass that the frame file states in place of the catalogue's.
-pub const STATED: &str = "stated";
+const STATED: &str = "stated";
 
 fn bought_lines(design: &Design) -> Vec<MassLine> {
     let frame = &design.frame;

@@ -45,39 +45,17 @@ impl Boundary {
     fn cut_around(&mut self, at: usize, held: &mut Vec<bool>) {
         let face = self.faces[at].clone();
         let Some(chart) = self.chart(&face) else { return };
-        let angles: Vec<Vec<Vec<f64>>> = face.loops.iter().map(|sides| self.angles_along(&chart, sides)).collect();
-        let turns = |sides: &Vec<Vec<f64>>| {
-            let sum: f64 = sides.iter().flat_map(|side| side.windows(2).map(|pair| turn_rad(pair[0], pair[1]))).sum();
-            (sum / TAU).round() as i32
-        };
-        let around: Vec<usize> = (0..face.loops.len()).filter(|one| turns(&angles[*one]) != 0).collect();
-        let &[first, second] = &around[..] else { return };
-        if turns(&angles[first]) + turns(&angles[second]) != 0 {
-            return;
-        }
-        let is_clear = |seam: f64| {
-            let crossed = |side: &[f64]| side.windows(2).filter(|pair| crosses(pair, seam)).count();
-            let near = |angle: &f64| turn_rad(*angle, seam).abs() < ROOM_RAD;
-            (0..face.loops.len()).all(|one| {
-                let of: &[Vec<f64>] = &angles[one];
-                match around.contains(&one) {
-                    true if of.len() == 1 => true,
-                    true => !of.iter().any(|side| near(&side[0])) && of.iter().map(|side| crossed(side)).sum::<usize>() == 1,
-                    false => !of.iter().flatten().any(near),
-                }
-            })
-        };
-        let candidates = self.begins(&face, &around, &chart, held).into_iter().chain(middles(&angles));
-        let Some(seam) = candidates.into_iter().find(|angle| is_clear(*angle)) else { return };
-        let Some([from, to]) = self.ends_of(&face, [first, second], &chart, seam, held) else { return };
+        let borders = Borders(face.loops.iter().map(|sides| self.angles_along(&chart, sides)).collect());
+        let Some(around) = borders.around() else { return };
+        let candidates = self.begins(&face, &around, &chart, held).into_iter().chain(borders.middles());
+        let Some(seam) = candidates.into_iter().find(|angle| borders.is_clear(*angle, &around)) else { return };
+        let Some([from, to]) = self.ends_of(&face, around, &chart, seam, held) else { return };
         let curve = meridian(&face.surface, &chart, &self.vertices[from], &self.vertices[to]);
         let edge = self.edges.len();
         self.edges.push(Edge { from, to, curve });
-        let [out, back] = [self.loop_from(at, first, from), self.loop_from(at, second, to)];
-        let mut border = out;
-        border.push(Side { edge, forward: true });
-        border.extend(back);
-        border.push(Side { edge, forward: false });
+        let [out, back] = [self.loop_from(at, around[0], from), self.loop_from(at, around[1], to)];
+        let across = |forward| [Side { edge, forward }];
+        let border = [&out[..], &across(true), &back, &across(false)].concat();
         let others = (0..face.loops.len()).filter(|one| !around.contains(one)).map(|one| self.faces[at].loops[one].clone());
         self.faces[at].loops = std::iter::once(border).chain(others).collect();
     }
@@ -192,24 +170,55 @@ impl Boundary {
     }
 }
 
+/// Angles about the axis along the borders of a face, border by border and side by side, rad.
+struct Borders(Vec<Vec<Vec<f64>>>);
+
+impl Borders {
+    /// The two that go around the axis, if there are two and they run in opposite directions.
+    fn around(&self) -> Option<[usize; 2]> {
+        let turns = |sides: &Vec<Vec<f64>>| {
+            let sum: f64 = sides.iter().flat_map(|side| side.windows(2).map(|pair| turn_rad(pair[0], pair[1]))).sum();
+            (sum / TAU).round() as i32
+        };
+        let turns: Vec<i32> = self.0.iter().map(turns).collect();
+        let around: Vec<usize> = (0..turns.len()).filter(|one| turns[*one] != 0).collect();
+        <[usize; 2]>::try_from(around).ok().filter(|[first, second]| turns[*first] + turns[*second] == 0)
+    }
+
+    /// Whether a seam at an angle meets each border that goes around once, off its corners, and no other.
+    fn is_clear(&self, seam: f64, around: &[usize]) -> bool {
+        let near = |angle: &f64| turn_rad(*angle, seam).abs() < ROOM_RAD;
+        let crossed = |side: &Vec<f64>| side.windows(2).filter(|pair| crosses(pair, seam)).count();
+        let is_met_once = |sides: &[Vec<f64>]| {
+            let has_room = sides.len() == 1 || !sides.iter().any(|side| near(&side[0]));
+            has_room && sides.iter().map(crossed).sum::<usize>() == 1
+        };
+        let is_free = |(one, sides): (usize, &Vec<Vec<f64>>)| match around.contains(&one) {
+            true => is_met_once(sides),
+            false => !sides.iter().flatten().any(near),
+        };
+        self.0.iter().enumerate().all(is_free)
+    }
+
+    /// Angles in the middle between corners, and all points of a border of one side: where most room is first.
+    fn middles(&self) -> Vec<f64> {
+        let (cornered, rings): (Vec<_>, Vec<_>) = self.0.iter().partition(|sides| sides.len() > 1);
+        let mut all: Vec<f64> = cornered.into_iter().flatten().map(|side| side[0]).collect();
+        all.extend(rings.into_iter().flatten().flatten());
+        all.sort_by(f64::total_cmp);
+        let Some(first) = all.first().copied() else { return Vec::new() };
+        all.push(first + TAU);
+        let mut gaps: Vec<[f64; 2]> = all.windows(2).map(|pair| [pair[1] - pair[0], 0.5 * (pair[0] + pair[1])]).collect();
+        gaps.sort_by(|a, b| b[0].total_cmp(&a[0]));
+        gaps.into_iter().map(|[_, middle]| middle).collect()
+    }
+}
+
 /// Whether an angle lies between two that follow each other, rad.
 fn crosses(pair: &[f64], seam: f64) -> bool {
     let before = turn_rad(seam, pair[0]);
     let behind = before + turn_rad(pair[0], pair[1]);
     before.abs() < 0.5 * PI && (before < 0.0) != (behind < 0.0)
-}
-
-/// Angles in the middle between those of corners and borders, rad: where most room is first.
-fn middles(angles: &[Vec<Vec<f64>>]) -> Vec<f64> {
-    // Of what does not go around all points count, of what does the corners.
-    let mut all: Vec<f64> = angles.iter().filter(|sides| sides.len() > 1).flatten().map(|side| side[0]).collect();
-    all.extend(angles.iter().filter(|sides| sides.len() == 1).flatten().flatten());
-    all.sort_by(f64::total_cmp);
-    let Some(first) = all.first().copied() else { return Vec::new() };
-    all.push(first + TAU);
-    let mut gaps: Vec<[f64; 2]> = all.windows(2).map(|pair| [pair[1] - pair[0], 0.5 * (pair[0] + pair[1])]).collect();
-    gaps.sort_by(|a, b| b[0].total_cmp(&a[0]));
-    gaps.into_iter().map(|[_, middle]| middle).collect()
 }
 
 /// The curve of a round surface from one of its points to another at the same angle about its axis.

@@ -166,6 +166,10 @@ fn cases(file: &ImpactFile, recovery: &Recovery) -> Result<Vec<Case>, Refusal> {
         }
         cases.extend(level_ones.clone().flat_map(|seed| LandingTruth::LEVEL.map(|landing| case(Truth::Landing(landing), None, seed))));
     }
+    if cases.is_empty() {
+        let remedy = "name at least two effects for sets of two, or state seeds of another kind".into();
+        return Err(file.refuse("seeds", impossible("the plan has no rows".into(), remedy)));
+    }
     Ok(cases)
 }
 
@@ -185,6 +189,14 @@ mod tests {
         assert_eq!(names[6..8], ["4 landing_tilt 0.2 rad/s, coulomb_friction", "4 landing_tilt 0.3 rad/s, coulomb_friction"]);
         assert_eq!(names[..2], ["1 landing_tilt 0.2 rad/s", "1 landing_tilt 0.3 rad/s"]);
         assert_eq!(names[12..], ["8 level", "8 level, ringing", "8 level, payload_mode", "8 level, stalls"]);
+    }
+
+    #[test]
+    fn planted_pairs_of_one_effect_are_no_rows() {
+        let plan = "kind = \"recovery\"\neffects = [\"preload\"]\n[seeds]\ntwo = [0, 5]\n";
+        let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
+        let refused = setting(&file, &Memory::default()).expect_err("has no rows");
+        assert!(refused.reason.to_string().contains("the plan has no rows"), "{}", refused.reason);
     }
 
     /// A set of two is named as a diagnosis names it, whatever the order in the plan.

@@ -247,7 +247,8 @@ export function Selection() {
           </p>
           <p>
             {size(picked.value?.sizeMm)}
-            {line && ` · ${short(line.each_g, 2)} g each (${line.basis})`}
+            {body.facts.mass_each_g !== null && ` · ${short(body.facts.mass_each_g, 2)} g each`}
+            {line && ` (${line.basis})`}
           </p>
           {drivers.length > 0 && (
             <details>
