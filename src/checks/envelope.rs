@@ -218,7 +218,8 @@ mod tests {
             (height.levers[0].to_string(), height.message.split_once("; ").map(|(_, body)| body.to_string()))
         };
         assert_eq!(first("cognifly", 100.0, |_| ()), ("rods.strut_rod_length_mm".into(), None));
-        let mast = |height_mm: f64| first("examples/frames/four-inch-long-range.toml", height_mm, |frame| frame.accessories.mast_height_mm = 90.0);
+        let mast =
+            |height_mm: f64| first("examples/frames/four-inch-long-range.toml", height_mm, |frame| frame.accessories.mast_height_mm = 90.0);
         let gps = || Some("`gps` is its highest body".to_string());
         assert_eq!(mast(130.0), ("accessories.mast_height_mm".into(), gps()));
         assert_eq!(mast(100.0), ("rods.strut_rod_length_mm".into(), gps()), "rods alone are higher");

@@ -66,7 +66,8 @@ fn analytic_a_long_frame_is_lighter_with_the_sleeve_across() {
 #[test]
 fn planted_a_high_battery_meets_the_ring_on_the_right_until_the_struts_are_longer() {
     let limits = "limits.envelope_width_mm = 300.0\nlimits.envelope_height_mm = 200.0\nlimits.mass_budget_g = 500.0\n";
-    let pack = "battery.battery_length_mm = 70.0\nbattery.battery_width_mm = 44.0\nbattery.battery_height_mm = 30.0\n";
+    let pack = "bought.battery = \"high\"\noverride.parts.high.kind = \"battery\"\noverride.parts.high.size_mm = [70.0, 44.0, 30.0]\n\
+                override.parts.high.mass_g = 58.0\noverride.parts.high.mass_basis = \"estimate\"\noverride.parts.high.source = \"a guess\"\n";
     let low = violated(&designed("cognifly", &format!("{ACROSS}{limits}{pack}")));
     let slides: Vec<&Finding> = low.iter().filter(|f| f.rule == "battery_slide").collect();
     assert!(!slides.is_empty() && slides.iter().all(|f| f.subject.ends_with("past cage_BR_bottom")), "{low:?}");
