@@ -195,8 +195,8 @@ mod tests {
     fn planted_pairs_of_one_effect_are_no_rows() {
         let plan = "kind = \"recovery\"\neffects = [\"preload\"]\n[seeds]\ntwo = [0, 5]\n";
         let file = ImpactFile::parse("s.toml", plan).expect("is TOML");
-        let refused = setting(&file, &Memory::default()).expect_err("has no rows");
-        assert!(refused.reason.to_string().contains("the plan has no rows"), "{}", refused.reason);
+        let refused = setting(&file, &Memory::default()).err().expect("has no rows");
+        assert!(refused.to_string().contains("the plan has no rows"), "{refused}");
     }
 
     /// A set of two is named as a diagnosis names it, whatever the order in the plan.
