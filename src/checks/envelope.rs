@@ -221,7 +221,7 @@ mod tests {
         let mast =
             |height_mm: f64| first("examples/frames/four-inch-long-range.toml", height_mm, |frame| frame.accessories.mast_height_mm = 90.0);
         let gps = || Some("`gps` is its highest body".to_string());
-        assert_eq!(mast(130.0), ("accessories.mast_height_mm".into(), gps()));
+        assert_eq!(mast(150.0), ("accessories.mast_height_mm".into(), gps()));
         assert_eq!(mast(100.0), ("rods.strut_rod_length_mm".into(), gps()), "rods alone are higher");
         let bay = first("cognifly", 114.5, |frame| frame.bracket.bay_height_mm = 44.0);
         assert_eq!(bay, ("bracket.bay_height_mm".into(), Some("`battery_sleeve` is its lowest body".into())));
