@@ -29,6 +29,8 @@ const OPTIONS = [
 
 const diagnoser = new EngineClient("diagnoser");
 const written = { columns: signal(""), units: signal(""), zero_g: signal(""), rate_hz: signal("") };
+/** What is being typed: it stays when drops were read meanwhile. */
+const typed = { columns: signal(""), units: signal(""), zero_g: signal(""), rate_hz: signal("") };
 const heldOut = signal("");
 const drops = signal<Attached>({});
 /** Whether they were made here, and are of no use beside others. */
@@ -288,7 +290,8 @@ function HowWritten() {
               type="text"
               size={16}
               placeholder={example}
-              value={written[key]}
+              value={typed[key]}
+              onInput={(event) => (typed[key].value = event.currentTarget.value)}
               onChange={(event) => {
                 written[key].value = event.currentTarget.value;
                 void read(drops.value);
