@@ -78,6 +78,9 @@ pub fn calibrate(
     settings: &MechanicsSettings,
     measured: &[Measured],
 ) -> Result<Calibration, CalibrationError> {
+    // At rest every modulus has no force: such a point says nothing of it, and is none.
+    let measured: Vec<Measured> = measured.iter().filter(|[x, _]| *x != 0.0).copied().collect();
+    let measured = &measured[..];
     let mut displacements: Vec<f64> = measured.iter().map(|[x, _]| *x).filter(|x| *x > 0.0).collect();
     displacements.sort_by(f64::total_cmp);
     displacements.dedup();
