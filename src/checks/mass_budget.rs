@@ -50,7 +50,7 @@ pub(super) fn check(scene: &Scene) -> Vec<Finding> {
     std::iter::once(take_off.finding()).chain(weightless_battery(scene)).collect()
 }
 
-/// A warning of a battery that is bought and weighs nothing: no extra can weigh it, as those that do stand for it in the bill.
+/// A warning of a battery that is bought, has no mass, and is in no extra's mass.
 fn weightless_battery(scene: &Scene) -> Option<Finding> {
     let frame = &scene.design.frame;
     let bought = frame.bought.get("battery").filter(|_| frame.battery.battery_mass_g == 0.0)?;

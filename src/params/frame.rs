@@ -186,11 +186,6 @@ impl Frame {
         self.magnet_above_underside_mm() - f64::from(WIRE_ROWS - 1) * self.bracket.wire_hole_pitch_up_mm
     }
 
-    /// Width of the knee between the fork's cheeks, mm.
-    pub fn knee_width_mm(&self) -> f64 {
-        self.rods.rod_diameter_mm + self.fit.grip_clearance_mm + 2.0 * self.knee.knee_side_wall_mm
-    }
-
     /// From the hub's axis to its ties at the sides, mm: there the outer flanks of neighbouring pairs of arms meet.
     pub fn tie_side_mm(&self) -> f64 {
         (self.half_pair_mm() + self.hub.hub_tie_wall_mm) * SQRT_2

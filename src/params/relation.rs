@@ -168,7 +168,7 @@ static RELATIONS: [Relation; 17] = [
         what: "the knee, with a millimetre of play between the fork's cheeks,",
         remedy: "lower fork_cheek_gap_mm or raise knee_side_wall_mm: nothing would guide the knee",
         of: ANY,
-        value_mm: |f| f.knee_width_mm() + CHEEK_PLAY_MM,
+        value_mm: |f| grip_mm(f) + 2.0 * f.knee.knee_side_wall_mm + CHEEK_PLAY_MM,
         least_mm: |f| f.fork.fork_cheek_gap_mm,
     },
     Relation {

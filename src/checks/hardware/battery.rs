@@ -8,7 +8,7 @@ pub(super) const LENGTH: &[&str] = &["battery.battery_length_mm", "bought.batter
 pub(super) const WIDTH: &[&str] = &["battery.battery_width_mm", "bought.battery"];
 pub(super) const HEIGHT: &[&str] = &["battery.battery_height_mm", "bought.battery"];
 
-/// Room across beyond a pack, mm: a choice. Packs swell by a tenth of their height, and a foam pad fills some millimetres.
+/// Room across beyond a pack, mm: a choice, for a pack that swells and for a pad of foam.
 const LOOSE_MM: f64 = 3.0;
 
 /// A stated size is that of the battery or more, as for a pack that swells, and across not much more. Where none is stated there is nothing to compare.

@@ -151,7 +151,7 @@ pub(super) fn tied(scene: &Scene) -> Vec<Finding> {
             ),
         ])
     };
-    let tied = ["receiver", "buzzer"].into_iter().filter(|role| part(frame, role).is_some()).count() > 0;
+    let tied = ["receiver", "buzzer"].into_iter().any(|role| part(frame, role).is_some());
     let strap_mm = part(frame, "tie").and_then(|tie| tie.strap_mm).filter(|_| tied);
     let slot = strap_mm.map(|[wide_mm, _]| {
         let slot = measure(frame.accessories.accessory_slot_mm, wide_mm, "mm", SLOTS);

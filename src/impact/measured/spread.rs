@@ -36,7 +36,7 @@ impl Spread {
         (self.q3 - self.q1) / QUARTILES_APART
     }
 
-    /// Standard error of the median of a normal quantity: √(π/2) of the mean's (M. G. Kendall, A. Stuart, The Advanced Theory of Statistics 1, 10.8).
+    /// Standard error of the median of a normal quantity: 1/(2 f √n), f its density there, which is √(π/2) of the mean's.
     pub fn median_error(&self) -> f64 {
         (std::f64::consts::FRAC_PI_2 / self.count as f64).sqrt() * self.deviation()
     }

@@ -145,8 +145,8 @@ fn mean(rows: &Rows, name: &str, counts: impl Fn(&KnownRow) -> bool) -> Fact {
     if values.is_empty() { Fact::None } else { Fact::Number(values.iter().sum::<f64>() / values.len() as f64) }
 }
 
-/// p-value of the largest distance between the p-values of rows that are what is tested, sloped landings or nothing hidden, and the even distribution on 0 to 1 (Kolmogorov's
-/// limit, with M. A. Stephens' factor for few values, J. R. Stat. Soc. B 32 (1970) 115).
+/// p-value of the largest distance between the p-values of rows that are what is tested, sloped landings or nothing hidden, and the even
+/// distribution on 0 to 1 (Kolmogorov's limit, with M. A. Stephens' factor for few values, J. R. Stat. Soc. B 32 (1970) 115).
 fn uniform(rows: &Rows, name: &str) -> Fact {
     let is_tested = |row: &&KnownRow| if name.starts_with("landing.") { row.slopes() == Some(true) } else { row.is_nothing() };
     let mut values: Vec<f64> = rows.iter().filter(is_tested).filter_map(|row| row.figure(name)).collect();

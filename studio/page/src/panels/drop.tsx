@@ -4,12 +4,13 @@ import type { DropAnswer, Energies, ImpactAnswer } from "../engine/outcomes.ts";
 import type { Doc } from "../state/doc.ts";
 import { identity } from "../state/doc.ts";
 import { right, showPicture } from "../state/focus.ts";
-import { goTo, hideMotion, length, owner, play, playing, seconds, showMotion } from "../state/player.ts";
+import { hideMotion, owner, play, playing, seconds, showMotion } from "../state/player.ts";
 import { checker, current, shownDoc } from "../state/studio.ts";
 import { Work } from "../state/work.ts";
 import type { Curve } from "../ui/plot.tsx";
 import { Plot } from "../ui/plot.tsx";
 import { ModelSelect } from "../ui/model_select.tsx";
+import { MotionTime } from "../ui/motion_time.tsx";
 import { Progress } from "../ui/progress.tsx";
 import { Slider } from "../ui/slider.tsx";
 import { short } from "../ui/words.ts";
@@ -233,15 +234,7 @@ export function Drop() {
             </button>
             {owner.value === "drop" && (
               <>
-                <input
-                  type="range"
-                  aria-label="Time of the impact"
-                  min="0"
-                  max={length.value}
-                  step="0.01"
-                  value={seconds.value}
-                  onInput={(event) => goTo(Number(event.currentTarget.value))}
-                />
+                <MotionTime label="Time of the impact" />
                 <span>{short(seconds.value * 10, 1)} ms</span>
                 <button type="button" onClick={() => hideMotion("drop")}>
                   Close

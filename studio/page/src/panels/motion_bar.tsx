@@ -1,5 +1,6 @@
 // What is played, below the picture on a narrow screen, where the panel that began it is not in sight.
-import { goTo, length, owner, play, playing, seconds } from "../state/player.ts";
+import { owner, play, playing } from "../state/player.ts";
+import { MotionTime } from "../ui/motion_time.tsx";
 import { goToStep, now } from "./fold.tsx";
 
 export function MotionBar() {
@@ -28,15 +29,7 @@ export function MotionBar() {
           </span>
         </>
       ) : (
-        <input
-          type="range"
-          aria-label="Time of the motion"
-          min="0"
-          max={length.value}
-          step="0.01"
-          value={seconds.value}
-          onInput={(event) => goTo(Number(event.currentTarget.value))}
-        />
+        <MotionTime label="Time of the motion" />
       )}
     </div>
   );
