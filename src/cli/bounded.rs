@@ -30,6 +30,16 @@ pub(super) fn count([min, max]: [u32; 2]) -> ValueParser {
     ValueParser::new(parse)
 }
 
+/// Parses none, or a count within its bounds, both ends included.
+pub(super) fn none_or_count([min, max]: [u32; 2]) -> ValueParser {
+    let parse = move |text: &str| match text.parse::<u32>() {
+        Ok(count) if count == 0 || (min..=max).contains(&count) => Ok(count as usize),
+        Ok(_) => Err(format!("{}; or 0 for none", out_of_bounds(&min, &max, ""))),
+        Err(error) => Err(format!("{error}: give 0, or {min} to {max}")),
+    };
+    ValueParser::new(parse)
+}
+
 /// A time such as 90s, 10m or 2h; a plain number is seconds.
 pub(super) fn duration(text: &str) -> Result<Duration, String> {
     let wrong = || format!("{text:?} is no time: give seconds, or a number with s, m or h, such as 10m");

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use super::bounded::count;
+use super::bounded::none_or_count;
 use super::candidates;
 use super::failure::Failure;
 use super::given_drops::{compared_model, file_format, frame_and_paths, read_drops, with_body_of};
@@ -16,7 +16,7 @@ use crate::impact::body::DropBody;
 use crate::impact::diagnose::{ChannelChoice, ComparedAxes, RARE};
 use crate::impact::effects::{Channel, Model};
 use crate::impact::fit;
-use crate::impact::fit::{Chosen, Fit, FitError, Keep, Layout, LeftOut, Likelihood, PaperObjective};
+use crate::impact::fit::{Chosen, Fit, FitError, Keep, LEAST_RESAMPLED, Layout, LeftOut, Likelihood, PaperObjective};
 use crate::impact::measured::DropSet;
 use crate::report::chart::fit_plots;
 use crate::report::data::fit_data;
@@ -42,8 +42,8 @@ pub(super) struct Args {
     /// Use flagged drops, too, also saturated ones, if they contain a whole impact. The paper's objective always does.
     #[arg(long)]
     pub all: bool,
-    /// Number of bootstrap fits for the intervals; 0 for no intervals.
-    #[arg(long, default_value_t = 200, value_name = "N", value_parser = count([0, MOST_SAMPLES]))]
+    /// Number of bootstrap fits for the intervals, at least 19; 0 for no intervals.
+    #[arg(long, default_value_t = 200, value_name = "N", value_parser = none_or_count([LEAST_RESAMPLED as u32, MOST_SAMPLES]))]
     pub bootstrap: usize,
     /// Seed of the random numbers of simulated and resampled sets.
     #[arg(long, default_value_t = 1, value_name = "N")]

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use flexframe::frame::assembly::{Design, mass};
-use flexframe::impact::frame_fit::{FrameFit, Height, MeasuredHeights, MedianEstimate, ResponseSurface, Subject, fit};
+use flexframe::impact::frame_fit::{FrameFit, Height, LoggedDrop, MeasuredHeights, MedianEstimate, ResponseSurface, Subject, fit};
 use flexframe::impact::measured;
 use flexframe::impact::measured::FileFormat;
 use flexframe::mechanics::model::frame_model::{Extent, FrameModel};
@@ -11,6 +11,8 @@ use flexframe::mechanics::settings::MechanicsSettings;
 use flexframe::params::Frame;
 
 const HEIGHTS_M: [f64; 3] = [0.5, 1.0, 1.5];
+/// The logger of the real drops.
+const STEP_S: f64 = 1e-3;
 /// Median a_z peaks, g, and impulses over v0 of all records, as published with the paper's data.
 const PUBLISHED: [[f64; 2]; 3] = [[74.6, 1.30], [98.8, 1.32], [122.4, 1.34]];
 
@@ -27,7 +29,8 @@ fn bench() -> &'static Bench {
         let settings = MechanicsSettings::load(None).expect("the program's own numbers are sound");
         let design = Design::new(Frame::load("cognifly-v8").expect("the preset is valid").0).expect("closes");
         let model = FrameModel::new(&design, &mass::table(&design), &settings, Extent::Quarter).expect("has a model");
-        let surface = ResponseSurface::new(&Subject { model: &model, settings: &settings }, &HEIGHTS_M).expect("is followed");
+        let drops = HEIGHTS_M.map(|height_m| LoggedDrop { height_m, step_s: STEP_S });
+        let surface = ResponseSurface::new(&Subject { model: &model, settings: &settings }, &drops).expect("is followed");
         Bench { model, settings, surface }
     })
 }
@@ -57,6 +60,7 @@ fn measured_published_peaks_are_predicted_from_the_other_heights() {
     // Standard errors as those of some 90 records a height.
     let height = |(at, [peak_g, impulse]): (usize, &[f64; 2])| Height {
         height_m: HEIGHTS_M[at],
+        step_s: STEP_S,
         peak_g: known(*peak_g, 0.03 * peak_g),
         impulse: known(*impulse, 0.02),
     };
@@ -94,9 +98,9 @@ fn planted_numbers_are_found_again() {
     let subject = Subject { model, settings };
     let (modulus, loss) = (0.5_f64, 0.6_f64);
     let height = |height_m: f64| {
-        let told = subject.run([libm::log(modulus), loss.sqrt()], height_m).expect("is followed");
+        let told = subject.run([libm::log(modulus), loss.sqrt()], LoggedDrop { height_m, step_s: STEP_S }).expect("is followed");
         let peak_g = libm::exp(told.ln_peak);
-        Height { height_m, peak_g: known(peak_g, 0.03 * peak_g), impulse: known(told.impulse, 0.02) }
+        Height { height_m, step_s: STEP_S, peak_g: known(peak_g, 0.03 * peak_g), impulse: known(told.impulse, 0.02) }
     };
     let heights: Vec<Height> = HEIGHTS_M.into_iter().map(height).collect();
     let found = fitted(&heights);
@@ -104,4 +108,28 @@ fn planted_numbers_are_found_again() {
     assert!((a.value / modulus - 1.0).abs() < 0.03 && (b.value / loss - 1.0).abs() < 0.05, "{a:?} {b:?}");
     assert!(a.ci95[0] < modulus && modulus < a.ci95[1] && b.ci95[0] < loss && loss < b.ci95[1], "{a:?} {b:?}");
     assert!(found.fitted.iter().all(|row| row.peak_off_percent.abs() < 1.0), "{:?}", found.fitted);
+}
+
+/// The readings of one impact by a logger of 1 kHz and by one of 10 kHz: the slower one has the lower peaks, and both give the same numbers.
+#[test]
+fn planted_numbers_do_not_depend_on_the_rate_of_the_logger() {
+    let Bench { model, settings, .. } = bench();
+    let subject = Subject { model, settings };
+    let (modulus, loss) = (0.5_f64, 0.6_f64);
+    let found = [1e-3, 1e-4].map(|step_s| {
+        let height = |height_m: f64| {
+            let told = subject.run([libm::log(modulus), loss.sqrt()], LoggedDrop { height_m, step_s }).expect("is followed");
+            let peak_g = libm::exp(told.ln_peak);
+            Height { height_m, step_s, peak_g: known(peak_g, 0.03 * peak_g), impulse: known(told.impulse, 0.02) }
+        };
+        let heights = [0.5, 1.5].map(height);
+        let drops: Vec<LoggedDrop> = heights.iter().map(Height::logged).collect();
+        let surface = ResponseSurface::new(&subject, &drops).expect("is followed");
+        (heights[0].peak_g.value, fit(&subject, surface, &heights).expect("is fitted").estimates)
+    });
+    let [(slow_g, slow), (fast_g, fast)] = found;
+    assert!(fast_g > 1.02 * slow_g, "{slow_g} g at 1 kHz, {fast_g} g at 10 kHz");
+    for (slow, fast) in slow.iter().zip(&fast) {
+        assert!((slow.value / fast.value - 1.0).abs() < 0.05, "{slow:?} {fast:?}");
+    }
 }

@@ -257,7 +257,8 @@ fn planted_unreadable_drops_exit_2_with_file_line_and_remedy() {
         (&["cognifly"], "name the drops"),
         (&["cognifly", "cognifly-v8", "good.csv"], "name one frame"),
         (&["good.csv", "--counts-per-g", "1,2"], "--counts-per-g takes three numbers"),
-        (&["good.csv", "--bootstrap", "1000000"], "out of bounds: give 0 to 100000"),
+        (&["good.csv", "--bootstrap", "1000000"], "out of bounds: give 19 to 100000; or 0 for none"),
+        (&["good.csv", "--bootstrap", "5"], "out of bounds: give 19 to 100000; or 0 for none"),
         (&["good.csv", "--objective", "best"], "possible values: ml, paper"),
     ] {
         let output = run("fit", place, arguments);

@@ -6,21 +6,19 @@
 
 use std::collections::BTreeMap;
 
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
+use super::moved_zero::{HeightZeros, moved_zero_p};
 use super::search::RARE;
 use crate::impact::fit::Chosen;
-use crate::impact::measured::{Drop, Record, Session, Zero, decimal};
+use crate::impact::measured::{Drop, Record, Session, decimal, mean_in_fall};
 
 /// A quantity that explains more of the height than this is confounded with it.
 const MOST: f64 = 0.5;
 /// Numbers with fewer different values than a drop in so many are names.
 const PER_NAME: usize = 4;
-/// Least error of a zero, g: a hundredth of the converter's step, for sensors without noise.
-const LEAST_ERROR_G: f64 = 1e-3;
-
 /// Which axis points along the fall.
 const AXIAL: usize = 2;
+/// Axes that are asked.
+const AXES: f64 = 3.0;
 /// What a falling sensor reads of drag at the most, over the last four fifths of its fall, g a metre of height: its mean is 0.827 β h, and β is
 /// 0.2 1/m at the most for a body of this size and mass.
 const MOST_DRAG_G_M: f64 = 0.827 * 0.2;
@@ -79,11 +77,6 @@ fn share(left: f64, whole: f64, count: usize, parameters: usize) -> Option<f64> 
     (whole > 0.0).then(|| 1.0 - left / free as f64 / (whole / (count as f64 - 1.0)))
 }
 
-/// The least power of ten above a p-value, not below what the distribution is good for.
-fn least_bound(p: f64) -> f64 {
-    libm::pow(10.0, libm::log10(p.max(1e-12)).ceil())
-}
-
 fn sum_of_squares(values: &[f64]) -> f64 {
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
     values.iter().map(|value| (value - mean).powi(2)).sum()
@@ -112,62 +105,30 @@ fn share_of_groups(groups: &BTreeMap<&str, Vec<f64>>, count: usize) -> Option<f6
 fn of_zeros(chosen: &Chosen) -> Option<Confounding> {
     let mut by_height: BTreeMap<u64, Vec<&Drop>> = BTreeMap::new();
     chosen.drops.iter().for_each(|drop| by_height.entry(drop.record.height_m.to_bits()).or_default().push(drop));
-    let sessions: Vec<(f64, Session)> = by_height
-        .values()
-        .flat_map(|drops| {
-            let height_m = drops[0].record.height_m;
-            Session::all(drops.iter().map(|drop| (drop.record, &drop.impact))).into_iter().map(move |session| (height_m, session))
-        })
-        .collect();
-    let moved = |axis: usize| {
-        let zeros: Vec<(f64, &str, Zero)> =
-            sessions.iter().filter_map(|(height_m, session)| Some((*height_m, session.name.as_str(), session.zeros[axis]?))).collect();
-        let slope = if axis == AXIAL { MOST_DRAG_G_M } else { 0.0 };
-        let squares = moved_squares(&zeros.iter().map(|(height_m, _, zero)| (*height_m, *zero)).collect::<Vec<_>>(), slope);
-        let parameters = if axis == AXIAL { 2 } else { 1 };
-        let law = ChiSquared::new(zeros.len().checked_sub(parameters).filter(|free| *free > 0)? as f64).ok()?;
-        Some((axis, law.sf(squares), zeros))
+    let zeros = |axis: usize| -> Vec<HeightZeros> {
+        let of_height = |drops: &Vec<&Drop>| HeightZeros {
+            height_m: drops[0].record.height_m,
+            zeros_g: drops.iter().filter_map(|drop| mean_in_fall(drop.record, drop.impact.as_ref()?, axis)).collect(),
+        };
+        by_height.values().map(of_height).filter(|height| !height.zeros_g.is_empty()).collect()
     };
-    // Three axes are asked.
-    let (axis, p, zeros) = (0..3).filter_map(moved).min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, p, _)| 3.0 * p < RARE)?;
-    let each: Vec<String> = zeros.iter().map(|(_, name, zero)| format!("{:.2} g in {name}", zero.mean_g)).collect();
+    let moved = |axis: usize| moved_zero_p(&zeros(axis), if axis == AXIAL { MOST_DRAG_G_M } else { 0.0 }).map(|p| (axis, AXES * p));
+    let (axis, p) = (0..3).filter_map(moved).min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, p)| *p < RARE)?;
+    let names = by_height.values().map(|drops| Session::name_of(drops[0].record));
+    let each: Vec<String> =
+        zeros(axis).iter().zip(names).filter_map(|(height, name)| Some(format!("{:.2} g in {name}", height.median_g()?))).collect();
     let found = format!(
-        "no session is stated, and the zero of {} moved from height to height ({}; p < {:.0e}): each height is a session, a day or a mounting of \
+        "no session is stated, and the zero of {} moved from height to height ({}; p = {p:.3}): each height is a session, a day or a mounting of \
          its own, and what these do cannot be told from what the height does",
         ["x", "y", "z"][axis],
         each.join(", "),
-        least_bound(3.0 * p)
     );
     Some(Confounding { with: "mount".into(), share_of_height: 1.0, found })
-}
-
-/// Squares of zeros about the line that is nearest to them, whose slope is 0 to `most`, g/m, each in units of its error.
-fn moved_squares(zeros: &[(f64, Zero)], most: f64) -> f64 {
-    let weight = |zero: &Zero| zero.error_g.max(LEAST_ERROR_G).powi(-2);
-    let sum: f64 = zeros.iter().map(|(_, zero)| weight(zero)).sum();
-    let mean = |of: &dyn Fn(f64, &Zero) -> f64| zeros.iter().map(|(height_m, zero)| weight(zero) * of(*height_m, zero)).sum::<f64>() / sum;
-    let [height_m, zero_g] = [mean(&|height_m, _| height_m), mean(&|_, zero| zero.mean_g)];
-    let [along, square] =
-        [mean(&|h_m, zero| (h_m - height_m) * (zero.mean_g - zero_g)), mean(&|h_m, _| (h_m - height_m) * (h_m - height_m))];
-    let slope = if square > 0.0 { (along / square).clamp(0.0, most) } else { 0.0 };
-    sum * mean(&|h_m, zero| (zero.mean_g - zero_g - slope * (h_m - height_m)).powi(2))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// A sensor with one zero that reads the drag of a fall: 0.827 β h over its last four fifths.
-    #[test]
-    fn analytic_drag_along_the_axis_is_no_change_of_zero() {
-        let zero = |mean_g: f64| Zero { mean_g, error_g: 0.002, records: 20 };
-        let drag = [0.5, 1.0, 1.5].map(|height_m| (height_m, zero(0.1 + 0.827 * 0.038 * height_m)));
-        assert!(moved_squares(&drag, MOST_DRAG_G_M) < 1e-6 && moved_squares(&drag, 0.0) > 50.0);
-        // More than any frame's drag, and falling with the height.
-        let steep = [0.5, 1.0, 1.5].map(|height_m| (height_m, zero(0.5 * height_m)));
-        let falling = [0.5, 1.0, 1.5].map(|height_m| (height_m, zero(-0.03 * height_m)));
-        assert!(moved_squares(&steep, MOST_DRAG_G_M) > 50.0 && moved_squares(&falling, MOST_DRAG_G_M) > 50.0);
-    }
 
     fn records(of: &[(f64, &str)]) -> Vec<Record> {
         let record = |(at, (height_m, session)): (usize, &(f64, &str))| Record {

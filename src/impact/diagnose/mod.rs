@@ -22,6 +22,7 @@ mod frame_mode;
 mod gap;
 mod gaps;
 mod judged_again;
+mod moved_zero;
 mod observable;
 mod power;
 mod prepared_drops;

@@ -77,12 +77,13 @@ pub struct ResidualMap {
     pub cells: Vec<Cell>,
     /// The sample with the largest residual in units of its standard error.
     pub worst: Point,
-    /// Mean correlation of the residuals of neighbouring heights as functions of time, of displacement while
+    /// Mean cosine between the residuals of neighbouring heights as functions of time, of displacement while
     /// loading, and of speed while loading; the largest says on which of them the missing effect depends.
     pub same_in: SameIn,
 }
 
-/// Correlation of the residuals of different heights.
+/// Cosine between the residuals of different heights: 1 where one is a positive multiple of the other. No means are taken off, as a residual that is the
+/// same at all heights is alike in full.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct SameIn {
     /// By time.
@@ -174,7 +175,7 @@ pub fn residual_map(points: &[Point]) -> Option<ResidualMap> {
     Some(ResidualMap { cells, worst, same_in })
 }
 
-/// Mean correlation of neighbouring heights over the range that both have.
+/// Mean cosine of neighbouring heights over the range that both have.
 fn alike(series: &[Vec<(f64, f64)>]) -> f64 {
     let mut sum = 0.0;
     let mut count = 0.0;
@@ -187,7 +188,7 @@ fn alike(series: &[Vec<(f64, f64)>]) -> f64 {
         }
         let grid = |i: usize| low + (high - low) * i as f64 / (GRID - 1) as f64;
         let (left, right): (Vec<f64>, Vec<f64>) = (0..GRID).map(|i| (between(&a, grid(i)), between(&b, grid(i)))).unzip();
-        sum += correlation(&left, &right);
+        sum += cosine(&left, &right);
         count += 1.0;
     }
     if count > 0.0 { sum / count } else { 0.0 }
@@ -205,7 +206,7 @@ fn between(series: &[(f64, f64)], at: f64) -> f64 {
     if b.0 > a.0 { a.1 + (b.1 - a.1) * ((at - a.0) / (b.0 - a.0)).clamp(0.0, 1.0) } else { a.1 }
 }
 
-fn correlation(a: &[f64], b: &[f64]) -> f64 {
+fn cosine(a: &[f64], b: &[f64]) -> f64 {
     let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     product(a, b) / (product(a, a) * product(b, b)).sqrt().max(1e-300)
 }

@@ -16,6 +16,9 @@ const MOST_STEPS: usize = 60;
 /// Factors on each starting value, one after the other, for further starts.
 const STARTS: [f64; 2] = [0.4, 2.5];
 
+/// Fewest fits to other drops whose errors say what 95 % are: of fewer, the largest error holds less.
+pub const LEAST_RESAMPLED: usize = 19;
+
 /// Something to be made small by a model.
 pub trait Objective: Sync + Sized {
     /// Drops a height.
@@ -59,7 +62,7 @@ pub struct ParameterEstimate {
     pub start: f64,
     /// Where it ended.
     pub value: f64,
-    /// 95 % interval.
+    /// 95 % interval; none from fewer than [`LEAST_RESAMPLED`] fits.
     pub ci95: Option<[f64; 2]>,
     /// Whether it ended at a bound.
     pub at_bound: bool,
@@ -111,6 +114,7 @@ pub fn fit<O: Objective>(objective: &O, layout: &Layout, samples: usize, seed: u
         start: layout.model.value(free.spec.id, free.key()).unwrap_or(0.0),
         value: outward(at, best.at[at]),
         ci95: match is_simulated {
+            _ if ended.len() < LEAST_RESAMPLED => None,
             false => Spread::middle(ended.iter().map(|other| outward(at, other.at[at])), 0.95),
             true => by_errors(at, &best, &ended).map(|ends| ends.map(|end| outward(at, end.clamp(bounds[at][0], bounds[at][1])))),
         },

@@ -30,7 +30,7 @@ pub use covariance_model::{CovarianceModel, inverse_root, outer};
 pub use decimation::Decimation;
 pub use expected::{Expected, Ready};
 pub use fine_wave::FINE_S;
-pub use fitting::{Fit, Objective, ParameterEstimate, fit};
+pub use fitting::{Fit, LEAST_RESAMPLED, Objective, ParameterEstimate, fit};
 pub use free::{Free, Layout};
 pub use least_squares::{Minimum, at_bounds, inverse, minimise, minimise_until};
 pub use likelihood::Likelihood;

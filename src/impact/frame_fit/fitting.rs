@@ -135,7 +135,7 @@ fn estimates(minimum: &Minimum) -> [MaterialEstimate; 2] {
 /// What the model itself, not its surface, says of heights at places.
 fn predicted(subject: &Subject, heights: &[Height], asked: &[(Vec<usize>, [f64; 2], usize)]) -> Result<Vec<Predicted>, FrameFitError> {
     let answered: Vec<Response> =
-        asked.par_iter().map(|(_, at, height)| subject.run(*at, heights[*height].height_m)).collect::<Result<_, _>>()?;
+        asked.par_iter().map(|(_, at, height)| subject.run(*at, heights[*height].logged())).collect::<Result<_, _>>()?;
     let row = |((from, at, height), answered): (&(Vec<usize>, [f64; 2], usize), Response)| {
         let (numbers, peak_g) = (subject.numbers(*at), libm::exp(answered.ln_peak));
         Predicted {

@@ -1,8 +1,9 @@
 //! What the drops from one height say together.
 
+use super::response_surface::LoggedDrop;
 use crate::impact::effects::Channel;
 use crate::impact::fit::{Chosen, FitError, Keep, LeftOut};
-use crate::impact::measured::{Drop, DropGroup, DropSet, Spread, Summary};
+use crate::impact::measured::{Drop, DropGroup, DropSet, Spread, Summary, usual_step_s};
 
 /// A median and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
@@ -28,6 +29,8 @@ impl MedianEstimate {
 pub struct Height {
     /// From where, m.
     pub height_m: f64,
+    /// Time between the readings of most drops, s. The slower a logger, the lower are its peaks.
+    pub step_s: f64,
     /// Peaks along the axis of the drops that hit once by a clock that did not stall, g, behind the logger's 500 Hz.
     pub peak_g: MedianEstimate,
     /// Impulse along the axis within 25 ms over the speed before, of the drops without a flag; restitution is that less one.
@@ -35,10 +38,15 @@ pub struct Height {
 }
 
 impl Height {
-    /// Of a summary; `None` when no drop has an impact, or none is without a flag.
-    pub fn of(summary: &Summary) -> Option<Self> {
+    /// Of a summary and the time between its readings, s; `None` when no drop has an impact, or none is without a flag.
+    fn of(summary: &Summary, step_s: f64) -> Option<Self> {
         let (peak, impulse) = (summary.peak_axial_g.as_ref()?, summary.impulse_over_v0.as_ref()?);
-        Some(Self { height_m: summary.height_m, peak_g: MedianEstimate::of(peak), impulse: MedianEstimate::of(impulse) })
+        Some(Self { height_m: summary.height_m, step_s, peak_g: MedianEstimate::of(peak), impulse: MedianEstimate::of(impulse) })
+    }
+
+    /// What the model is asked.
+    pub fn logged(&self) -> LoggedDrop {
+        LoggedDrop { height_m: self.height_m, step_s: self.step_s }
     }
 }
 
@@ -75,7 +83,8 @@ impl MeasuredHeights {
         let height = |group: &DropGroup| {
             let height_m = group.height_m;
             let kept: Vec<Drop> = chosen.drops.iter().filter(|drop| drop.record.height_m == height_m).cloned().collect();
-            Height::of(&Summary::of(group, &kept)).ok_or(MeasuredHeightsError::NoneClean { height_m })
+            let step_s = usual_step_s(kept.iter().map(|drop| drop.record));
+            step_s.and_then(|step_s| Height::of(&Summary::of(group, &kept), step_s)).ok_or(MeasuredHeightsError::NoneClean { height_m })
         };
         Ok(Self { heights: set.groups.iter().map(height).collect::<Result<_, _>>()?, left_out: chosen.left_out })
     }

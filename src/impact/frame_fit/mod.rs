@@ -16,4 +16,4 @@ mod response_surface;
 pub use fitting::{FrameFit, FrameFitError, MaterialEstimate, Predicted, fit};
 pub use frame_reduction::{CURVE_MM, ReductionError, reduced_model};
 pub use height::{Height, MeasuredHeights, MeasuredHeightsError, MedianEstimate};
-pub use response_surface::{Response, ResponseSurface, Subject};
+pub use response_surface::{LoggedDrop, Response, ResponseSurface, Subject};

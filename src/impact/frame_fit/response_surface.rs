@@ -23,6 +23,15 @@ pub struct Subject<'a> {
     pub settings: &'a MechanicsSettings,
 }
 
+/// A drop whose readings a logger takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoggedDrop {
+    /// From where, m.
+    pub height_m: f64,
+    /// Time between readings, s.
+    pub step_s: f64,
+}
+
 /// What the model says of a drop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response {
@@ -49,21 +58,21 @@ impl Subject<'_> {
     ///
     /// # Errors
     /// When its motion is lost.
-    pub fn run(&self, at: [f64; 2], height_m: f64) -> Result<Response, ImpactError> {
+    pub fn run(&self, at: [f64; 2], drop: LoggedDrop) -> Result<Response, ImpactError> {
         let run = Run { longest_ms: IMPULSE_MS + 0.1, off_ground_ms: f64::INFINITY, ..Run::default() };
-        let impact = Impact::new(self.model, &self.numbers(at), height_m, &run)?;
+        let impact = Impact::new(self.model, &self.numbers(at), drop.height_m, &run)?;
         let reading = impact.through(LOGGER_HZ);
         let pairs = impact.moments.windows(2).zip(reading.windows(2)).filter(|(moment, _)| moment[1].t_ms <= IMPULSE_MS + 1e-9);
         let area: f64 = pairs.map(|(moment, g)| 0.5 * (g[0] + g[1]) * (moment[1].t_ms - moment[0].t_ms)).sum();
         let impulse = area * GRAVITY_MM_MS2 / impact.speed_m_s;
-        Ok(Response { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms)), impulse })
+        Ok(Response { ln_peak: libm::log(sampled_peak_g(&reading, run.step_ms, 1e3 * drop.step_s)), impulse })
     }
 }
 
 /// The answers of some heights over the grid.
 #[derive(Clone)]
 pub struct ResponseSurface {
-    heights_m: Vec<f64>,
+    drops: Vec<LoggedDrop>,
     /// Height by height, row by row of the moduli.
     nodes: Vec<[[Response; 4]; 4]>,
     /// What the model says beyond the interpolation, height by height.
@@ -75,19 +84,17 @@ impl ResponseSurface {
     ///
     /// # Errors
     /// When a motion is lost.
-    pub fn new(subject: &Subject, heights_m: &[f64]) -> Result<Self, ImpactError> {
+    pub fn new(subject: &Subject, drops: &[LoggedDrop]) -> Result<Self, ImpactError> {
         let jobs: Vec<(usize, usize, usize)> =
-            (0..heights_m.len()).flat_map(|h| (0..4).flat_map(move |i| (0..4).map(move |j| (h, i, j)))).collect();
-        let answers: Vec<Response> = jobs
-            .par_iter()
-            .map(|(h, i, j)| subject.run([libm::log(MODULI[*i]), ROOT_LOSSES[*j]], heights_m[*h]))
-            .collect::<Result<_, _>>()?;
+            (0..drops.len()).flat_map(|h| (0..4).flat_map(move |i| (0..4).map(move |j| (h, i, j)))).collect();
+        let answers: Vec<Response> =
+            jobs.par_iter().map(|(h, i, j)| subject.run([libm::log(MODULI[*i]), ROOT_LOSSES[*j]], drops[*h])).collect::<Result<_, _>>()?;
         let none = Response { ln_peak: 0.0, impulse: 0.0 };
-        let mut nodes = vec![[[none; 4]; 4]; heights_m.len()];
+        let mut nodes = vec![[[none; 4]; 4]; drops.len()];
         for ((h, i, j), answer) in jobs.into_iter().zip(answers) {
             nodes[h][i][j] = answer;
         }
-        Ok(Self { heights_m: heights_m.to_vec(), offsets: vec![none; heights_m.len()], nodes })
+        Ok(Self { drops: drops.to_vec(), offsets: vec![none; drops.len()], nodes })
     }
 
     /// Bounds of the search: those of the grid, which lie within the numbers' own.
@@ -120,7 +127,7 @@ impl ResponseSurface {
     /// # Errors
     /// When a motion is lost.
     pub fn correct(&mut self, subject: &Subject, at: [f64; 2]) -> Result<f64, ImpactError> {
-        let answered: Vec<Response> = self.heights_m.par_iter().map(|height_m| subject.run(at, *height_m)).collect::<Result<_, _>>()?;
+        let answered: Vec<Response> = self.drops.par_iter().map(|drop| subject.run(at, *drop)).collect::<Result<_, _>>()?;
         let mut most = 0.0_f64;
         for (height, answer) in answered.into_iter().enumerate() {
             let by = answer.map(self.at(at, height), |answered, here| answered - here);

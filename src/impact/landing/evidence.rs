@@ -57,7 +57,7 @@ impl TouchEvidence {
         let all = || observed.heights.iter().flat_map(|height| &height.drops);
         let seen = || observed.heights.iter().flat_map(HeightLandings::seen);
         let drops = all().count();
-        let is_along = |drop: &&ObservedLanding| off_diagonal_rad(drop.touches.direction_rad) <= NEAR_RAD;
+        let is_along = |drop: &&ObservedLanding| is_along_a_diagonal(drop.touches.direction_rad);
         let (along, count) = (seen().filter(is_along).count(), seen().count());
         let along_axes_p = even(count).map_or(1.0, |binomial| binomial.cdf(along as u64));
         let first_seen = || all().filter(|drop| drop.touches.first_seen());
@@ -115,6 +115,11 @@ fn so_many_p(along: usize, count: usize) -> f64 {
         Some((below, binomial)) => binomial.sf(below),
         None => 1.0,
     }
+}
+
+/// Whether a direction counts as one along a diagonal.
+pub(super) fn is_along_a_diagonal(direction_rad: f64) -> bool {
+    off_diagonal_rad(direction_rad) <= NEAR_RAD
 }
 
 /// Angle to the nearest diagonal.

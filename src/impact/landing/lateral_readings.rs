@@ -66,11 +66,10 @@ impl LateralReadings {
             t_s: blocks.iter().map(|block| mean(block, &|at| t_s[at])).collect(),
             along_g: blocks.iter().map(|block| mean(block, &|place| at(foot, place))).collect(),
         };
-        let [a, b] = [diagonals_g[0][peak], diagonals_g[1][peak]];
         Some(Self {
             first,
             begin_s: t_s[peak] - 0.5 * SPIKE_S,
-            direction_rad: libm::atan2(a - b, a + b),
+            direction_rad: direction_of_longest(start..first_end, &diagonals_g)?,
             channels: [channel(first), channel(beside(first)[0])],
         })
     }
@@ -102,6 +101,13 @@ pub(super) fn first_of(spikes: &[Spike; FEET]) -> usize {
     (0..FEET).filter(believed).min_by(|a, b| spikes[*a].at_s.total_cmp(&spikes[*b].at_s)).unwrap_or(0)
 }
 
+/// Angle to the sensor's x of the largest lateral reading. It is not taken from the largest reading along a diagonal: such a choice prefers
+/// diagonals, also of noise that has no direction.
+fn direction_of_longest(span: std::ops::Range<usize>, [one, other]: &[Vec<f64>; 2]) -> Option<f64> {
+    let longest = span.max_by(|a, b| libm::hypot(one[*a], other[*a]).total_cmp(&libm::hypot(one[*b], other[*b])))?;
+    Some(libm::atan2(one[longest] - other[longest], one[longest] + other[longest]))
+}
+
 /// The reading toward a foot's push, of those along the two diagonals.
 fn toward(foot: usize, diagonals_g: [f64; 2]) -> f64 {
     let diagonal = diagonals_g[foot / 2];
@@ -112,4 +118,40 @@ fn toward(foot: usize, diagonals_g: [f64; 2]) -> f64 {
 pub(super) fn beside(foot: usize) -> [usize; 2] {
     let next = (foot + 2) % FEET;
     [next, next ^ 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+    use rand_pcg::Pcg64;
+
+    use super::*;
+    use crate::impact::landing::evidence::is_along_a_diagonal;
+
+    /// A third of all directions are within 15 degrees of a diagonal. By the largest reading along a diagonal it would be half of these.
+    #[test]
+    fn analytic_noise_without_a_direction_has_a_third_along_diagonals() {
+        let mut rng = Pcg64::seed_from_u64(4);
+        let t_s: Vec<f64> = (-200..300).map(|i| 1e-4 * f64::from(i)).collect();
+        let sets = 600;
+        let along = (0..sets)
+            .filter(|_| {
+                let mut noise = || -> Vec<f64> { t_s.iter().map(|_| StandardNormal.sample(&mut rng)).collect() };
+                let readings = LateralReadings::of_diagonals(&t_s, [noise(), noise()]).expect("is long enough");
+                is_along_a_diagonal(readings.direction_rad)
+            })
+            .count();
+        // Within three standard deviations of a binomial with 600 directions.
+        assert!((165..=235).contains(&along), "{along} of {sets}");
+    }
+
+    #[test]
+    fn analytic_the_direction_is_that_of_the_longest_reading() {
+        for (x, y) in [(3.0, 4.0), (-3.0, 4.0), (5.0, -0.1), (-2.0, -2.0_f64)] {
+            let diagonals = [x + y, x - y].map(|along| vec![0.0, FRAC_1_SQRT_2 * along, 0.0]);
+            let found = direction_of_longest(0..3, &diagonals).expect("there are three");
+            assert!((found - y.atan2(x)).abs() < 1e-12, "{x} {y}: {found}");
+        }
+    }
 }

@@ -74,7 +74,7 @@ pub use record::{DropGroup, DropSet, Record};
 #[cfg(feature = "cli")]
 pub use scale::read_scale;
 pub use scale::{ScaleReading, scale_readings};
-pub use session::{Session, Zero};
+pub use session::{Session, Zero, mean_in_fall};
 pub use spread::Spread;
 pub use stamp_jitter::StampJitter;
 pub use static_test::StaticTest;

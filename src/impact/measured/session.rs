@@ -71,21 +71,22 @@ impl Session {
     }
 }
 
+/// Mean reading of an axis over the fall, g; `None` for a fall that is too short, and for an axis that was not measured.
+pub fn mean_in_fall(record: &Record, impact: &Impact, axis: usize) -> Option<f64> {
+    let falling = impact.falling.clone();
+    // The first fifth may hold the release.
+    let falling = falling.start + falling.len() / 5..falling.end;
+    let readings = match &record.axes_g {
+        Some(axes) => &axes[axis],
+        None if axis == 2 => &record.accel_g,
+        None => return None,
+    };
+    (falling.len() >= FALLING).then(|| readings[falling.clone()].iter().sum::<f64>() / falling.len() as f64)
+}
+
 /// Mean over records of the mean over the fall.
 fn zero(records: &[(&Record, Option<&Impact>)], axis: usize) -> Option<Zero> {
-    let of_record = |(record, impact): &(&Record, Option<&Impact>)| {
-        let falling = impact.as_ref()?.falling.clone();
-        // The first fifth may hold the release.
-        let falling = falling.start + falling.len() / 5..falling.end;
-        let readings = match &record.axes_g {
-            Some(axes) => &axes[axis],
-            None if axis == 2 => &record.accel_g,
-            None => return None,
-        };
-        (falling.len() >= FALLING).then(|| readings[falling.clone()].iter().sum::<f64>() / falling.len() as f64)
-    };
-    let means: Vec<f64> = records.iter().filter_map(of_record).collect();
-    let spread = Spread::of(means.iter().copied())?;
+    let spread = Spread::of(records.iter().filter_map(|(record, impact)| mean_in_fall(record, (*impact)?, axis)))?;
     // The median, because some falls are none.
     Some(Zero { mean_g: spread.median, error_g: spread.median_error(), records: spread.count })
 }

@@ -16,6 +16,8 @@ use crate::units::{Angle, GRAVITY_M_S2, GRAVITY_MM_MS2};
 
 /// Bandwidth of the logger in the measured drops, Hz, first order (ADXL377).
 pub const LOGGER_HZ: f64 = 500.0;
+/// Time between its readings, ms.
+pub const LOGGER_STEP_MS: f64 = 1.0;
 
 /// How a drop is computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -225,10 +227,10 @@ impl Impact {
     }
 }
 
-/// Largest of readings a millisecond apart, g, in the mean over the phases of the logger's clock: what a peak is by its records.
-/// Readings `step_ms` apart come in.
-pub fn sampled_peak_g(reading_g: &[f64], step_ms: f64) -> f64 {
-    let each = ((1.0 / step_ms).round() as usize).max(1);
+/// Largest of readings `logged_ms` apart, g, in the mean over the phases of the logger's clock: what a peak is by its records.
+/// Readings `step_ms` apart come in; a logger that is faster has their peak.
+pub fn sampled_peak_g(reading_g: &[f64], step_ms: f64, logged_ms: f64) -> f64 {
+    let each = ((logged_ms / step_ms).round() as usize).max(1);
     let of_phase = |phase: usize| reading_g.iter().skip(phase).step_by(each).copied().fold(f64::NEG_INFINITY, f64::max);
     (0..each).map(of_phase).sum::<f64>() / each as f64
 }

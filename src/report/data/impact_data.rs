@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::export::ExportError;
 use crate::export::table::csv;
 use crate::figures::{PARAMETER_DIGITS, significant};
-use crate::mechanics::result::impact::{Impact, LOGGER_HZ, Run, sampled_peak_g};
+use crate::mechanics::result::impact::{Impact, LOGGER_HZ, LOGGER_STEP_MS, Run, sampled_peak_g};
 use crate::mechanics::result::underside::{Reached, Underside};
 use crate::mechanics::settings::MechanicsSettings;
 
@@ -35,7 +35,7 @@ pub fn sensor_peak_g(impact: &Impact) -> f64 {
 /// Peak in the records of the real drops' logger, g: behind the sensor, one reading a millisecond. This is what a measured peak compares
 /// with; it holds for the steps of [`Run::default`].
 fn logged_peak_g(impact: &Impact) -> f64 {
-    sampled_peak_g(&impact.through(LOGGER_HZ), Run::default().step_ms)
+    sampled_peak_g(&impact.through(LOGGER_HZ), Run::default().step_ms, LOGGER_STEP_MS)
 }
 
 fn of_height(found: &Impacts, impact: &Impact, series: bool) -> Value {

@@ -244,7 +244,7 @@ fn residual_map(diagnosis: &Diagnosis) -> Vec<Block> {
         Block::Table(cells(["height, m", "phase", "residual, g", "standard error, g"]), rows),
         Block::Text(format!(
             "Largest residual in standard errors: from {} m, {:.1} ms after first touch, at {:.1} mm and {:.2} m/s, {:.1} g measured and {:.1} g in the model. \
-             Correlation of the residuals of neighbouring heights: {:.2} by time, {:.2} by displacement, {:.2} by speed.",
+             Cosine between the residuals of neighbouring heights: {:.2} by time, {:.2} by displacement, {:.2} by speed.",
             worst.height_m, worst.t_ms, worst.x_mm, worst.v_m_s, worst.measured_g, worst.model_g, same.t, same.x, same.v
         )),
     ]
